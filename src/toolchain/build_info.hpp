@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which version of the sources this program is, and what compiled it.
+#pragma once
+
+namespace toolchain {
+
+/// The project's version, e.g. "0.1.0".
+extern const char* const version;
+
+/// The first 12 digits of the commit; "unknown" without git, outside a checkout or before the first
+/// commit.
+extern const char* const commit;
+
+/// Whether files differ from `commit`, those neither committed nor ignored included; prose
+/// (report/*.tex, *.bib), on which no result depends, is not looked at. False if the commit is
+/// unknown.
+extern const bool modified;
+
+/// Name and version of the compiler, e.g. "GNU 12.2.0".
+extern const char* const compiler;
+
+/// CMake's build type, e.g. "Release".
+extern const char* const build_type;
+
+/// The compiler flags of the build type.
+extern const char* const flags;
+
+}  // namespace toolchain

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DSOURCE= -DTEMPLATE= -DOUTPUT= -DVERSION= … -P WriteBuildInfo.cmake
+# Fills the template in with the commit of SOURCE; leaves OUTPUT untouched if it says the same already.
+cmake_minimum_required(VERSION 3.25)
+
+set(COMMIT unknown)
+set(MODIFIED false)
+
+# A source archive unpacked inside another checkout must not report that one's commit: .git is looked for here only.
+if(EXISTS "${SOURCE}/.git")
+  # A git hook that starts a build would send git to the hook's own checkout.
+  unset(ENV{GIT_DIR})
+  unset(ENV{GIT_WORK_TREE})
+  unset(ENV{GIT_INDEX_FILE})
+  # No locks: someone may be committing. safe.directory: containers build a checkout that belongs to someone else.
+  execute_process(
+    COMMAND git --no-optional-locks -c "safe.directory=${SOURCE}"
+      status --porcelain=v2 --branch --untracked-files=normal
+    WORKING_DIRECTORY "${SOURCE}"
+    OUTPUT_VARIABLE status
+    ERROR_QUIET
+    RESULT_VARIABLE failed)
+  if(failed EQUAL 0 AND status MATCHES "# branch\\.oid ([0-9a-f]+)\n")
+    string(SUBSTRING "${CMAKE_MATCH_1}" 0 12 COMMIT)
+    if(status MATCHES "(^|\n)[^#\n]")
+      set(MODIFIED true)
+    endif()
+  endif()
+endif()
+
+configure_file("${TEMPLATE}" "${OUTPUT}" @ONLY)

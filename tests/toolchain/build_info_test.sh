@@ -1,0 +1,62 @@
+#!/bin/sh
+# WriteBuildInfo.cmake: the commit and whether the checkout differs from it.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "$0")/shell_test.sh"
+unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
+
+checkout=$scratch/checkout
+written=$scratch/build_info.cpp
+mkdir -p "$checkout/report"
+
+ask() { # ask FOLDER: the commit and the flag, as the program would know them
+  runs cmake "-DSOURCE=$1" "-DTEMPLATE=$source_dir/src/toolchain/build_info.cpp.in" "-DOUTPUT=$written" \
+    -DVERSION=1.2.3 -DCOMPILER=GNU -DBUILD_TYPE=Release '-DFLAGS=-O3 -DNAME="x y"' \
+    -P "$source_dir/src/toolchain/cmake/WriteBuildInfo.cmake"
+}
+has() { grep -qF "$1" "$written" && echo yes || echo no; }
+git_here() { git -C "$checkout" -c user.name=t -c user.email=t@example.org -c commit.gpgsign=false "$@" >/dev/null 2>&1; }
+
+ask "$checkout"
+claim 'outside a checkout the commit is unknown' "$(has 'commit = R"text(unknown)text"')" = yes
+claim 'outside a checkout nothing counts as modified' "$(has 'modified = false')" = yes
+claim 'version and flags are written as given' "$(has 'flags = R"text(-O3 -DNAME="x y")text"')" = yes
+
+git_here init
+ask "$checkout"
+claim 'before the first commit it is unknown' "$(has 'R"text(unknown)text"')" = yes
+
+echo /ignored >"$checkout/.gitignore"
+echo a >"$checkout/report/case.toml"
+echo a >"$checkout/report/report.tex"
+git_here add -A
+git_here commit -m first
+commit=$(git -C "$checkout" rev-parse HEAD | cut -c 1-12)
+ask "$checkout"
+claim 'the commit has twelve digits' "$(has "commit = R\"text($commit)text\"")" = yes
+claim 'a fresh commit is not modified' "$(has 'modified = false')" = yes
+
+touch -d 2001-04-23 "$written"
+before=$(stat -c %Y "$written")
+touch "$checkout/ignored"
+ask "$checkout"
+claim 'ignored files do not count, and an unchanged answer is not written again' \
+  "$(stat -c %Y "$written")" = "$before"
+
+echo b >"$checkout/report/report.tex"
+ask "$checkout"
+claim 'changed prose counts' "$(has 'modified = true')" = yes
+echo a >"$checkout/report/report.tex"
+
+touch "$checkout/new file"
+ask "$checkout"
+claim 'a new file counts' "$(has 'modified = true')" = yes
+rm "$checkout/new file"
+echo b >"$checkout/report/case.toml"
+ask "$checkout"
+claim 'a changed file counts' "$(has 'modified = true')" = yes
+
+mkdir "$checkout/archive"
+ask "$checkout/archive"
+claim 'an archive unpacked inside another checkout does not report its commit' "$(has 'R"text(unknown)text"')" = yes
+
+finish

@@ -1,0 +1,36 @@
+#!/bin/sh
+# The front door: what make says before anything starts.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "$0")/shell_test.sh"
+unset MAKEFLAGS MFLAGS MAKELEVEL CASE V
+export PWD
+
+# A checkout without a project: whatever gets past the first checks fails at once.
+mkdir -p "$scratch/check out/src" "$scratch/cases"
+cp "$source_dir/Makefile" "$scratch/check out"
+cp -r "$source_dir/src/toolchain" "$scratch/check out/src"
+cd "$scratch/check out" || exit 1
+
+runs make help
+claim 'help succeeds' "$status" -eq 0
+for target in report figures test bench tidy format setup clean help; do
+  claim "help tells what $target does" "$(says "make $target ")" = yes
+done
+
+runs make report CASE='no such.toml'
+claim 'a case that does not exist stops make' "$status" -ne 0
+claim 'the case is named' "$(says 'there is no file no such.toml')" = yes
+claim 'nothing was started' ! -e build
+
+runs make report CASE="$scratch/cases/none.toml"
+claim 'a missing case with a whole path is named' "$(says "there is no file $scratch/cases/none.toml")" = yes
+
+touch one.toml "$scratch/cases/one.toml"
+cd "$scratch/cases" || exit 1
+runs make -C "$scratch/check out" report CASE=one.toml
+claim 'a case that could be either of two files is refused' "$(says 'give the whole path')" = yes
+
+runs bash "$scratch/check out/src/toolchain/build" nonsense
+claim 'an unknown target is named' "$(says 'unknown target nonsense')" = yes
+
+finish
