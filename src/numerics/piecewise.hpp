@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace numerics {
+
+/// A smooth function on the closed interval [begin, end], begin < end.
+///
+/// At an end `value` is the limit from inside, so neighbours may disagree there: that is a jump.
+struct Piece {
+  double begin;
+  double end;
+  std::function<double(double)> value;
+};
+
+/// A function that is smooth on each of finitely many intervals and zero elsewhere.
+///
+/// The ends of the pieces are its only kinks and jumps; quadrature splits there.
+class PiecewiseFunction {
+ public:
+  /// The function that is zero everywhere.
+  PiecewiseFunction() = default;
+
+  /// Pieces in rising order that may touch but not overlap; throws InvalidQuantity otherwise.
+  explicit PiecewiseFunction(std::vector<Piece> pieces);
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  bool is_zero() const { return pieces_.empty(); }
+
+  /// The function's value at s; at a jump the mean of the two limits, outside all pieces zero.
+  double operator()(double s) const;
+
+  /// The largest magnitude found at the ends and middles of the pieces: what tolerances refer to.
+  double scale() const { return scale_; }
+
+ private:
+  std::vector<Piece> pieces_;
+  double scale_ = 0;
+};
+
+}  // namespace numerics

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gsl/gsl_integration.h>
+
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+
+#include "numerics/estimate.hpp"
+
+namespace numerics {
+
+/// A quadrature that did not reach its tolerance. what() names the integral, where, and GSL's
+/// reason.
+class QuadratureError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What an error message calls an integral: its name and the point it was wanted at.
+struct IntegralName {
+  std::string_view what;
+  double at;
+};
+
+/// A Gauss–Kronrod rule by its number of points: few for what is nearly a polynomial.
+enum class GaussKronrod : int { points_15 = GSL_INTEG_GAUSS15, points_31 = GSL_INTEG_GAUSS31 };
+
+/// QUADPACK's adaptive rules as GSL has them, with an owned workspace and statuses as exceptions.
+///
+/// Each rule takes an integrand double(double), finite limits a < b and the absolute error asked
+/// for, and returns the integral with QUADPACK's error estimate; the estimate does not include the
+/// rounding of the sum, which the caller, who knows the magnitudes, adds. A result that is not
+/// finite or has not converged throws QuadratureError. GSL's own error handler, which aborts, is
+/// switched off. Not for use by two threads at once: give each its own object.
+class Quadrature {
+ public:
+  explicit Quadrature(std::size_t max_intervals = 1000);
+
+  /// ∫ₐᵇ f(s) ds for f smooth inside: the nested 21/43/87-point Gauss–Kronrod–Patterson rules
+  /// (QNG), then, if f proves not so smooth or singular at an end, bisection with extrapolation
+  /// (QAGS).
+  template <class F>
+  Estimate smooth(F&& f, double a, double b, double abs_tolerance, IntegralName name) {
+    Integrand<std::remove_reference_t<F>> integrand(f);
+    return checked(run_smooth(&integrand.gsl, a, b, abs_tolerance), integrand.exception, a, b,
+                   name);
+  }
+
+  /// ∫ₐᵇ f(s) ds by bisection with a Gauss–Kronrod rule (QAG).
+  template <class F>
+  Estimate adaptive(F&& f, double a, double b, double abs_tolerance, IntegralName name,
+                    GaussKronrod rule = GaussKronrod::points_31) {
+    Integrand<std::remove_reference_t<F>> integrand(f);
+    return checked(run_adaptive(&integrand.gsl, a, b, abs_tolerance, rule), integrand.exception, a,
+                   b, name);
+  }
+
+  /// The Cauchy principal value PV∫ₐᵇ f(s)/(s − pole) ds (QAWC), pole ≠ a, b.
+  template <class F>
+  Estimate principal_value(F&& f, double a, double b, double pole, double abs_tolerance,
+                           IntegralName name) {
+    Integrand<std::remove_reference_t<F>> integrand(f);
+    return checked(run_principal_value(&integrand.gsl, a, b, pole, abs_tolerance),
+                   integrand.exception, a, b, name);
+  }
+
+ private:
+  // An integrand as GSL calls it. What it throws must not unwind through C: it is kept, the
+  // integral becomes NaN, and the exception goes on when GSL has returned.
+  template <class F>
+  struct Integrand {
+    explicit Integrand(F& f) : callable(f), gsl{&Integrand::call, this} {}
+    static double call(double s, void* self) noexcept {
+      auto& integrand = *static_cast<Integrand*>(self);
+      try {
+        return integrand.callable(s);
+      } catch (...) {
+        integrand.exception = std::current_exception();
+        return std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+    F& callable;
+    gsl_function gsl;
+    std::exception_ptr exception;
+  };
+
+  struct Outcome {
+    int status;
+    Estimate result;
+  };
+  Outcome run_smooth(gsl_function* f, double a, double b, double abs_tolerance);
+  Outcome run_adaptive(gsl_function* f, double a, double b, double abs_tolerance,
+                       GaussKronrod rule);
+  Outcome run_principal_value(gsl_function* f, double a, double b, double pole,
+                              double abs_tolerance);
+  static Estimate checked(const Outcome& outcome, const std::exception_ptr& exception, double a,
+                          double b, IntegralName name);
+
+  struct FreeWorkspace {
+    void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }
+  };
+  std::size_t max_intervals_;
+  std::unique_ptr<gsl_integration_workspace, FreeWorkspace> workspace_;
+};
+
+}  // namespace numerics

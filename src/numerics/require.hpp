@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace numerics {
+
+/// An input outside what the formula or method allows.
+///
+/// what() is one line: «quantity = value: allowed». The program answers it with exit code 2.
+class InvalidQuantity : public std::invalid_argument {
+ public:
+  InvalidQuantity(std::string_view quantity, double value, std::string_view allowed);
+
+  const std::string& quantity() const { return quantity_; }
+  const std::string& allowed() const { return allowed_; }
+
+ private:
+  std::string quantity_;
+  std::string allowed_;
+};
+
+/// Returns `value` if it is a finite number; throws InvalidQuantity otherwise.
+double require_finite(std::string_view quantity, double value);
+
+/// Returns `value` if it is finite and > 0; throws InvalidQuantity otherwise.
+double require_positive(std::string_view quantity, double value);
+
+}  // namespace numerics

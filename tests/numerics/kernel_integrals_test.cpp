@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Known Hilbert transforms, for example F. W. King, Hilbert Transforms, vol. 2 (2009), appendix 1.
+#include "numerics/kernel_integrals.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "numerics/require.hpp"
+#include "random_inputs.hpp"
+#include "tolerances.hpp"
+
+using numerics::Estimate;
+using numerics::InvalidQuantity;
+using numerics::KernelIntegrals;
+using numerics::PiecewiseFunction;
+using std::numbers::pi;
+
+namespace {
+
+double uniform(double) {
+  return 1;
+}
+double parabolic(double s) {
+  return (1 - s) * (1 + s);
+}
+double elliptic(double s) {
+  return std::sqrt((1 - s) * (1 + s));
+}
+
+KernelIntegrals integrals_of(double (*density)(double)) {
+  return KernelIntegrals(PiecewiseFunction({{-1, 1, density}}));
+}
+
+double x_log(double t) {
+  return t == 0 ? 0 : t * std::log(std::abs(t));
+}
+
+// The difference is below the reported error, and that is small.
+void check(const Estimate& estimate, double exact, double x) {
+  BOOST_TEST_CONTEXT("x = " << x) {
+    const double rounding_of_reference = 16 * tolerance::epsilon * (1 + std::abs(exact));
+    BOOST_TEST(std::abs(estimate.value - exact) <= estimate.abs_error + rounding_of_reference);
+    BOOST_TEST(estimate.abs_error < tolerance::quadrature);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(cauchy_integral_of_a_uniform_density_is_a_logarithm) {
+  RandomInputs random(1);
+  const auto integrals = integrals_of(uniform);
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.point(1e6);
+    if (std::abs(x) == 1) continue;
+    const double exact = std::log(std::abs((x + 1) / (x - 1)));
+    // |x| ≫ 1: ln((x+1)/(x−1)) itself loses digits; atanh does not.
+    check(integrals.cauchy(x), std::abs(x) > 2 ? 2 * std::atanh(1 / x) : exact, x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cauchy_integral_of_a_parabolic_density_is_known) {
+  RandomInputs random(2);
+  const auto integrals = integrals_of(parabolic);
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.point(10);
+    const double logarithm = std::abs(x) == 1 ? 0 : std::log(std::abs((x + 1) / (x - 1)));
+    check(integrals.cauchy(x), 2 * x + (1 - x) * (1 + x) * logarithm, x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cauchy_integral_of_an_elliptic_density_is_linear_inside) {
+  RandomInputs random(3);
+  const auto integrals = integrals_of(elliptic);
+  for (int i = 0; i < 500; ++i) {
+    const double x = random.uniform(-0.999, 0.999);
+    check(integrals.cauchy(x), pi * x, x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cauchy_integral_of_an_elliptic_density_decays_outside) {
+  RandomInputs random(4);
+  const auto integrals = integrals_of(elliptic);
+  for (int i = 0; i < 500; ++i) {
+    const double x = random.sign() * random.log_uniform(1.001, 1e6);
+    const double root = std::sqrt((std::abs(x) - 1) * (std::abs(x) + 1));
+    check(integrals.cauchy(x), pi / std::copysign(std::abs(x) + root, x), x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cauchy_integral_is_infinite_at_a_jump_and_says_so) {
+  BOOST_CHECK_THROW(integrals_of(uniform).cauchy(1), InvalidQuantity);
+  BOOST_CHECK_THROW(integrals_of(uniform).cauchy(-1), InvalidQuantity);
+  BOOST_CHECK_THROW(integrals_of(uniform).cauchy(NAN), InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_CASE(a_kink_that_is_only_a_split_changes_nothing) {
+  const KernelIntegrals split(
+      PiecewiseFunction({{-1, -0.2, parabolic}, {-0.2, 0.4, parabolic}, {0.4, 1, parabolic}}));
+  for (const double x : {-0.2, 0.4, 0.4 + 1e-10, 0.4 - 1e-13, 0.1, 3.0}) {
+    const double logarithm = std::log(std::abs((x + 1) / (x - 1)));
+    check(split.cauchy(x), 2 * x + (1 - x * x) * logarithm, x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(logarithmic_integral_of_a_uniform_density_is_known) {
+  // ∫₋₁¹ ln|x − s| ds = (x+1) ln|x+1| − (x−1) ln|x−1| − 2
+  RandomInputs random(5);
+  const auto integrals = integrals_of(uniform);
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.point(50);
+    check(integrals.logarithmic(x, 1), x_log(x + 1) - x_log(x - 1) - 2, x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(logarithmic_integral_of_an_elliptic_density_is_quadratic_inside) {
+  // ∫₋₁¹ √(1 − s²) ln|x − s| ds = (π/2)(x² − ½ − ln 2), |x| ≤ 1
+  RandomInputs random(6);
+  const auto integrals = integrals_of(elliptic);
+  for (int i = 0; i < 500; ++i) {
+    const double x = random.uniform(-1, 1);
+    check(integrals.logarithmic(x, 1), pi / 2 * (x * x - 0.5 - std::numbers::ln2), x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(another_unit_of_length_shifts_the_logarithmic_integral_by_the_total) {
+  const auto integrals = integrals_of(parabolic);
+  const double total = 4.0 / 3;
+  for (const double x : {0.0, 0.7, 1.0, 12.5}) {
+    const Estimate shifted = integrals.logarithmic(x, 2.385);
+    const Estimate plain = integrals.logarithmic(x, 1);
+    check(shifted, plain.value - total * std::log(2.385), x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(integral_below_grows_from_zero_to_the_total) {
+  const auto integrals = integrals_of(parabolic);
+
+  BOOST_TEST(integrals.integral_below(-2).value == 0);
+  check(integrals.integral_below(0), 2.0 / 3, 0);
+  check(integrals.integral_below(0.5), 2.0 / 3 + 0.5 - 0.125 / 3, 0.5);
+  check(integrals.integral_below(7), 4.0 / 3, 7);
+  check(integrals.total(), 4.0 / 3, 1);
+}
+
+BOOST_AUTO_TEST_CASE(evaluations_stay_below_those_of_plain_quadpack) {
+  // scipy's quad, the same QUADPACK routines split at the kinks: 54 and 144 evaluations a point.
+  int n_evaluations = 0;
+  const auto rising = [&](double s) {
+    ++n_evaluations;
+    return 1 + s;
+  };
+  const auto falling = [&](double s) {
+    ++n_evaluations;
+    return 1 - s;
+  };
+  const KernelIntegrals integrals(PiecewiseFunction({{-1, 0, rising}, {0, 1, falling}}));
+  for (const double x : {0.25, 0.75, 1.23, 2.0, 5.0}) {
+    BOOST_TEST_CONTEXT("x = " << x) {
+      n_evaluations = 0;
+      integrals.cauchy(x);
+      BOOST_TEST(n_evaluations <= 54);
+      n_evaluations = 0;
+      integrals.logarithmic(x, 1);
+      BOOST_TEST(n_evaluations <= 144);
+    }
+  }
+}
