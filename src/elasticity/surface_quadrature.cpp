@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elasticity/surface_quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "numerics/require.hpp"
+
+namespace elasticity {
+
+using numerics::Estimate;
+using numerics::KernelIntegrals;
+
+namespace {
+
+double distance_to_force(const LineForce& force, double x) {
+  if (x == force.position) {
+    throw numerics::InvalidQuantity("x", x, "off the concentrated force");
+  }
+  return x - force.position;
+}
+
+// The points where a gradient has no Taylor series: the ends of all pieces.
+std::vector<double> kinks_between(const Load& load, double low, double high) {
+  std::vector<double> kinks;
+  for (const auto* traction : {&load.normal, &load.tangential}) {
+    for (const numerics::Piece& piece : traction->pieces()) {
+      for (const double end : {piece.begin, piece.end}) {
+        if (end > low && end < high) kinks.push_back(end);
+      }
+    }
+  }
+  std::sort(kinks.begin(), kinks.end());
+  kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+  return kinks;
+}
+
+}  // namespace
+
+SurfaceQuadrature::SurfaceQuadrature(const Material& material, const Load& load, double datum)
+    : material_(material),
+      load_(load),
+      datum_(numerics::require_finite("datum", datum)),
+      normal_(load.normal),
+      tangential_(load.tangential),
+      constant_(-1.0 * displacement_without_constant(datum)) {}
+
+// begin excerpt: equation-2
+Estimate SurfaceQuadrature::normal_gradient(double x) const {
+  // −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds
+  Estimate integral = normal_.cauchy(x);
+  for (const LineForce& force : load_.forces) {
+    integral.value += force.magnitude / distance_to_force(force, x);
+  }
+  const Estimate gradient = -material_.integral_compliance() * integral;
+
+  // + [(1−2ν)(1+ν)/E] q(x)
+  return gradient + Estimate{material_.local_compliance() * load_.tangential(x), 0};
+}
+// end excerpt: equation-2
+
+Estimate SurfaceQuadrature::tangential_gradient(double x) const {
+  const Estimate local{-material_.local_compliance() * load_.normal(x), 0};
+  return local + -material_.integral_compliance() * tangential_.cauchy(x);
+}
+
+Estimate SurfaceQuadrature::normal_displacement(double x) const {
+  return displacement_without_constant(x) + constant_;
+}
+
+Estimate SurfaceQuadrature::tangential_displacement(double x) const {
+  Estimate local = -1.0 * local_part(normal_, x);
+  for (const LineForce& force : load_.forces) {
+    const double side = std::copysign(1.0, distance_to_force(force, x));
+    local.value -= material_.local_compliance() / 2 * force.magnitude * side;
+  }
+  return local + logarithmic_part(tangential_, x) - logarithmic_part(tangential_, datum_);
+}
+
+Estimate SurfaceQuadrature::displacement_without_constant(double x) const {
+  Estimate sum = logarithmic_part(normal_, x) + local_part(tangential_, x);
+  for (const LineForce& force : load_.forces) {
+    const double logarithm = std::log(std::abs(distance_to_force(force, x)));
+    sum.value -= material_.integral_compliance() * force.magnitude * logarithm;
+  }
+  return sum;
+}
+
+// −[2(1−ν²)/(πE)] ∫ t(s) ln|x − s| ds; the unit of length is arbitrary and goes into C, the width
+// of the traction keeps the logarithm of order one.
+Estimate SurfaceQuadrature::logarithmic_part(const KernelIntegrals& traction, double x) const {
+  if (traction.density().is_zero()) return {};
+  const auto& pieces = traction.density().pieces();
+  const double width = pieces.back().end - pieces.front().begin;
+  return -material_.integral_compliance() * traction.logarithmic(x, width);
+}
+
+// [(1−2ν)(1+ν)/(2E)] [∫_{s<x} t ds − ∫_{s>x} t ds]
+Estimate SurfaceQuadrature::local_part(const KernelIntegrals& traction, double x) const {
+  const Estimate difference = 2.0 * traction.integral_below(x) - traction.total();
+  return material_.local_compliance() / 2 * difference;
+}
+
+Estimate SurfaceQuadrature::normal_displacement_from_gradient(double x) const {
+  const auto [low, high] = std::minmax({numerics::require_finite("x", x), datum_});
+  for (const LineForce& force : load_.forces) {
+    if (force.position >= low && force.position <= high) distance_to_force(force, force.position);
+  }
+
+  // Split at the kinks and midway between them, so that each part has trouble at one end at most.
+  std::vector<double> nodes = kinks_between(load_, low, high);
+  nodes.insert(nodes.begin(), low);
+  nodes.push_back(high);
+  Estimate sum;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const double middle = nodes[i] + (nodes[i + 1] - nodes[i]) / 2;
+    sum += integrate_gradient(nodes[i], middle) - integrate_gradient(nodes[i + 1], middle);
+  }
+  return x < datum_ ? -1.0 * sum : sum;
+}
+
+// ∫ (∂u_z/∂x) dx from begin to end, where the gradient may be infinite or kinked at or just before
+// begin: the distance from begin is t = (end − begin) y⁴.
+Estimate SurfaceQuadrature::integrate_gradient(double begin, double end) const {
+  if (begin == end) return {};
+  double inner_error = 0;
+  const auto graded = [&](double y) {
+    const double x = begin + (end - begin) * y * y * y * y;
+    if (x == begin) return 0.0;  // not to be told from the kink; its weight y³ is below 1e-12
+    const double weight = 4 * (end - begin) * y * y * y;
+    const Estimate gradient = normal_gradient(x);
+    inner_error = std::max(inner_error, std::abs(weight) * gradient.abs_error);
+    return weight * gradient.value;
+  };
+  double scale = 0;
+  for (const auto* traction : {&load_.normal, &load_.tangential}) {
+    if (traction->is_zero()) continue;
+    const double width = traction->pieces().back().end - traction->pieces().front().begin;
+    scale += traction->scale() * width;
+  }
+  for (const LineForce& force : load_.forces) scale += std::abs(force.magnitude);
+  const double abs_tolerance = 1e-12 * material_.integral_compliance() * scale;
+  numerics::Quadrature quadrature;
+  Estimate integral =
+      quadrature.adaptive(graded, 0, 1, abs_tolerance, {"integral of the surface gradient", begin});
+  integral.abs_error += inner_error;
+  return integral;
+}
+
+}  // namespace elasticity

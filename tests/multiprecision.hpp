@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fifty-digit arithmetic for reference values: the paper's formulas as they stand, with no
+// rearrangement, so that a test does not repeat the mistake it looks for.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+using Precise = boost::multiprecision::cpp_bin_float_50;
+
+/// tⁿ ln|t|, 0 at t = 0.
+inline Precise power_log(const Precise& t, int n) {
+  if (t == 0) return 0;
+  return pow(t, n) * log(abs(t));
+}
+
+/// ∂u_z/∂x in units of −K/a: the bracket of eq. (3)'s derivative at ξ.
+inline Precise precise_gradient_bracket(const Precise& xi) {
+  return power_log(xi + 1, 1) + power_log(xi - 1, 1) - 2 * power_log(xi, 1);
+}
+
+/// u_z − C in units of −K/2: the bracket of eq. (3) at ξ.
+inline Precise precise_displacement_bracket(const Precise& xi) {
+  return power_log(xi + 1, 2) + power_log(xi - 1, 2) - 2 * power_log(xi, 2);
+}
