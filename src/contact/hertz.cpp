@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/hertz.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "numerics/require.hpp"
+
+namespace contact {
+
+Hertz::Hertz(const CylinderPair& cylinders, double line_load)
+    : relative_curvature_(cylinders.relative_curvature()),
+      half_width_(std::sqrt(
+          4 * numerics::require_positive("load", line_load) /
+          (std::numbers::pi * cylinders.contact_modulus() * cylinders.relative_curvature()))),
+      peak_pressure_(2 * line_load / (std::numbers::pi * half_width_)) {}
+
+double Hertz::pressure(double x) const {
+  const double ratio = x / half_width_;
+  return std::abs(ratio) < 1 ? peak_pressure_ * std::sqrt((1 - ratio) * (1 + ratio)) : 0;
+}
+
+double Hertz::gap(double x) const {
+  const double xi = std::abs(x) / half_width_;
+  if (xi <= 1) return 0;
+  const double scale = half_width_ * half_width_ * relative_curvature_ / 2;
+  return scale * (xi * std::sqrt((xi - 1) * (xi + 1)) - std::acosh(xi));
+}
+
+}  // namespace contact

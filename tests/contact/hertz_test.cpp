@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/hertz.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "elasticity/surface_quadrature.hpp"
+#include "numerics/require.hpp"
+#include "tolerances.hpp"
+
+using contact::CylinderPair;
+using contact::Hertz;
+using contact::Radius;
+using elasticity::Material;
+using numerics::InvalidQuantity;
+
+namespace {
+
+const Material steel(30e6, 0.3);
+const Material rubber(700, 0.48);
+const CylinderPair cylinders(steel, Radius::of_cylinder("radius1", 1), rubber,
+                             Radius::of_cylinder("radius2", -2.385));
+const Hertz hertz(cylinders, 3.5);
+
+elasticity::Load hertz_load() {
+  const double a = hertz.half_width();
+  return elasticity::distributed_load([](double x) { return hertz.pressure(x); }, nullptr, {-a, a});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_papers_cylinders_have_their_half_width_and_peak) {
+  // a = √(4PR/(πE*)), p₀ = 2P/(πa) with P = 2500 lbf/in, R = 3/4 in, E* = 30e6/(2·0.91) psi.
+  const CylinderPair paper(steel, Radius::of_cylinder("radius1", 1), steel,
+                           Radius::of_cylinder("radius2", 3));
+  const Hertz contact(paper, 2500);
+
+  BOOST_TEST(std::abs(contact.half_width() - 0.012035) < 0.5e-6);
+  BOOST_TEST(std::abs(contact.peak_pressure() - 132248) < 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(pressure_integrates_to_the_load) {
+  const numerics::KernelIntegrals integrals(hertz_load().normal);
+
+  BOOST_TEST(tolerance::relative_difference(integrals.total().value, 3.5) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(pressure_closes_the_gap_by_equation_1a) {
+  // d/dx (u_z1 + u_z2 + h) = 0 inside; each slope by eq. (2).
+  const elasticity::SurfaceQuadrature body1(steel, hertz_load(), 100);
+  const elasticity::SurfaceQuadrature body2(rubber, hertz_load(), 100);
+  for (const double share : {-0.95, -0.3, 0.123, 0.8}) {
+    const double x = share * hertz.half_width();
+    const double slope = body1.normal_gradient(x).value + body2.normal_gradient(x).value;
+    BOOST_TEST(tolerance::relative_difference(slope, -cylinders.relative_curvature() * x) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_gap_outside_is_that_of_equation_1b) {
+  // u_z1 + u_z2 + h relative to the edge of the contact, each displacement by quadrature.
+  const elasticity::SurfaceQuadrature body1(steel, hertz_load(), 100);
+  const elasticity::SurfaceQuadrature body2(rubber, hertz_load(), 100);
+  const auto sum = [&](double x) {
+    return body1.normal_displacement(x).value + body2.normal_displacement(x).value +
+           cylinders.initial_gap(x);
+  };
+  const double a = hertz.half_width();
+  for (const double share : {1.01, 1.5, -3.0, 12.0}) {
+    const double gap = sum(share * a) - sum(a);
+    BOOST_TEST(std::abs(gap - hertz.gap(share * a)) < 1e-9 * cylinders.initial_gap(share * a));
+  }
+  BOOST_TEST(hertz.gap(0.9 * a) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(pressure_is_zero_from_the_edge_on) {
+  BOOST_TEST(hertz.pressure(0) == hertz.peak_pressure());
+  BOOST_TEST(hertz.pressure(hertz.half_width()) == 0);
+  BOOST_TEST(hertz.pressure(-2 * hertz.half_width()) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_load_must_be_positive) {
+  BOOST_CHECK_THROW(Hertz(cylinders, 0), InvalidQuantity);
+  BOOST_CHECK_THROW(Hertz(cylinders, -1), InvalidQuantity);
+}
