@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "numerics/require.hpp"
+#include "parameters/printed_number.hpp"
+#include "parameters/units.hpp"
+
+namespace parameters {
+
+/// A case file that is not right. what() is one line: «file:line:column: key: what and what not».
+class CaseError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A table of a TOML file, read strictly: a key that is missing, of the wrong type or unit, or that
+/// nobody asked for is an error with its place in the file.
+///
+/// A quantity is written {value = 30e6, unit = "psi"}; any unit of the right dimension is converted
+/// to the given system's. Copies are views of the same file.
+class CaseTable {
+ public:
+  /// Parses a file; throws CaseError if it cannot be read or is not TOML (doubled keys included).
+  static CaseTable parse_file(const std::filesystem::path& path);
+
+  bool has(const std::string& key) const;
+  CaseTable table(const std::string& key) const;
+  std::string text(const std::string& key) const;
+  double number(const std::string& key) const;
+  long integer(const std::string& key) const;
+  double quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const;
+  std::vector<PrintedNumber> printed_numbers(const std::string& key) const;
+  PrintedNumber printed_number(const std::string& key) const;
+
+  /// Whether the value of the key is the given text.
+  bool is_text(const std::string& key, const std::string& text) const;
+
+  /// Calls make() and gives an InvalidQuantity or UnitError that it throws the place of `key`.
+  template <class Make>
+  auto at(const std::string& key, Make&& make) const {
+    try {
+      return make();
+    } catch (const numerics::InvalidQuantity& e) {
+      fail(key, e.what());
+    } catch (const UnitError& e) {
+      fail(key, e.what());
+    }
+  }
+
+  /// Throws CaseError for the first key, here or below, that nobody has asked for.
+  void reject_unknown_keys() const;
+
+  /// Throws CaseError at the value of `key` (or at the table, where it has no such key).
+  [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+
+ private:
+  struct Node;
+  explicit CaseTable(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  std::shared_ptr<const Node> node_;
+};
+
+}  // namespace parameters

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/case_table.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <string>
+
+#include "temporary_file.hpp"
+
+using parameters::CaseError;
+using parameters::CaseTable;
+using parameters::Dimension;
+using parameters::unit_system;
+
+namespace {
+
+// Parses the text, reads from it, and wants an error at «line:column: what».
+void check_error(const std::string& text, const std::function<void(const CaseTable&)>& read,
+                 const std::string& expected) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("some case.toml", text);
+  BOOST_CHECK_EXCEPTION(read(CaseTable::parse_file(file)), CaseError, [&](const CaseError& e) {
+    const std::string what = e.what();
+    BOOST_TEST_MESSAGE(what);
+    BOOST_TEST(what.find('\n') == std::string::npos);
+    return what.find(file.string() + ":" + expected) == 0;
+  });
+}
+
+void read_length(const CaseTable& table) {
+  table.quantity("width", Dimension::length, unit_system("mm-N"));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_quantity_is_converted_to_the_systems_unit) {
+  const TemporaryFolder folder;
+  const auto table = CaseTable::parse_file(folder.write(
+      "case.toml", "width = {value = 2, unit = \"in\"}\nyoung = {value = 210, unit = \"GPa\"}\n"));
+
+  BOOST_TEST(table.quantity("width", Dimension::length, unit_system("mm-N")) == 50.8);
+  BOOST_TEST(table.quantity("young", Dimension::stress, unit_system("mm-N")) == 210e3);
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_of_the_wrong_kind_is_shown_with_its_place) {
+  check_error("\nwidth = {value = 2, unit = \"psi\"}\n", read_length, "2:28: width.unit: ");
+  check_error("width = {value = 2, unit = \"furlongz\"}\n", read_length,
+              "1:28: width.unit: unknown unit \"furlongz\"");
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_key_is_named) {
+  check_error(
+      "a = 1\n", [](const CaseTable& t) { t.number("b"); }, "1:1: b: missing");
+  check_error("width = {value = 2}\n", read_length, "1:9: width.unit: missing");
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_type_says_what_is_wanted_and_what_stands_there) {
+  check_error("width = 2\n", read_length, "1:9: width: must be a quantity");
+  check_error("width = {value = \"2\", unit = \"mm\"}\n", read_length,
+              "1:18: width.value: must be a number, not a string");
+  check_error(
+      "n = 1.5\n", [](const CaseTable& t) { t.integer("n"); },
+      "1:5: n: must be an integer, not a number");
+  check_error(
+      "t = 3\n", [](const CaseTable& t) { t.table("t"); }, "1:5: t: must be a table");
+  check_error(
+      "p = [1.5]\n", [](const CaseTable& t) { t.printed_numbers("p"); }, "1:5: p: must be");
+  check_error(
+      "p = [\n  \"1.5\",\n  \"one\"]\n", [](const CaseTable& t) { t.printed_numbers("p"); },
+      "3:3: p: \"one\" is not");
+}
+
+BOOST_AUTO_TEST_CASE(nan_and_infinity_are_no_numbers_here) {
+  check_error(
+      "a = nan\n", [](const CaseTable& t) { t.number("a"); }, "1:5: a: nan");
+  check_error(
+      "a = -inf\n", [](const CaseTable& t) { t.number("a"); }, "1:5: a: -inf");
+}
+
+BOOST_AUTO_TEST_CASE(a_doubled_key_is_an_error_at_the_second) {
+  check_error(
+      "a = 1\na = 2\n", [](const CaseTable&) {}, "2:");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_toml_is_an_error_with_its_place) {
+  check_error(
+      "a = 1\nb = \n", [](const CaseTable&) {}, "2:");
+}
+
+BOOST_AUTO_TEST_CASE(a_key_that_nobody_asked_for_is_an_error) {
+  const auto read = [](const CaseTable& t) {
+    t.number("a");
+    t.table("t").number("b");
+    t.reject_unknown_keys();
+  };
+
+  check_error("a = 1\nyuong = 2\n[t]\nb = 3\n", read, "2:1: yuong: unknown key");
+  check_error("a = 1\n[t]\nb = 3\nc = 4\n", read, "4:1: t.c: unknown key");
+}
+
+BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
+  BOOST_CHECK_EXCEPTION(CaseTable::parse_file("no such file.toml"), CaseError,
+                        [](const CaseError& e) {
+                          return std::string(e.what()) == "no such file.toml: cannot be read";
+                        });
+  BOOST_CHECK_THROW(CaseTable::parse_file(TemporaryFolder().path()), CaseError);
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/case.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "parameters/case_table.hpp"
+#include "temporary_file.hpp"
+
+using parameters::Case;
+using parameters::CaseError;
+using parameters::read_case;
+
+namespace {
+
+std::string papers_text() {
+  std::ostringstream text;
+  text << std::ifstream(PAPERS_CASE).rdbuf();
+  return text.str();
+}
+
+std::string with(const std::string& before, const std::string& after) {
+  std::string text = papers_text();
+  const auto at = text.find(before);
+  BOOST_REQUIRE(at != std::string::npos);
+  return text.replace(at, before.size(), after);
+}
+
+// The paper's case with one change is refused, in one line that names the key.
+void check_refused(const std::string& before, const std::string& after, const std::string& key) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.toml", with(before, after));
+  BOOST_TEST_CONTEXT(after) {
+    BOOST_CHECK_EXCEPTION(read_case(file), CaseError, [&](const CaseError& e) {
+      const std::string what = e.what();
+      BOOST_TEST_MESSAGE(what);
+      return what.find(key) != std::string::npos && what.find('\n') == std::string::npos;
+    });
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_papers_case_is_what_the_paper_says) {
+  const Case c = read_case(PAPERS_CASE);
+
+  BOOST_TEST(c.units.name == "in-lbf");
+  BOOST_TEST(c.half_space.material.young() == 30e6);
+  BOOST_TEST(c.half_space.material.poisson() == 0.3);
+  BOOST_TEST(c.half_space.load.line_load() == 10);
+  BOOST_TEST(c.half_space.datum == 10);
+  BOOST_TEST(c.half_space.points.size() == 11U);
+  BOOST_TEST(c.half_space.points[2] == 0.01);
+  BOOST_TEST(c.contact.line_load == 2500);
+  BOOST_REQUIRE(c.printed.has_value());
+  BOOST_TEST(c.printed->figure5.fea_z.size() == 11U);
+  BOOST_TEST(c.printed->tri_dist.displacement[2].text() == "1.3558976e-006");
+}
+
+BOOST_AUTO_TEST_CASE(printed_data_may_be_left_out) {
+  const TemporaryFolder folder;
+  std::string text = papers_text();
+  text.erase(text.find("\n[printed]"));
+
+  BOOST_TEST(!read_case(folder.write("case.toml", text)).printed.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_plane_and_a_hollow_are_radii) {
+  const TemporaryFolder folder;
+  const std::string three = "{value = 3, unit = \"in\"}";
+
+  const Case plane = read_case(folder.write("plane.toml", with(three, "\"plane\"")));
+  const Case hollow =
+      read_case(folder.write("hollow.toml", with(three, "{value = -2, unit = \"in\"}")));
+
+  BOOST_TEST(plane.contact.cylinders.relative_curvature() == 1);
+  BOOST_TEST(hollow.contact.cylinders.relative_curvature() == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(other_units_are_converted) {
+  const TemporaryFolder folder;
+  const Case c = read_case(folder.write(
+      "case.toml", with("{value = 30e6, unit = \"psi\"}", "{value = 30e3, unit = \"ksi\"}")));
+
+  BOOST_TEST(c.half_space.material.young() == 30e6);
+}
+
+BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
+  check_refused("value = 30e6", "value = -30e6", "half_space.material.young");
+  check_refused("value = 30e6", "value = 0", "half_space.material.young");
+  check_refused("poisson = 0.30", "poisson = 0.5", "half_space.material.poisson");
+  check_refused("poisson = 0.30", "poisson = -1", "half_space.material.poisson");
+  check_refused("peak_pressure = {value = 1000", "peak_pressure = {value = 0",
+                "load.peak_pressure");
+  check_refused("half_width = {value = 0.010", "half_width = {value = -0.01", "load.half_width");
+  check_refused("datum = {value = 10", "datum = {value = -10", "half_space.datum");
+  check_refused("step = {value = 0.005", "step = {value = 0", "points.step");
+  check_refused("count = 11", "count = 1", "points.count");
+  check_refused("value = 2500", "value = -2500", "contact.load");
+  check_refused("nodes = 91", "nodes = 2", "contact.nodes");
+  check_refused("radius = {value = 1,", "radius = {value = 0,", "contact.body1.radius");
+  check_refused("radius = {value = 3,", "radius = {value = -1,", "contact.body2");
+  check_refused("value = 10, unit", "value = nan, unit", "half_space.datum.value");
+  check_refused("value = 10, unit", "value = inf, unit", "half_space.datum.value");
+}
+
+BOOST_AUTO_TEST_CASE(units_keys_and_printed_columns_are_checked) {
+  check_refused("units = \"in-lbf\"  #", "units = \"ft-lbf\"  #", "units: unknown unit system");
+  check_refused("unit = \"psi\"", "unit = \"in\"", "half_space.material.young.unit");
+  check_refused("poisson = 0.30", "poisson = 0.30\npoison = 1",
+                "half_space.material.poison: unknown");
+  check_refused("poisson = 0.30", "", "half_space.material.poisson: missing");
+  check_refused("poisson = 0.30", "poisson = \"0.30\"", "must be a number");
+  check_refused("\"0.045\", \"0.050\"]", "\"0.045\"]", "printed.figure5.x: 10 numbers for 11");
+  check_refused("units = \"in-lbf\"\n\n[printed.figure5]", "units = \"mm-N\"\n\n[printed.figure5]",
+                "printed.units");
+}
