@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace literate {
+
+/// A decimal number: ± digits · 10^place, where `place` is that of the last digit.
+///
+/// `digits` holds no leading zero, except that zero itself is "0"; zero has no sign. All
+/// functions that make one round half to even from the exact binary value (std::to_chars), do not
+/// depend on the locale, and throw std::invalid_argument for a NaN or an infinity.
+struct Decimal {
+  bool negative = false;
+  std::string digits = "0";
+  int place = 0;
+};
+
+/// Rounds to a multiple of 10^place: (9.996, −2) → 10.00.
+Decimal rounded_to_place(double value, int place);
+
+/// Rounds to `n_digits` significant digits, 1 ≤ n_digits ≤ 100; zero stays a plain 0.
+Decimal rounded_to_digits(double value, int n_digits);
+
+/// The fewest digits that read back as the same double.
+Decimal shortest(double value);
+
+bool is_zero(const Decimal& number);
+
+/// The power of ten of the first digit; of zero, that of its last place.
+int leading_place(const Decimal& number);
+
+/// Writes without an exponent: -0.0123, 45500.
+std::string plain(const Decimal& number);
+
+/// Writes one digit before the point and an exponent: -1.23e-2.
+std::string scientific(const Decimal& number);
+
+/// Writes plainly what lies in [1e-3, 1e6), and zero; the rest with an exponent.
+std::string plain_or_scientific(const Decimal& number);
+
+/// The shortest text that reads back as the same double, for scripts and data files; NaN is "nan".
+std::string round_trip(double value);
+
+}  // namespace literate

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace literate {
+
+/// Escapes plain UTF-8 text for LaTeX; symbols such as ν or ≤ become \ensuremath{…}, other
+/// characters beyond ASCII stay as they are, control characters become spaces.
+std::string escape_latex(std::string_view text);
+
+/// Escapes plain text for a PDF bookmark: characters beyond ASCII stay as they are.
+std::string escape_bookmark(std::string_view text);
+
+/// Escapes a file path and lets LaTeX break it after a slash.
+std::string escape_latex_path(std::string_view path);
+
+/// Throws std::invalid_argument for a unit that siunitx cannot print literally: one with % # & _ $ ~.
+void require_unit(std::string_view unit);
+
+}  // namespace literate

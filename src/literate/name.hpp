@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace literate {
+
+/// Whether a text is letters, digits, hyphens, underscores and dots, the first a letter or digit:
+/// what `\val{…}` takes.
+bool is_key(std::string_view text);
+
+/// Whether a text is a key without a dot: it becomes a file name that LaTeX completes.
+bool is_file_name(std::string_view text);
+
+/// Throws std::logic_error naming a text that is not a key.
+void require_key(std::string_view text);
+
+/// Throws std::logic_error naming a text that is not a file name.
+void require_file_name(std::string_view text);
+
+}  // namespace literate

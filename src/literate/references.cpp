@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/references.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
+
+#include "literate/files.hpp"
+#include "literate/source_label.hpp"
+#include "literate/tex_commands.hpp"
+
+namespace literate {
+namespace {
+
+/// One command, what it refers to, and the names there are.
+struct Kind {
+  const char* command;
+  const char* noun;
+  const std::set<std::string>& names;
+};
+
+/// The number of single-letter edits that turn one text into the other (Levenshtein).
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+/// A hint at the nearest name, unless more than a third of it would have to change.
+std::string suggestion(const std::string& unknown, const std::set<std::string>& names) {
+  const auto nearest = std::ranges::min_element(
+      names, {}, [&](const std::string& name) { return distance(unknown, name); });
+  if (nearest == names.end()) return "";
+  const std::size_t limit = std::max<std::size_t>(2, unknown.size() / 3);
+  if (distance(unknown, *nearest) > limit) return "";
+  return fmt::format(", did you mean '{}'?", *nearest);
+}
+
+/// Whether a use stands in a branch that this document does not take.
+bool is_left_out(const TexCommand& use, const Names& names) {
+  return std::ranges::any_of(use.branches, [&](const Branch& branch) {
+    const auto flag = names.flags.find(branch.flag);
+    return flag != names.flags.end() && flag->second != branch.is_yes;
+  });
+}
+
+}  // namespace
+
+ReferenceReport check_references(const std::filesystem::path& source_dir, const Names& names) {
+  std::set<std::string> flags;
+  for (const auto& [flag, is_set] : names.flags) flags.insert(flag);
+  const std::array<Kind, 5> kinds{{{"val", "value", names.values},
+                                   {"ifflag", "flag", flags},
+                                   {"tab", "table", names.tables},
+                                   {"fig", "figure", names.figures},
+                                   {"excerpt", "excerpt", names.excerpts}}};
+  std::set<std::string> commands;
+  for (const Kind& kind : kinds) commands.insert(kind.command);
+
+  ReferenceReport report;
+  std::set<std::pair<std::string, std::string>> used;
+  for (const std::string& file : files_below(source_dir)) {
+    if (!file.ends_with(".tex")) continue;
+    for (const auto& use : commands_in(read_file(source_dir / file), commands)) {
+      const Kind& kind = *std::ranges::find(kinds, use.name, &Kind::command);
+      used.emplace(use.name, use.argument);
+      if (kind.names.contains(use.argument) || is_left_out(use, names)) continue;
+      report.errors.push_back(
+          fmt::format("{}/{}:{}:{}: unknown {} '{}'{}", source_label(source_dir), file, use.line,
+                      use.column, kind.noun, use.argument, suggestion(use.argument, kind.names)));
+    }
+  }
+  for (const Kind& kind : kinds) {
+    for (const std::string& name : kind.names) {
+      if (!used.contains({kind.command, name})) {
+        report.unused.push_back(fmt::format("{} '{}'", kind.noun, name));
+      }
+    }
+  }
+  return report;
+}
+
+}  // namespace literate

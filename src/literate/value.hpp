@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "numerics/estimate.hpp"
+
+namespace literate {
+
+/// A value as the document will print it, with the number behind it.
+///
+/// Units are literal text such as "in", "psi", "lbf/in" or "in^2". Numbers are rounded half to
+/// even from the exact binary value; a number that rounds to zero has no sign. Every factory
+/// throws std::invalid_argument for a NaN, an infinity, digits out of range, or a unit that holds
+/// one of % # & _ $ ~.
+class Value {
+ public:
+  static Value integer(std::int64_t number, std::string_view unit = "");
+
+  /// Prints `n_digits` significant digits, with an exponent outside [1e-3, 1e6).
+  static Value significant(double number, int n_digits, std::string_view unit = "");
+
+  /// Prints `decimals` digits after the point, 0 ≤ decimals ≤ 100.
+  static Value fixed(double number, int decimals, std::string_view unit = "");
+
+  /// Prints `n_digits` significant digits and always an exponent, except for zero.
+  static Value scientific(double number, int n_digits, std::string_view unit = "");
+
+  /// Prints the digits that `abs_error` supports: with 10^p the least power of ten
+  /// ≥ 2·abs_error, the last digit stands at 10^p, so it is wrong by one at most. Zero error
+  /// prints as exact() does. At most `max_digits` digits are printed. Throws
+  /// std::invalid_argument as well when the error is negative or not finite.
+  static Value estimate(numerics::Estimate estimate, std::string_view unit = "",
+                        int max_digits = 12);
+
+  /// Prints 100·ratio with `decimals` digits after the point and a per-cent sign; number() is
+  /// the ratio.
+  static Value percent(double ratio, int decimals);
+
+  /// Prints the fewest digits that read back as the same double: for parameters.
+  static Value exact(double number, std::string_view unit = "");
+
+  /// Prints plain text, escaped for LaTeX.
+  static Value text(std::string_view text);
+
+  /// What LaTeX reads, such as `\qty{1.5e-6}{in}`; works in text and in math mode.
+  const std::string& latex() const { return latex_; }
+
+  /// The same as plain text, such as "1.5e-6 in".
+  const std::string& printed() const { return printed_; }
+
+  /// The unrounded number; none for text.
+  const std::optional<double>& number() const { return number_; }
+
+  /// The bound given to estimate(); none for the other kinds.
+  const std::optional<double>& abs_error() const { return abs_error_; }
+
+  const std::string& unit() const { return unit_; }
+
+ private:
+  Value() = default;
+  static Value quantity(double number, const std::string& digits, std::string_view unit);
+
+  std::string latex_;
+  std::string printed_;
+  std::optional<double> number_;
+  std::optional<double> abs_error_;
+  std::string unit_;
+};
+
+}  // namespace literate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/latex_log.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace literate;
+using Lines = std::vector<std::string>;
+
+BOOST_AUTO_TEST_CASE(an_error_comes_with_file_line_and_place) {
+  const auto errors = latex_errors(
+      "(./main.tex\n./part/a.tex:12: Undefined control sequence.\nl.12 \\foo\n          bar\n"
+      "./part/a.tex:12:  ==> Fatal error occurred, no output PDF file produced!\n",
+      "report");
+
+  BOOST_TEST(errors == (Lines{"report/part/a.tex:12: Undefined control sequence.\n  l.12 \\foo"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(defects_come_with_the_file_that_was_open) {
+  const std::string log =
+      "(./main.tex (/usr/share/x.sty) (./a.tex\n"
+      "LaTeX Warning: Reference `fig:x' on page 1 undefined on input line 7.\n"
+      "\n"
+      "Overfull \\hbox (0.05pt too wide) in paragraph at lines 1--2\n[] text :-) (\n\n"
+      ")\n"
+      "Overfull \\hbox (12.5pt too wide) in paragraph at lines 8--9\n[] text ) (./z.tex\n\n"
+      "LaTeX Warning: Label `a' multiply defined.\n"
+      "Missing character: There is no x in font cmr10!\n"
+      "LaTeX Warning: There were undefined references.\n"
+      "Package biblatex Warning: Something (1) else.\n";
+
+  BOOST_TEST(
+      latex_defects(log, "report") ==
+          (Lines{"report/a.tex:7: LaTeX Warning: Reference `fig:x' on page 1 undefined on input "
+                 "line 7.",
+                 "report/main.tex:8: Overfull \\hbox (12.5pt too wide) in paragraph at lines 8--9",
+                 "report/main.tex: LaTeX Warning: Label `a' multiply defined.",
+                 "report/main.tex: Missing character: There is no x in font cmr10!"}),
+      boost::test_tools::per_element());
+}

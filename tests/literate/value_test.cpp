@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/value.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <clocale>
+#include <limits>
+#include <locale>
+#include <stdexcept>
+
+using literate::Value;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A locale with a decimal comma and grouped digits that needs no installed language.
+struct CommaLocale : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+std::string estimated(double value, double abs_error, int max_digits = 12) {
+  return Value::estimate({value, abs_error}, "", max_digits).printed();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rounding_up_to_a_new_digit_keeps_the_decimals) {
+  BOOST_TEST(Value::fixed(9.996, 2).printed() == "10.00");
+  BOOST_TEST(Value::significant(9.996, 3).printed() == "10.0");
+  BOOST_TEST(Value::scientific(9.996e-5, 3).printed() == "1.00e-4");
+  BOOST_TEST(estimated(9.996, 0.004) == "10.00");
+  BOOST_TEST(Value::significant(999999.7, 6).printed() == "1.00000e6");
+}
+
+BOOST_AUTO_TEST_CASE(rounding_goes_by_the_exact_binary_value) {
+  BOOST_TEST(Value::fixed(1.005, 2).printed() == "1.00");  // 1.00499999999999989…
+  BOOST_TEST(Value::fixed(0.125, 2).printed() == "0.12");  // an exact tie goes to even
+  BOOST_TEST(Value::fixed(0.375, 2).printed() == "0.38");
+  BOOST_TEST(Value::fixed(2.5, 0).printed() == "2");
+  BOOST_TEST(Value::fixed(0.1, 20).printed() == "0.10000000000000000555");
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_rounds_to_zero_has_no_sign) {
+  BOOST_TEST(Value::fixed(-0.0, 2).printed() == "0.00");
+  BOOST_TEST(Value::fixed(-0.004, 2).printed() == "0.00");
+  BOOST_TEST(Value::significant(-0.0, 3).printed() == "0");
+  BOOST_TEST(Value::scientific(0, 3).printed() == "0");
+  BOOST_TEST(Value::exact(-0.0).printed() == "0");
+  BOOST_TEST(Value::fixed(-0.006, 2).printed() == "-0.01");
+}
+
+BOOST_AUTO_TEST_CASE(significant_digits_are_plain_between_a_thousandth_and_a_million) {
+  BOOST_TEST(Value::significant(0.00123456, 3).printed() == "0.00123");
+  BOOST_TEST(Value::significant(0.000123456, 3).printed() == "1.23e-4");
+  BOOST_TEST(Value::significant(-45478.2, 3).printed() == "-45500");
+  BOOST_TEST(Value::significant(1234567.0, 3).printed() == "1.23e6");
+  BOOST_TEST(Value::significant(0.5, 4).printed() == "0.5000");
+}
+
+BOOST_AUTO_TEST_CASE(an_estimate_prints_the_digits_its_error_supports) {
+  BOOST_TEST(estimated(1.6236054e-6, 3e-10) == "1.624e-6");
+  BOOST_TEST(estimated(2.3851, 0.5e-2) == "2.39");
+  BOOST_TEST(estimated(2.3851, 0.6e-2) == "2.4");
+  BOOST_TEST(estimated(-123456, 400) == "-1.23e5");
+  BOOST_TEST(estimated(0.0001, 0.004) == "0.00");
+  BOOST_TEST(estimated(1e-18, 1e-16) == "0e-15");
+  BOOST_TEST(estimated(7, 40) == "0e2");
+  BOOST_TEST(estimated(70, 40) == "1e2");
+  BOOST_TEST(estimated(1.0 / 3, 1e-16) == "0.333333333333");
+  BOOST_TEST(estimated(1.0 / 3, 1e-16, 4) == "0.3333");
+  BOOST_TEST(estimated(2.5, 0) == "2.5");
+  BOOST_TEST(estimated(0.1 + 0.2, 0) == "0.300000000000");
+  BOOST_TEST(*Value::estimate({2.5, 0.125}).abs_error() == 0.125);
+}
+
+BOOST_AUTO_TEST_CASE(exact_numbers_print_the_fewest_digits) {
+  BOOST_TEST(Value::exact(30e6, "psi").latex() == "\\qty{3e7}{psi}");
+  BOOST_TEST(Value::exact(0.3).latex() == "\\num{0.3}");
+  BOOST_TEST(Value::exact(-1234.5, "lbf/in").latex() == "\\qty{-1234.5}{lbf/in}");
+  BOOST_TEST(Value::exact(2.5e-4).printed() == "2.5e-4");
+}
+
+BOOST_AUTO_TEST_CASE(percent_moves_the_point_and_rounds_once) {
+  BOOST_TEST(Value::percent(0.125, 1).latex() == "\\qty{12.5}{\\percent}");
+  BOOST_TEST(Value::percent(0.00125, 1).printed() ==
+             "0.1 %");  // 0.00125000000000000002…: not a tie
+  BOOST_TEST(Value::percent(-1.5, 0).printed() == "-150 %");
+  BOOST_TEST(*Value::percent(0.07, 0).number() == 0.07);
+}
+
+BOOST_AUTO_TEST_CASE(integers_and_text) {
+  BOOST_TEST(Value::integer(-12000, "in").latex() == "\\qty{-12000}{in}");
+  BOOST_TEST(Value::text("50 % of a_1 ≤ ν").latex() ==
+             "50 \\% of a\\_1 \\ensuremath{\\leq} \\ensuremath{\\nu}");
+  BOOST_TEST(!Value::text("x").number());
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_refused) {
+  using std::invalid_argument;
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    BOOST_CHECK_THROW(Value::fixed(bad, 2), invalid_argument);
+    BOOST_CHECK_THROW(Value::significant(bad, 2), invalid_argument);
+    BOOST_CHECK_THROW(Value::scientific(bad, 2), invalid_argument);
+    BOOST_CHECK_THROW(Value::exact(bad), invalid_argument);
+    BOOST_CHECK_THROW(Value::percent(bad, 1), invalid_argument);
+    BOOST_CHECK_THROW(Value::estimate({bad, 1}), invalid_argument);
+    BOOST_CHECK_THROW(Value::estimate({1, bad}), invalid_argument);
+  }
+  BOOST_CHECK_THROW(Value::estimate({1, -1}), invalid_argument);
+  BOOST_CHECK_THROW(Value::significant(1, 0), invalid_argument);
+  BOOST_CHECK_THROW(Value::fixed(1, -1), invalid_argument);
+  BOOST_CHECK_THROW(Value::fixed(1, 1, "%"), invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_decimal_comma_in_the_locale_changes_nothing) {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new CommaLocale));
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
+    BOOST_TEST_MESSAGE("de_DE.UTF-8 is not installed: only the C++ locale is tried");
+  }
+
+  const std::string fixed = Value::fixed(12345.678, 2).printed();
+  const std::string integer = Value::integer(1234567).printed();
+  const std::string exponent = Value::scientific(1.5e-12, 2).printed();
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(before);
+
+  BOOST_TEST(fixed == "12345.68");
+  BOOST_TEST(integer == "1234567");
+  BOOST_TEST(exponent == "1.5e-12");
+}
