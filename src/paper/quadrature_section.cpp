@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "elasticity/surface_quadrature.hpp"
+#include "figures/quadrature_error.hpp"
+#include "paper/decimals.hpp"
+#include "paper/sections.hpp"
+
+namespace paper {
+namespace {
+
+using elasticity::SurfaceQuadrature;
+using literate::Column;
+using literate::Value;
+using numerics::Estimate;
+
+// A quadrature beside the closed form at one point.
+struct Comparison {
+  double x;
+  Estimate quadrature;
+  double closed_form;
+
+  double difference() const { return quadrature.value - closed_form; }
+  bool is_within_error() const { return std::abs(difference()) <= quadrature.abs_error; }
+};
+
+using Comparisons = std::vector<Comparison>;
+
+Comparisons compare_gradients(const parameters::HalfSpaceCase& c,
+                              const std::vector<double>& points) {
+  const SurfaceQuadrature surface(c.material, c.load, c.datum);
+  Comparisons comparisons;
+  for (const double x : points) {
+    comparisons.push_back({x, surface.normal_gradient(x), normal_gradient(c.material, c.load, x)});
+  }
+  return comparisons;
+}
+
+Comparisons compare_displacements(const parameters::HalfSpaceCase& c,
+                                  const std::vector<double>& points, bool from_gradient = false) {
+  const SurfaceQuadrature surface(c.material, c.load, c.datum);
+  Comparisons comparisons;
+  for (const double x : points) {
+    comparisons.push_back({x,
+                           from_gradient ? surface.normal_displacement_from_gradient(x)
+                                         : surface.normal_displacement(x),
+                           normal_displacement(c.material, c.load, x, c.datum)});
+  }
+  return comparisons;
+}
+
+double largest_difference(const Comparisons& comparisons) {
+  double largest = 0;
+  for (const Comparison& c : comparisons) largest = std::max(largest, std::abs(c.difference()));
+  return largest;
+}
+
+double largest_estimate(const Comparisons& comparisons) {
+  double largest = 0;
+  for (const Comparison& c : comparisons) largest = std::max(largest, c.quadrature.abs_error);
+  return largest;
+}
+
+bool all_within_error(const Comparisons& comparisons) {
+  return std::all_of(comparisons.begin(), comparisons.end(),
+                     [](const Comparison& c) { return c.is_within_error(); });
+}
+
+// Points from 1e-4 to 1e4 half-widths, thirteen a decade, and the kinks' neighbourhoods.
+std::vector<double> wide_points(double half_width) {
+  std::vector<double> points;
+  constexpr int n_a_decade = 13;
+  constexpr int n_decades = 8;
+  for (int i = 0; i <= n_a_decade * n_decades; ++i) {
+    points.push_back(half_width * std::pow(10.0, -4 + i / static_cast<double>(n_a_decade)));
+  }
+  return points;
+}
+
+literate::Table comparison_table(const Comparisons& gradients, const Comparisons& displacements,
+                                 int n_decimals, const parameters::UnitSystem& units) {
+  literate::Table table({Column::fixed("$x$", units.length, n_decimals),
+                         Column::common_exponent("eq.~(2)", "", 10),
+                         Column::common_exponent("difference", "", 2),
+                         Column::common_exponent("$u_z$ from eq.~(2)", units.length, 10),
+                         Column::common_exponent("difference", units.length, 2)});
+  for (std::size_t i = 0; i < gradients.size(); ++i) {
+    table.add_row({gradients[i].x, gradients[i].quadrature.value, gradients[i].difference(),
+                   displacements[i].quadrature.value, displacements[i].difference()});
+  }
+  return table;
+}
+
+// How often the load is evaluated for one gradient and one displacement, on average.
+void count_evaluations(literate::Document& document, const parameters::HalfSpaceCase& c) {
+  auto n_evaluations = std::make_shared<long>(0);
+  const elasticity::Load load = c.load;
+  std::vector<numerics::Piece> counting;
+  for (const numerics::Piece& piece : load.normal.pieces()) {
+    counting.push_back({piece.begin, piece.end, [=](double s) {
+                          ++*n_evaluations;
+                          return piece.value(s);
+                        }});
+  }
+  elasticity::Load counted;
+  counted.normal = numerics::PiecewiseFunction(counting);
+  const SurfaceQuadrature surface(c.material, counted, c.datum);
+  const auto average = [&](auto&& evaluate) {
+    *n_evaluations = 0;
+    for (const double x : c.points) evaluate(x);
+    return static_cast<double>(*n_evaluations) / static_cast<double>(c.points.size());
+  };
+  document.value("quadrature.gradient.evaluations",
+                 Value::fixed(average([&](double x) { surface.normal_gradient(x); }), 0));
+  document.value("quadrature.displacement.evaluations",
+                 Value::fixed(average([&](double x) { surface.normal_displacement(x); }), 0));
+  document.value(
+      "quadrature.from-gradient.evaluations",
+      Value::fixed(average([&](double x) { surface.normal_displacement_from_gradient(x); }), 0));
+}
+
+figures::QuadratureError error_figure(const Comparisons& gradients,
+                                      const Comparisons& displacements, double half_width,
+                                      double displacement_unit) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double gradient_unit = displacement_unit / half_width;
+  const auto magnitude = [&](const Comparison& c, double unit) {
+    return c.difference() == 0 ? nan : std::abs(c.difference()) / unit;
+  };
+  figures::QuadratureError figure;
+  for (std::size_t i = 0; i < gradients.size(); ++i) {
+    figure.x.push_back(gradients[i].x / half_width);
+    figure.gradient_difference.push_back(magnitude(gradients[i], gradient_unit));
+    figure.gradient_estimate.push_back(gradients[i].quadrature.abs_error / gradient_unit);
+    figure.displacement_difference.push_back(magnitude(displacements[i], displacement_unit));
+    figure.displacement_estimate.push_back(displacements[i].quadrature.abs_error /
+                                           displacement_unit);
+  }
+  return figure;
+}
+
+}  // namespace
+
+void compute_quadrature(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::HalfSpaceCase& c = from_file.half_space;
+  const double a = c.load.half_width();
+  const double unit = c.material.integral_compliance() * c.load.line_load();
+
+  const Comparisons gradients = compare_gradients(c, c.points);
+  const Comparisons from_gradients = compare_displacements(c, c.points, true);
+  document.table("quadrature", comparison_table(gradients, from_gradients, decimals_of(c.points),
+                                                from_file.units));
+  count_evaluations(document, c);
+
+  const std::vector<double> points = wide_points(a);
+  const Comparisons wide_gradients = compare_gradients(c, points);
+  const Comparisons wide_displacements = compare_displacements(c, points);
+  document.value("quadrature.n-points", Value::integer(std::ssize(points)));
+  document.value("quadrature.gradient.difference",
+                 Value::scientific(largest_difference(wide_gradients) * a / unit, 1));
+  document.value("quadrature.gradient.estimate",
+                 Value::scientific(largest_estimate(wide_gradients) * a / unit, 1));
+  document.value("quadrature.displacement.difference",
+                 Value::scientific(largest_difference(wide_displacements) / unit, 1));
+  document.value("quadrature.displacement.estimate",
+                 Value::scientific(largest_estimate(wide_displacements) / unit, 1));
+  document.value("quadrature.from-gradient.difference",
+                 Value::scientific(largest_difference(from_gradients) / unit, 1));
+  document.figure("quadrature-error", 15, 6.4,
+                  [figure = error_figure(wide_gradients, wide_displacements, a, unit)](
+                      literate::Plot& plot) { figures::draw_quadrature_error(plot, figure); });
+
+  constexpr double promised = 1e-10;
+  document.check("gradient-within-error",
+                 all_within_error(wide_gradients) && all_within_error(gradients),
+                 "eq. (2) by quadrature is within its error of the derivative of eq. (3)");
+  document.check("displacement-within-error",
+                 all_within_error(wide_displacements) && all_within_error(from_gradients),
+                 "u_z by quadrature, by either route, is within its error of eq. (3)");
+  document.check("quadrature-error-small",
+                 largest_estimate(wide_gradients) <= promised * unit / a &&
+                     largest_estimate(wide_displacements) <= promised * unit,
+                 "the reported errors of the quadratures are at most 1e-10 of K/a and K");
+}
+
+}  // namespace paper

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sections of the report, one file each; every one registers what its prose refers to.
+#pragma once
+
+#include "literate/document.hpp"
+#include "parameters/case.hpp"
+
+namespace paper {
+
+/// What the document was made from and with: commit, case file, compiler, libraries.
+void describe_provenance(literate::Document& document, const parameters::Case& from_file);
+
+/// The parameters, Figs. 1 and 2, and eq. (2)'s gradient for three kinds of load.
+void compute_formulation(literate::Document& document, const parameters::Case& from_file);
+
+/// Eq. (2) by quadrature against eq. (3): tables at the case's points, errors over eight decades.
+void compute_quadrature(literate::Document& document, const parameters::Case& from_file);
+
+/// Fig. 4, Fig. 5 and Tri_dist.m's output rebuilt.
+void compute_results(literate::Document& document, const parameters::Case& from_file);
+
+/// What the paper's error analysis says, and what its own numbers say.
+void compute_error_analysis(literate::Document& document, const parameters::Case& from_file);
+
+/// Two cylinders by matrix inversion against Hertz.
+void compute_cylinders(literate::Document& document, const parameters::Case& from_file);
+
+}  // namespace paper
