@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/displacement_table.hpp"
+#include "app/number_option.hpp"
+#include "app/output_format.hpp"
+#include "elasticity/concentrated_load.hpp"
+#include "elasticity/surface_quadrature.hpp"
+#include "elasticity/triangular_load.hpp"
+#include "elasticity/uniform_load.hpp"
+#include "numerics/require.hpp"
+#include "parameters/case.hpp"
+
+namespace app {
+namespace {
+
+struct DisplacementOptions {
+  explicit DisplacementOptions(CLI::App& command)
+      : young(command, "--young", "Young's modulus E"),
+        poisson(command, "--poisson", "Poisson's ratio, between -1 and 0.5"),
+        peak_pressure(command, "--peak-pressure", "p0 of the triangle, or the uniform pressure"),
+        half_width(command, "--half-width", "a: the load acts on |x| <= a"),
+        line_load(command, "--line-load", "P of a concentrated load"),
+        datum(command, "--datum", "The x at which the displacement u_z is zero") {
+    auto* list = command.add_option("--x", x, "Points on the surface, as a list 0,0.005,0.01");
+    list->type_name("LIST");
+    auto* from_file = command.add_option("--x-file", x_file,
+                                         "File of points, one a line; - reads standard input");
+    from_file->type_name("FILE")->excludes(list);
+    command.add_option("--case", case_file, "Case file; flags override what it says")
+        ->type_name("FILE");
+    command.add_option("--shape", shape, "Shape of the load")
+        ->check(CLI::IsMember({"triangular", "uniform", "concentrated"}))
+        ->capture_default_str();
+    command
+        .add_option("--component", component, "normal: u_z; tangential: u_x, triangular load only")
+        ->check(CLI::IsMember({"normal", "tangential"}))
+        ->capture_default_str();
+    output.add_to(command);
+  }
+
+  NumberOption young, poisson, peak_pressure, half_width, line_load, datum;
+  std::string x, x_file, case_file;
+  std::string shape = "triangular";
+  std::string component = "normal";
+  OutputOptions output;
+};
+
+using OptionalCase = std::optional<parameters::Case>;
+
+std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file) {
+  if (!options.x.empty()) return parse_numbers("--x", options.x);
+  if (!options.x_file.empty()) return read_numbers(options.x_file);
+  if (from_file) return from_file->half_space.points;
+  throw InputError("no points: give --x, --x-file, or a --case that has them");
+}
+
+elasticity::Material material_of(const DisplacementOptions& options,
+                                 const OptionalCase& from_file) {
+  const auto from_case = [&](auto member) -> std::optional<double> {
+    if (!from_file) return std::nullopt;
+    return (from_file->half_space.material.*member)();
+  };
+  return {options.young.number_or(from_case(&elasticity::Material::young)),
+          options.poisson.number_or(from_case(&elasticity::Material::poisson))};
+}
+
+template <class Load>
+DisplacementRow normal_row(const elasticity::Material& material, const Load& load, double datum,
+                           const elasticity::SurfaceQuadrature& surface, double x) {
+  return {x, surface.normal_gradient(x), normal_gradient(material, load, x),
+          surface.normal_displacement(x), normal_displacement(material, load, x, datum)};
+}
+
+DisplacementRow tangential_row(const elasticity::Material& material,
+                               const elasticity::TriangularLoad& load,
+                               const elasticity::SurfaceQuadrature& surface, double x) {
+  return {x, surface.tangential_gradient(x), tangential_gradient(material, load, x),
+          surface.tangential_displacement(x), tangential_displacement(material, load, x)};
+}
+
+std::vector<DisplacementRow> rows_of(const DisplacementOptions& options,
+                                     const OptionalCase& from_file) {
+  const elasticity::Material material = material_of(options, from_file);
+  const std::vector<double> points = points_of(options, from_file);
+  std::optional<double> peak_pressure, half_width, line_load, datum;
+  if (from_file) {
+    peak_pressure = from_file->half_space.load.peak_pressure();
+    half_width = from_file->half_space.load.half_width();
+    line_load = from_file->half_space.load.line_load();
+    datum = from_file->half_space.datum;
+  }
+  const double zero_at = numerics::require_positive("datum", options.datum.number_or(datum));
+
+  std::vector<DisplacementRow> rows;
+  const auto fill = [&](const auto& load, auto&& row) {
+    const elasticity::SurfaceQuadrature surface(material, load, zero_at);
+    for (const double x : points) rows.push_back(row(load, surface, x));
+  };
+  const auto normal = [&](const auto& load, const auto& surface, double x) {
+    return normal_row(material, load, zero_at, surface, x);
+  };
+  if (options.component == "tangential" && options.shape != "triangular") {
+    throw InputError("--component tangential: closed form for --shape triangular only");
+  }
+  if (options.shape == "concentrated") {
+    fill(elasticity::ConcentratedLoad(options.line_load.number_or(line_load)), normal);
+    return rows;
+  }
+  const double pressure = options.peak_pressure.number_or(peak_pressure);
+  const double width = options.half_width.number_or(half_width);
+  if (options.shape == "uniform") {
+    fill(elasticity::UniformLoad(pressure, width), normal);
+  } else if (options.component == "normal") {
+    fill(elasticity::TriangularLoad(pressure, width), normal);
+  } else {
+    fill(elasticity::TriangularLoad(pressure, width),
+         [&](const auto& load, const auto& surface, double x) {
+           return tangential_row(material, load, surface, x);
+         });
+  }
+  return rows;
+}
+
+ExitCode run(const DisplacementOptions& options) {
+  OptionalCase from_file;
+  if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
+  const std::vector<DisplacementRow> rows = rows_of(options, from_file);
+  switch (options.output.format()) {
+    case OutputFormat::csv:
+      fmt::print("{}", displacement_csv(rows));
+      break;
+    case OutputFormat::json:
+      fmt::print("{}", displacement_json(rows));
+      break;
+    case OutputFormat::table:
+      fmt::print("{}", displacement_text(rows, options.output.units(from_file)));
+      break;
+  }
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "displacement",
+      "Surface gradient and displacement of a half-space, eq. (2) by quadrature beside eq. (3)");
+  auto options = std::make_shared<DisplacementOptions>(*command);
+  command->callback(
+      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+}
+
+}  // namespace app

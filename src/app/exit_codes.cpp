@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exit_codes.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "app/number_text.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "literate/error.hpp"
+#include "numerics/quadrature.hpp"
+#include "numerics/require.hpp"
+#include "parameters/case_table.hpp"
+
+namespace app {
+namespace {
+
+ExitCode answer(const std::exception& e, ExitCode code) {
+  fmt::print(stderr, "halfspace: {}\n", e.what());
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_guarded(const std::function<ExitCode()>& command) {
+  try {
+    return command();
+  } catch (const numerics::InvalidQuantity& e) {
+    return answer(e, ExitCode::bad_input);
+  } catch (const parameters::CaseError& e) {
+    return answer(e, ExitCode::bad_input);
+  } catch (const parameters::UnitError& e) {
+    return answer(e, ExitCode::bad_input);
+  } catch (const InputError& e) {
+    return answer(e, ExitCode::bad_input);
+  } catch (const literate::OutputError& e) {
+    return answer(e, ExitCode::bad_input);
+  } catch (const literate::SourceError& e) {
+    return answer(e, ExitCode::bad_input);
+  } catch (const literate::ToolError& e) {
+    return answer(e, ExitCode::tool_failed);
+  } catch (const std::exception& e) {
+    return answer(e, ExitCode::claim_failed);
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output_format.hpp"
+
+#include "app/number_text.hpp"
+
+namespace app {
+
+void OutputOptions::add_to(CLI::App& command) {
+  command.add_option("--format", format_, "table, csv or json")
+      ->check(CLI::IsMember({"table", "csv", "json"}))
+      ->capture_default_str();
+  command.add_option("--units", units_,
+                     "Units of the numbers given, for the headings of a table: in-lbf (default), "
+                     "mm-N or m-N");
+}
+
+OutputFormat OutputOptions::format() const {
+  if (format_ == "csv") return OutputFormat::csv;
+  return format_ == "json" ? OutputFormat::json : OutputFormat::table;
+}
+
+parameters::UnitSystem OutputOptions::units(
+    const std::optional<parameters::Case>& from_file) const {
+  if (from_file && !units_.empty() && units_ != from_file->units.name) {
+    throw InputError("--units " + units_ + ": the case is in " + from_file->units.name);
+  }
+  if (from_file) return from_file->units;
+  return units_.empty() ? parameters::unit_systems().front() : parameters::unit_system(units_);
+}
+
+}  // namespace app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/stage.hpp"
+#include "literate/document.hpp"
+#include "literate/excerpt.hpp"
+#include "paper/paper.hpp"
+#include "parameters/case.hpp"
+
+namespace app {
+namespace {
+
+struct ReportOptions {
+  std::string case_file;
+  std::string output;
+  std::string source = ".";
+};
+
+ExitCode run(const ReportOptions& options) {
+  const Stage computing("compute");
+  const parameters::Case from_file = parameters::read_case(options.case_file);
+  const auto excerpts = literate::find_excerpts(options.source, {"src"});
+  literate::Document document;
+  paper::compute(document, from_file);
+  computing.done(fmt::format("{} values, {} tables, {} checks", document.values().size(),
+                             document.tables().size(), document.checks().size()));
+
+  // A report whose checks fail is not written: it would say what is not so.
+  const std::vector<literate::Check> failed = document.failed_checks();
+  for (const literate::Check& check : failed) {
+    fmt::print(stderr, "halfspace: check {} failed: {}\n", check.id, check.statement);
+  }
+  if (!failed.empty()) return ExitCode::claim_failed;
+
+  const Stage drawing("draw");
+  document.write(options.output, excerpts);
+  drawing.done(fmt::format("{} figures", document.figures().size()));
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "report", "Compute all values, tables and figures of the report and write them for LaTeX");
+  auto options = std::make_shared<ReportOptions>();
+  command->add_option("--case", options->case_file, "Case file")->required()->type_name("FILE");
+  command->add_option("--output", options->output, "Folder to write to")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--source", options->source, "The checkout, for the excerpts of its sources")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->callback(
+      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+}
+
+}  // namespace app

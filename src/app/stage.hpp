@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+namespace app {
+
+/// A stage of a longer command: prints one line with its name and time when it is done.
+class Stage {
+ public:
+  explicit Stage(std::string name) : name_(std::move(name)) {}
+
+  void done(const std::string& what) const {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    fmt::print("{:<9} {:>6.1f} s  {}\n", name_, elapsed.count(), what);
+    std::fflush(stdout);
+  }
+
+ private:
+  std::string name_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace app

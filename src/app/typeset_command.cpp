@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/stage.hpp"
+#include "literate/names.hpp"
+#include "literate/references.hpp"
+#include "literate/typeset.hpp"
+
+namespace app {
+namespace {
+
+struct Options {
+  std::string document, main_file = "report.tex", generated, build, output;
+};
+
+ExitCode run(const Options& options) {
+  const Stage typesetting("typeset");
+  const literate::Names names =
+      literate::read_names(std::filesystem::path(options.generated) / "names.json");
+  const literate::ReferenceReport references = literate::check_references(options.document, names);
+  for (const std::string& error : references.errors) fmt::print(stderr, "halfspace: {}\n", error);
+  if (!references.errors.empty()) return ExitCode::bad_input;
+
+  literate::typeset({.source_dir = options.document,
+                     .main_file = options.main_file,
+                     .generated_dir = options.generated,
+                     .build_dir = options.build,
+                     .output_pdf = options.output});
+  typesetting.done(std::filesystem::path(options.output).filename().string());
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_typeset_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("typeset", "Typeset the report with LaTeX from what `report` wrote");
+  auto options = std::make_shared<Options>();
+  const auto add = [&](const char* flag, std::string& value, const char* help) {
+    return command->add_option(flag, value, help);
+  };
+  add("--document", options->document, "Folder of the LaTeX document")
+      ->required()
+      ->type_name("DIR");
+  add("--main", options->main_file, "Its main file")->type_name("FILE")->capture_default_str();
+  add("--generated", options->generated, "Folder that `report` wrote")
+      ->required()
+      ->type_name("DIR");
+  add("--build", options->build, "Folder for LaTeX's own files")->required()->type_name("DIR");
+  add("--output", options->output, "The PDF")->required()->type_name("FILE");
+  command->callback(
+      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+}
+
+}  // namespace app
