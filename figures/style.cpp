@@ -13,9 +13,9 @@ void apply_style(literate::Plot& plot) {
           "set style line 2 lc rgb '#c1440e' lw 2.2 dt (9,5)\n"
           "set style line 3 lc rgb '#3d8f8f' lw 2.6 dt (2,3)\n"
           "set style line 4 lc rgb '#8a8a8a' lw 1.8 dt (9,3,2,3)\n"
-          "set style line 11 lc rgb '#c1440e' lw 1.4 pt 6 ps 0.55\n"
-          "set style line 12 lc rgb '#3d8f8f' lw 1.4 pt 4 ps 0.5\n"
-          "set style line 13 lc rgb '#1b1b3a' lw 1.2 pt 2 ps 0.35\n"
+          "set style line 11 lc rgb '#c1440e' lw 1.8 pt 6 ps 0.65\n"
+          "set style line 12 lc rgb '#3d8f8f' lw 1.8 pt 4 ps 0.85\n"
+          "set style line 13 lc rgb '#1b1b3a' lw 1.6 pt 2 ps 0.5\n"
           "set border 3 lw 0.8\n"
           "set tics nomirror out scale 0.6\n"
           "set grid lw 0.4 lc rgb '#dddddd' dt solid\n"
@@ -32,7 +32,7 @@ void apply_schematic_style(literate::Plot& plot) {
 }
 
 AxisScale axis_scale(double largest, const std::string& unit) {
-  if (largest == 0 || (largest >= 0.1 && largest < 1000)) return {1, unit};
+  if (largest == 0 || (largest >= 0.01 && largest < 1000)) return {1, unit};
   const int exponent = 3 * static_cast<int>(std::floor(std::log10(largest) / 3));
   // 10^exponent as a quotient of exact powers, so that scaled data are rounded once.
   const double factor = exponent < 0 ? std::pow(10.0, -exponent) : 1 / std::pow(10.0, exponent);

@@ -24,7 +24,7 @@ struct AxisScale {
 };
 
 /// The scale for data up to `largest` in `unit`: an exponent that is a multiple of three, none from
-/// 0.1 to 1000.
+/// 0.01 to 1000.
 AxisScale axis_scale(double largest, const std::string& unit);
 
 /// Each number times the factor.

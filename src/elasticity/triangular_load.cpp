@@ -18,6 +18,7 @@ double power_times_log(double t, int n) {
   return t == 0 ? 0 : std::pow(t, n) * std::log(t);
 }
 
+// begin excerpt: equation-3
 // (ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln ξ for ξ = x/a ≥ 0.
 //
 // Under the load all three terms are positive. Outside, with η = 1/ξ, the large logarithms cancel
@@ -52,6 +53,7 @@ double displacement_bracket(double x, double a) {
   const double square = eta * eta;
   return large + ((1 + square) * std::log1p(-square) + 4 * eta * std::atanh(eta)) / square;
 }
+// end excerpt: equation-3
 
 }  // namespace
 
@@ -72,7 +74,6 @@ TriangularLoad::operator Load() const {
   return load;
 }
 
-// begin excerpt: equation-3
 double normal_gradient(const Material& material, const TriangularLoad& load, double x) {
   numerics::require_finite("x", x);
   const double scale = material.integral_compliance() * load.peak_pressure();  // K/a
@@ -88,7 +89,6 @@ double normal_displacement(const Material& material, const TriangularLoad& load,
   const double there = displacement_bracket(std::abs(numerics::require_finite("datum", datum)), a);
   return -scale / 2 * (here - there);
 }
-// end excerpt: equation-3
 
 double tangential_gradient(const Material& material, const TriangularLoad& load, double x) {
   const double a = load.half_width();

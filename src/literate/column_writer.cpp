@@ -62,12 +62,13 @@ std::string ColumnWriter::written(const Cell& cell) {
     throw std::invalid_argument(
         fmt::format("column '{}' holds text, not numbers", column_.heading()));
   }
-  const std::string number = number_text(*cell.number());
+  const std::string number = number_text(cell);
   widen_for(number);
   return number;
 }
 
-std::string ColumnWriter::number_text(double number) const {
+std::string ColumnWriter::number_text(const Cell& cell) const {
+  const double number = *cell.number();
   if (column_.kind_ == Column::Kind::scientific) {
     return scientific(rounded_to_digits(number, decimals_));
   }
@@ -76,7 +77,7 @@ std::string ColumnWriter::number_text(double number) const {
                                             column_.heading(), round_trip(number)));
   }
   // Moving the point, unlike a division, leaves one rounding.
-  Decimal decimal = rounded_to_place(number, exponent_ - decimals_);
+  Decimal decimal = rounded_to_place(number, cell.place().value_or(exponent_ - decimals_));
   decimal.place -= exponent_;
   return plain(decimal);
 }

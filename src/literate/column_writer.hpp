@@ -36,7 +36,7 @@ class ColumnWriter {
   };
 
   std::string written(const Cell& cell);
-  std::string number_text(double number) const;
+  std::string number_text(const Cell& cell) const;
   void widen_for(std::string_view number);
 
   const Column& column_;

@@ -16,7 +16,8 @@ std::string escape_bookmark(std::string_view text);
 /// Escapes a file path and lets LaTeX break it after a slash.
 std::string escape_latex_path(std::string_view path);
 
-/// Throws std::invalid_argument for a unit that siunitx cannot print literally: one with % # & _ $ ~.
+/// Throws std::invalid_argument for a unit that siunitx cannot print literally: one with % # & _ $
+/// ~.
 void require_unit(std::string_view unit);
 
 }  // namespace literate

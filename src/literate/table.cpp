@@ -67,6 +67,12 @@ Column Column::text(std::string heading) {
 
 Cell::Cell(std::string_view text) : content_(escape_latex(text)) {}
 
+Cell Cell::to_place(double number, int place) {
+  Cell cell(number);
+  cell.place_ = place;
+  return cell;
+}
+
 Cell Cell::latex(std::string text) {
   Cell cell;
   cell.content_ = std::move(text);

@@ -90,8 +90,10 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
   }
   document.table("tangential", table);
   document.value("tangential.largest-share", Value::percent(largest_share, 0));
-  document.value("tangential.max-disp-x",
-                 Value::scientific(from_file.printed->appendix2.max_disp_x.value(), 4, unit));
+  const double largest = from_file.printed->appendix2.max_disp_x.value();
+  const double half_space = std::abs(tangential_displacement(c.material, c.load, c.points.back()));
+  document.value("tangential.max-disp-x", Value::scientific(largest, 4, unit));
+  document.value("tangential.max-disp-x-ratio", Value::fixed(largest / half_space, 2));
 }
 
 // Far from the load the slope goes with the resultant; the printed columns tell which they had.
@@ -106,22 +108,27 @@ void compare_resultants(literate::Document& document, const parameters::Case& fr
       {Column::text("between the points"), Column::common_exponent("slope, FEA ($z$)", "", 4),
        Column::common_exponent("slope, analytical", "", 4), Column::fixed("ratio", "", 3)});
   const int n_decimals = decimals_of(c.points);
-  for (std::size_t i = c.points.size() - 4; i < c.points.size(); ++i) {
+  const double loads = resultant / c.load.line_load();
+  double least = HUGE_VAL;
+  double most = 0;
+  for (std::size_t i = std::max<std::size_t>(5, c.points.size()) - 4; i < c.points.size(); ++i) {
     const double fea = slope(printed.figure5.fea_z, i);
     const double analytical = slope(printed.figure5.analytical, i);
     table.add_row({literate::Cell::latex(
                        Value::fixed(c.points[i - 1], n_decimals).latex() + " and " +
                        Value::fixed(c.points[i], n_decimals, from_file.units.length).latex()),
                    fea, analytical, fea / analytical});
+    least = std::min(least, fea / analytical);
+    most = std::max(most, fea / analytical);
   }
   document.table("far-slopes", table);
-  const std::size_t last = c.points.size() - 1;
-  const double ratio = slope(printed.figure5.fea_z, last) / slope(printed.figure5.analytical, last);
+  const double gap = std::max(std::abs(least - loads), std::abs(most - loads)) / loads;
   document.value("appendix2.resultant", Value::fixed(resultant, 1, from_file.units.line_load));
-  document.value("appendix2.resultant-ratio", Value::fixed(resultant / c.load.line_load(), 2));
-  document.value("far-slope.ratio", Value::fixed(ratio, 2));
-  document.value("far-slope.gap", Value::percent(ratio / (resultant / c.load.line_load()) - 1, 0));
-  document.check("fea-carried-another-load", ratio > 1.5,
+  document.value("appendix2.resultant-ratio", Value::fixed(loads, 2));
+  document.value("far-slope.least", Value::fixed(least, 2));
+  document.value("far-slope.most", Value::fixed(most, 2));
+  document.value("far-slope.gap", Value::percent(gap, 0));
+  document.check("fea-carried-another-load", least > 1.5,
                  "far from the load the printed FEA falls more than half again as fast as eq. (3)");
 }
 

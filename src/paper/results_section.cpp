@@ -23,6 +23,10 @@ std::vector<double> values_of(const std::vector<PrintedNumber>& printed) {
   return values;
 }
 
+literate::Cell quoted(const PrintedNumber& number) {
+  return literate::Cell::to_place(number.value(), number.place());
+}
+
 figures::DisplacementComparison comparison_figure(const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
   figures::DisplacementComparison figure;
@@ -75,7 +79,7 @@ void compare_tri_dist(literate::Document& document, const parameters::Case& from
     const double exact = analytical(c, x);
     const double stepped = analytical(c, steps_off ? x + printed.step.value() : x);
     const PrintedNumber& digits = printed.displacement[i];
-    table.add_row({x, digits.value(), exact, digits.n_agreeing_digits(exact), stepped});
+    table.add_row({x, quoted(digits), exact, digits.n_agreeing_digits(exact), stepped});
     n_agree += digits.agrees_with(exact);
     n_agree_stepped += digits.agrees_with(stepped);
     if (!digits.agrees_with(exact)) {
@@ -85,8 +89,8 @@ void compare_tri_dist(literate::Document& document, const parameters::Case& from
                      Value::scientific(digits.value(), digits.n_digits(), from_file.units.length));
       document.value("tri-dist.odd.exact",
                      Value::scientific(exact, digits.n_digits(), from_file.units.length));
-      document.value("tri-dist.odd.difference",
-                     Value::scientific(digits.value() - exact, 2, from_file.units.length));
+      document.value("tri-dist.odd.difference", Value::scientific(std::abs(digits.value() - exact),
+                                                                  2, from_file.units.length));
       document.value("tri-dist.odd.slope",
                      Value::scientific(normal_gradient(c.material, c.load, x), 3));
     }
@@ -119,8 +123,8 @@ void compare_figure5(literate::Document& document, const parameters::Case& from_
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const double exact = analytical(c, c.points[i]);
     const double error_z = std::abs(exact - printed.fea_z[i].value());
-    table.add_row({printed.x[i].value(), printed.fea_z[i].value(), printed.analytical[i].value(),
-                   exact, printed.error[i].value(), error_z});
+    table.add_row({quoted(printed.x[i]), quoted(printed.fea_z[i]), quoted(printed.analytical[i]),
+                   exact, quoted(printed.error[i]), error_z});
     n_analytical += printed.analytical[i].agrees_with(exact);
 
     // The error column is the difference of two printed columns: of which? It carries more digits

@@ -35,8 +35,12 @@ PrintedNumber::PrintedNumber(std::string text) : text_(std::move(text)) {
   const std::size_t first = digits.find_first_not_of('0');
   n_digits_ = static_cast<int>(first == std::string::npos ? 1 : digits.size() - first);
   const int exponent = match[3].matched ? std::stoi(match[3]) : 0;
-  last_place_ = std::pow(10.0, exponent - static_cast<int>(match[2].length()));
+  place_ = exponent - static_cast<int>(match[2].length());
   value_ = number_of(text_);
+}
+
+double PrintedNumber::last_place() const {
+  return std::pow(10.0, place_);
 }
 
 bool PrintedNumber::agrees_with(double number) const {

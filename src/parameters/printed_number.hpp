@@ -15,8 +15,11 @@ class PrintedNumber {
   const std::string& text() const { return text_; }
   double value() const { return value_; }
 
+  /// The power of ten of the last printed place: −13 for 1.6236048e-006.
+  int place() const { return place_; }
+
   /// One unit of the last printed place: 1e-13 for 1.6236048e-006.
-  double last_place() const { return last_place_; }
+  double last_place() const;
 
   /// How many significant digits are printed.
   int n_digits() const { return n_digits_; }
@@ -31,7 +34,7 @@ class PrintedNumber {
  private:
   std::string text_;
   double value_ = 0;
-  double last_place_ = 0;
+  int place_ = 0;
   int n_digits_ = 0;
 };
 

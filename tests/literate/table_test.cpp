@@ -76,6 +76,16 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_a_column_is_refused) {
   BOOST_CHECK_THROW(Table({Column::fixed("n", "", 1)}).add_row({nan}).latex(), invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(a_quoted_number_keeps_its_digits_in_a_column_of_others) {
+  Table table({Column::scaled("$u$", "in", -6, 6)});
+  table.add_row({Cell::to_place(1.594637e-6, -12)}).add_row({Cell::to_place(9.728517e-7, -13)});
+
+  const std::string latex = table.latex();
+  BOOST_TEST(latex.find("1.594637 ") != latex.npos);
+  BOOST_TEST(latex.find("0.9728517 ") != latex.npos);
+  BOOST_TEST(latex.find("table-format=1.7") != latex.npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_unit_that_latex_would_misread_is_refused) {
   BOOST_CHECK_THROW(Column::fixed("share", "%", 1), std::invalid_argument);
 }
