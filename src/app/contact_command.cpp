@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,7 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/json_text.hpp"
-#include "app/number_option.hpp"
+#include "app/options.hpp"
 #include "app/output_format.hpp"
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
@@ -38,17 +36,14 @@ struct ContactOptions {
       : body1(command, "1"),
         body2(command, "2"),
         load(command, "--load", "Load P per unit length"),
-        datum(command, "--datum", "Where the points lie whose approach is wanted") {
-    command.add_option("--nodes", nodes, "Nodes of a grid a little wider than the contact")
-        ->type_name("INTEGER");
-    command.add_option("--case", case_file, "Case file; flags override what it says")
-        ->type_name("FILE");
+        datum(command, "--datum", "Where the points lie whose approach is wanted"),
+        nodes(command, "--nodes", "Nodes of a grid a little wider than the contact") {
+    add_text(command, "--case", case_file, "FILE", "Case file; flags override what it says");
     output.add_to(command);
   }
 
   BodyOptions body1, body2;
-  NumberOption load, datum;
-  std::optional<long> nodes;
+  NumberOption load, datum, nodes;
   std::string case_file;
   OutputOptions output;
 };
@@ -82,7 +77,7 @@ Solved solve(const ContactOptions& options, const OptionalCase& from_file) {
   const auto body2 = body_of(options.body2, from_file, &parameters::ContactCase::body2);
   const contact::CylinderPair cylinders(body1.material, body1.radius, body2.material, body2.radius);
   std::optional<double> case_load;
-  std::optional<long> n_nodes = options.nodes;
+  std::optional<long> n_nodes = options.nodes.integer();
   std::optional<double> datum = options.datum.number();
   if (from_file) {
     case_load = from_file->contact.line_load;

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,7 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/displacement_table.hpp"
-#include "app/number_option.hpp"
+#include "app/options.hpp"
 #include "app/output_format.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/surface_quadrature.hpp"
@@ -31,20 +29,14 @@ struct DisplacementOptions {
         half_width(command, "--half-width", "a: the load acts on |x| <= a"),
         line_load(command, "--line-load", "P of a concentrated load"),
         datum(command, "--datum", "The x at which the displacement u_z is zero") {
-    auto* list = command.add_option("--x", x, "Points on the surface, as a list 0,0.005,0.01");
-    list->type_name("LIST");
-    auto* from_file = command.add_option("--x-file", x_file,
-                                         "File of points, one a line; - reads standard input");
-    from_file->type_name("FILE")->excludes(list);
-    command.add_option("--case", case_file, "Case file; flags override what it says")
-        ->type_name("FILE");
-    command.add_option("--shape", shape, "Shape of the load")
-        ->check(CLI::IsMember({"triangular", "uniform", "concentrated"}))
-        ->capture_default_str();
-    command
-        .add_option("--component", component, "normal: u_z; tangential: u_x, triangular load only")
-        ->check(CLI::IsMember({"normal", "tangential"}))
-        ->capture_default_str();
+    add_text(command, "--x", x, "LIST", "Points on the surface, as a list 0,0.005,0.01");
+    add_text(command, "--x-file", x_file, "FILE",
+             "File of points, one a line; - reads standard input");
+    add_text(command, "--case", case_file, "FILE", "Case file; flags override what it says");
+    add_choice(command, "--shape", shape, {"triangular", "uniform", "concentrated"},
+               "Shape of the load");
+    add_choice(command, "--component", component, {"normal", "tangential"},
+               "normal: u_z; tangential: u_x, triangular load only");
     output.add_to(command);
   }
 
@@ -58,6 +50,9 @@ struct DisplacementOptions {
 using OptionalCase = std::optional<parameters::Case>;
 
 std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file) {
+  if (!options.x.empty() && !options.x_file.empty()) {
+    throw InputError("--x and --x-file: give one of them");
+  }
   if (!options.x.empty()) return parse_numbers("--x", options.x);
   if (!options.x_file.empty()) return read_numbers(options.x_file);
   if (from_file) return from_file->half_space.points;

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
       "equations.",
       "halfspace"};
   program.set_version_flag("--version", version_text());
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);  // none is refused below, after what was given instead
   program.set_help_all_flag("--help-all", "Print the help of every subcommand");
   app::ExitCode exit_code = app::ExitCode::success;
   app::add_displacement_command(program, exit_code);
@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
 
   try {
     program.parse(argc, argv);
+    if (program.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
     fmt::print(stderr, "halfspace: {} (see halfspace --help)\n", e.what());

@@ -53,6 +53,7 @@ std::vector<double> read_numbers(const std::string& file) {
     if (line.empty() || line.front() == '#') continue;
     numbers.push_back(parse_number(fmt::format("{}:{}", file == "-" ? "<stdin>" : file, n), line));
   }
+  if (stream.bad()) throw InputError(file + ": cannot be read");
   if (numbers.empty()) throw InputError(file + ": holds no number");
   return numbers;
 }

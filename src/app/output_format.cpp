@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output_format.hpp"
 
-#include "app/number_text.hpp"
+#include "app/options.hpp"
 
 namespace app {
 
 void OutputOptions::add_to(CLI::App& command) {
-  command.add_option("--format", format_, "table, csv or json")
-      ->check(CLI::IsMember({"table", "csv", "json"}))
-      ->capture_default_str();
-  command.add_option("--units", units_,
-                     "Units of the numbers given, for the headings of a table: in-lbf (default), "
-                     "mm-N or m-N");
+  add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
+  add_text(
+      command, "--units", units_, "NAME",
+      "Units of the numbers given, for the headings of a table: in-lbf (default), mm-N or m-N");
 }
 
 OutputFormat OutputOptions::format() const {

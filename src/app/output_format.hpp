@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
 #include "parameters/case.hpp"
 #include "parameters/units.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace app {
 

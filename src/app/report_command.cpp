@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/options.hpp"
 #include "app/stage.hpp"
 #include "literate/document.hpp"
 #include "literate/excerpt.hpp"
@@ -52,13 +51,10 @@ void add_report_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand(
       "report", "Compute all values, tables and figures of the report and write them for LaTeX");
   auto options = std::make_shared<ReportOptions>();
-  command->add_option("--case", options->case_file, "Case file")->required()->type_name("FILE");
-  command->add_option("--output", options->output, "Folder to write to")
-      ->required()
-      ->type_name("DIR");
-  command->add_option("--source", options->source, "The checkout, for the excerpts of its sources")
-      ->type_name("DIR")
-      ->capture_default_str();
+  add_required_text(*command, "--case", options->case_file, "FILE", "Case file");
+  add_required_text(*command, "--output", options->output, "DIR", "Folder to write to");
+  add_text(*command, "--source", options->source, "DIR",
+           "The checkout, for the excerpts of its sources");
   command->callback(
       [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
 }

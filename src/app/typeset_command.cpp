@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
 
 #include "app/commands.hpp"
+#include "app/options.hpp"
 #include "app/stage.hpp"
 #include "literate/names.hpp"
 #include "literate/references.hpp"
@@ -44,18 +43,13 @@ void add_typeset_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
       program.add_subcommand("typeset", "Typeset the report with LaTeX from what `report` wrote");
   auto options = std::make_shared<Options>();
-  const auto add = [&](const char* flag, std::string& value, const char* help) {
-    return command->add_option(flag, value, help);
-  };
-  add("--document", options->document, "Folder of the LaTeX document")
-      ->required()
-      ->type_name("DIR");
-  add("--main", options->main_file, "Its main file")->type_name("FILE")->capture_default_str();
-  add("--generated", options->generated, "Folder that `report` wrote")
-      ->required()
-      ->type_name("DIR");
-  add("--build", options->build, "Folder for LaTeX's own files")->required()->type_name("DIR");
-  add("--output", options->output, "The PDF")->required()->type_name("FILE");
+  add_required_text(*command, "--document", options->document, "DIR",
+                    "Folder of the LaTeX document");
+  add_text(*command, "--main", options->main_file, "FILE", "Its main file");
+  add_required_text(*command, "--generated", options->generated, "DIR",
+                    "Folder that `report` wrote");
+  add_required_text(*command, "--build", options->build, "DIR", "Folder for LaTeX's own files");
+  add_required_text(*command, "--output", options->output, "FILE", "The PDF");
   command->callback(
       [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
 }

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# add_folder_library(name SOURCES … LINK …): the library of one folder of src (or figures).
-# Headers are included as "folder/name.hpp"; LINK is the architecture.
+# add_folder_library(name [NO_HEAVY_COMPUTING] SOURCES … LINK …): the library of one folder of src (or figures).
+# Headers are included as "folder/name.hpp"; LINK is the architecture. NO_HEAVY_COMPUTING: what the compiler
+# would take to optimise it fully is more than that would ever save.
 function(add_folder_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;PRIVATE_LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING" "" "SOURCES;LINK;PRIVATE_LINK")
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC "${PROJECT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} project_warnings)
+  if(arg_NO_HEAVY_COMPUTING)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   add_sanitizers(${name})
 endfunction()
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flags of a subcommand. All are read as text through these few functions: CLI11's templates are
+// instantiated in one file, and numbers are parsed here and not by its locale-dependent strtod.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/number_text.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+/// Adds a flag that takes a text, shown in the help as `type`.
+void add_text(CLI::App& command, const std::string& flag, std::string& text,
+              const std::string& type, const std::string& help);
+
+/// As add_text, for a flag that must be given.
+void add_required_text(CLI::App& command, const std::string& flag, std::string& text,
+                       const std::string& type, const std::string& help);
+
+/// Adds a flag that takes one of the choices; `chosen` is the default.
+void add_choice(CLI::App& command, const std::string& flag, std::string& chosen,
+                const std::vector<std::string>& choices, const std::string& help);
+
+/// A numeric flag that may be left out, such as --young 30e6.
+class NumberOption {
+ public:
+  NumberOption(CLI::App& command, const std::string& flag, const std::string& help);
+  NumberOption(const NumberOption&) = delete;
+  NumberOption& operator=(const NumberOption&) = delete;
+
+  /// The number given, if any; throws InputError if it is none.
+  std::optional<double> number() const;
+
+  /// The number given, or else the case's; throws InputError where there is neither.
+  double number_or(std::optional<double> from_case) const;
+
+  /// The whole number given, if any; throws InputError if it is none.
+  std::optional<long> integer() const;
+
+  const std::string& text() const { return text_; }
+  const std::string& flag() const { return flag_; }
+
+ private:
+  std::string flag_;
+  std::string text_;
+};
+
+}  // namespace app
