@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/element_stiffness.hpp"
+
+#include "block/factorization_error.hpp"
+
+namespace block {
+
+Lame lame(const elasticity::Material& material) {
+  const double nu = material.poisson();
+  const double mu = material.young() / (2 * (1 + nu));
+  return {2 * mu * nu / (1 - 2 * nu), mu};
+}
+
+Eigen::MatrixXd element_stiffness(const LobattoBasis::Integrals& integrals, const Lame& lame,
+                                  double width, double height) {
+  const auto& [mass, stiffness, slope] = integrals;
+  const double aspect = height / width;
+  const Eigen::Index n = mass.rows();
+  Eigen::MatrixXd k(2 * n * n, 2 * n * n);
+  for (Eigen::Index l = 0; l < n; ++l) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      // Couple the nodes of row j with those of row l, all steps i along x with all steps m
+      const auto along_x = stiffness * (mass(j, l) * aspect);  // ∫ ∂N/∂x ∂N/∂x
+      const auto along_z = mass * (stiffness(j, l) / aspect);  // ∫ ∂N/∂z ∂N/∂z
+      const auto x_then_z = slope * slope(l, j);               // ∫ ∂N/∂x ∂N/∂z
+      const auto z_then_x = slope.transpose() * slope(j, l);   // ∫ ∂N/∂z ∂N/∂x
+      const double p_modulus = lame.lambda + 2 * lame.mu;
+      const auto block = [&](int row, int column) {
+        return k(Eigen::seqN(2 * j * n + row, n, 2), Eigen::seqN(2 * l * n + column, n, 2));
+      };
+      block(0, 0) = p_modulus * along_x + lame.mu * along_z;
+      block(1, 1) = p_modulus * along_z + lame.mu * along_x;
+      block(0, 1) = lame.lambda * x_then_z + lame.mu * z_then_x;
+      block(1, 0) = lame.lambda * z_then_x + lame.mu * x_then_z;
+    }
+  }
+  return k;
+}
+
+StackedIntegrals::StackedIntegrals(const LobattoBasis::Integrals& integrals) {
+  const auto& [mass, stiffness, slope] = integrals;
+  const Eigen::Index n = mass.rows();
+  along_x.resize(4 * n, n);
+  along_z.resize(4 * n, n);
+  along_x << stiffness, mass, slope, slope.transpose();
+  along_z << mass, stiffness, slope, slope.transpose();
+}
+
+Eigen::MatrixXd element_forces(const StackedIntegrals& integrals, const Lame& lame, double width,
+                               double height, const Eigen::MatrixXd& u) {
+  const Eigen::Index n = u.rows();
+  const double aspect = height / width;
+  const double p_modulus = lame.lambda + 2 * lame.mu;
+  const Eigen::MatrixXd along_x = integrals.along_x * u;
+  const auto part = [&](int integral, int component) {
+    return along_x.block(integral * n, component * n, n, n);
+  };
+  Eigen::MatrixXd sides(2 * n, 4 * n);
+  sides << p_modulus * aspect * part(0, 0), lame.mu / aspect * part(1, 0), lame.lambda * part(2, 1),
+      lame.mu * part(3, 1),  //
+      lame.mu * aspect * part(0, 1), p_modulus / aspect * part(1, 1), lame.mu * part(2, 0),
+      lame.lambda * part(3, 0);
+  const Eigen::MatrixXd forces = sides * integrals.along_z;
+  Eigen::MatrixXd result(n, 2 * n);
+  result << forces.topRows(n), forces.bottomRows(n);
+  return result;
+}
+
+UnknownSplit split_unknowns(int order) {
+  UnknownSplit split;
+  for (int j = 0; j <= order; ++j) {
+    for (int i = 0; i <= order; ++i) {
+      const bool inside = i > 0 && i < order && j > 0 && j < order;
+      std::vector<int>& part = inside ? split.interior : split.edge;
+      for (int c = 0; c < 2; ++c) part.push_back(2 * (j * (order + 1) + i) + c);
+    }
+  }
+  return split;
+}
+
+CondensedStiffness condense(const Eigen::MatrixXd& stiffness, const UnknownSplit& split) {
+  CondensedStiffness result;
+  result.edge = stiffness(split.edge, split.edge);
+  const Eigen::MatrixXd coupling = stiffness(split.interior, split.edge);
+  result.interior.compute(stiffness(split.interior, split.interior));
+  if (result.interior.info() != Eigen::Success) {
+    throw FactorizationError("the interior stiffness of an element is not positive definite");
+  }
+  result.recovery = result.interior.solve(coupling);
+  result.edge.noalias() -= coupling.transpose() * result.recovery;
+  return result;
+}
+
+}  // namespace block

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/fit.hpp"
+
+#include <Eigen/QR>
+#include <cmath>
+#include <utility>
+
+#include "numerics/require.hpp"
+
+namespace block {
+namespace {
+
+using Observed = std::vector<SurfaceDisplacement>;
+
+// u_k(x_i)/u_i, one row an observation, one column a load, on one of the two discretisations.
+Eigen::MatrixXd relative_displacements(const std::vector<RefinedSolution>& solutions,
+                                       const Solution& (RefinedSolution::*mesh)() const,
+                                       const Observed& observed) {
+  Eigen::MatrixXd ratios(static_cast<Index>(observed.size()), static_cast<Index>(solutions.size()));
+  for (Index k = 0; k < ratios.cols(); ++k) {
+    const Solution& solution = (solutions[static_cast<std::size_t>(k)].*mesh)();
+    for (Index i = 0; i < ratios.rows(); ++i) {
+      const SurfaceDisplacement& point = observed[static_cast<std::size_t>(i)];
+      ratios(i, k) = solution.displacement(point.x, 0).y() / point.u_z;
+    }
+  }
+  return ratios;
+}
+
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& ratios) {
+  return ratios.colPivHouseholderQr().solve(Eigen::VectorXd::Ones(ratios.rows()));
+}
+
+}  // namespace
+
+Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& observed) {
+  if (solutions.empty() || observed.size() < solutions.size()) {
+    throw numerics::InvalidQuantity("number of observed displacements",
+                                    static_cast<double>(observed.size()),
+                                    "no less than the number of loads, which is 1 or more");
+  }
+  for (const SurfaceDisplacement& point : observed) {
+    numerics::require_positive("observed displacement", point.u_z);
+  }
+
+  // Solve the least-squares problem on both meshes
+  const Eigen::MatrixXd ratios =
+      relative_displacements(solutions, &RefinedSolution::fine, observed);
+  const Eigen::VectorXd fine = least_squares(ratios);
+  const Eigen::VectorXd coarse =
+      least_squares(relative_displacements(solutions, &RefinedSolution::coarse, observed));
+
+  std::vector<numerics::Estimate> factors;
+  for (Index k = 0; k < fine.size(); ++k) {
+    factors.push_back({fine[k], std::abs(fine[k] - coarse[k])});
+  }
+  const Eigen::VectorXd residuals = ratios * fine - Eigen::VectorXd::Ones(ratios.rows());
+  return {factors,
+          {residuals.begin(), residuals.end()},
+          residuals.cwiseAbs().maxCoeff(),
+          residuals.norm() / std::sqrt(static_cast<double>(residuals.size())),
+          RefinedSolution::combination(solutions, {fine.begin(), fine.end()})};
+}
+
+LinearFit fit_linear_load(const SupportedBlock& block, double half_width,
+                          const Observed& observed) {
+  const double a = numerics::require_positive("half_width", half_width);
+  const auto falling = [a](double x) { return 1 - std::abs(x) / a; };
+  const auto rising = [a](double x) { return std::abs(x) / a; };
+  const std::vector<double> kinks{-a, 0, a};
+  Fit fit = fit_loads({block.solve(elasticity::distributed_load(falling, nullptr, kinks)),
+                       block.solve(elasticity::distributed_load(rising, nullptr, kinks))},
+                      observed);
+
+  // edge fraction = (peak·edge_fraction)/peak, with the errors of both
+  const numerics::Estimate peak = fit.factors[0];
+  const numerics::Estimate edge = fit.factors[1];
+  const double fraction = edge.value / peak.value;
+  const double fraction_error =
+      (edge.abs_error + std::abs(fraction) * peak.abs_error) / std::abs(peak.value);
+  const auto pressure = [=](double x) { return peak.value * falling(x) + edge.value * rising(x); };
+  return {peak,
+          {fraction, fraction_error},
+          elasticity::distributed_load(pressure, nullptr, kinks),
+          std::move(fit)};
+}
+
+}  // namespace block

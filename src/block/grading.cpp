@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/grading.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace block {
+namespace {
+
+// Distances from a graded end, from `smallest` to `length`, both included.
+std::vector<double> graded_distances(double smallest, double length, double ratio) {
+  if (smallest >= length) return {length};
+  const double exact = std::log(smallest / length) / std::log(ratio);
+  // A hair less, so that rounding does not add a layer to one of two equal halves.
+  const int n_layers = static_cast<int>(std::ceil(exact - 1e-9));
+  std::vector<double> distances;
+  for (int k = n_layers; k >= 0; --k) {
+    distances.push_back(length * std::pow(smallest / length, static_cast<double>(k) / n_layers));
+  }
+  return distances;
+}
+
+}  // namespace
+
+std::vector<double> graded_lines(const std::vector<GradedPoint>& points, double ratio) {
+  std::vector<double> lines{points.front().position};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const GradedPoint& begin = points[i];
+    const GradedPoint& end = points[i + 1];
+    const double half = (end.position - begin.position) / 2;
+
+    // Grade the first half outwards, the second inwards; they share the middle
+    for (const double d : graded_distances(begin.smallest, half, ratio)) {
+      lines.push_back(begin.position + d);
+    }
+    const std::vector<double> inwards = graded_distances(end.smallest, half, ratio);
+    for (auto d = inwards.rbegin() + 1; d != inwards.rend(); ++d) {
+      lines.push_back(end.position - *d);
+    }
+    lines.push_back(end.position);
+  }
+  return lines;
+}
+
+}  // namespace block

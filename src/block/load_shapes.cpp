@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/load_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "numerics/kernel_integrals.hpp"
+#include "numerics/require.hpp"
+
+namespace block {
+namespace {
+
+// peak·shape(|x|/a), with breakpoints at the given fractions of a on both sides.
+elasticity::Load symmetric_load(double peak, double half_width,
+                                const std::vector<double>& breakpoints,
+                                const std::function<double(double)>& shape) {
+  numerics::require_positive("peak", peak);
+  numerics::require_positive("half_width", half_width);
+  std::vector<double> ends;
+  for (const double fraction : breakpoints) ends.push_back(fraction * half_width);
+  return elasticity::distributed_load(
+      [=](double x) { return peak * shape(std::abs(x) / half_width); }, nullptr, ends);
+}
+
+numerics::PiecewiseFunction scaled(const numerics::PiecewiseFunction& function, double factor) {
+  std::vector<numerics::Piece> pieces = function.pieces();
+  for (numerics::Piece& piece : pieces) {
+    piece.value = [factor, value = piece.value](double s) { return factor * value(s); };
+  }
+  return numerics::PiecewiseFunction(pieces);
+}
+
+}  // namespace
+
+elasticity::Load linear_fall(double peak, double edge_fraction, double half_width) {
+  if (!(std::isfinite(edge_fraction) && edge_fraction >= 0)) {
+    throw numerics::InvalidQuantity("edge_fraction", edge_fraction, "a finite number, 0 or more");
+  }
+  return symmetric_load(peak, half_width, {-1, 0, 1},
+                        [=](double t) { return (1 - t) + edge_fraction * t; });
+}
+
+elasticity::Load trapezoid(double peak, double flat_fraction, double half_width) {
+  if (!(flat_fraction > 0 && flat_fraction < 1)) {
+    throw numerics::InvalidQuantity("flat_fraction", flat_fraction, "between 0 and 1");
+  }
+  return symmetric_load(peak, half_width, {-1, -flat_fraction, flat_fraction, 1}, [=](double t) {
+    return std::min(1.0, std::max(0.0, 1 - t) / (1 - flat_fraction));
+  });
+}
+
+elasticity::Load elliptic(double peak, double half_width) {
+  return symmetric_load(peak, half_width, {-1, 1},
+                        [](double t) { return std::sqrt(std::max(0.0, (1 - t) * (1 + t))); });
+}
+
+elasticity::Load power_fall(double peak, int exponent, double half_width) {
+  if (exponent < 1) throw numerics::InvalidQuantity("exponent", exponent, "1 or more");
+  // An even power is smooth in the middle, an odd one of |x| is not
+  const std::vector<double> ends =
+      exponent % 2 == 0 ? std::vector<double>{-1, 1} : std::vector<double>{-1, 0, 1};
+  return symmetric_load(peak, half_width, ends,
+                        [=](double t) { return 1 - std::pow(t, exponent); });
+}
+
+elasticity::Load scaled(const elasticity::Load& load, double factor) {
+  numerics::require_finite("factor", factor);
+  elasticity::Load result{scaled(load.normal, factor), scaled(load.tangential, factor),
+                          load.forces};
+  for (elasticity::LineForce& force : result.forces) force.magnitude *= factor;
+  return result;
+}
+
+double normal_resultant(const elasticity::Load& load) {
+  double sum = numerics::KernelIntegrals(load.normal).total().value;
+  for (const elasticity::LineForce& force : load.forces) sum += force.magnitude;
+  return sum;
+}
+
+}  // namespace block

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/mass_properties.hpp"
+
+#include "numerics/require.hpp"
+
+namespace block {
+
+MassProperties mass_properties(const Rectangle& block, double density) {
+  numerics::require_positive("density", density);
+  const double mass = density * block.width() * block.height();
+  const double centre_y = -block.height() / 2;
+  const double ixx = mass * block.height() * block.height() / 12;
+  const double iyy = mass * block.width() * block.width() / 12;
+  const double steiner = mass * centre_y * centre_y;
+  return {mass, 0, centre_y, {ixx + steiner, iyy, ixx + steiner + iyy}, {ixx, iyy, ixx + iyy}};
+}
+
+}  // namespace block

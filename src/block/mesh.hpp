@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace block {
+
+/// The index of a node, element or unknown.
+using Index = Eigen::Index;
+
+/// A point inside an element: the element's index, and ξ, ζ in [−1, 1] along x and z.
+struct LocalPoint {
+  Index element;
+  double xi;
+  double zeta;
+};
+
+/// One rectangular element, x0 ≤ x ≤ x1 and z0 ≤ z ≤ z1.
+struct Element {
+  Index column;
+  Index row;
+  double x0, x1;
+  double z0, z1;
+
+  double width() const { return x1 - x0; }
+  double height() const { return z1 - z0; }
+};
+
+/// A structured mesh of rectangles: every column of elements meets every row.
+///
+/// The nodes are the Gauss–Lobatto points of each element and form a grid too, numbered along x
+/// first; so are the elements. z = z_lines.front() is the loaded top.
+class Mesh {
+ public:
+  /// order 1 … 12 (1 and 9 … 12 for tests and error estimates); each of the lines rises strictly
+  /// and has two entries or more. Throws InvalidQuantity otherwise.
+  Mesh(int order, std::vector<double> x_lines, std::vector<double> z_lines);
+
+  int order() const { return order_; }
+  const std::vector<double>& x_lines() const { return x_lines_; }
+  const std::vector<double>& z_lines() const { return z_lines_; }
+
+  Index n_columns() const { return static_cast<Index>(x_lines_.size()) - 1; }
+  Index n_rows() const { return static_cast<Index>(z_lines_.size()) - 1; }
+  Index n_elements() const { return n_columns() * n_rows(); }
+  Index n_nodes_along_x() const { return n_columns() * order_ + 1; }
+  Index n_nodes_along_z() const { return n_rows() * order_ + 1; }
+  Index n_nodes() const { return n_nodes_along_x() * n_nodes_along_z(); }
+
+  Element element(Index index) const;
+
+  /// The node at step i along x and j along z, each 0 … order, of an element.
+  Index node(const Element& element, int i, int j) const;
+
+  /// The node's place in the grid of nodes: (step along x, step along z).
+  Eigen::Vector2<Index> grid_position(Index node) const;
+
+  /// The node's (x, z), two lengths.
+  Eigen::Vector2d position(Index node) const;
+
+  /// Whether the node lies inside an element and touches no other.
+  bool is_interior(Index node) const;
+
+  /// The element that holds (x, z), on a common edge the one on the right or below. Throws
+  /// InvalidQuantity for a point outside the block.
+  LocalPoint locate(double x, double z) const;
+
+ private:
+  int order_;
+  std::vector<double> x_lines_;
+  std::vector<double> z_lines_;
+  Eigen::VectorXd nodes_;  // of the reference element
+};
+
+}  // namespace block

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/model.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "numerics/require.hpp"
+
+namespace block {
+namespace {
+
+Mesh require_fitting(Mesh mesh, double max_megabytes) {
+  const double megabytes = estimated_megabytes(mesh);
+  if (!(megabytes <= max_megabytes)) {
+    throw numerics::InvalidQuantity("estimated memory in megabytes", megabytes,
+                                    "within the limit; lower the order or the refinement");
+  }
+  return mesh;
+}
+
+}  // namespace
+
+double estimated_megabytes(const Mesh& mesh) {
+  const double p = mesh.order();
+  const double n_edge = 8 * p;
+  const double n_interior = 2 * (p - 1) * (p - 1);
+  const double n_elements =
+      static_cast<double>(mesh.n_columns()) * static_cast<double>(mesh.n_rows());
+
+  // Numbers a condensed element keeps; its triplets hold a number and two indices, twice over
+  const double condensed = n_edge * n_edge + n_edge * n_interior + n_interior * n_interior;
+  const double assembly = 2 * 2 * n_edge * n_edge / 2;
+
+  // A banded factor across the shorter way has 2(3p − 1) unknowns an element in a line of elements
+  const double n_across = static_cast<double>(std::min(mesh.n_columns(), mesh.n_rows()));
+  const double factor = 2 * (2 * p - 1) * 1.5 * 2 * (3 * p - 1) * n_across;
+  return 8e-6 * n_elements * (condensed + assembly + factor);
+}
+
+Model::Model(Mesh mesh, const elasticity::Material& material, double max_megabytes)
+    : mesh_(require_fitting(std::move(mesh), max_megabytes)),
+      material_(material),
+      lame_(block::lame(material)),
+      basis_(mesh_.order()),
+      integrals_(basis_.integrals()),
+      stacked_(integrals_),
+      split_(split_unknowns(mesh_.order())) {
+  const auto start = std::chrono::steady_clock::now();
+  condensed_.reserve(static_cast<std::size_t>(mesh_.n_elements()));
+  for (Index e = 0; e < mesh_.n_elements(); ++e) {
+    condensed_.push_back(condense(stiffness(e), split_));
+  }
+  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+const CondensedStiffness& Model::condensed(Index element) const {
+  return condensed_[static_cast<std::size_t>(element)];
+}
+
+Eigen::MatrixXd Model::stiffness(Index element) const {
+  const Element e = mesh_.element(element);
+  return element_stiffness(integrals_, lame_, e.width(), e.height());
+}
+
+std::vector<Index> Model::unknowns(Index element) const {
+  const Element e = mesh_.element(element);
+  const int p = mesh_.order();
+  std::vector<Index> numbers;
+  numbers.reserve(2 * static_cast<std::size_t>((p + 1) * (p + 1)));
+  for (int j = 0; j <= p; ++j) {
+    for (int i = 0; i <= p; ++i) {
+      for (int c = 0; c < 2; ++c) numbers.push_back(2 * mesh_.node(e, i, j) + c);
+    }
+  }
+  return numbers;
+}
+
+Eigen::VectorXd Model::internal_forces(const Eigen::VectorXd& displacements) const {
+  const Index n = mesh_.order() + 1;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacements.size());
+  Eigen::MatrixXd local(n, 2 * n);
+  for (Index index = 0; index < mesh_.n_elements(); ++index) {
+    const Element e = mesh_.element(index);
+    const std::vector<Index> numbers = unknowns(index);
+    const Eigen::VectorXd gathered = displacements(numbers);
+    for (Index c = 0; c < 2; ++c) {
+      const Eigen::VectorXd component = gathered(Eigen::seqN(c, n * n, 2));
+      local.middleCols(c * n, n).reshaped() = component.array() - component.mean();
+    }
+    const Eigen::MatrixXd f = element_forces(stacked_, lame_, e.width(), e.height(), local);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const auto node = static_cast<Index>(k) / 2;
+      forces[numbers[k]] += f(node % n, static_cast<Index>(k) % 2 * n + node / n);
+    }
+  }
+  return forces;
+}
+
+}  // namespace block

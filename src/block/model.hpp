@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "block/element_stiffness.hpp"
+#include "block/lobatto_basis.hpp"
+#include "block/mesh.hpp"
+#include "elasticity/material.hpp"
+
+namespace block {
+
+/// A meshed block of one material, its element stiffnesses condensed to the element edges.
+///
+/// What no support or load changes, computed once and shared by all of them. The whole block is
+/// modelled, never half of it: symmetric and other loads go the same way, and the symmetry of a
+/// result stays something to test. Immutable and shared by pointer, hence safe across threads.
+class Model {
+ public:
+  /// Computes and condenses the stiffness of every element. Throws InvalidQuantity, before
+  /// allocating, if estimated_megabytes(mesh) exceeds max_megabytes.
+  Model(Mesh mesh, const elasticity::Material& material, double max_megabytes = 2000);
+
+  const Mesh& mesh() const { return mesh_; }
+  const LobattoBasis& basis() const { return basis_; }
+  const Lame& lame() const { return lame_; }
+  const elasticity::Material& material() const { return material_; }
+  const UnknownSplit& split() const { return split_; }
+  const CondensedStiffness& condensed(Index element) const;
+
+  /// The full stiffness of one element, see element_stiffness; recomputed at each call.
+  Eigen::MatrixXd stiffness(Index element) const;
+
+  /// The global numbers 2·node + c of an element's unknowns, in the order of its stiffness.
+  std::vector<Index> unknowns(Index element) const;
+
+  /// The nodal forces Ku that displacements u call for, both of size 2·n_nodes.
+  ///
+  /// Each element's mean translation is taken off first: it strains nothing, and the digits it
+  /// would cost are those that the equilibrium of thin elements needs.
+  Eigen::VectorXd internal_forces(const Eigen::VectorXd& displacements) const;
+
+  /// Seconds of wall time that the construction took.
+  double seconds() const { return seconds_; }
+
+ private:
+  Mesh mesh_;
+  elasticity::Material material_;
+  Lame lame_;
+  LobattoBasis basis_;
+  LobattoBasis::Integrals integrals_;
+  StackedIntegrals stacked_;
+  UnknownSplit split_;
+  std::vector<CondensedStiffness> condensed_;
+  double seconds_ = 0;
+};
+
+/// Memory in 10⁶ bytes that a model of this mesh and one factorisation of it need, on the safe
+/// side: the condensed elements, the triplets of assembly and the Cholesky factor as if it were
+/// banded.
+double estimated_megabytes(const Mesh& mesh);
+
+}  // namespace block

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/vtu.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "numerics/require.hpp"
+
+namespace block {
+namespace {
+
+// One line a point: what `write` appends for its state.
+template <class Write>
+void write_point_array(std::ostream& out, const std::vector<PointState>& states,
+                       std::string_view attributes, Write write) {
+  fmt::print(out, "<DataArray type=\"Float64\" {} format=\"ascii\">\n", attributes);
+  for (const PointState& state : states) write(state);
+  fmt::print(out, "</DataArray>\n");
+}
+
+void write_points(std::ostream& out, const std::vector<PointState>& states) {
+  fmt::print(out, "<Points>\n");
+  write_point_array(out, states, "NumberOfComponents=\"3\"", [&](const PointState& s) {
+    fmt::print(out, "{:.9g} {:.9g} 0\n", s.position.x(), 0.0 - s.position.y());
+  });
+  fmt::print(out, "</Points>\n");
+}
+
+void write_point_data(std::ostream& out, const std::vector<PointState>& states) {
+  fmt::print(out, "<PointData Vectors=\"displacement\" Scalars=\"von_mises\">\n");
+  write_point_array(
+      out, states, "Name=\"displacement\" NumberOfComponents=\"3\"", [&](const PointState& s) {
+        fmt::print(out, "{:.9g} {:.9g} 0\n", s.displacement.x(), 0.0 - s.displacement.y());
+      });
+  write_point_array(out, states, "Name=\"stress\" NumberOfComponents=\"6\"",
+                    [&](const PointState& s) {
+                      fmt::print(out, "{:.9g} {:.9g} {:.9g} {:.9g} 0 0\n", s.stress.xx, s.stress.zz,
+                                 s.stress.yy, 0.0 - s.stress.xz);
+                    });
+  write_point_array(out, states, "Name=\"von_mises\"",
+                    [&](const PointState& s) { fmt::print(out, "{:.9g}\n", von_mises(s.stress)); });
+  fmt::print(out, "</PointData>\n");
+}
+
+void write_cells(std::ostream& out, Index n_elements, Index n_cells) {
+  const Index n_points = n_cells + 1;
+  fmt::print(out, "<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n");
+  for (Index e = 0; e < n_elements; ++e) {
+    for (Index j = 0; j < n_cells; ++j) {
+      for (Index i = 0; i < n_cells; ++i) {
+        // Counter-clockwise with y up, rows of points following each other downwards
+        const Index corner = (e * n_points + j) * n_points + i;
+        fmt::print(out, "{} {} {} {}\n", corner + n_points, corner + n_points + 1, corner + 1,
+                   corner);
+      }
+    }
+  }
+  constexpr int vtk_quad = 9;
+  const Index n_all = n_elements * n_cells * n_cells;
+  fmt::print(out, "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n");
+  for (Index k = 1; k <= n_all; ++k) fmt::print(out, "{}\n", 4 * k);
+  fmt::print(out, "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n");
+  for (Index k = 0; k < n_all; ++k) fmt::print(out, "{}\n", vtk_quad);
+  fmt::print(out, "</DataArray>\n</Cells>\n");
+}
+
+}  // namespace
+
+void write_vtu(std::ostream& out, const Solution& solution, int n_cells) {
+  if (n_cells > 100) throw numerics::InvalidQuantity("n_cells", n_cells, "100 or less");
+  const Mesh& mesh = solution.model().mesh();
+  if (n_cells <= 0) n_cells = mesh.order();
+
+  // Sample every element on its grid of points
+  std::vector<PointState> states;
+  const auto grid = Eigen::VectorXd::LinSpaced(n_cells + 1, -1, 1);
+  for (Index e = 0; e < mesh.n_elements(); ++e) {
+    const std::vector<PointState> sampled = solution.sample(e, grid);
+    states.insert(states.end(), sampled.begin(), sampled.end());
+  }
+
+  fmt::print(out,
+             "<?xml version=\"1.0\"?>\n"
+             "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+             "header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+             "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+             states.size(), mesh.n_elements() * n_cells * n_cells);
+  write_points(out, states);
+  write_point_data(out, states);
+  write_cells(out, mesh.n_elements(), n_cells);
+  fmt::print(out, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+}
+
+}  // namespace block
