@@ -12,6 +12,7 @@ namespace app {
 /// Each adds a subcommand with its flags to the program; parsing the command line runs the chosen
 /// one, which stores its answer in `exit_code`.
 void add_displacement_command(CLI::App& program, ExitCode& exit_code);
+void add_block_command(CLI::App& program, ExitCode& exit_code);
 void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_report_command(CLI::App& program, ExitCode& exit_code);
 void add_typeset_command(CLI::App& program, ExitCode& exit_code);

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   program.set_help_all_flag("--help-all", "Print the help of every subcommand");
   app::ExitCode exit_code = app::ExitCode::success;
   app::add_displacement_command(program, exit_code);
+  app::add_block_command(program, exit_code);
   app::add_contact_command(program, exit_code);
   app::add_report_command(program, exit_code);
   app::add_typeset_command(program, exit_code);

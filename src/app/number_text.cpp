@@ -17,7 +17,7 @@ namespace app {
 double parse_number(const std::string& what, const std::string& text) {
   const char* begin = text.data();
   const char* end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
+  if (text.starts_with('+') && !text.starts_with("+-")) ++begin;
   double number = 0;
   const auto [stop, error] = std::from_chars(begin, end, number);
   if (error == std::errc::result_out_of_range) {

@@ -70,7 +70,8 @@ std::string ColumnWriter::written(const Cell& cell) {
 std::string ColumnWriter::number_text(const Cell& cell) const {
   const double number = *cell.number();
   if (column_.kind_ == Column::Kind::scientific) {
-    return scientific(rounded_to_digits(number, decimals_));
+    return scientific(cell.place() ? rounded_to_place(number, *cell.place())
+                                   : rounded_to_digits(number, decimals_));
   }
   if (column_.kind_ == Column::Kind::integer && std::trunc(number) != number) {
     throw std::invalid_argument(fmt::format("column '{}': {} is not a whole number",

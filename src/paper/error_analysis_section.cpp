@@ -90,7 +90,7 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
   }
   document.table("tangential", table);
   document.value("tangential.largest-share", Value::percent(largest_share, 0));
-  const double largest = from_file.printed->appendix2.max_disp_x.value();
+  const double largest = from_file.printed->appendix2.measures.at("max_disp_x").value();
   const double half_space = std::abs(tangential_displacement(c.material, c.load, c.points.back()));
   document.value("tangential.max-disp-x", Value::scientific(largest, 4, unit));
   document.value("tangential.max-disp-x-ratio", Value::fixed(largest / half_space, 2));
@@ -100,7 +100,7 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
 void compare_resultants(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
   const parameters::PrintedData& printed = *from_file.printed;
-  const double resultant = printed.appendix2.resultant.value();
+  const double resultant = std::abs(printed.appendix2.measures.at("resultant_load_y").value());
   const auto slope = [&](const std::vector<parameters::PrintedNumber>& column, std::size_t i) {
     return (column[i].value() - column[i - 1].value()) / (c.points[i] - c.points[i - 1]);
   };

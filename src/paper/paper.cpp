@@ -12,6 +12,7 @@ void compute(literate::Document& document, const parameters::Case& from_file) {
   compute_quadrature(document, from_file);
   compute_results(document, from_file);
   compute_error_analysis(document, from_file);
+  compute_block(document, from_file);
   compute_cylinders(document, from_file);
 }
 

@@ -4,6 +4,7 @@
 
 #include "figures/displacement_comparison.hpp"
 #include "paper/decimals.hpp"
+#include "paper/quoted.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
@@ -21,10 +22,6 @@ std::vector<double> values_of(const std::vector<PrintedNumber>& printed) {
   std::vector<double> values;
   for (const PrintedNumber& number : printed) values.push_back(number.value());
   return values;
-}
-
-literate::Cell quoted(const PrintedNumber& number) {
-  return literate::Cell::to_place(number.value(), number.place());
 }
 
 figures::DisplacementComparison comparison_figure(const parameters::Case& from_file) {

@@ -22,6 +22,9 @@ void compute_results(literate::Document& document, const parameters::Case& from_
 /// What the paper's error analysis says, and what its own numbers say.
 void compute_error_analysis(literate::Document& document, const parameters::Case& from_file);
 
+/// The paper's finite-element run rebuilt, and the load that it carried.
+void compute_block(literate::Document& document, const parameters::Case& from_file);
+
 /// Two cylinders by matrix inversion against Hertz.
 void compute_cylinders(literate::Document& document, const parameters::Case& from_file);
 

@@ -76,6 +76,37 @@ ContactCase read_contact(const CaseTable& table, const UnitSystem& units) {
           n_nodes};
 }
 
+block::Support read_sides(const CaseTable& table) {
+  const std::string sides = table.text("sides");
+  if (sides == "clamped") return block::Support::clamped;
+  if (sides == "roller") return block::Support::roller;
+  if (sides == "free") return block::Support::free;
+  table.fail("sides", fmt::format("\"{}\": must be clamped, roller or free", sides));
+}
+
+BlockCase read_block(const CaseTable& table, const HalfSpaceCase& half_space,
+                     const UnitSystem& units) {
+  const block::Rectangle rectangle(positive(table, "width", Dimension::length, units),
+                                   positive(table, "height", Dimension::length, units));
+  if (half_space.load.half_width() >= rectangle.right()) {
+    table.fail("width",
+               fmt::format("{} {}: must hold the load, which is {} {} wide", rectangle.width(),
+                           units.length, 2 * half_space.load.half_width(), units.length));
+  }
+  for (const double x : half_space.points) {
+    if (x < rectangle.left() || x > rectangle.right()) {
+      table.fail("width", fmt::format("{} {}: must hold the point x = {} {}", rectangle.width(),
+                                      units.length, x, units.length));
+    }
+  }
+  block::Discretization discretization;
+  discretization.order = static_cast<int>(table.integer("order"));
+  discretization.refine = static_cast<int>(table.integer("refine"));
+  table.at("order", [&] { return block::require_valid(discretization); });
+  return {rectangle, read_sides(table), positive(table, "density", Dimension::density, units),
+          discretization};
+}
+
 PrintedFigure5 read_figure5(const CaseTable& table, std::size_t n_points) {
   PrintedFigure5 figure{table.text("source"),
                         table.printed_numbers("x"),
@@ -100,14 +131,30 @@ PrintedTriDist read_tri_dist(const CaseTable& table, std::size_t n_points) {
   return printed;
 }
 
+std::map<std::string, PrintedNumber> read_numbers(const CaseTable& table) {
+  std::map<std::string, PrintedNumber> numbers;
+  for (const std::string& key : table.keys()) numbers.emplace(key, table.printed_number(key));
+  return numbers;
+}
+
+// Reads numbers under any names, of which some are needed.
+std::map<std::string, PrintedNumber> read_numbers(const CaseTable& table,
+                                                  const std::vector<std::string>& needed) {
+  for (const std::string& key : needed) {
+    if (!table.has(key)) table.fail(key, "missing");
+  }
+  return read_numbers(table);
+}
+
 PrintedAppendix2 read_appendix2(const CaseTable& table) {
-  return {table.text("source"),
-          table.printed_number("resultant"),
-          table.printed_number("max_disp_x"),
-          table.printed_number("max_disp_y"),
-          table.printed_number("strain_energy"),
-          table.printed_number("max_stress_vm"),
-          table.printed_number("mass")};
+  return {
+      table.text("source"),
+      read_numbers(table.table("measures"), {"resultant_load_y", "max_disp_x", "max_stress_vm",
+                                             "max_stress_zz", "strain_energy"}),
+      read_numbers(table.table("convergence")),
+      read_numbers(table.table("mass_properties"),
+                   {"mass", "centre_y", "ixx_about_origin", "iyy_about_origin", "izz_about_origin",
+                    "ixx_about_centre", "iyy_about_centre", "izz_about_centre"})};
 }
 
 PrintedData read_printed(const CaseTable& table, std::size_t n_points, const UnitSystem& units) {
@@ -130,12 +177,14 @@ Case read_case(const std::filesystem::path& file) {
   const UnitSystem units = root.at("units", [&] { return unit_system(root.text("units")); });
   const HalfSpaceCase half_space = read_half_space(root.table("half_space"), units);
   const ContactCase contact = read_contact(root.table("contact"), units);
+  std::optional<BlockCase> block;
+  if (root.has("block")) block = read_block(root.table("block"), half_space, units);
   std::optional<PrintedData> printed;
   if (root.has("printed")) {
     printed = read_printed(root.table("printed"), half_space.points.size(), units);
   }
   root.reject_unknown_keys();
-  return {file, title, units, half_space, contact, printed};
+  return {file, title, units, half_space, contact, block, printed};
 }
 
 }  // namespace parameters

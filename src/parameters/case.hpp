@@ -2,10 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "block/discretization.hpp"
+#include "block/rectangle.hpp"
+#include "block/supports.hpp"
 #include "contact/cylinder_pair.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"
@@ -39,6 +43,14 @@ struct ContactCase {
   long n_nodes;
 };
 
+/// The finite block that the paper analysed with finite elements.
+struct BlockCase {
+  block::Rectangle rectangle;
+  block::Support sides;  ///< how left and right are held; the bottom is clamped
+  double density;        ///< mass per volume
+  block::Discretization discretization;
+};
+
 /// A column or table that the paper prints, with its place in the paper.
 struct PrintedFigure5 {
   std::string source;
@@ -51,7 +63,9 @@ struct PrintedTriDist {
 };
 struct PrintedAppendix2 {
   std::string source;
-  PrintedNumber resultant, max_disp_x, max_disp_y, strain_energy, max_stress_vm, mass;
+  std::map<std::string, PrintedNumber> measures;         ///< by their printed names
+  std::map<std::string, PrintedNumber> convergence;      ///< of those, in percent
+  std::map<std::string, PrintedNumber> mass_properties;  ///< mass, centre_y, ixx_about_origin, …
 };
 
 /// What the paper prints about its own case. It is compared with, never computed from.
@@ -68,6 +82,7 @@ struct Case {
   UnitSystem units;
   HalfSpaceCase half_space;
   ContactCase contact;
+  std::optional<BlockCase> block;
   std::optional<PrintedData> printed;  ///< only for the paper's own case
 };
 

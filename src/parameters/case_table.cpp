@@ -102,6 +102,12 @@ std::string CaseTable::text(const std::string& key) const {
   return *text;
 }
 
+std::vector<std::string> CaseTable::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, node] : *node_->table) keys.emplace_back(key.str());
+  return keys;
+}
+
 bool CaseTable::is_text(const std::string& key, const std::string& text) const {
   const toml::node* node = node_->table->get(key);
   return node != nullptr && node->value_exact<std::string>() == text;

@@ -38,6 +38,9 @@ class CaseTable {
   std::vector<PrintedNumber> printed_numbers(const std::string& key) const;
   PrintedNumber printed_number(const std::string& key) const;
 
+  /// All keys of the table, sorted.
+  std::vector<std::string> keys() const;
+
   /// Whether the value of the key is the given text.
   bool is_text(const std::string& key, const std::string& text) const;
 

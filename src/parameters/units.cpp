@@ -57,6 +57,8 @@ const std::string& UnitSystem::unit(Dimension dimension) const {
       return stress;
     case Dimension::line_load:
       return line_load;
+    case Dimension::density:
+      return density;
     case Dimension::none:
       break;
   }
@@ -65,9 +67,9 @@ const std::string& UnitSystem::unit(Dimension dimension) const {
 
 const std::vector<UnitSystem>& unit_systems() {
   static const std::vector<UnitSystem> systems = {
-      {"in-lbf", "in", "lbf", "psi", "lbf/in"},
-      {"mm-N", "mm", "N", "MPa", "N/mm"},
-      {"m-N", "m", "N", "Pa", "N/m"},
+      {"in-lbf", "in", "lbf", "psi", "lbf/in", "lbf.s^2/in^4"},
+      {"mm-N", "mm", "N", "MPa", "N/mm", "N.s^2/mm^4"},
+      {"m-N", "m", "N", "Pa", "N/m", "kg/m^3"},
   };
   return systems;
 }

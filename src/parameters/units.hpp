@@ -15,7 +15,7 @@ class UnitError : public std::invalid_argument {
 };
 
 /// What a quantity measures; `none` is a pure number.
-enum class Dimension { none, length, stress, line_load };
+enum class Dimension { none, length, stress, line_load, density };
 
 /// A coherent system of units: stress = force/length², line load = force/length, so that formulas
 /// need no factors. Spellings are those of UDUNITS-2 and print well in text, LaTeX and gnuplot.
@@ -25,6 +25,7 @@ struct UnitSystem {
   std::string force;
   std::string stress;
   std::string line_load;
+  std::string density;  ///< mass is force·time²/length, with time in s
 
   /// The system's unit of the dimension; "1" for none.
   const std::string& unit(Dimension dimension) const;

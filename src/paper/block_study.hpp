@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "block/analysis.hpp"
+#include "block/fit.hpp"
+#include "block/supports.hpp"
+#include "parameters/case.hpp"
+
+namespace paper {
+
+/// A load shape on some supports, scaled to the printed displacements as well as it can be.
+struct Candidate {
+  std::string shape;
+  block::Support sides;
+  block::Fit fit;
+};
+
+/// The finite block of the paper, on all supports and under all loads that the report speaks of.
+///
+/// One mesh serves all loads, one factorisation all loads on the same supports.
+class BlockStudy {
+ public:
+  /// `from_file` must have a block. Throws as block::Analysis.
+  explicit BlockStudy(const parameters::Case& from_file);
+
+  const block::SupportedBlock& on(block::Support sides) const;
+
+  /// The block with the case's sides under eq. (4), the load that the paper states.
+  const block::RefinedSolution& under_triangle() const { return under_triangle_; }
+
+  /// The printed displacements as the fit wants them; empty without printed data.
+  const std::vector<block::SurfaceDisplacement>& observed() const { return observed_; }
+
+  /// The linear fall that explains the printed displacements best, on the case's sides, and on any.
+  const std::optional<block::LinearFit>& fit() const { return fit_; }
+  block::LinearFit fit_on(block::Support sides) const;
+
+  /// Every candidate of the report: the linear fall on each kind of side, then single shapes.
+  std::vector<Candidate> candidates() const;
+
+  /// Where the measures of Appendix 2 are taken: the case's points, off the singular points.
+  block::MeasureOptions measure_options() const;
+
+ private:
+  const parameters::Case& case_;
+  block::Analysis analysis_;
+  block::SupportedBlock clamped_;
+  block::SupportedBlock roller_;
+  block::SupportedBlock free_;
+  block::RefinedSolution under_triangle_;
+  std::vector<block::SurfaceDisplacement> observed_;
+  std::optional<block::LinearFit> fit_;
+};
+
+/// "clamped", "roller" or "free".
+std::string name_of(block::Support sides);
+
+}  // namespace paper
