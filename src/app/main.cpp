@@ -41,5 +41,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "halfspace: {} (see halfspace --help)\n", e.what());
     return static_cast<int>(app::ExitCode::bad_input);
   }
+  // A full disk shows when the last of the output is written, not before.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "halfspace: standard output cannot be written\n");
+    return static_cast<int>(app::ExitCode::bad_input);
+  }
   return static_cast<int>(exit_code);
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "numerics/require.hpp"
@@ -13,8 +16,9 @@ namespace {
 Mesh require_fitting(Mesh mesh, double max_megabytes) {
   const double megabytes = estimated_megabytes(mesh);
   if (!(megabytes <= max_megabytes)) {
-    throw numerics::InvalidQuantity("estimated memory in megabytes", megabytes,
-                                    "within the limit; lower the order or the refinement");
+    throw numerics::InvalidQuantity(
+        "estimated memory in megabytes", std::round(megabytes),
+        fmt::format("{} or less; lower the order or the refinement", max_megabytes));
   }
   return mesh;
 }

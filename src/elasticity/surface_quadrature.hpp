@@ -36,8 +36,9 @@ class SurfaceQuadrature {
   /// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) − [2(1−ν²)/(πE)] PV∫ q(s)/(x−s) ds: Johnson (2.25a).
   numerics::Estimate tangential_gradient(double x) const;
 
-  /// u_x(x) = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p] − [2(1−ν²)/(πE)] ∫ q(s) ln|(x−s)/datum|
-  /// ds, Johnson (2.24a) with the constant that makes a normal load move both sides equally.
+  /// u_x(x) = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p] − [2(1−ν²)/(πE)] ∫ q(s) ln|x−s| ds + C',
+  /// Johnson (2.24a); C' makes the part of the shear zero at the datum, and a normal load moves
+  /// both of its sides by as much.
   numerics::Estimate tangential_displacement(double x) const;
 
  private:

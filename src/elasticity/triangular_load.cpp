@@ -14,6 +14,9 @@ double power_times_log1p(double t, int n) {
   return t == -1 ? 0 : std::pow(1 + t, n) * std::log1p(t);
 }
 
+// The square of anything less is lost in rounding beside 1, and underflows far enough out.
+constexpr double negligible_squared = 1e-8;
+
 double power_times_log(double t, int n) {
   return t == 0 ? 0 : std::pow(t, n) * std::log(t);
 }
@@ -34,6 +37,7 @@ double gradient_bracket(double x, double a) {
     const double one_minus_eta = (x - a) / x;
     return (power_times_log1p(eta, 1) + power_times_log(one_minus_eta, 1)) / eta;
   }
+  if (eta < negligible_squared) return eta;  // + η³/6
   return (std::log1p(-eta * eta) + 2 * eta * std::atanh(eta)) / eta;
 }
 
@@ -50,6 +54,7 @@ double displacement_bracket(double x, double a) {
     const double sum = power_times_log1p(eta, 2) + power_times_log(one_minus_eta, 2);
     return large + sum / (eta * eta);
   }
+  if (eta < negligible_squared) return large + 3;  // − η²/6
   const double square = eta * eta;
   return large + ((1 + square) * std::log1p(-square) + 4 * eta * std::atanh(eta)) / square;
 }

@@ -45,7 +45,8 @@ std::vector<Excerpt> find_excerpts(const fs::path& source_root,
   std::map<std::string, Excerpt> by_name;
   for (const std::string& folder : folders) {
     if (!fs::is_directory(source_root / folder)) {
-      throw SourceError(fmt::format("{}: there is no such folder to take excerpts from", folder));
+      throw SourceError(fmt::format("{}: there is no such folder to take excerpts from",
+                                    (source_root / folder).generic_string()));
     }
     for (const std::string& file : files_below(source_root / folder)) {
       if (!is_source(file)) continue;

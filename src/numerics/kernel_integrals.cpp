@@ -155,7 +155,9 @@ Estimate KernelIntegrals::logarithmic_from(const Panel& panel, double x, double 
 
   if (distance > 2 * width) {
     const auto product = [&](double t) { return value_at(t) * std::log((distance + t) / length); };
-    const Estimate whole = quadrature_.smooth(product, 0, width, abs_tolerance, name);
+    // Very far off the logarithm is large and nearly constant: its rounding sets the tolerance.
+    const double magnitude = std::max(1.0, std::abs(std::log(distance / length)));
+    const Estimate whole = quadrature_.smooth(product, 0, width, magnitude * abs_tolerance, name);
     return with_rounding(whole, std::abs(whole.value));
   }
 

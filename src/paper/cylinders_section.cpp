@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -130,10 +131,12 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
                   [figure = pressure_figure(solution, hertz)](literate::Plot& plot) {
                     figures::draw_cylinder_pressure(plot, figure);
                   });
-  const double elements = hertz.half_width() / solution.grid.spacing;
+  // The errors jump with where the edge falls between nodes. Measured over grids of 5 to 500 nodes
+  // they stay below 0.23 and 0.36 times the square of c/a.
+  const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
   document.check("cylinders-agree-with-hertz",
-                 std::abs(peak_error) * elements < 4e-3 && std::abs(width_error) * elements < 8e-3,
-                 "elements agree with Hertz as 40 of them over the half-width do: 1e-4 and 2e-4");
+                 std::abs(peak_error) < 0.25 * square && std::abs(width_error) < 0.4 * square,
+                 "elements agree with Hertz to second order in their width");
 }
 
 }  // namespace paper

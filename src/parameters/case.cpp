@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "contact/grid.hpp"
+#include "contact/hertz.hpp"
 #include "numerics/require.hpp"
 #include "parameters/case_table.hpp"
 
@@ -68,12 +69,16 @@ ContactCase read_contact(const CaseTable& table, const UnitSystem& units) {
   });
   const long n_nodes = table.integer("nodes");
   table.at("nodes", [&] { return contact::grid_around(1, n_nodes); });
-  return {body1,
-          body2,
-          cylinders,
-          positive(table, "load", Dimension::line_load, units),
-          positive(table, "datum", Dimension::length, units),
-          n_nodes};
+  const double line_load = positive(table, "load", Dimension::line_load, units);
+  const double datum = positive(table, "datum", Dimension::length, units);
+  const contact::Grid grid =
+      contact::grid_around(contact::Hertz(cylinders, line_load).half_width(), n_nodes);
+  const double end = grid.x(grid.n_nodes - 1);
+  if (datum <= end) {
+    table.fail("datum", fmt::format("{0} {1}: must be beyond the grid, which ends at {2} {1}",
+                                    datum, units.length, end));
+  }
+  return {body1, body2, cylinders, line_load, datum, n_nodes};
 }
 
 block::Support read_sides(const CaseTable& table) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/matrix_inversion.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "contact/hertz.hpp"
 #include "elasticity/surface_quadrature.hpp"
+#include "elasticity/triangular_load.hpp"
 #include "numerics/require.hpp"
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
@@ -17,6 +19,7 @@ using contact::Grid;
 using contact::grid_around;
 using contact::Hertz;
 using contact::Radius;
+using contact::Residuals;
 using contact::Solution;
 using contact::solve_by_matrix_inversion;
 using elasticity::Material;
@@ -187,4 +190,56 @@ BOOST_AUTO_TEST_CASE(loads_and_data_out_of_range_are_refused) {
   BOOST_CHECK_THROW(solve_by_matrix_inversion(paper, 0, grid), InvalidQuantity);
   BOOST_CHECK_THROW(solve_by_matrix_inversion(paper, -1, grid), InvalidQuantity);
   BOOST_CHECK_THROW(solve(paper, 41).approach(0.001), InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_CASE(the_half_width_counts_the_width_of_the_triangles_themselves) {
+  // One triangle of half-width c has ⟨x²⟩ = c²/6, two at ±3c/2 have (3c/2)² + c²/6.
+  Solution one{};
+  one.grid = {5, 0.3};
+  one.pressure = Eigen::VectorXd::Zero(5);
+  one.pressure[2] = 7;
+  Solution two{};
+  two.grid = {6, 0.3};
+  two.pressure = Eigen::VectorXd::Zero(6);
+  two.pressure[1] = two.pressure[4] = 7;
+
+  BOOST_TEST(relative_difference(one.half_width(), 2 * 0.3 / std::sqrt(6.0)) < 1e-15);
+  BOOST_TEST(relative_difference(two.half_width(), 2 * 0.3 * std::sqrt(2.25 + 1.0 / 6)) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(the_approach_is_taken_on_the_side_of_the_datum) {
+  // One triangle off the middle: its displacement at the datum is that of its distance from it.
+  Solution s{};
+  s.grid = {5, 0.3};
+  s.phi = Eigen::VectorXd::Zero(5);
+  s.phi[4] = 2.385;
+  s.approach_at_spacing = 0.7;
+  const auto approach_from = [](double distance) {
+    return 0.7 + 2.385 * elasticity::triangular_potential(distance, 0.3);
+  };
+
+  BOOST_TEST(relative_difference(s.approach(5), approach_from(4.4)) < 1e-15);
+  BOOST_TEST(relative_difference(s.approach(-5), approach_from(5.6)) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(the_residuals_are_those_of_the_pressures_and_gaps) {
+  Residuals largest{};
+  for (const long n_nodes : {31L, 41L, 91L, 180L}) {
+    const Solution s = solve(paper, n_nodes);
+    double misfit = 0;
+    double penetration = 0;
+    for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
+      if (s.pressure[i] > 0) misfit = std::max(misfit, std::abs(s.gap[i]));
+      if (s.pressure[i] == 0) penetration = std::max(penetration, -s.gap[i]);
+    }
+    BOOST_TEST(s.residuals.contact == misfit);
+    BOOST_TEST(s.residuals.separation == penetration);
+    BOOST_TEST(s.residuals.load == std::abs(s.line_load() - load));
+    largest.contact = std::max(largest.contact, s.residuals.contact);
+    largest.load = std::max(largest.load, s.residuals.load);
+  }
+
+  // Rounding leaves something of either on one of the grids at least.
+  BOOST_TEST(largest.contact > 0);
+  BOOST_TEST(largest.load > 0);
 }

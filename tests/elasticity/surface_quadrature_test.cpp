@@ -215,3 +215,22 @@ BOOST_AUTO_TEST_CASE(points_and_data_must_be_finite) {
   BOOST_CHECK_THROW(surface.normal_displacement(infinity), InvalidQuantity);
   BOOST_CHECK_THROW(surface.normal_displacement_from_gradient(infinity), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_CASE(a_shear_moves_the_surface_along_as_a_pressure_of_its_shape_moves_it_down) {
+  // Johnson (2.24): q enters u_x as p enters u_z, and both are zero at the datum.
+  RandomInputs random(37);
+  const Material steel(30e6, 0.3);
+  const TriangularLoad triangle(1000, 0.01);
+  Load shear;
+  shear.tangential = Load(triangle).normal;
+  const double unit = steel.integral_compliance() * triangle.line_load();
+  for (const double datum : {10.0, 0.02}) {
+    const SurfaceQuadrature surface(steel, shear, datum);
+    for (int i = 0; i < 100; ++i) {
+      const double x = 0.01 * random.point(1e3);
+      check(surface.tangential_displacement(x), normal_displacement(steel, triangle, x, datum),
+            unit, x);
+      check(surface.tangential_gradient(x), normal_gradient(steel, triangle, x), unit / 0.01, x);
+    }
+  }
+}

@@ -120,6 +120,18 @@ BOOST_AUTO_TEST_CASE(far_away_only_the_resultant_counts) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_closed_forms_hold_out_to_where_squares_overflow) {
+  const elasticity::ConcentratedLoad same_resultant(load.line_load());
+  for (const double x : {1e9, 1e100, -1e200, 1e290}) {
+    BOOST_TEST(relative_difference(normal_gradient(steel, load, x),
+                                   normal_gradient(steel, same_resultant, x)) < 1e-15);
+    // Between two points that far away the force is concentrated too.
+    const double fall = normal_displacement(steel, load, x, 1e12);
+    BOOST_TEST(relative_difference(fall, normal_displacement(steel, same_resultant, x, 1e12)) <
+               1e-14);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(displacement_prints_the_digits_of_the_paper) {
   // Ruggiero (2001), Appendix 1, output of Tri_dist.m, eight digits; the third value was taken 1e-7
   // in beside x = 0.010 in and is left out.

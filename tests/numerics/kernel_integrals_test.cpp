@@ -167,3 +167,13 @@ BOOST_AUTO_TEST_CASE(evaluations_stay_below_those_of_plain_quadpack) {
     }
   }
 }
+
+BOOST_AUTO_TEST_CASE(at_a_jump_however_small_there_is_no_principal_value) {
+  for (const double jump : {1e-12, 1e-6, -1e-3}) {
+    const KernelIntegrals integrals(
+        PiecewiseFunction({{-1, 0.5, uniform}, {0.5, 1, [jump](double) { return 1 + jump; }}}));
+
+    BOOST_CHECK_THROW(integrals.cauchy(0.5), InvalidQuantity);
+    BOOST_CHECK_NO_THROW(integrals.cauchy(0.5 + 1e-9));
+  }
+}

@@ -98,7 +98,9 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
   check_refused("datum = {value = 10", "datum = {value = -10", "half_space.datum");
   check_refused("step = {value = 0.005", "step = {value = 0", "points.step");
   check_refused("count = 11", "count = 1", "points.count");
+  check_refused("count = 11", "count = 1001", "points.count");
   check_refused("value = 2500", "value = -2500", "contact.load");
+  check_refused("datum = {value = 1,", "datum = {value = 0.01,", "contact.datum");
   check_refused("nodes = 91", "nodes = 2", "contact.nodes");
   check_refused("radius = {value = 1,", "radius = {value = 0,", "contact.body1.radius");
   check_refused("radius = {value = 3,", "radius = {value = -1,", "contact.body2");
@@ -114,6 +116,7 @@ BOOST_AUTO_TEST_CASE(units_keys_and_printed_columns_are_checked) {
   check_refused("poisson = 0.30", "", "half_space.material.poisson: missing");
   check_refused("poisson = 0.30", "poisson = \"0.30\"", "must be a number");
   check_refused("\"0.045\", \"0.050\"]", "\"0.045\"]", "printed.figure5.x: 10 numbers for 11");
+  check_refused("\"1.6236048e-006\", ", "", "printed.tri_dist.displacement: 10 numbers for 11");
   check_refused("units = \"in-lbf\"\n\n[printed.figure5]", "units = \"mm-N\"\n\n[printed.figure5]",
                 "printed.units");
 }

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/displacement_table.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using app::DisplacementRow;
+
+namespace {
+
+const std::string header =
+    "x,gradient_quadrature,gradient_abs_error,gradient_closed_form,displacement_quadrature,"
+    "displacement_abs_error,displacement_closed_form";
+
+const std::vector<DisplacementRow> rows = {
+    {0, {-1.5e-18, 2e-17}, 0, {1.6236047748785233e-06, 3e-18}, 1.623604774878523e-06},
+    {0.005, {-2.675848e-05, 1e-16}, -2.6758480000000003e-05, {1.5187873e-06, 4e-18}, 1.5187874e-06},
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+double number_of(const std::string& text) {
+  double number = 0;
+  const auto end = text.data() + text.size();
+  BOOST_TEST_REQUIRE((std::from_chars(text.data(), end, number).ptr == end));
+  return number;
+}
+
+std::vector<double> numbers_of(const DisplacementRow& row) {
+  return {row.x,
+          row.gradient_quadrature.value,
+          row.gradient_quadrature.abs_error,
+          row.gradient_closed_form,
+          row.displacement_quadrature.value,
+          row.displacement_quadrature.abs_error,
+          row.displacement_closed_form};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_csv_has_the_promised_header_and_a_row_a_point) {
+  const std::vector<std::string> lines = lines_of(app::displacement_csv(rows));
+
+  BOOST_TEST_REQUIRE(lines.size() == 3U);
+  BOOST_TEST(lines[0] == header);
+  BOOST_TEST(lines[1] == "0,-1.5e-18,2e-17,0,1.6236047748785233e-06,3e-18,1.623604774878523e-06");
+}
+
+BOOST_AUTO_TEST_CASE(the_csv_reads_back_to_the_last_bit) {
+  const std::vector<std::string> lines = lines_of(app::displacement_csv(rows));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<std::string> cells = cells_of(lines[i + 1]);
+    const std::vector<double> numbers = numbers_of(rows[i]);
+    BOOST_TEST_REQUIRE(cells.size() == numbers.size());
+    for (std::size_t j = 0; j < numbers.size(); ++j) BOOST_TEST(number_of(cells[j]) == numbers[j]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_json_is_the_csv_under_the_same_names) {
+  const auto json = nlohmann::ordered_json::parse(app::displacement_json(rows));
+  const std::vector<std::string> names = cells_of(header);
+
+  BOOST_TEST_REQUIRE(json.size() == rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double> numbers = numbers_of(rows[i]);
+    BOOST_TEST(json[i].size() == names.size());
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      BOOST_TEST(json[i].at(names[j]).get<double>() == numbers[j]);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_points_give_a_header_and_an_empty_array) {
+  BOOST_TEST(app::displacement_csv({}) == header + "\n");
+  BOOST_TEST(app::displacement_json({}) == "[]\n");
+}
+
+BOOST_AUTO_TEST_CASE(the_table_is_aligned_and_names_the_units) {
+  const std::vector<std::string> lines =
+      lines_of(app::displacement_text(rows, parameters::unit_system("mm-N")));
+
+  BOOST_TEST_REQUIRE(lines.size() == 3 + rows.size());
+  for (const std::string& line : lines) BOOST_TEST(line.size() == lines[0].size());
+  // Columns end at the same place: a heading, a unit and each number.
+  const auto end_of = [&](std::size_t line, const std::string& cell) {
+    const auto at = lines[line].find(cell);
+    BOOST_TEST_REQUIRE(at != std::string::npos);
+    return at + cell.size();
+  };
+  BOOST_TEST(end_of(0, "x") == end_of(2, "[mm]"));
+  BOOST_TEST(end_of(4, "0.005") == end_of(2, "[mm]"));
+  BOOST_TEST(end_of(1, "quadrature") == end_of(4, "-2.675848000000e-05"));
+  BOOST_TEST(lines[2].find("[in]") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_table_shows_thirteen_digits_and_the_size_of_the_error) {
+  const std::string text = app::displacement_text(rows, parameters::unit_systems().front());
+
+  BOOST_TEST(text.find(" 1.623604774879e-06 ") != std::string::npos);
+  BOOST_TEST(text.find(" 3.0e-18 ") != std::string::npos);
+  BOOST_TEST(text.find("[in]") != std::string::npos);
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exit_codes.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+
+#include "app/number_text.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "literate/error.hpp"
+#include "numerics/quadrature.hpp"
+#include "numerics/require.hpp"
+#include "parameters/case_table.hpp"
+
+using app::ExitCode;
+
+namespace {
+
+template <class Error>
+int code_of(const Error& error) {
+  return static_cast<int>(app::run_guarded([&]() -> ExitCode { throw error; }));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_command_that_returns_decides_itself) {
+  BOOST_TEST((app::run_guarded([] { return ExitCode::success; }) == ExitCode::success));
+  BOOST_TEST((app::run_guarded([] { return ExitCode::claim_failed; }) == ExitCode::claim_failed));
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_of_any_kind_is_two) {
+  BOOST_TEST(code_of(numerics::InvalidQuantity("young", -1, "greater than 0")) == 2);
+  BOOST_TEST(code_of(parameters::CaseError("case.toml:1:1: wrong")) == 2);
+  BOOST_TEST(code_of(parameters::UnitError("unknown unit")) == 2);
+  BOOST_TEST(code_of(app::InputError("--x")) == 2);
+  BOOST_TEST(code_of(literate::OutputError("cannot write")) == 2);
+  BOOST_TEST(code_of(literate::SourceError("file:1: no end")) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_tool_that_is_missing_or_fails_is_three) {
+  BOOST_TEST(code_of(literate::ToolError("gnuplot is not installed")) == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_computation_that_does_not_hold_is_one) {
+  BOOST_TEST(code_of(numerics::QuadratureError("did not converge")) == 1);
+  BOOST_TEST(code_of(contact::ContactError("did not settle")) == 1);
+  BOOST_TEST(code_of(std::runtime_error("anything else")) == 1);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/json_text.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "random_inputs.hpp"
+
+using app::json_text;
+using nlohmann::ordered_json;
+
+namespace {
+
+// How many significant digits a number is written with.
+int n_digits_of(std::string text) {
+  text.erase(std::min(text.find_first_of("eE"), text.size()));
+  std::string digits;
+  for (const char c : text) {
+    if (c >= '0' && c <= '9') digits += c;
+  }
+  digits.erase(0, digits.find_first_not_of('0'));
+  digits.erase(digits.find_last_not_of('0') + 1);
+  return static_cast<int>(digits.size());
+}
+
+// The fewest digits that read back as the number, found by trying.
+int fewest_digits(double number) {
+  for (int n = 1;; ++n) {
+    std::array<char, 64> text{};
+    const auto end =
+        std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific, n - 1).ptr;
+    double read_back = 0;
+    std::from_chars(text.data(), end, read_back);
+    if (read_back == number) return n;
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_number_has_the_fewest_digits_that_round_trip) {
+  RandomInputs random(5);
+  int n_longer_by_dump = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double number = random.log_uniform(1e-12, 1e12);
+    const std::string text = json_text(ordered_json(number));
+    const int fewest = fewest_digits(number);
+    n_longer_by_dump += n_digits_of(ordered_json(number).dump()) > fewest;
+
+    BOOST_REQUIRE(n_digits_of(text) == fewest);
+    BOOST_REQUIRE(ordered_json::parse(text).get<double>() == number);
+  }
+  // The numbers that nlohmann's own writer prints too long are among them.
+  BOOST_TEST(n_longer_by_dump > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_flat_array_is_one_line_and_an_object_a_line_a_key) {
+  ordered_json value;
+  value["nodes"] = 41;
+  value["hertz"] = {{"half_width", 0.5}};
+  value["x"] = {-0.25, 0.0, 1e-9};
+
+  BOOST_TEST(json_text(value) ==
+             "{\n"
+             "  \"nodes\": 41,\n"
+             "  \"hertz\": {\n"
+             "    \"half_width\": 0.5\n"
+             "  },\n"
+             "  \"x\": [-0.25, 0, 1e-09]\n"
+             "}\n");
+}
+
+BOOST_AUTO_TEST_CASE(keys_keep_their_order) {
+  const std::string text = json_text({{"z", 1}, {"a", 2}, {"m", 3}});
+
+  BOOST_TEST(text.find("\"z\"") < text.find("\"a\""));
+  BOOST_TEST(text.find("\"a\"") < text.find("\"m\""));
+}
+
+BOOST_AUTO_TEST_CASE(keys_and_strings_are_escaped) {
+  const ordered_json value = {{"a \"key\"\n", "back\\slash \t ν"}};
+
+  BOOST_TEST(json_text(value).find('\t') == std::string::npos);
+  BOOST_TEST((ordered_json::parse(json_text(value)) == value));
+}
+
+BOOST_AUTO_TEST_CASE(whatever_is_nested_reads_back_the_same) {
+  const ordered_json value = {
+      {"rows", {{{"x", 0.1}}, {{"x", 0.2}}}},
+      {"empty", {{"array", ordered_json::array()}, {"object", ordered_json::object()}}},
+      {"others", {true, nullptr, "text", -7}},
+      {"matrix", {{1.5, 2.5}, {3.5, 4.5}}}};
+
+  BOOST_TEST((ordered_json::parse(json_text(value)) == value));
+  BOOST_TEST(json_text(ordered_json::array()) == "[]\n");
+  BOOST_TEST(json_text(ordered_json::object()) == "{}\n");
+}

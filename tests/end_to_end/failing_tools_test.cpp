@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gnuplot and LaTeX that are missing or fail: exit code 3, their message with file and line, the
+// outputs as they were.
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <string>
+
+#include "program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int tool_failed = 3;
+
+// A PATH that leads to nothing but the named programs.
+class Tools {
+ public:
+  explicit Tools(const Words& programs) {
+    fs::create_directory(folder_.path() / "bin");
+    for (const std::string& program : programs) {
+      fs::create_symlink(literate::find_tool(program), folder_.path() / "bin" / program);
+    }
+  }
+  // Adds a shell script under a program's name.
+  void fake(const std::string& program, const std::string& script) {
+    const fs::path file = folder_.write("bin/" + program, "#!/bin/sh\n" + script);
+    fs::permissions(file, fs::perms::owner_all);
+  }
+  Surroundings surroundings() const {
+    return {.environment = {{"PATH", (folder_.path() / "bin").string()}}};
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+// A folder for one report, that holds another's output, and a copy of the document.
+class Workplace {
+ public:
+  Workplace() { folder_.write("generated/former.txt", "mine"); }
+
+  fs::path generated() const { return folder_.path() / "generated"; }
+  fs::path document() const { return folder_.path() / "report"; }
+  fs::path pdf() const { return folder_.path() / "report.pdf"; }
+
+  Words report() const {
+    return {"report",   "--case",           steel_case.string(), "--output", generated().string(),
+            "--source", source_dir.string()};
+  }
+  Words typeset() const {
+    return {"typeset",
+            "--document",
+            document().string(),
+            "--generated",
+            generated().string(),
+            "--build",
+            (folder_.path() / "latex").string(),
+            "--output",
+            pdf().string()};
+  }
+
+  // The document with a first line added to its introduction.
+  void copy_document(const std::string& first_line = "%") const {
+    fs::remove_all(document());
+    fs::copy(source_dir / "report", document(), fs::copy_options::recursive);
+    const fs::path changed = document() / "sections/introduction.tex";
+    literate::write_file_atomically(changed, first_line + "\n" + literate::read_file(changed));
+  }
+
+  // That a report that failed left the output folder as it was, and no other beside it.
+  void check_untouched() const {
+    BOOST_TEST(literate::files_below(generated()) == Words{"former.txt"},
+               boost::test_tools::per_element());
+    BOOST_TEST(!fs::exists(generated().string() + ".part"));
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+// The run ends with 3, names `parts` on standard error, and says nothing of success.
+void check_tool_failed(const Words& words, const Words& parts, const Surroundings& surroundings) {
+  const Outcome outcome = run_program(words, surroundings);
+  BOOST_TEST(outcome.status == tool_failed);
+  BOOST_TEST(outcome.errors.starts_with("halfspace: "), outcome.errors);
+  for (const std::string& part : parts) {
+    BOOST_TEST(outcome.errors.find(part) != std::string::npos,
+               "\"" << part << "\" is not in: " << outcome.errors);
+  }
+  BOOST_TEST(outcome.output.find("draw") == std::string::npos);
+  BOOST_TEST(outcome.output.find("typeset") == std::string::npos);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(without_gnuplot_a_report_says_so_and_how_to_install_it) {
+  const Workplace workplace;
+  const Tools tools({"sh", "pdflatex", "latexmk"});
+
+  check_tool_failed(workplace.report(), {"gnuplot is not installed", "make setup"},
+                    tools.surroundings());
+  workplace.check_untouched();
+}
+
+BOOST_AUTO_TEST_CASE(a_figure_that_gnuplot_refuses_is_named_with_its_line) {
+  // The real gnuplot, with one wrong command at the end of each script.
+  const Workplace workplace;
+  Tools tools({"sh", "pdflatex", "latexmk"});
+  tools.fake("gnuplot", "if [ \"$1\" != --version ]; then echo 'plott x' >>\"$2\"; fi\nexec '" +
+                            literate::find_tool("gnuplot").string() + "' \"$@\"\n");
+
+  check_tool_failed(workplace.report(), {"contact-geometry", "\"contact-geometry.gp\" line "},
+                    tools.surroundings());
+  workplace.check_untouched();
+}
+
+BOOST_AUTO_TEST_CASE(gnuplot_that_is_killed_or_draws_nothing_stops_the_report) {
+  const Workplace workplace;
+  Tools tools({"sh", "pdflatex", "latexmk"});
+
+  tools.fake("gnuplot", "[ \"$1\" = --version ] || kill -9 $$\n");
+  check_tool_failed(workplace.report(), {"contact-geometry"}, tools.surroundings());
+  workplace.check_untouched();
+  tools.fake("gnuplot", "exit 0\n");
+  check_tool_failed(workplace.report(), {"contact-geometry"}, tools.surroundings());
+  workplace.check_untouched();
+}
+
+BOOST_AUTO_TEST_CASE(what_the_prose_names_wrongly_is_bad_input_at_its_place) {
+  const Workplace workplace;
+  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  workplace.copy_document("  \\val{half-widht}");
+
+  check_refused(2, workplace.typeset(),
+                {"report/sections/introduction.tex:1:3: ", "unknown value 'half-widht'",
+                 "did you mean 'half-width'?"});
+  BOOST_TEST(!fs::exists(workplace.pdf()));
+}
+
+BOOST_AUTO_TEST_CASE(an_error_of_latex_is_shown_with_file_and_line_and_no_pdf_is_written) {
+  const Workplace workplace;
+  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  workplace.copy_document("\\nosuchmacro");
+
+  check_tool_failed(workplace.typeset(),
+                    {"sections/introduction.tex:1: ", "Undefined control sequence"}, {});
+  BOOST_TEST(!fs::exists(workplace.pdf()));
+}
+
+BOOST_AUTO_TEST_CASE(a_reference_to_nowhere_stops_typesetting_and_mending_it_goes_on) {
+  const Workplace workplace;
+  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  workplace.copy_document("\\cref{eq:nowhere}");
+
+  check_tool_failed(workplace.typeset(), {"eq:nowhere"}, {});
+  BOOST_TEST(!fs::exists(workplace.pdf()));
+  workplace.copy_document();
+  BOOST_TEST(run_program(workplace.typeset()).status == 0);
+  BOOST_TEST(fs::exists(workplace.pdf()));
+}
+
+BOOST_AUTO_TEST_CASE(without_latex_typesetting_says_so_and_how_to_install_it) {
+  const Workplace workplace;
+  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  workplace.copy_document();
+  const Tools no_pdflatex({"sh", "latexmk", "gnuplot"});
+  const Tools no_latexmk({"sh", "pdflatex", "gnuplot"});
+
+  check_tool_failed(workplace.typeset(), {"pdflatex is not installed", "make setup"},
+                    no_pdflatex.surroundings());
+  check_tool_failed(workplace.typeset(), {"latexmk is not installed", "make setup"},
+                    no_latexmk.surroundings());
+  BOOST_TEST(!fs::exists(workplace.pdf()));
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a case file to the PDF: what it says, and that nothing but the case decides what it says.
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+
+#include "program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// One report: where it is made, and from which case.
+struct Report {
+  fs::path case_file;
+  fs::path folder;
+  fs::path document = source_dir / "report";
+
+  fs::path generated() const { return folder / "generated"; }
+  fs::path pdf() const { return folder / "report.pdf"; }
+
+  void make(const Surroundings& surroundings = {}) const {
+    const Outcome computed = run_program({"report", "--case", case_file.string(), "--output",
+                                          generated().string(), "--source", source_dir.string()},
+                                         surroundings);
+    BOOST_TEST_REQUIRE(computed.status == 0, computed.errors);
+    const Outcome typeset = run_program(
+        {"typeset", "--document", document.string(), "--generated", generated().string(), "--build",
+         (folder / "latex").string(), "--output", pdf().string()},
+        surroundings);
+    BOOST_TEST_REQUIRE(typeset.status == 0, typeset.errors);
+    BOOST_TEST(computed.errors == "");
+    BOOST_TEST(typeset.errors == "");
+  }
+
+  // The PDF as text, words and numbers with one plain blank between.
+  std::string text() const {
+    const auto read =
+        literate::run({.program = "pdftotext", .arguments = {"-layout", pdf().string(), "-"}});
+    BOOST_TEST_REQUIRE(read.exit_status == 0, read.output);
+    std::string text = read.output;
+    for (const auto& [special, plain] :
+         {std::pair{"\u2212", "-"}, {"\u00a0", " "}, {"\u2009", " "}, {"\u202f", " "}}) {
+      text = std::regex_replace(text, std::regex(special), plain);
+    }
+    return std::regex_replace(text, std::regex("[ \\n\\r\\f\\t]+"), " ");
+  }
+
+  // What the prose prints for a value.
+  std::string printed(const std::string& key) const {
+    const auto names = nlohmann::json::parse(literate::read_file(generated() / "names.json"));
+    return names.at("values").at(key).at("printed");
+  }
+};
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Whether a number with its unit is in the text, where its digits stand in groups of three and its
+// power of ten is written out.
+bool holds_number(std::string text, const std::string& number) {
+  std::string set = std::regex_replace(number, std::regex("e(-?\\d+)"), "\u00d710$1");
+  std::erase(set, ' ');
+  std::erase(text, ' ');
+  return holds(text, set);
+}
+
+// The report of the case in other units, made once.
+const Report& steel_report() {
+  static const TemporaryFolder folder;
+  static const Report report = [] {
+    const Report made{steel_case, folder.path()};
+    made.make({.environment = {{"TZ", "UTC"}, {"LC_ALL", "C"}}});
+    return made;
+  }();
+  return report;
+}
+
+void check_same_files(const fs::path& one, const fs::path& other) {
+  const Words files = literate::files_below(one);
+  BOOST_TEST(files == literate::files_below(other), boost::test_tools::per_element());
+  for (const std::string& file : files) {
+    BOOST_TEST((literate::read_file(one / file) == literate::read_file(other / file)),
+               file << " differs");
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_papers_report_prints_its_values_and_what_it_compares_with) {
+  const TemporaryFolder folder;
+  const Report report{papers_case, folder.path()};
+
+  report.make();
+
+  const std::string text = report.text();
+  BOOST_TEST(!holds(text, "??"));
+  for (const char* unit : {" in ", "psi", "lbf/in"}) BOOST_TEST(holds(text, unit), unit);
+  for (const char* unit : {" mm ", "MPa"}) BOOST_TEST(!holds(text, unit), unit);
+  for (const char* key : {"cylinders.modulus", "cylinders.approach", "line-load"}) {
+    BOOST_TEST(holds_number(text, report.printed(key)), key << " = " << report.printed(key));
+  }
+  // The first points of Tri_dist.m and of Fig. 5.
+  BOOST_TEST(holds_number(text, "1.6236048"));
+  BOOST_TEST(holds_number(text, "1.594637"));
+  BOOST_TEST(holds(text, report.printed("provenance.case-sha256").substr(0, 16)));
+}
+
+BOOST_AUTO_TEST_CASE(a_report_in_other_units_has_no_trace_of_the_papers) {
+  const Report& report = steel_report();
+
+  const std::string text = report.text();
+  BOOST_TEST(!holds(text, "??"));
+  for (const char* unit : {" mm", "MPa", "N/mm"}) BOOST_TEST(holds(text, unit), unit);
+  for (const char* unit : {" psi", "lbf"}) BOOST_TEST(!holds(text, unit), unit);
+  BOOST_TEST(holds(text, "steel_mm.toml"));
+  for (const char* key : {"young", "poisson", "half-width", "cylinders.load", "cylinders.datum",
+                          "cylinders.modulus", "cylinders.approach"}) {
+    BOOST_TEST(holds_number(text, report.printed(key)), key << " = " << report.printed(key));
+  }
+  // Nothing of the figures and tables either: their labels and headings are generated.
+  for (const std::string& file : literate::files_below(report.generated())) {
+    if (!file.ends_with(".tex") || file.starts_with("excerpts/")) continue;
+    const std::string made = literate::read_file(report.generated() / file);
+    for (const char* unit : {"psi", "lbf", "{in}"}) BOOST_TEST(!holds(made, unit), file);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(two_runs_anywhere_give_the_same_bytes) {
+  const Report& first = steel_report();
+  const TemporaryFolder elsewhere;
+  const fs::path copied_case =
+      elsewhere.write("my cases/steel_mm.toml", literate::read_file(steel_case));
+  fs::create_directories(elsewhere.path() / "my copy");
+  fs::copy(source_dir / "report", elsewhere.path() / "my copy/report", fs::copy_options::recursive);
+  const Report second{copied_case, elsewhere.path() / "my output",
+                      elsewhere.path() / "my copy/report"};
+  fs::create_directory(second.folder);
+
+  second.make({.environment = {{"TZ", "Pacific/Kiritimati"},
+                               {"LC_ALL", "C.UTF-8"},
+                               {"LANG", "tr_TR.UTF-8"},
+                               {"HOME", "/nowhere"},
+                               {"SOURCE_DATE_EPOCH", "86400"}},
+               .folder = elsewhere.path(),
+               .umask = "077"});
+
+  check_same_files(first.generated(), second.generated());
+  BOOST_TEST((literate::read_file(first.pdf()) == literate::read_file(second.pdf())));
+}
+
+BOOST_AUTO_TEST_CASE(a_comma_decimal_locale_changes_nothing) {
+  const TemporaryFolder locales;
+  const auto made = literate::run({.program = "sh",
+                                   .arguments = {"-c", "localedef -i de_DE -f UTF-8 \"$1\"", "sh",
+                                                 (locales.path() / "de_DE.UTF-8").string()}});
+  if (made.exit_status != 0) {
+    BOOST_TEST_MESSAGE("skipped: no German locale can be made here");
+    return;
+  }
+  const std::map<std::string, std::string> german = {
+      {"LOCPATH", locales.path().string()}, {"LC_ALL", "de_DE.UTF-8"}, {"LANGUAGE", "de"}};
+  const auto comma = literate::run(
+      {.program = "sh", .arguments = {"-c", "printf '%.1f' 0,5"}, .environment = german});
+  BOOST_TEST_MESSAGE("a German shell prints one half as " << comma.output);
+  const Report& in_plain = steel_report();
+  const TemporaryFolder folder;
+  const Report in_german{steel_case, folder.path()};
+
+  in_german.make({.environment = german});
+
+  check_same_files(in_plain.generated(), in_german.generated());
+  BOOST_TEST((literate::read_file(in_plain.pdf()) == literate::read_file(in_german.pdf())));
+}
+
+BOOST_AUTO_TEST_CASE(a_second_run_leaves_every_time_stamp) {
+  const Report& report = steel_report();
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(24 * 365);
+  std::vector<fs::path> made = {report.pdf()};
+  for (const std::string& file : literate::files_below(report.generated())) {
+    made.push_back(report.generated() / file);
+  }
+  for (const fs::path& file : made) fs::last_write_time(file, old);
+
+  report.make();
+
+  for (const fs::path& file : made) {
+    BOOST_TEST((fs::last_write_time(file) == old), file.string() << " was written again");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(another_case_changes_what_it_must_and_removes_what_is_no_more) {
+  const TemporaryFolder folder;
+  const Report papers{papers_case, folder.path()};
+  const Report steel{steel_case, folder.path()};
+  const Report& fresh = steel_report();
+
+  papers.make();
+  BOOST_TEST(fs::exists(papers.generated() / "tables/tri-dist.tex"));
+  steel.make();
+
+  BOOST_TEST(!fs::exists(steel.generated() / "tables/tri-dist.tex"));
+  check_same_files(steel.generated(), fresh.generated());
+  BOOST_TEST((literate::read_file(steel.pdf()) == literate::read_file(fresh.pdf())));
+}
