@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -176,11 +175,11 @@ ExitCode run(const BlockOptions& options) {
 }  // namespace
 
 void add_block_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "block", "The finite block of Appendix 2 by plane-strain finite elements");
-  auto options = std::make_shared<BlockOptions>(*command);
-  command->callback(
-      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+  add_command(program, "block", "The finite block of Appendix 2 by plane-strain finite elements",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<BlockOptions>(command);
+                return [options] { return run(*options); };
+              });
 }
 
 }  // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -176,11 +175,12 @@ ExitCode run(const ContactOptions& options) {
 }  // namespace
 
 void add_contact_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "contact", "Two cylinders pressed together: overlapping triangular elements against Hertz");
-  auto options = std::make_shared<ContactOptions>(*command);
-  command->callback(
-      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+  add_command(program, "contact",
+              "Two cylinders pressed together: overlapping triangular elements against Hertz",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<ContactOptions>(command);
+                return [options] { return run(*options); };
+              });
 }
 
 }  // namespace app

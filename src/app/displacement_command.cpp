@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -147,12 +146,13 @@ ExitCode run(const DisplacementOptions& options) {
 }  // namespace
 
 void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "displacement",
-      "Surface gradient and displacement of a half-space, eq. (2) by quadrature beside eq. (3)");
-  auto options = std::make_shared<DisplacementOptions>(*command);
-  command->callback(
-      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+  add_command(
+      program, "displacement",
+      "Surface gradient and displacement of a half-space, eq. (2) by quadrature beside eq. (3)",
+      exit_code, [](CLI::App& command) {
+        auto options = std::make_shared<DisplacementOptions>(command);
+        return [options] { return run(*options); };
+      });
 }
 
 }  // namespace app

@@ -20,6 +20,13 @@ CLI::Option* add(CLI::App& command, const std::string& flag, std::string& text,
 
 }  // namespace
 
+void add_command(CLI::App& program, const std::string& name, const std::string& description,
+                 ExitCode& exit_code,
+                 const std::function<std::function<ExitCode()>(CLI::App&)>& set_up) {
+  CLI::App* command = program.add_subcommand(name, description);
+  command->callback([run = set_up(*command), &exit_code] { exit_code = run_guarded(run); });
+}
+
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
               const std::string& type, const std::string& help) {
   add(command, flag, text, help)->type_name(type);

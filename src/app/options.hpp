@@ -3,10 +3,12 @@
 // instantiated in one file, and numbers are parsed here and not by its locale-dependent strtod.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/exit_codes.hpp"
 #include "app/number_text.hpp"
 
 namespace CLI {
@@ -14,6 +16,12 @@ class App;
 }
 
 namespace app {
+
+/// Adds a subcommand: `set_up` gets it to add its flags to, and returns what runs when it is
+/// chosen. Parsing the command line then runs it, guarded, and stores its answer in `exit_code`.
+void add_command(CLI::App& program, const std::string& name, const std::string& description,
+                 ExitCode& exit_code,
+                 const std::function<std::function<ExitCode()>(CLI::App&)>& set_up);
 
 /// Adds a flag that takes a text, shown in the help as `type`.
 void add_text(CLI::App& command, const std::string& flag, std::string& text,

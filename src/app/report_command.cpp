@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,15 +47,17 @@ ExitCode run(const ReportOptions& options) {
 }  // namespace
 
 void add_report_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "report", "Compute all values, tables and figures of the report and write them for LaTeX");
-  auto options = std::make_shared<ReportOptions>();
-  add_required_text(*command, "--case", options->case_file, "FILE", "Case file");
-  add_required_text(*command, "--output", options->output, "DIR", "Folder to write to");
-  add_text(*command, "--source", options->source, "DIR",
-           "The checkout, for the excerpts of its sources");
-  command->callback(
-      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+  add_command(program, "report",
+              "Compute all values, tables and figures of the report and write them for LaTeX",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<ReportOptions>();
+                add_required_text(command, "--case", options->case_file, "FILE", "Case file");
+                add_required_text(command, "--output", options->output, "DIR",
+                                  "Folder to write to");
+                add_text(command, "--source", options->source, "DIR",
+                         "The checkout, for the excerpts of its sources");
+                return [options] { return run(*options); };
+              });
 }
 
 }  // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -40,18 +39,19 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 void add_typeset_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command =
-      program.add_subcommand("typeset", "Typeset the report with LaTeX from what `report` wrote");
-  auto options = std::make_shared<Options>();
-  add_required_text(*command, "--document", options->document, "DIR",
-                    "Folder of the LaTeX document");
-  add_text(*command, "--main", options->main_file, "FILE", "Its main file");
-  add_required_text(*command, "--generated", options->generated, "DIR",
-                    "Folder that `report` wrote");
-  add_required_text(*command, "--build", options->build, "DIR", "Folder for LaTeX's own files");
-  add_required_text(*command, "--output", options->output, "FILE", "The PDF");
-  command->callback(
-      [options, &exit_code] { exit_code = run_guarded([&] { return run(*options); }); });
+  add_command(program, "typeset", "Typeset the report with LaTeX from what `report` wrote",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<Options>();
+                add_required_text(command, "--document", options->document, "DIR",
+                                  "Folder of the LaTeX document");
+                add_text(command, "--main", options->main_file, "FILE", "Its main file");
+                add_required_text(command, "--generated", options->generated, "DIR",
+                                  "Folder that `report` wrote");
+                add_required_text(command, "--build", options->build, "DIR",
+                                  "Folder for LaTeX's own files");
+                add_required_text(command, "--output", options->output, "FILE", "The PDF");
+                return [options] { return run(*options); };
+              });
 }
 
 }  // namespace app
