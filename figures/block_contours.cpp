@@ -43,15 +43,16 @@ void draw_block_contours(literate::Plot& plot, const BlockContours& data) {
        << "set cbrange [0:" << scale.factor * data.largest << "]\nset size ratio -1\n"
        << "set xtics autofreq\nunset grid\nunset key\nset style fill solid 1 border\n"
        << "set multiplot\n"
-       << "set lmargin at screen 0.07\n"
-       << "set rmargin at screen 0.45\nunset colorbox\n"
+       << "set lmargin at screen 0.11\n"
+       << "set rmargin at screen 0.47\nunset colorbox\n"
        << "set xlabel '$x$ (" << data.unit << ")'\nset ylabel '$-z$ (" << data.unit << ")'\n"
        << "plot " << whole << " using 1:2:3 with filledcurves closed lc palette lw 0.3\n"
-       << "set colorbox\nset cbtics autofreq\nset cblabel '$u_z$ (" << scale.unit << ")' offset 1.6,0\n"
+       << "set colorbox\nset cbtics autofreq\nset cblabel '$u_z$ (" << scale.unit
+       << ")' offset 1.6,0\n"
        << "set xtics " << 4 * data.half_width << "\nset ytics " << 4 * data.half_width << "\n"
        << "set xrange [" << -4.6 * data.half_width << ":" << 4.6 * data.half_width
        << "]\nset yrange [" << -5 * data.half_width << ":" << 0.5 * data.half_width
-       << "]\nset lmargin at screen 0.56\nset rmargin at screen 0.87\nset ylabel ''\n"
+       << "]\nset lmargin at screen 0.58\nset rmargin at screen 0.87\nset ylabel ''\n"
        << "plot " << close_up << " using 1:2:3 with filledcurves closed lc palette lw 0.3\n"
        << "unset multiplot\n";
 }

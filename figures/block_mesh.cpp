@@ -20,15 +20,15 @@ void draw_block_mesh(literate::Plot& plot, const BlockMesh& data) {
   const auto lines = plot.data("lines", {x, y});
   const double a = data.half_width;
   apply_style(plot);
-  plot << "set size ratio -1\nunset grid\nunset key\n"
+  plot << "set size ratio -1\nunset grid\nunset key\nset clip two\n"
        << "set xlabel '$x$ (" << data.unit << ")'\nset ylabel '$-z$ (" << data.unit << ")'\n"
        << "set multiplot\n"
-       << "set lmargin at screen 0.07\nset rmargin at screen 0.50\n"
-       << "plot " << lines << " with lines lc rgb '#1b1b3a' lw 0.6\n"
-       << "set lmargin at screen 0.60\nset rmargin at screen 0.97\nset ylabel ''\n"
+       << "set lmargin at screen 0.10\nset rmargin at screen 0.52\n"
+       << "plot " << lines << " with lines lc rgb '#1b1b3a' lw 0.35\n"
+       << "set lmargin at screen 0.64\nset rmargin at screen 0.97\nset ylabel ''\n"
        << "set xrange [" << -5 * a << ":" << 5 * a << "]\nset yrange [" << -10 * a << ":0]\n"
        << "set xtics " << 5 * a << "\nset ytics " << 5 * a << "\n"
-       << "plot " << lines << " with lines lc rgb '#1b1b3a' lw 0.6\n"
+       << "plot " << lines << " with lines lc rgb '#1b1b3a' lw 0.35\n"
        << "unset multiplot\n";
 }
 

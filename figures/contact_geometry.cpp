@@ -38,7 +38,10 @@ void draw_contact_geometry(literate::Plot& plot, const ContactGeometry& data) {
     plot << "set arrow from " << -0.4 << "," << level << " to " << data.x_of_h + 0.2 << "," << level
          << " as 3\n";
   }
-  measure(plot, -0.3, -apex, apex, "$\\delta$", -0.08);
+  plot << "set arrow from -0.3," << -apex << " to -0.3," << apex
+       << " as 1 front\n"
+          "set label '$\\delta$' at -0.38,"
+       << apex / 2 << " right front\n";
   measure(plot, data.x_of_u, data.before_at_u, 0, "$u_{z1}$", 0.08);
   measure(plot, data.x_of_u, 0, -data.before_at_u, "$u_{z2}$", 0.08);
   measure(plot, data.x_of_h, apex, data.before_at_h, "$h_1$", 0.08);

@@ -12,7 +12,7 @@ void draw_cylinder_pressure(literate::Plot& plot, const CylinderPressure& data) 
   apply_style(plot);
   plot << "set xrange [-1.2:1.2]\nset xtics 0.4\n"
        << "set multiplot\n"
-       << "set lmargin at screen 0.12\nset rmargin at screen 0.98\n"
+       << "set lmargin at screen 0.17\nset rmargin at screen 0.98\n"
        << "set tmargin at screen 0.97\nset bmargin at screen 0.46\n"
        << "set format x ''\nset yrange [0:1.05]\nset ytics 0.25\nset ylabel '$p/p_0$'\n"
        << "set key at graph 0.5,0.35 center\n"

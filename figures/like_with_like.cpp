@@ -17,7 +17,7 @@ void draw_like_with_like(literate::Plot& plot, const LikeWithLike& data) {
   apply_style(plot);
   plot << "set xlabel '$x$ (" << x_scale.unit << ")'\nset ylabel '$u_z$ (" << u_scale.unit << ")'\n"
        << "set xrange [0:" << x_scale.factor * data.x.back() << "]\nset yrange [0:*]\n"
-       << "set key outside bottom center horizontal maxrows 2\n"
+       << "set key bottom left reverse Left\n"
        << "plot " << curves << " using 1:2 with lines ls 1 title 'half-space, triangle', \\\n  "
        << curves << " using 1:3 with lines ls 4 title 'block, triangle', \\\n  " << curves
        << " using 1:4 with lines ls 2 title 'block, fitted load', \\\n  " << points

@@ -13,8 +13,8 @@ void draw_quadrature_error(literate::Plot& plot, const QuadratureError& data) {
   apply_style(plot);
   plot << "set logscale xy\nset format '$10^{%T}$'\n"
        << "set xrange [" << data.x.front() << ":" << data.x.back() << "]\n"
-       << "set yrange [1e-19:1e-9]\nset ytics 1e-18,100\nset xtics 1e-4,100\n"
-       << "set xlabel '$x/a$'\nset key bottom left reverse Left\n"
+       << "set yrange [1e-20:1e-9]\nset ytics 1e-18,100\nset xtics 1e-4,100\n"
+       << "set xlabel '$x/a$'\nset key top left reverse Left\n"
        << "set multiplot layout 1,2 margins 0.10,0.985,0.17,0.90 spacing 0.06\n"
        << "set title 'gradient, in units of $K/a$' offset 0,-0.6\n"
        << "plot " << gradient << " using 1:3 with lines ls 2 title 'reported error', \\\n"

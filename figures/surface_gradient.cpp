@@ -12,7 +12,7 @@ void draw_surface_gradient(literate::Plot& plot, const SurfaceGradient& data) {
           "set ylabel '$(\\partial u_z/\\partial x)\\,/\\,(K/a)$'\n"
           "set xrange [-3:3]\nset yrange [-3.2:3.2]\nset xtics 1\nset ytics 1\n"
           "set key top right\n"
-       << "plot " << file << " using 1:2 with lines ls 4 title 'concentrated', \\\n"
+       << "plot " << file << " using 1:2 with lines ls 3 title 'concentrated', \\\n"
        << "  " << file << " using 1:3 with lines ls 2 title 'uniform', \\\n"
        << "  " << file << " using 1:4 with lines ls 1 title 'triangular'\n";
 }

@@ -21,7 +21,7 @@ class Hertz {
   double pressure(double x) const;
 
   /// The gap u_z1 + u_z2 + h − δ that is left outside the contact, 0 inside; a length:
-  ///   (a²/(2R)) [ξ √(ξ²−1) − arcosh ξ], ξ = |x|/a ≥ 1, the integral of Johnson (4.42) outside.
+  ///   (a²/(2R)) [ξ √(ξ²−1) − arcosh ξ], ξ = |x|/a ≥ 1, the integral of eq. (2)'s slope outside.
   double gap(double x) const;
 
  private:

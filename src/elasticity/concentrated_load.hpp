@@ -20,12 +20,12 @@ class ConcentratedLoad {
   double line_load_;
 };
 
-/// ∂u_z/∂x = −2(1−ν²)P/(πE x) under a concentrated force (Johnson 2.16 differentiated).
+/// ∂u_z/∂x = −2(1−ν²)P/(πE x) under a concentrated force (Johnson, section 2.2).
 ///
 /// Dimensionless. Throws InvalidQuantity at x = 0, where it is infinite.
 double normal_gradient(const Material& material, const ConcentratedLoad& load, double x);
 
-/// u_z = −2(1−ν²)P/(πE) ln|x/datum| (Johnson 2.19). A length, positive into the body.
+/// u_z = −2(1−ν²)P/(πE) ln|x/datum| (Johnson, section 2.2). A length, positive into the body.
 ///
 /// Throws InvalidQuantity at x = 0 and for a datum of 0, where the displacement is infinite.
 double normal_displacement(const Material& material, const ConcentratedLoad& load, double x,

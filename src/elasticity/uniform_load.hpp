@@ -25,15 +25,15 @@ class UniformLoad {
   double half_width_;
 };
 
-/// ∂u_z/∂x = −2(1−ν²)p/(πE) ln|(x + a)/(x − a)| under a uniform load (eq. 2; Johnson 2.30a
+/// ∂u_z/∂x = −2(1−ν²)p/(πE) ln|(x + a)/(x − a)| under a uniform load (eq. 2; Johnson, section 2.5
 /// derived).
 ///
 /// Dimensionless. Throws InvalidQuantity at x = ±a, where the gradient is infinite: the step in
 /// traction that the paper holds against uniform elements. Accuracy: 1e-14 relative.
 double normal_gradient(const Material& material, const UniformLoad& load, double x);
 
-/// u_z = −(1−ν²)p/(πE) [(x+a) ln((x+a)/a)² − (x−a) ln((x−a)/a)²] + C with u_z(datum) = 0 (Johnson
-/// 2.30a). A length, positive into the body; any finite x and datum.
+/// u_z = −(1−ν²)p/(πE) [(x+a) ln((x+a)/a)² − (x−a) ln((x−a)/a)²] + C with u_z(datum) = 0 (Johnson,
+/// section 2.5). A length, positive into the body; any finite x and datum.
 ///
 /// Accuracy: 1e-14·K·(1 + ln(datum/a)) absolute, K = 4(1−ν²)pa/(πE).
 double normal_displacement(const Material& material, const UniformLoad& load, double x,

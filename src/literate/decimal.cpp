@@ -75,6 +75,13 @@ Decimal rounded_to_high_place(double value, int place) {
   return number;
 }
 
+double number_of(const Decimal& number) {
+  const std::string text = scientific(number);
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 }  // namespace
 
 Decimal rounded_to_place(double value, int place) {
@@ -90,6 +97,18 @@ Decimal rounded_to_digits(double value, int n_digits) {
   }
   if (value == 0) return {};
   return converted(value, std::chars_format::scientific, n_digits - 1);
+}
+
+Decimal rounded_up_to_place(double value, int place) {
+  const Decimal nearest = rounded_to_place(value, place);
+  const double number = number_of(nearest);
+  return number >= value ? nearest : rounded_to_place(number + std::pow(10, place), place);
+}
+
+Decimal rounded_up_to_digits(double value, int n_digits) {
+  const Decimal up = rounded_up_to_place(value, rounded_to_digits(value, n_digits).place);
+  // 9.3 goes up to 10, a digit too many.
+  return size_of(up.digits) > n_digits ? rounded_to_digits(number_of(up), n_digits) : up;
 }
 
 Decimal shortest(double value) {

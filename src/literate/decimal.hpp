@@ -22,6 +22,10 @@ Decimal rounded_to_place(double value, int place);
 /// Rounds to `n_digits` significant digits, 1 ≤ n_digits ≤ 100; zero stays a plain 0.
 Decimal rounded_to_digits(double value, int n_digits);
 
+/// As rounded_to_place and rounded_to_digits, but never to less than a value ≥ 0: for bounds.
+Decimal rounded_up_to_place(double value, int place);
+Decimal rounded_up_to_digits(double value, int n_digits);
+
 /// The fewest digits that read back as the same double.
 Decimal shortest(double value);
 

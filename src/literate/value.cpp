@@ -38,6 +38,10 @@ Decimal supported_digits(numerics::Estimate estimate, int max_digits) {
   return rounded_to_place(estimate.value, std::max(place, lowest_place));
 }
 
+void require_not_negative(double number) {
+  if (number < 0) throw std::invalid_argument("a bound to be printed is negative");
+}
+
 }  // namespace
 
 Value Value::quantity(double number, const std::string& digits, std::string_view unit) {
@@ -84,11 +88,25 @@ Value Value::estimate(numerics::Estimate estimate, std::string_view unit, int ma
 
 Value Value::percent(double ratio, int decimals) {
   require_decimals(decimals);
+  return percentage(ratio, rounded_to_place(ratio, -decimals - 2));
+}
+
+Value Value::percent_bound(double ratio, int decimals) {
+  require_decimals(decimals);
+  require_not_negative(ratio);
+  return percentage(ratio, rounded_up_to_place(ratio, -decimals - 2));
+}
+
+Value Value::scientific_bound(double number, int n_digits, std::string_view unit) {
+  require_not_negative(number);
+  return quantity(number, literate::scientific(rounded_up_to_digits(number, n_digits)), unit);
+}
+
+Value Value::percentage(double ratio, Decimal rounded) {
   // Multiplying by 100 would round twice; moving the point does not.
-  Decimal number = rounded_to_place(ratio, -decimals - 2);
-  number.place += 2;
-  Value value = quantity(ratio, plain(number), "");
-  value.latex_ = fmt::format("\\qty{{{}}}{{\\percent}}", plain(number));
+  rounded.place += 2;
+  Value value = quantity(ratio, plain(rounded), "");
+  value.latex_ = fmt::format("\\qty{{{}}}{{\\percent}}", plain(rounded));
   value.printed_ += " %";
   return value;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "literate/decimal.hpp"
 #include "numerics/estimate.hpp"
 
 namespace literate {
@@ -40,6 +41,11 @@ class Value {
   /// the ratio.
   static Value percent(double ratio, int decimals);
 
+  /// As scientific() and percent(), rounded up: for what a sentence says is not exceeded. The
+  /// number must not be negative.
+  static Value scientific_bound(double number, int n_digits, std::string_view unit = "");
+  static Value percent_bound(double ratio, int decimals);
+
   /// Prints the fewest digits that read back as the same double: for parameters.
   static Value exact(double number, std::string_view unit = "");
 
@@ -63,6 +69,7 @@ class Value {
  private:
   Value() = default;
   static Value quantity(double number, const std::string& digits, std::string_view unit);
+  static Value percentage(double ratio, Decimal rounded);
 
   std::string latex_;
   std::string printed_;

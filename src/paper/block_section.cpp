@@ -23,13 +23,6 @@ using literate::Value;
 using numerics::Estimate;
 using parameters::PrintedNumber;
 
-std::string unit_of(const std::string& measure, const parameters::UnitSystem& units) {
-  if (measure.starts_with("max_disp") || measure.starts_with("measure")) return units.length;
-  if (measure.starts_with("resultant")) return units.line_load;
-  if (measure == "strain_energy") return units.force;
-  return units.stress;
-}
-
 // Names of measures hold underscores, which LaTeX would take for subscripts.
 std::string escaped(const std::string& name) {
   std::string text;
@@ -57,7 +50,7 @@ void register_block(literate::Document& document, const parameters::Case& c,
     const Estimate u_z = study.under_triangle().displacement_z(x, 0);
     largest_error = std::max(largest_error, u_z.abs_error / u_z.value);
   }
-  document.value("block.displacement-error", Value::scientific(largest_error, 1));
+  document.value("block.displacement-error", Value::scientific_bound(largest_error, 1));
   constexpr double promised = 2e-4;
   document.check("block-discretisation", largest_error < promised,
                  "refinement changes no displacement of the block by 0.02 % or more");
@@ -69,10 +62,11 @@ void tabulate_measures(literate::Document& document, const parameters::Case& c,
   const auto& printed = c.printed->appendix2.measures;
   const auto stated = study.under_triangle().measures(study.measure_options());
   const auto fitted = study.fit()->fit.solution.measures(study.measure_options());
-  literate::Table table({Column::text("measure"), Column::text("unit"),
-                         Column::scientific("printed", "", 7), Column::fixed("conv., \\%", "", 1),
-                         Column::scientific("triangle", "", 4), Column::fixed("\\%", "", 1),
-                         Column::scientific("fitted", "", 4), Column::fixed("\\%", "", 2)});
+  literate::Table table({Column::text("measure"), Column::scientific("printed", "", 7),
+                         Column::fixed("conv., \\%", "", 1), Column::scientific("triangle", "", 4),
+                         Column::fixed("off, \\%", "", 2), Column::scientific("fitted", "", 4),
+                         Column::scientific("error, \\%", "", 1),
+                         Column::fixed("off, \\%", "", 2)});
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const auto found = printed.find(fitted[i].name);
     if (found == printed.end() || found->second.value() == 0) continue;
@@ -80,10 +74,11 @@ void tabulate_measures(literate::Document& document, const parameters::Case& c,
     const auto converged = c.printed->appendix2.convergence.find(fitted[i].name);
     const Cell convergence =
         converged == c.printed->appendix2.convergence.end() ? Cell() : quoted(converged->second);
-    table.add_row({Cell::latex("\\code{" + escaped(fitted[i].name) + "}"),
-                   unit_of(fitted[i].name, c.units), quoted(found->second), convergence,
-                   stated[i].value.value, percent(stated[i].value.value, value),
-                   fitted[i].value.value, percent(fitted[i].value.value, value)});
+    table.add_row({Cell::latex("\\code{" + escaped(fitted[i].name) + "}"), quoted(found->second),
+                   convergence, stated[i].value.value, percent(stated[i].value.value, value),
+                   fitted[i].value.value,
+                   100 * fitted[i].value.abs_error / std::abs(fitted[i].value.value),
+                   percent(fitted[i].value.value, value)});
   }
   document.table("appendix2", table);
 
@@ -98,13 +93,35 @@ void tabulate_measures(literate::Document& document, const parameters::Case& c,
                                                         {"max_stress_vm", "von-mises"},
                                                         {"max_stress_zz", "stress-zz"}};
   for (const auto& [measure, key] : predicted) {
-    document.value("fit.predicts." + key, Value::percent(std::abs(predict(measure)), 2));
+    document.value("fit.predicts." + key, Value::percent_bound(std::abs(predict(measure)), 2));
   }
+  const auto value_of = [&](const std::string& name) {
+    return std::find_if(fitted.begin(), fitted.end(),
+                        [&](const MeasureEstimate& m) { return m.name == name; })
+        ->value;
+  };
+  document.value("fit.regular-tension",
+                 Value::significant(value_of("max_stress_prin_regular").value, 1, c.units.stress));
+  document.value(
+      "fit.shear-excess",
+      Value::percent(printed.at("max_stress_xy").value() / value_of("max_stress_xy").value - 1, 0));
+  // σ_zz = ν(σ_xx + σ_yy) in plane strain; the printed maxima are all taken under the load's
+  // middle.
+  document.value("appendix2.poisson", Value::fixed(printed.at("max_stress_zz").value() /
+                                                       (printed.at("max_stress_xx").value() +
+                                                        printed.at("max_stress_yy").value()),
+                                                   3));
+  document.value(
+      "appendix2.peak-stress",
+      Value::significant(std::abs(printed.at("max_stress_yy").value()), 4, c.units.stress));
   constexpr double two_tenths = 2e-3, one_percent = 1e-2;
   document.check("fit-predicts-resultant", std::abs(predict("resultant_load_y")) < two_tenths,
                  "the fit predicts the printed resultant within 0.2 %");
   document.check("fit-predicts-energy", std::abs(predict("strain_energy")) < 5e-3,
                  "the fit predicts the printed strain energy within 0.5 %");
+  // Half a per cent is what the printed u_x, 2 % wrong at x = 0, can hardly show: 0.52 % was found.
+  document.check("fit-predicts-disp-x", std::abs(predict("max_disp_x")) < 6e-3,
+                 "the fit predicts the printed largest tangential displacement within 0.6 %");
   document.check("fit-predicts-von-mises", std::abs(predict("max_stress_vm")) < one_percent,
                  "the fit predicts the printed von Mises stress within 1 %");
 }
@@ -116,7 +133,21 @@ void register_fit(literate::Document& document, const parameters::Case& c,
   document.value("fit.edge-fraction", Value::fixed(fit.edge_fraction.value, 3));
   document.value("fit.resultant",
                  Value::significant(block::normal_resultant(fit.load), 4, c.units.line_load));
-  document.value("fit.misfit", Value::percent(fit.fit.max_misfit, 2));
+  const double a = c.half_space.load.half_width();
+  constexpr double six_tenths = 0.6;
+  const auto round = block::linear_fall(c.half_space.load.peak_pressure(), six_tenths, a);
+  document.value("fit.round-resultant",
+                 Value::significant(block::normal_resultant(round), 4, c.units.line_load));
+  document.value("fit.flat", Value::exact(flat_fraction));
+  double least = HUGE_VAL, most = 0;
+  for (const block::SurfaceDisplacement& seen : study.observed()) {
+    const double below = 1 - study.under_triangle().displacement_z(seen.x, 0).value / seen.u_z;
+    least = std::min(least, below);
+    most = std::max(most, below);
+  }
+  document.value("fit.triangle.least", Value::percent(least, 0));
+  document.value("fit.triangle.most", Value::percent(most, 0));
+  document.value("fit.misfit", Value::percent_bound(fit.fit.max_misfit, 2));
   constexpr double promised = 1e-3;
   document.check("fit-explains-the-eleven", fit.fit.max_misfit < promised,
                  "a linear fall on the block fits every printed displacement within 0.1 %");
@@ -193,7 +224,8 @@ void tabulate_shares(literate::Document& document, const parameters::Case& c,
   document.value("shares.datum", Value::scientific(shares.front().datum, 3, unit));
   document.value("shares.first.load", Value::scientific(std::abs(shares.front().load), 3, unit));
   document.value("shares.last.load", Value::scientific(std::abs(shares.back().load), 3, unit));
-  document.value("shares.last.body", Value::scientific(std::abs(shares.back().body), 3, unit));
+  document.value("shares.last.body",
+                 Value::scientific_bound(std::abs(shares.back().body), 3, unit));
   document.check("shares-add-up", largest_gap < 1e-12 * std::abs(shares.front().datum),
                  "the parts of the difference add up to the whole");
 }

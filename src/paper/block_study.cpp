@@ -8,10 +8,6 @@ namespace {
 
 using block::Support;
 
-// Of the top of the trapezoid: between the triangle's 0 and the uniform pressure's 1, where its
-// resultant is that of a fall to the same fraction.
-constexpr double flat_fraction = 0.6;
-
 block::Analysis analysis_of(const parameters::Case& c) {
   const double a = c.half_space.load.half_width();
   return {c.block->rectangle,

@@ -12,6 +12,9 @@
 
 namespace paper {
 
+/// Of the top of the trapezoid: between the triangle's 0 and the uniform pressure's 1.
+inline constexpr double flat_fraction = 0.6;
+
 /// A load shape on some supports, scaled to the printed displacements as well as it can be.
 struct Candidate {
   std::string shape;

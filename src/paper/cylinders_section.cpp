@@ -6,6 +6,7 @@
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "figures/cylinder_pressure.hpp"
+#include "paper/contact_m.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
@@ -72,9 +73,10 @@ void register_residuals(literate::Document& document, const Solution& solution,
                         const parameters::ContactCase& c, const parameters::UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.initial_gap(solution.half_width());
-  document.value("cylinders.residual.contact", Value::scientific(r.contact, 1, units.length));
-  document.value("cylinders.residual.separation", Value::scientific(r.separation, 1, units.length));
-  document.value("cylinders.residual.load", Value::scientific(r.load, 1, units.line_load));
+  document.value("cylinders.residual.contact", Value::scientific_bound(r.contact, 1, units.length));
+  document.value("cylinders.residual.separation",
+                 Value::scientific_bound(r.separation, 1, units.length));
+  document.value("cylinders.residual.load", Value::scientific_bound(r.load, 1, units.line_load));
   document.value("cylinders.indentation", Value::scientific(indentation, 2, units.length));
   constexpr double rounding = 1e-11;
   document.check("contact-conditions",
@@ -84,8 +86,33 @@ void register_residuals(literate::Document& document, const Solution& solution,
 }
 
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
-  if (body.radius.is_plane()) return Value::text("infinite");
+  if (body.radius.is_plane()) return Value::text("∞");
   return Value::significant(1 / body.radius.curvature(), 4, unit);
+}
+
+// The listed program, run as it is printed.
+void register_contact_m(literate::Document& document, const parameters::Case& from_file,
+                        const Hertz& hertz) {
+  const parameters::PrintedContactM& printed = from_file.printed->contact_m;
+  const ContactM listed = run_contact_m(from_file.contact, printed);
+  const parameters::UnitSystem& units = from_file.units;
+  const double weight = printed.zero_node.value() - 2;
+  const double edge = (printed.zero_node.value() - 1) * printed.spacing.value();
+  document.value("contact-m.spacing", Value::exact(printed.spacing.value(), units.length));
+  document.value("contact-m.zero-node", Value::exact(printed.zero_node.value()));
+  document.value("contact-m.weight", Value::exact(weight));
+  document.value("contact-m.edge", Value::significant(edge, 2, units.length));
+  document.value("contact-m.edge-share", Value::fixed(edge / hertz.half_width(), 2));
+  document.value("contact-m.load", Value::significant(listed.line_load, 4, units.line_load));
+  document.value("contact-m.load-share",
+                 Value::fixed(from_file.contact.line_load / listed.line_load, 2));
+  document.value("contact-m.hertz-half-width",
+                 Value::significant(listed.hertz_half_width, 4, units.length));
+  document.value("contact-m.hertz-peak",
+                 Value::significant(listed.hertz_peak_pressure, 4, units.stress));
+  document.check("contact-m-load",
+                 std::abs(listed.line_load * weight / from_file.contact.line_load - 1) < 1e-9,
+                 "Contact.m as printed carries P/(aa - 2)");
 }
 
 }  // namespace
@@ -118,13 +145,14 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
   document.flag("cylinders.small", hertz.half_width() < small * radius);
   const double peak_error = solution.peak_pressure() / hertz.peak_pressure() - 1;
   const double width_error = solution.half_width() / hertz.half_width() - 1;
-  document.value("cylinders.peak-error", Value::scientific(std::abs(peak_error), 1));
-  document.value("cylinders.width-error", Value::scientific(std::abs(width_error), 1));
+  document.value("cylinders.peak-error", Value::scientific_bound(std::abs(peak_error), 1));
+  document.value("cylinders.width-error", Value::scientific_bound(std::abs(width_error), 1));
   document.value("cylinders.approach",
                  Value::significant(solution.approach(c.datum), 4, units.length));
   document.value("cylinders.datum", Value::exact(c.datum, units.length));
   register_residuals(document, solution, c, units);
 
+  if (from_file.printed) register_contact_m(document, from_file, hertz);
   document.table("cylinders", comparison_table(solution, hertz, units));
   document.table("cylinder-refinement", refinement_table(c, hertz));
   document.figure("cylinder-pressure", 12, 8.4,

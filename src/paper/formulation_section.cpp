@@ -20,6 +20,10 @@ using literate::Value;
 void register_parameters(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& half_space = from_file.half_space;
   const parameters::UnitSystem& units = from_file.units;
+  document.value("units.length", Value::text(units.length));
+  document.value("units.force", Value::text(units.force));
+  document.value("units.stress", Value::text(units.stress));
+  document.value("units.line-load", Value::text(units.line_load));
   document.value("young", Value::exact(half_space.material.young(), units.stress));
   document.value("poisson", Value::exact(half_space.material.poisson()));
   document.value("peak-pressure", Value::exact(half_space.load.peak_pressure(), units.stress));

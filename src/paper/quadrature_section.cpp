@@ -161,15 +161,15 @@ void compute_quadrature(literate::Document& document, const parameters::Case& fr
   const Comparisons wide_displacements = compare_displacements(c, points);
   document.value("quadrature.n-points", Value::integer(std::ssize(points)));
   document.value("quadrature.gradient.difference",
-                 Value::scientific(largest_difference(wide_gradients) * a / unit, 1));
+                 Value::scientific_bound(largest_difference(wide_gradients) * a / unit, 1));
   document.value("quadrature.gradient.estimate",
-                 Value::scientific(largest_estimate(wide_gradients) * a / unit, 1));
+                 Value::scientific_bound(largest_estimate(wide_gradients) * a / unit, 1));
   document.value("quadrature.displacement.difference",
-                 Value::scientific(largest_difference(wide_displacements) / unit, 1));
+                 Value::scientific_bound(largest_difference(wide_displacements) / unit, 1));
   document.value("quadrature.displacement.estimate",
-                 Value::scientific(largest_estimate(wide_displacements) / unit, 1));
+                 Value::scientific_bound(largest_estimate(wide_displacements) / unit, 1));
   document.value("quadrature.from-gradient.difference",
-                 Value::scientific(largest_difference(from_gradients) / unit, 1));
+                 Value::scientific_bound(largest_difference(from_gradients) / unit, 1));
   document.figure("quadrature-error", 15, 6.4,
                   [figure = error_figure(wide_gradients, wide_displacements, a, unit)](
                       literate::Plot& plot) { figures::draw_quadrature_error(plot, figure); });

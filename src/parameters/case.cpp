@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "contact/grid.hpp"
 #include "contact/hertz.hpp"
 #include "numerics/require.hpp"
@@ -162,6 +164,21 @@ PrintedAppendix2 read_appendix2(const CaseTable& table) {
                     "ixx_about_centre", "iyy_about_centre", "izz_about_centre"})};
 }
 
+PrintedContactM read_contact_m(const CaseTable& table) {
+  PrintedContactM printed{table.text("source"), table.printed_number("spacing"),
+                          table.printed_number("n_nodes"), table.printed_number("zero_node")};
+  const double n_nodes = printed.n_nodes.value();
+  const double zero_node = printed.zero_node.value();
+  if (!(printed.spacing.value() > 0)) table.fail("spacing", "must be greater than 0");
+  if (n_nodes != std::round(n_nodes) || n_nodes < 4 || n_nodes > 1000) {
+    table.fail("n_nodes", fmt::format("{}: must be a whole number from 4 to 1000", n_nodes));
+  }
+  if (zero_node != std::round(zero_node) || zero_node < 3 || zero_node >= n_nodes) {
+    table.fail("zero_node", fmt::format("{}: must be a whole number from 3 to n_nodes", zero_node));
+  }
+  return printed;
+}
+
 PrintedData read_printed(const CaseTable& table, std::size_t n_points, const UnitSystem& units) {
   if (!table.is_text("units", units.name)) {
     table.fail("units", fmt::format("\"{}\": printed data in other units than the case's {} cannot "
@@ -171,7 +188,7 @@ PrintedData read_printed(const CaseTable& table, std::size_t n_points, const Uni
   table.text("units");
   return {read_figure5(table.table("figure5"), n_points),
           read_tri_dist(table.table("tri_dist"), n_points),
-          read_appendix2(table.table("appendix2"))};
+          read_appendix2(table.table("appendix2")), read_contact_m(table.table("contact_m"))};
 }
 
 }  // namespace

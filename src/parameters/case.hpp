@@ -68,11 +68,19 @@ struct PrintedAppendix2 {
   std::map<std::string, PrintedNumber> mass_properties;  ///< mass, centre_y, ixx_about_origin, …
 };
 
+struct PrintedContactM {
+  std::string source;
+  PrintedNumber spacing;    ///< c
+  PrintedNumber n_nodes;    ///< n
+  PrintedNumber zero_node;  ///< aa: «node where p becomes zero»
+};
+
 /// What the paper prints about its own case. It is compared with, never computed from.
 struct PrintedData {
   PrintedFigure5 figure5;
   PrintedTriDist tri_dist;
   PrintedAppendix2 appendix2;
+  PrintedContactM contact_m;
 };
 
 /// All that a report is computed from.

@@ -131,3 +131,14 @@ BOOST_AUTO_TEST_CASE(a_decimal_comma_in_the_locale_changes_nothing) {
   BOOST_TEST(integer == "1234567");
   BOOST_TEST(exponent == "1.5e-12");
 }
+
+BOOST_AUTO_TEST_CASE(a_bound_is_never_printed_below_its_number) {
+  BOOST_TEST(Value::percent_bound(0.0131, 0).printed() == "2 %");
+  BOOST_TEST(Value::percent_bound(0.01, 0).printed() == "1 %");
+  BOOST_TEST(Value::percent_bound(0.000737, 2).printed() == "0.08 %");
+  BOOST_TEST(Value::scientific_bound(2.1e-15, 1).printed() == "3e-15");
+  BOOST_TEST(Value::scientific_bound(9.3e-7, 1, "in").printed() == "1e-6 in");
+  BOOST_TEST(Value::scientific_bound(3e-15, 1).printed() == "3e-15");
+  BOOST_TEST(Value::scientific_bound(0, 1).printed() == "0");
+  BOOST_CHECK_THROW(Value::percent_bound(-0.1, 1), std::invalid_argument);
+}
