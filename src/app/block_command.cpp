@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -29,16 +31,17 @@ using block::Support;
 
 struct BlockOptions {
   explicit BlockOptions(CLI::App& command)
-      : width(command, "--width", "Width of the block"),
-        height(command, "--height", "Height of the block"),
-        order(command, "--order", "Polynomial order of the elements, 2 to 10"),
-        refine(command, "--refine", "Level of grading, 0 to 6") {
+      : width(command, "--width", "Width of the block (default: the case's)"),
+        height(command, "--height", "Height of the block (default: the case's)"),
+        order(command, "--order",
+              "Polynomial order of the elements, 2 to 10 (default: the case's)"),
+        refine(command, "--refine", "Level of grading, 0 to 6 (default: the case's)") {
     add_required_text(command, "--case", case_file, "FILE",
                       "Case file; flags override what it says");
     add_text(command, "--load", load, "SHAPE",
              "triangular, uniform, elliptic, or linear:EDGE_FRACTION");
     add_choice(command, "--sides", sides, {"", "clamped", "roller", "free"},
-               "How left and right are held");
+               "How left and right are held (default: the case's)");
     add_text(command, "--ccx", ccx_file, "FILE", "Write the model as a CalculiX deck");
     add_text(command, "--vtu", vtu_file, "FILE",
              "Write mesh, displacements, stresses for ParaView");
@@ -70,7 +73,7 @@ Support sides_of(const std::string& name, Support from_case) {
 }
 
 // What one run of the command computes.
-struct Run {
+struct Problem {
   parameters::Case from_file;
   block::Rectangle rectangle;
   block::Discretization discretization;
@@ -78,7 +81,7 @@ struct Run {
   block::Supports supports;
 };
 
-Run run_of(const BlockOptions& options) {
+Problem problem_of(const BlockOptions& options) {
   parameters::Case c = parameters::read_case(options.case_file);
   if (!c.block) throw InputError(options.case_file + ": has no [block]");
   const parameters::HalfSpaceCase& h = c.half_space;
@@ -93,13 +96,21 @@ Run run_of(const BlockOptions& options) {
   return {std::move(c), rectangle, discretization, std::move(load), supports};
 }
 
-void write_files(const BlockOptions& options, const Run& run, const block::Analysis& analysis,
-                 const block::RefinedSolution& solution) {
-  const parameters::HalfSpaceCase& h = run.from_file.half_space;
+// Before the computation: a wrong name is not found out at its end.
+void require_folder_of(const std::string& flag, const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return;
+  throw InputError(fmt::format("{} {}: folder does not exist", flag, file));
+}
+
+void write_files(const BlockOptions& options, const Problem& problem,
+                 const block::Analysis& analysis, const block::RefinedSolution& solution) {
+  const parameters::HalfSpaceCase& h = problem.from_file.half_space;
   if (!options.ccx_file.empty()) {
     std::ostringstream deck;
     block::write_calculix_deck(deck, block::calculix_mesh(analysis.fine()->mesh(), h.points),
-                               h.material, run.supports, run.load, h.points);
+                               h.material, problem.supports, problem.load, h.points);
     literate::write_file_atomically(options.ccx_file, deck.str());
   }
   if (!options.vtu_file.empty()) {
@@ -111,8 +122,19 @@ void write_files(const BlockOptions& options, const Run& run, const block::Analy
 
 using Measures = std::vector<block::MeasureEstimate>;
 
+void require_finite(const Measures& measures) {
+  for (const block::MeasureEstimate& m : measures) {
+    finite_result(m.name, m.value.value);
+    finite_result("abs_error of " + m.name, m.value.abs_error);
+  }
+}
+
+struct Seconds {
+  double elements, assembly, factorization, solution;
+};
+
 std::string block_json(const Measures& measures, const block::Analysis& analysis,
-                       const block::SupportedBlock& supported, double solution_seconds) {
+                       const block::SupportedBlock& supported, const Seconds& seconds) {
   nlohmann::ordered_json json;
   for (const block::MeasureEstimate& m : measures) {
     json["measures"][m.name] = {{"value", m.value.value}, {"abs_error", m.value.abs_error}};
@@ -122,10 +144,10 @@ std::string block_json(const Measures& measures, const block::Analysis& analysis
   json["elements"] = analysis.fine()->mesh().n_elements();
   json["unknowns"] = fine.n_unknowns();
   json["condensed_unknowns"] = fine.n_condensed_unknowns();
-  json["seconds"] = {{"elements", analysis.fine()->seconds()},
-                     {"assembly", fine.assembly_seconds()},
-                     {"factorization", fine.factorization_seconds()},
-                     {"solution", solution_seconds}};
+  json["seconds"] = {{"elements", seconds.elements},
+                     {"assembly", seconds.assembly},
+                     {"factorization", seconds.factorization},
+                     {"solution", seconds.solution}};
   return json_text(json);
 }
 
@@ -137,36 +159,55 @@ std::string block_csv(const Measures& measures) {
   return text;
 }
 
-std::string block_text(const Measures& measures, const block::SupportedBlock& supported) {
-  std::string text = fmt::format("{:<24}{:>18}  {:>9}\n", "measure", "value", "error");
+std::string unit_of(const std::string& measure, const parameters::UnitSystem& units) {
+  if (measure.starts_with("max_disp") || measure.starts_with("measure")) return units.length;
+  if (measure.starts_with("resultant")) return units.line_load;
+  if (measure.starts_with("max_rot")) return units.unit(parameters::Dimension::none);
+  return measure == "strain_energy" ? units.force : units.stress;
+}
+
+std::string block_text(const Measures& measures, const block::SupportedBlock& supported,
+                       const Seconds& seconds, const parameters::UnitSystem& units) {
+  std::string text = fmt::format("{:<24}{:>18}  {:>9}  {}\n", "measure", "value", "error", "unit");
   for (const block::MeasureEstimate& m : measures) {
-    text += fmt::format("{:<24}{:>18.9e}  {:>9.1e}\n", m.name, m.value.value, m.value.abs_error);
+    text += fmt::format("{:<24}{:>18.9e}  {:>9.1e}  {}\n", m.name, m.value.value, m.value.abs_error,
+                        unit_of(m.name, units));
   }
-  return text + fmt::format("{} unknowns, {} after condensation\n", supported.fine().n_unknowns(),
-                            supported.fine().n_condensed_unknowns());
+  text += fmt::format("{} unknowns, {} after condensation\n", supported.fine().n_unknowns(),
+                      supported.fine().n_condensed_unknowns());
+  return text + fmt::format(
+                    "seconds: elements {:.3f}, assembly {:.3f}, factorisation {:.3f}, "
+                    "solution {:.3f}\n",
+                    seconds.elements, seconds.assembly, seconds.factorization, seconds.solution);
 }
 
 ExitCode run(const BlockOptions& options) {
-  const Run run = run_of(options);
-  const block::Analysis analysis(run.rectangle, run.from_file.half_space.material, {run.load},
-                                 run.discretization);
-  const block::SupportedBlock supported = analysis.on(run.supports);
+  const Problem problem = problem_of(options);
+  const parameters::UnitSystem units = options.output.units(problem.from_file);
+  require_folder_of("--ccx", options.ccx_file);
+  require_folder_of("--vtu", options.vtu_file);
+  const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,
+                                 {problem.load}, problem.discretization);
+  const block::SupportedBlock supported = analysis.on(problem.supports);
   const auto begin = std::chrono::steady_clock::now();
-  const block::RefinedSolution solution = supported.solve(run.load);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const block::RefinedSolution solution = supported.solve(problem.load);
+  const std::chrono::duration<double> solving = std::chrono::steady_clock::now() - begin;
+  const Seconds seconds = {analysis.fine()->seconds(), supported.fine().assembly_seconds(),
+                           supported.fine().factorization_seconds(), solving.count()};
   block::MeasureOptions measure_options;
-  measure_options.surface_points = run.from_file.half_space.points;
+  measure_options.surface_points = problem.from_file.half_space.points;
   const Measures measures = solution.measures(measure_options);
-  write_files(options, run, analysis, solution);
+  require_finite(measures);
+  write_files(options, problem, analysis, solution);
   switch (options.output.format()) {
     case OutputFormat::csv:
       fmt::print("{}", block_csv(measures));
       break;
     case OutputFormat::json:
-      fmt::print("{}", block_json(measures, analysis, supported, seconds.count()));
+      fmt::print("{}", block_json(measures, analysis, supported, seconds));
       break;
     case OutputFormat::table:
-      fmt::print("{}", block_text(measures, supported));
+      fmt::print("{}", block_text(measures, supported, seconds, units));
       break;
   }
   return ExitCode::success;

@@ -97,6 +97,27 @@ std::vector<double> to_vector(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
+void require_finite(const Solved& solved) {
+  const contact::Solution& s = solved.solution;
+  finite_result("half_width", s.half_width());
+  finite_result("half_width / hertz_half_width", s.half_width() / solved.hertz.half_width());
+  finite_result("peak_pressure", s.peak_pressure());
+  finite_result("peak_pressure / hertz_peak_pressure",
+                s.peak_pressure() / solved.hertz.peak_pressure());
+  finite_result("load", s.line_load());
+  finite_result("approach", solved.approach.value_or(0));
+  for (const double residual :
+       {s.residuals.contact, s.residuals.separation, s.residuals.pressure, s.residuals.load}) {
+    finite_result("residuals", residual);
+  }
+  for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
+    const double x = s.grid.x(i);
+    finite_result(fmt::format("pressure at x = {}", x), s.pressure[i]);
+    finite_result(fmt::format("hertz_pressure at x = {}", x), solved.hertz.pressure(x));
+    finite_result(fmt::format("gap at x = {}", x), s.gap[i]);
+  }
+}
+
 std::string contact_json(const Solved& solved) {
   const contact::Solution& s = solved.solution;
   nlohmann::ordered_json json;
@@ -157,7 +178,9 @@ std::string contact_text(const Solved& solved, const parameters::UnitSystem& uni
 ExitCode run(const ContactOptions& options) {
   OptionalCase from_file;
   if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
+  const parameters::UnitSystem units = options.output.units(from_file);
   const Solved solved = solve(options, from_file);
+  require_finite(solved);
   switch (options.output.format()) {
     case OutputFormat::csv:
       fmt::print("{}", contact_csv(solved));
@@ -166,7 +189,7 @@ ExitCode run(const ContactOptions& options) {
       fmt::print("{}", contact_json(solved));
       break;
     case OutputFormat::table:
-      fmt::print("{}", contact_text(solved, options.output.units(from_file)));
+      fmt::print("{}", contact_text(solved, units));
       break;
   }
   return ExitCode::success;

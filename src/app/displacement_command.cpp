@@ -82,6 +82,18 @@ DisplacementRow tangential_row(const elasticity::Material& material,
           surface.tangential_displacement(x), tangential_displacement(material, load, x)};
 }
 
+// A flag that the shape makes no use of is a mistake.
+void require_used(const DisplacementOptions& options) {
+  const bool is_concentrated = options.shape == "concentrated";
+  const auto refuse = [&](const NumberOption& unused) {
+    if (unused.text().empty()) return;
+    throw InputError(unused.flag() + ": not used with --shape " + options.shape);
+  };
+  if (!is_concentrated) return refuse(options.line_load);
+  refuse(options.peak_pressure);
+  refuse(options.half_width);
+}
+
 std::vector<DisplacementRow> rows_of(const DisplacementOptions& options,
                                      const OptionalCase& from_file) {
   const elasticity::Material material = material_of(options, from_file);
@@ -128,6 +140,8 @@ std::vector<DisplacementRow> rows_of(const DisplacementOptions& options,
 ExitCode run(const DisplacementOptions& options) {
   OptionalCase from_file;
   if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
+  const parameters::UnitSystem units = options.output.units(from_file);
+  require_used(options);
   const std::vector<DisplacementRow> rows = rows_of(options, from_file);
   switch (options.output.format()) {
     case OutputFormat::csv:
@@ -137,7 +151,7 @@ ExitCode run(const DisplacementOptions& options) {
       fmt::print("{}", displacement_json(rows));
       break;
     case OutputFormat::table:
-      fmt::print("{}", displacement_text(rows, options.output.units(from_file)));
+      fmt::print("{}", displacement_text(rows, units));
       break;
   }
   return ExitCode::success;

@@ -21,14 +21,19 @@ constexpr std::array columns = {"x",
                                 "displacement_abs_error",
                                 "displacement_closed_form"};
 
+// The numbers of a row in the order of the columns; throws InputError for one that is not finite.
 std::array<double, columns.size()> numbers_of(const DisplacementRow& row) {
-  return {row.x,
-          row.gradient_quadrature.value,
-          row.gradient_quadrature.abs_error,
-          row.gradient_closed_form,
-          row.displacement_quadrature.value,
-          row.displacement_quadrature.abs_error,
-          row.displacement_closed_form};
+  const std::array<double, columns.size()> numbers = {row.x,
+                                                      row.gradient_quadrature.value,
+                                                      row.gradient_quadrature.abs_error,
+                                                      row.gradient_closed_form,
+                                                      row.displacement_quadrature.value,
+                                                      row.displacement_quadrature.abs_error,
+                                                      row.displacement_closed_form};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    finite_result(fmt::format("{} at x = {}", columns[i], row.x), numbers[i]);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -65,11 +70,9 @@ std::string displacement_text(const std::vector<DisplacementRow>& rows,
   for (const DisplacementRow& row : rows) {
     const auto digits = [](double number) { return fmt::format("{:.12e}", number); };
     const auto rough = [](double number) { return fmt::format("{:.1e}", number); };
-    text +=
-        line(shortest(row.x), digits(row.gradient_quadrature.value),
-             rough(row.gradient_quadrature.abs_error), digits(row.gradient_closed_form),
-             digits(row.displacement_quadrature.value),
-             rough(row.displacement_quadrature.abs_error), digits(row.displacement_closed_form));
+    const auto n = numbers_of(row);
+    text += line(shortest(n[0]), digits(n[1]), rough(n[2]), digits(n[3]), digits(n[4]), rough(n[5]),
+                 digits(n[6]));
   }
   return text;
 }

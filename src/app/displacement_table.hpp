@@ -22,6 +22,8 @@ struct DisplacementRow {
   double displacement_closed_form;
 };
 
+// All three throw InputError, naming the column and x, for a number that is not finite.
+
 /// A header and a row a point, numbers with the shortest digits that round-trip.
 std::string displacement_csv(const std::vector<DisplacementRow>& rows);
 

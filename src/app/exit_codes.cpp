@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "app/number_text.hpp"
+#include "block/factorization_error.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "literate/error.hpp"
 #include "numerics/quadrature.hpp"
@@ -19,6 +20,11 @@ namespace {
 ExitCode answer(const std::exception& e, ExitCode code) {
   fmt::print(stderr, "halfspace: {}\n", e.what());
   return code;
+}
+
+ExitCode answer_failed_computation(const std::exception& e) {
+  fmt::print(stderr, "halfspace: the computation failed: {}\n", e.what());
+  return ExitCode::claim_failed;
 }
 
 }  // namespace
@@ -40,6 +46,12 @@ ExitCode run_guarded(const std::function<ExitCode()>& command) {
     return answer(e, ExitCode::bad_input);
   } catch (const literate::ToolError& e) {
     return answer(e, ExitCode::tool_failed);
+  } catch (const numerics::QuadratureError& e) {
+    return answer_failed_computation(e);
+  } catch (const contact::ContactError& e) {
+    return answer_failed_computation(e);
+  } catch (const block::FactorizationError& e) {
+    return answer_failed_computation(e);
   } catch (const std::exception& e) {
     return answer(e, ExitCode::claim_failed);
   }

@@ -20,7 +20,9 @@ bool is_flat(const ordered_json& value) {
 }
 
 std::string text_of(const ordered_json& value, const std::string& indent) {
-  if (value.is_number_float()) return shortest(value.get<double>());
+  if (value.is_number_float()) {
+    return shortest(finite_result("a number of the JSON", value.get<double>()));
+  }
   if (!value.is_structured()) return value.dump();
   const bool on_one_line = value.is_array() && is_flat(value);
   const std::string inner = on_one_line ? "" : "\n" + indent + "  ";

@@ -16,6 +16,15 @@ std::string version_text() {
                      toolchain::modified ? ", modified" : "");
 }
 
+// What the user ran, "halfspace" or "halfspace displacement".
+std::string chosen_command(const CLI::App& program) {
+  std::string command = program.get_name();
+  for (const CLI::App* subcommand : program.get_subcommands()) {
+    command += " " + subcommand->get_name();
+  }
+  return command;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -25,20 +34,21 @@ int main(int argc, char** argv) {
       "halfspace"};
   program.set_version_flag("--version", version_text());
   program.require_subcommand(0, 1);  // none is refused below, after what was given instead
-  program.set_help_all_flag("--help-all", "Print the help of every subcommand");
   app::ExitCode exit_code = app::ExitCode::success;
   app::add_displacement_command(program, exit_code);
   app::add_block_command(program, exit_code);
   app::add_contact_command(program, exit_code);
   app::add_report_command(program, exit_code);
   app::add_typeset_command(program, exit_code);
+  // After the subcommands, which would inherit it.
+  program.set_help_all_flag("--help-all", "Print the help of every subcommand");
 
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
-    fmt::print(stderr, "halfspace: {} (see halfspace --help)\n", e.what());
+    fmt::print(stderr, "halfspace: {} (see {} --help)\n", e.what(), chosen_command(program));
     return static_cast<int>(app::ExitCode::bad_input);
   }
   // A full disk shows when the last of the output is written, not before.

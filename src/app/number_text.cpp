@@ -58,6 +58,11 @@ std::vector<double> read_numbers(const std::string& file) {
   return numbers;
 }
 
+double finite_result(const std::string& what, double result) {
+  if (std::isfinite(result)) return result;
+  throw InputError(what + ": not a finite number; the parameters are beyond the range of a double");
+}
+
 std::string shortest(double number) {
   return fmt::format("{}", number);
 }

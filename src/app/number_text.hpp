@@ -25,6 +25,9 @@ std::vector<double> parse_numbers(const std::string& what, const std::string& te
 /// number, and for a line that is none (file:line).
 std::vector<double> read_numbers(const std::string& file);
 
+/// The result if it is a finite number; throws InputError naming `what` otherwise.
+double finite_result(const std::string& what, double result);
+
 /// The shortest decimal digits that read back as the same double.
 std::string shortest(double number);
 

@@ -15,6 +15,9 @@ CLI::Option* add(CLI::App& command, const std::string& flag, std::string& text,
                  const std::string& help) {
   CLI::Option* option = command.add_option(flag, text, help);
   if (!text.empty()) option->capture_default_str();
+  option->check([](const std::string& given) {
+    return given.empty() ? std::string("the value is empty") : std::string();
+  });
   return option;
 }
 

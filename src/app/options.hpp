@@ -23,7 +23,8 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
                  ExitCode& exit_code,
                  const std::function<std::function<ExitCode()>(CLI::App&)>& set_up);
 
-/// Adds a flag that takes a text, shown in the help as `type`.
+/// Adds a flag that takes a text, shown in the help as `type`. As all of these flags it refuses an
+/// empty text, so that a text that is empty was not given.
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
               const std::string& type, const std::string& help);
 

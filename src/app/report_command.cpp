@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -10,10 +12,12 @@
 #include "app/stage.hpp"
 #include "literate/document.hpp"
 #include "literate/excerpt.hpp"
+#include "literate/staging.hpp"
 #include "paper/paper.hpp"
 #include "parameters/case.hpp"
 
 namespace app {
+namespace fs = std::filesystem;
 namespace {
 
 struct ReportOptions {
@@ -22,10 +26,22 @@ struct ReportOptions {
   std::string source = ".";
 };
 
+// Tries out what document.write() will do, before the computation, and leaves no trace.
+void require_writable(const fs::path& output) {
+  std::error_code ignored;
+  std::vector<fs::path> missing;
+  fs::path folder = fs::absolute(output / "").lexically_normal().parent_path();
+  for (; !fs::exists(folder, ignored) && folder.has_relative_path(); folder = folder.parent_path())
+    missing.push_back(folder);
+  { const literate::Staging trial(output); }
+  for (const fs::path& made : missing) fs::remove(made, ignored);
+}
+
 ExitCode run(const ReportOptions& options) {
   const Stage computing("compute");
   const parameters::Case from_file = parameters::read_case(options.case_file);
   const auto excerpts = literate::find_excerpts(options.source, {"src"});
+  require_writable(options.output);
   literate::Document document;
   paper::compute(document, from_file);
   computing.done(fmt::format("{} values, {} tables, {} checks", document.values().size(),

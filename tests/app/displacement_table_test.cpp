@@ -3,10 +3,13 @@
 
 #include <boost/test/unit_test.hpp>
 #include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "app/number_text.hpp"
 
 using app::DisplacementRow;
 
@@ -115,4 +118,19 @@ BOOST_AUTO_TEST_CASE(the_table_shows_thirteen_digits_and_the_size_of_the_error) 
   BOOST_TEST(text.find(" 1.623604774879e-06 ") != std::string::npos);
   BOOST_TEST(text.find(" 3.0e-18 ") != std::string::npos);
   BOOST_TEST(text.find("[in]") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
+  std::vector<DisplacementRow> wrong = rows;
+  wrong[1].displacement_closed_form = std::numeric_limits<double>::infinity();
+  const auto names_it = [](const app::InputError& error) {
+    return std::string(error.what()) ==
+           "displacement_closed_form at x = 0.005: not a finite number; the parameters are beyond "
+           "the range of a double";
+  };
+
+  BOOST_CHECK_EXCEPTION(app::displacement_csv(wrong), app::InputError, names_it);
+  BOOST_CHECK_EXCEPTION(app::displacement_json(wrong), app::InputError, names_it);
+  BOOST_CHECK_EXCEPTION(app::displacement_text(wrong, parameters::unit_systems().front()),
+                        app::InputError, names_it);
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/number_text.hpp"
+#include "block/factorization_error.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "literate/error.hpp"
 #include "numerics/quadrature.hpp"
@@ -43,5 +44,6 @@ BOOST_AUTO_TEST_CASE(a_tool_that_is_missing_or_fails_is_three) {
 BOOST_AUTO_TEST_CASE(a_computation_that_does_not_hold_is_one) {
   BOOST_TEST(code_of(numerics::QuadratureError("did not converge")) == 1);
   BOOST_TEST(code_of(contact::ContactError("did not settle")) == 1);
+  BOOST_TEST(code_of(block::FactorizationError("not positive definite")) == 1);
   BOOST_TEST(code_of(std::runtime_error("anything else")) == 1);
 }

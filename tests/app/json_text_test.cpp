@@ -3,9 +3,11 @@
 
 #include <boost/test/unit_test.hpp>
 #include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/number_text.hpp"
 #include "random_inputs.hpp"
 
 using app::json_text;
@@ -95,4 +97,11 @@ BOOST_AUTO_TEST_CASE(whatever_is_nested_reads_back_the_same) {
   BOOST_TEST((ordered_json::parse(json_text(value)) == value));
   BOOST_TEST(json_text(ordered_json::array()) == "[]\n");
   BOOST_TEST(json_text(ordered_json::object()) == "{}\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused) {
+  using limits = std::numeric_limits<double>;
+  for (const double number : {limits::infinity(), -limits::infinity(), limits::quiet_NaN()}) {
+    BOOST_CHECK_THROW(json_text({{"x", {1.5, number}}}), app::InputError);
+  }
 }

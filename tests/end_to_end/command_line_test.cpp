@@ -193,11 +193,12 @@ BOOST_AUTO_TEST_CASE(a_case_in_other_units_prints_in_them) {
 }
 
 BOOST_AUTO_TEST_CASE(uniform_and_concentrated_loads_agree_with_theirs_in_closed_form) {
+  const Words from_case = {"displacement", "--case", papers_case.string()};
   for (const Words& shape :
        {Words{"--shape", "uniform"}, Words{"--shape", "concentrated", "--line-load", "10"},
         Words{"--component", "tangential"}}) {
     const auto rows =
-        numbers_in(output_of(displacement + shape + Words{"--x", "-0.02,0.003,0.7"} + csv));
+        numbers_in(output_of(from_case + shape + Words{"--x", "-0.02,0.003,0.7"} + csv));
     BOOST_TEST_REQUIRE(rows.size() == 3U);
     for (const auto& row : rows) {
       BOOST_TEST(std::abs(row[1] - row[3]) <= row[2] + 1e-15 * std::abs(row[3]));
@@ -265,6 +266,29 @@ BOOST_AUTO_TEST_CASE(contact_takes_planes_hollows_and_a_case) {
   BOOST_TEST(hertz({"--load", "10000"}) == papers * 2, close);
   BOOST_TEST(json::parse(output_of(from_case + as_json)).contains("approach"));
   BOOST_TEST(!json::parse(output_of(contact + as_json)).contains("approach"));
+}
+
+BOOST_AUTO_TEST_CASE(block_prints_units_and_the_seconds_it_took) {
+  const std::string text =
+      output_of({"block", "--case", papers_case.string(), "--order", "2", "--refine", "0"});
+  const auto lines = literate::lines_of(text);
+  const auto ends = [&](std::string_view measure, std::string_view unit) {
+    for (const std::string_view line : lines) {
+      if (line.starts_with(measure)) return line.ends_with(unit);
+    }
+    return false;
+  };
+
+  BOOST_TEST(ends("resultant_load_y ", " lbf/in"));
+  BOOST_TEST(ends("max_disp_mag ", " in"));
+  BOOST_TEST(ends("max_rot_z ", " 1"));
+  BOOST_TEST(ends("max_stress_vm ", " psi"));
+  BOOST_TEST(ends("strain_energy ", " lbf"));
+  BOOST_TEST(ends("measure11 ", " in"));
+  BOOST_TEST(lines.back().starts_with("seconds: elements "));
+  for (const char* stage : {"assembly", "factorisation", "solution"}) {
+    BOOST_TEST(lines.back().find(stage) != std::string_view::npos);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(version_names_the_commit_and_help_every_command) {
