@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/number_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <CLI/StringTools.hpp>
 
 #include <charconv>

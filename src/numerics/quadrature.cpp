@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numerics/quadrature.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gsl/gsl_errno.h>
 
 #include <cmath>

@@ -15,6 +15,9 @@ namespace {
 
 using block::Support;
 
+// What the convergence of the lower orders is measured against.
+constexpr int highest_order = 8;
+
 // Samples a window of the block evenly and moves each point by its displacement, enlarged.
 figures::ContourWindow sample(const block::Solution& solution, double left, double right,
                               double depth, double enlargement) {
@@ -53,7 +56,6 @@ figures::BlockConvergence convergence(const parameters::Case& c, const BlockStud
     const block::Factorization factorization(analysis.fine(), block::with_sides(c.block->sides));
     return block::measures(factorization.solve(c.half_space.load), options);
   };
-  constexpr int highest_order = 9;
   const auto exact = measures_of(highest_order);
   const auto value = [](const std::vector<block::Measure>& list, const std::string& name) {
     for (const block::Measure& m : list) {
@@ -124,6 +126,7 @@ figures::LikeWithLike like_with_like(const parameters::Case& c, const BlockStudy
 
 void register_block_figures(literate::Document& document, const parameters::Case& from_file,
                             const BlockStudy& study) {
+  document.value("block.highest-order", literate::Value::integer(highest_order));
   document.figure("block-contours", 15, 6.2,
                   [d = contours(from_file, study)](literate::Plot& plot) {
                     figures::draw_block_contours(plot, d);
