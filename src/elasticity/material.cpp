@@ -29,4 +29,9 @@ double contact_modulus(const Material& first, const Material& second) {
   return 1 / (compliance(first) + compliance(second));
 }
 
+double dundurs_beta(const Material& first, const Material& second) {
+  const double difference = first.local_compliance() - second.local_compliance();
+  return difference / 2 * contact_modulus(first, second);
+}
+
 }  // namespace elasticity

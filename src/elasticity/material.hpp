@@ -29,4 +29,8 @@ class Material {
 /// of a stress.
 double contact_modulus(const Material& first, const Material& second);
 
+/// Dundurs' second constant β = ½[(1−2ν₁)/G₁ − (1−2ν₂)/G₂]/[(1−ν₁)/G₁ + (1−ν₂)/G₂] (Johnson 5.3),
+/// 0 for alike materials; |β| ≤ 1/2 for ν ≥ 0.
+double dundurs_beta(const Material& first, const Material& second);
+
 }  // namespace elasticity

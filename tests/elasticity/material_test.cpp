@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "numerics/require.hpp"
+#include "random_inputs.hpp"
 #include "tolerances.hpp"
 
 using elasticity::Material;
@@ -38,6 +39,45 @@ BOOST_AUTO_TEST_CASE(a_far_stiffer_partner_leaves_the_softer_one) {
   const double both = elasticity::contact_modulus(rubber, steel);
 
   BOOST_TEST(relative_difference(both, 5 / (1 - 0.49 * 0.49)) < 1e-14);
+}
+
+namespace {
+
+// ½[(1−2ν₁)/G₁ − (1−2ν₂)/G₂]/[(1−ν₁)/G₁ + (1−ν₂)/G₂], G = E/(2(1+ν)) (Johnson 5.3).
+double johnsons_beta(const Material& first, const Material& second) {
+  const auto shear_modulus = [](const Material& m) { return m.young() / (2 * (1 + m.poisson())); };
+  const double g1 = shear_modulus(first);
+  const double g2 = shear_modulus(second);
+  return 0.5 * ((1 - 2 * first.poisson()) / g1 - (1 - 2 * second.poisson()) / g2) /
+         ((1 - first.poisson()) / g1 + (1 - second.poisson()) / g2);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(dundurs_constant_is_johnsons) {
+  RandomInputs random(2385);
+  for (int i = 0; i < 100; ++i) {
+    const Material first(random.log_uniform(1, 1e6), random.uniform(-0.9, 0.49));
+    const Material second(random.log_uniform(1, 1e6), random.uniform(-0.9, 0.49));
+    const double beta = elasticity::dundurs_beta(first, second);
+
+    BOOST_TEST(std::abs(beta - johnsons_beta(first, second)) < tolerance::rounding);
+    BOOST_TEST(elasticity::dundurs_beta(second, first) == -beta);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(dundurs_constant_of_alike_materials_is_zero) {
+  BOOST_TEST(elasticity::dundurs_beta(Material(207e3, 0.29), Material(207e3, 0.29)) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_rigid_partner_leaves_one_half_of_1_minus_2_nu_over_1_minus_nu) {
+  // Positive where the first material is the soft one: ½·0.4/0.7 for ν = 0.3, 0 for rubber.
+  const Material rigid(2e20, 0.3);
+
+  BOOST_TEST(relative_difference(elasticity::dundurs_beta(Material(207e3, 0.3), rigid), 0.2 / 0.7) <
+             1e-14);
+  BOOST_TEST(std::abs(elasticity::dundurs_beta(rigid, Material(5, 0.4999999))) < 2e-7);
+  BOOST_TEST(relative_difference(elasticity::dundurs_beta(Material(5, 0), rigid), 0.5) < 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(poissons_ratio_outside_its_range_is_refused) {
