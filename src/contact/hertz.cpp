@@ -16,8 +16,10 @@ Hertz::Hertz(const CylinderPair& cylinders, double line_load)
       peak_pressure_(2 * line_load / (std::numbers::pi * half_width_)) {}
 
 double Hertz::pressure(double x) const {
-  const double ratio = x / half_width_;
-  return std::abs(ratio) < 1 ? peak_pressure_ * std::sqrt((1 - ratio) * (1 + ratio)) : 0;
+  // a − |x| is exact near the edge; 1 − (x/a)² would not be.
+  const double from_edge = half_width_ - std::abs(x);
+  if (from_edge <= 0) return 0;
+  return peak_pressure_ / half_width_ * std::sqrt(from_edge * (half_width_ + std::abs(x)));
 }
 
 double Hertz::gap(double x) const {

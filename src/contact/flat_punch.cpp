@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/flat_punch.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "numerics/require.hpp"
+
+namespace contact {
+
+FlatPunch::FlatPunch(double contact_modulus, double half_width, double line_load)
+    : contact_modulus_(numerics::require_positive("contact_modulus", contact_modulus)),
+      half_width_(numerics::require_positive("half_width", half_width)),
+      line_load_(numerics::require_positive("load", line_load)) {}
+
+double FlatPunch::pressure(double x) const {
+  const double a = half_width_;
+  if (std::abs(x) > a) return 0;
+  return line_load_ / (std::numbers::pi * std::sqrt((a - x) * (a + x)));
+}
+
+double FlatPunch::surface_rise(double x) const {
+  const double a = half_width_;
+  x = std::abs(x);
+  if (x <= a) return 0;
+  // arcosh(x/a) = arsinh(√(x²−a²)/a), which has its digits at the edge too
+  return 2 * line_load_ / (std::numbers::pi * contact_modulus_) *
+         std::asinh(std::sqrt((x - a) * (x + a)) / a);
+}
+
+}  // namespace contact
