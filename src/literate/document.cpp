@@ -4,14 +4,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "literate/characters.hpp"
+#include "literate/document_tex.hpp"
 #include "literate/error.hpp"
 #include "literate/files.hpp"
-#include "literate/latex.hpp"
 #include "literate/literate_sty.hpp"
 #include "literate/name.hpp"
 #include "literate/names.hpp"
@@ -20,27 +21,6 @@
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
-
-template <typename Content>
-void insert(std::map<std::string, Content>& map, const char* kind, const std::string& name,
-            Content content) {
-  if (!map.try_emplace(name, std::move(content)).second) {
-    throw std::logic_error(fmt::format("{} '{}' is registered twice", kind, name));
-  }
-}
-
-/// Definitions of all values, as LaTeX and as text for PDF bookmarks, and of all flags.
-std::string values_tex(const Document& document) {
-  std::string text;
-  for (const auto& [key, value] : document.values()) {
-    text += fmt::format("\\LiterateValue{{{}}}{{{}}}{{{}}}\n", key, value.latex(),
-                        escape_bookmark(value.printed()));
-  }
-  for (const auto& [key, is_set] : document.flags()) {
-    text += fmt::format("\\LiterateFlag{{{}}}{{{}}}\n", key, is_set ? "true" : "false");
-  }
-  return text;
-}
 
 /// The files of the run before, which may be removed; none if it left no list.
 std::vector<std::string> former_files(const fs::path& output_dir) {
@@ -55,33 +35,79 @@ std::vector<std::string> former_files(const fs::path& output_dir) {
 
 }  // namespace
 
-void Document::value(const std::string& key, Value value) {
-  require_key(key);
-  insert(values_, "value", key, std::move(value));
+void Document::remember(const char* kind, const std::string& name, const Location& location) {
+  const auto [entry, is_new] = places_.try_emplace({kind, name}, place_of(location));
+  if (is_new) return;
+  throw std::logic_error(fmt::format("{}: {} '{}' is registered twice, first at {}",
+                                     text_of(place_of(location)), kind, name,
+                                     text_of(entry->second)));
 }
 
-void Document::flag(const std::string& key, bool is_set) {
+void Document::value(const std::string& key, Value value, Location location) {
   require_key(key);
-  insert(flags_, "flag", key, is_set);
+  remember("value", key, location);
+  values_.emplace(key, std::move(value));
 }
 
-void Document::table(const std::string& name, Table table) {
+void Document::flag(const std::string& key, bool is_set, Location location) {
+  require_key(key);
+  remember("flag", key, location);
+  flags_.emplace(key, is_set);
+}
+
+void Document::table(const std::string& name, Table table, Location location) {
   require_file_name(name);
-  insert(tables_, "table", name, std::move(table));
+  remember("table", name, location);
+  tables_.emplace(name, std::move(table));
 }
 
 void Document::figure(const std::string& name, double width_cm, double height_cm,
-                      std::function<void(Plot&)> draw) {
+                      std::function<void(Plot&)> draw, Location location) {
   require_file_name(name);
-  insert(figures_, "figure", name, Figure{width_cm, height_cm, std::move(draw)});
+  remember("figure", name, location);
+  figures_.emplace(name, Figure{width_cm, height_cm, std::move(draw)});
 }
 
-void Document::check(const std::string& id, bool passed, std::string statement) {
+void Document::check(const std::string& id, bool passed, std::string statement, Location location) {
   require_key(id);
-  if (std::ranges::find(checks_, id, &Check::id) != checks_.end()) {
-    throw std::logic_error(fmt::format("check '{}' is registered twice", id));
-  }
+  remember("check", id, location);
   checks_.push_back({id, passed, std::move(statement)});
+}
+
+void Document::claim(const std::string& id, Claim claim, Location location) {
+  require_key(id);
+  remember("claim", id, location);
+  const std::array<std::pair<const char*, const std::string*>, 5> parts{
+      {{"sentence", &claim.sentence},
+       {"place", &claim.place},
+       {"computed value", &claim.computed.printed()},
+       {"route", &claim.route},
+       {"tolerance", &claim.tolerance}}};
+  for (const auto& [part, text] : parts) {
+    if (!text->empty()) continue;
+    throw std::logic_error(
+        fmt::format("{}: claim '{}' has no {}", text_of(place_of(location)), id, part));
+  }
+  claims_.emplace_back(id, std::move(claim));
+}
+
+const SourcePlace& Document::place(const std::string& kind, const std::string& name) const {
+  return places_.at({kind, name});
+}
+
+std::vector<std::string> Document::faults() const {
+  std::vector<std::string> faults;
+  for (const Check& check : failed_checks()) {
+    faults.push_back(fmt::format("check {} failed: {}", check.id, check.statement));
+  }
+  for (const auto& [id, claim] : claims_) {
+    if (claim.found == claim.expected) continue;
+    faults.push_back(fmt::format("claim {} is {}, not {}: {} Stated: {}; computed: {}", id,
+                                 name_of(claim.found), name_of(claim.expected), claim.sentence,
+                                 claim.stated.printed().empty() ? "-" : claim.stated.printed(),
+                                 claim.computed.printed()));
+  }
+  return faults;
 }
 
 std::vector<Check> Document::failed_checks() const {
@@ -95,14 +121,18 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   Staging staging(output_dir);
   write_file_atomically(staging.path() / "literate.sty", literate_sty);
   write_file_atomically(staging.path() / "values.tex", values_tex(*this));
+  write_file_atomically(staging.path() / "claims.tex", claims_tex(*this));
+  write_file_atomically(staging.path() / "index.tex", index_tex(*this));
   for (const auto& [name, table] : tables_) {
     write_file_atomically(staging.path() / "tables" / (name + ".tex"), table.latex());
+    write_file_atomically(staging.path() / "tables" / (name + ".csv"), table.csv());
   }
   write_file_atomically(staging.path() / "excerpts" / "characters.def", listings_characters());
   for (const Excerpt& excerpt : excerpts) write_excerpt(staging.path() / "excerpts", excerpt);
 
   fs::create_directory(staging.path() / "figures");
   draw_figures(staging.path() / "figures", figures_);
+  write_file_atomically(staging.path() / "provenance.tex", provenance_tex(*this, staging.path()));
 
   std::vector<std::string> files = staging.files();
   files.emplace_back("names.json");

@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-json value_json(const Value& value) {
-  json entry{{"printed", value.printed()}};
+json value_json(const Value& value, const SourcePlace& place) {
+  json entry{{"printed", value.printed()}, {"place", text_of(place)}};
   if (value.number()) entry["number"] = *value.number();
   if (value.abs_error()) entry["abs_error"] = *value.abs_error();
   if (!value.unit().empty()) entry["unit"] = value.unit();
@@ -26,6 +26,21 @@ json checks_json(const std::vector<Check>& checks) {
   json entries = json::object();
   for (const Check& check : checks) {
     entries[check.id] = {{"passed", check.passed}, {"statement", check.statement}};
+  }
+  return entries;
+}
+
+json claims_json(const Document& document) {
+  json entries = json::object();
+  for (const auto& [id, claim] : document.claims()) {
+    entries[id] = {{"sentence", claim.sentence},
+                   {"place", claim.place},
+                   {"stated", claim.stated.printed()},
+                   {"computed", claim.computed.printed()},
+                   {"route", claim.route},
+                   {"tolerance", claim.tolerance},
+                   {"expected", name_of(claim.expected)},
+                   {"found", name_of(claim.found)}};
   }
   return entries;
 }
@@ -59,12 +74,16 @@ std::string names_json(const Document& document, const std::vector<Excerpt>& exc
                        const std::vector<std::string>& files) {
   json names;
   names["values"] = json::object();
-  for (const auto& [key, value] : document.values()) names["values"][key] = value_json(value);
+  for (const auto& [key, value] : document.values()) {
+    names["values"][key] = value_json(value, document.place("value", key));
+  }
   names["flags"] = document.flags();
   names["tables"] = keys_json(document.tables());
   names["figures"] = keys_json(document.figures());
   names["excerpts"] = excerpts_json(excerpts);
   names["checks"] = checks_json(document.checks());
+  names["claims"] = claims_json(document);
+  names["faults"] = document.faults();
   names["files"] = files;
   return names.dump(2) + "\n";
 }
@@ -77,6 +96,8 @@ Names read_names(const std::filesystem::path& file) {
             .tables = names.at("tables").get<std::set<std::string>>(),
             .figures = names.at("figures").get<std::set<std::string>>(),
             .excerpts = keys_of(names.at("excerpts")),
+            .claims = keys_of(names.at("claims")),
+            .faults = names.at("faults").get<std::vector<std::string>>(),
             .files = names.at("files").get<std::vector<std::string>>()};
   } catch (const json::exception& error) {
     throw OutputError(fmt::format("'{}' is not a list of names: {}", file.string(), error.what()));

@@ -20,11 +20,13 @@ struct Names {
   std::set<std::string> tables;
   std::set<std::string> figures;
   std::set<std::string> excerpts;
-  std::vector<std::string> files;  ///< all files written, sorted, relative to names.json
+  std::set<std::string> claims;
+  std::vector<std::string> faults;  ///< a line each; none if the document is to be trusted
+  std::vector<std::string> files;   ///< all files written, sorted, relative to names.json
 };
 
 /// The text of names.json: all names sorted; with each value its printed text, raw number, error
-/// bound and unit (those it has); flags and checks with their outcome.
+/// bound, unit (those it has) and place; flags, checks and claims with their outcome; the faults.
 std::string names_json(const Document& document, const std::vector<Excerpt>& excerpts,
                        const std::vector<std::string>& files);
 

@@ -61,11 +61,12 @@ bool is_left_out(const TexCommand& use, const Names& names) {
 ReferenceReport check_references(const std::filesystem::path& source_dir, const Names& names) {
   std::set<std::string> flags;
   for (const auto& [flag, is_set] : names.flags) flags.insert(flag);
-  const std::array<Kind, 5> kinds{{{"val", "value", names.values},
+  const std::array<Kind, 6> kinds{{{"val", "value", names.values},
                                    {"ifflag", "flag", flags},
                                    {"tab", "table", names.tables},
                                    {"fig", "figure", names.figures},
-                                   {"excerpt", "excerpt", names.excerpts}}};
+                                   {"excerpt", "excerpt", names.excerpts},
+                                   {"claim", "claim", names.claims}}};
   std::set<std::string> commands;
   for (const Kind& kind : kinds) commands.insert(kind.command);
 

@@ -17,8 +17,8 @@ struct ReferenceReport {
   std::vector<std::string> unused;
 };
 
-/// Looks up each \val, \ifflag, \tab, \fig and \excerpt of the *.tex files below a folder. In a
-/// branch of \ifflag that the document does not take, names need not be registered.
+/// Looks up each \val, \ifflag, \tab, \fig, \excerpt and \claim of the *.tex files below a folder.
+/// In a branch of \ifflag that the document does not take, names need not be registered.
 ///
 /// Files are named with the folder's own last name in front. Throws OutputError if the folder or a
 /// file cannot be read.

@@ -110,4 +110,32 @@ std::string Table::latex() const {
   return text + "  \\bottomrule\n\\end{tabular}\n";
 }
 
+std::string Table::csv() const {
+  const auto quoted = [](std::string text) {
+    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
+      text.insert(at, 1, '"');
+    }
+    return '"' + text + '"';
+  };
+  std::vector<std::string> line;
+  for (const Column& column : columns_) {
+    const std::string unit = column.unit().empty() ? "" : fmt::format(" ({})", column.unit());
+    line.push_back(quoted(column.heading() + unit));
+  }
+  std::string text = fmt::format("{}\n", fmt::join(line, ","));
+  for (const auto& row : rows_) {
+    line.clear();
+    for (const Cell& cell : row) {
+      if (cell.is_empty()) {
+        line.emplace_back();
+      } else {
+        line.push_back(cell.number() != nullptr ? fmt::format("{}", *cell.number())
+                                                : quoted(*cell.text()));
+      }
+    }
+    text += fmt::format("{}\n", fmt::join(line, ","));
+  }
+  return text;
+}
+
 }  // namespace literate

@@ -91,6 +91,9 @@ class Table {
   /// std::invalid_argument for a number that is not finite, or in a text column.
   std::string latex() const;
 
+  /// The same as CSV, with the headings and units as in LaTeX and numbers that read back the same.
+  std::string csv() const;
+
  private:
   std::vector<Column> columns_;
   std::vector<std::vector<Cell>> rows_;

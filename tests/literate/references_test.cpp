@@ -17,6 +17,8 @@ const Names names{.values = {"peak.pressure", "load"},
                   .tables = {"results"},
                   .figures = {"pressure"},
                   .excerpts = {"hertz"},
+                  .claims = {},
+                  .faults = {},
                   .files = {}};
 
 ReferenceReport report_on(const std::string& text) {
