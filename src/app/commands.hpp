@@ -14,6 +14,7 @@ namespace app {
 void add_displacement_command(CLI::App& program, ExitCode& exit_code);
 void add_block_command(CLI::App& program, ExitCode& exit_code);
 void add_contact_command(CLI::App& program, ExitCode& exit_code);
+void add_stress_command(CLI::App& program, ExitCode& exit_code);
 void add_report_command(CLI::App& program, ExitCode& exit_code);
 void add_typeset_command(CLI::App& program, ExitCode& exit_code);
 

@@ -8,7 +8,7 @@
 
 #include "app/number_text.hpp"
 #include "block/factorization_error.hpp"
-#include "contact/matrix_inversion.hpp"
+#include "contact/contact_error.hpp"
 #include "literate/error.hpp"
 #include "numerics/quadrature.hpp"
 #include "numerics/require.hpp"
@@ -55,6 +55,11 @@ ExitCode run_guarded(const std::function<ExitCode()>& command) {
   } catch (const std::exception& e) {
     return answer(e, ExitCode::claim_failed);
   }
+}
+
+ExitCode answer_faults(const std::vector<std::string>& faults) {
+  for (const std::string& fault : faults) fmt::print(stderr, "halfspace: {}\n", fault);
+  return faults.empty() ? ExitCode::success : ExitCode::claim_failed;
 }
 
 }  // namespace app

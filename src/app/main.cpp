@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   app::add_displacement_command(program, exit_code);
   app::add_block_command(program, exit_code);
   app::add_contact_command(program, exit_code);
+  app::add_stress_command(program, exit_code);
   app::add_report_command(program, exit_code);
   app::add_typeset_command(program, exit_code);
   // After the subcommands, which would inherit it.

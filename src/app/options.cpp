@@ -40,6 +40,11 @@ void add_required_text(CLI::App& command, const std::string& flag, std::string& 
   add(command, flag, text, help)->type_name(type)->required();
 }
 
+void add_switch(CLI::App& command, const std::string& flag, bool& is_given,
+                const std::string& help) {
+  command.add_flag(flag, is_given, help);
+}
+
 void add_choice(CLI::App& command, const std::string& flag, std::string& chosen,
                 const std::vector<std::string>& choices, const std::string& help) {
   add(command, flag, chosen, help)->check(CLI::IsMember(choices));

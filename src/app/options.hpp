@@ -32,7 +32,11 @@ void add_text(CLI::App& command, const std::string& flag, std::string& text,
 void add_required_text(CLI::App& command, const std::string& flag, std::string& text,
                        const std::string& type, const std::string& help);
 
-/// Adds a flag that takes one of the choices; `chosen` is the default.
+/// Adds a flag that takes nothing: given or not.
+void add_switch(CLI::App& command, const std::string& flag, bool& is_given,
+                const std::string& help);
+
+/// Adds a flag that takes one of the choices; `chosen` is the default, or empty for none.
 void add_choice(CLI::App& command, const std::string& flag, std::string& chosen,
                 const std::vector<std::string>& choices, const std::string& help);
 

@@ -24,6 +24,7 @@ struct ReportOptions {
   std::string case_file;
   std::string output;
   std::string source = ".";
+  bool defers_verdict = false;
 };
 
 // Tries out what document.write() will do, before the computation, and leaves no trace.
@@ -44,20 +45,15 @@ ExitCode run(const ReportOptions& options) {
   require_writable(options.output);
   literate::Document document;
   paper::compute(document, from_file);
-  computing.done(fmt::format("{} values, {} tables, {} checks", document.values().size(),
-                             document.tables().size(), document.checks().size()));
-
-  // A report whose checks fail is not written: it would say what is not so.
-  const std::vector<literate::Check> failed = document.failed_checks();
-  for (const literate::Check& check : failed) {
-    fmt::print(stderr, "halfspace: check {} failed: {}\n", check.id, check.statement);
-  }
-  if (!failed.empty()) return ExitCode::claim_failed;
+  computing.done(fmt::format("{} values, {} tables, {} checks, {} claims",
+                             document.values().size(), document.tables().size(),
+                             document.checks().size(), document.claims().size()));
 
   const Stage drawing("draw");
   document.write(options.output, excerpts);
   drawing.done(fmt::format("{} figures", document.figures().size()));
-  return ExitCode::success;
+  // Written with its faults, which stamp every page; `typeset` tells them when the PDF is there.
+  return options.defers_verdict ? ExitCode::success : answer_faults(document.faults());
 }
 
 }  // namespace
@@ -72,6 +68,8 @@ void add_report_command(CLI::App& program, ExitCode& exit_code) {
                                   "Folder to write to");
                 add_text(command, "--source", options->source, "DIR",
                          "The checkout, for the excerpts of its sources");
+                add_switch(command, "--defer-verdict", options->defers_verdict,
+                           "Leave it to `typeset` to tell what does not hold, and to exit 1");
                 return [options] { return run(*options); };
               });
 }

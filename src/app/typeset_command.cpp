@@ -33,7 +33,7 @@ ExitCode run(const Options& options) {
                      .build_dir = options.build,
                      .output_pdf = options.output});
   typesetting.done(std::filesystem::path(options.output).filename().string());
-  return ExitCode::success;
+  return answer_faults(names.faults);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "contact/profile.hpp"
 #include "elasticity/material.hpp"
 
 namespace contact {
@@ -38,7 +39,7 @@ class CylinderPair {
   double contact_modulus() const { return contact_modulus_; }
 
   /// The gap before deformation h(x) = x²/(2R), a length: the paper's h in eqs. (1a) and (1b).
-  double initial_gap(double x) const { return relative_curvature_ * x * x / 2; }
+  Profile profile() const { return Profile::parabola(relative_curvature_); }
 
  private:
   double relative_curvature_;

@@ -4,16 +4,15 @@
 #include <fmt/core.h>
 
 #include <Eigen/LU>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
-#include "elasticity/triangular_load.hpp"
-#include "numerics/require.hpp"
+#include "contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
+#include "contact/dense_system.hpp"
+#include "contact/free_ends.hpp"
 
 namespace contact {
 namespace {
@@ -27,16 +26,13 @@ Index at(const Indices& indices, Index i) {
   return indices[static_cast<std::size_t>(i)];
 }
 
-// The contact with pressures in units of length, φ_j = 2c p_j/(πE*), so that every coefficient of
-// its equations is of order one:  Σ_j T(i−j) φ_j + δ = h_i,  Σ φ = 2P/(πE*).
-struct System {
-  VectorXd influence;    // T(0), T(1), …
-  VectorXd initial_gap;  // h
-  double total;          // 2P/(πE*)
-
-  Index size() const { return initial_gap.size(); }
-  double coefficient(Index i, Index j) const { return influence[std::abs(i - j)]; }
-};
+Indices indices_of(const ContactMask& in_contact) {
+  Indices contact;
+  for (Index i = 0; i < in_contact.size(); ++i) {
+    if (in_contact[i]) contact.push_back(i);
+  }
+  return contact;
+}
 
 struct State {
   VectorXd phi;
@@ -46,13 +42,14 @@ struct State {
 
 // begin excerpt: matrix-inversion
 // Eq. (1a) at each node in contact, and equilibrium, as one linear system.
-State solve_for_contact(const System& system, const Indices& contact) {
+State solve_for_contact(const DenseSystem& system, const Indices& contact) {
   const Index n = std::ssize(contact);
   MatrixXd matrix = MatrixXd::Ones(n + 1, n + 1);
-  VectorXd right_side = VectorXd::Constant(n + 1, system.total);
+  VectorXd right_side = VectorXd::Constant(n + 1, system.total());
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < n; ++i) matrix(i, j) = system.coefficient(at(contact, i), at(contact, j));
-    right_side[j] = system.initial_gap[at(contact, j)];
+    matrix(n, j) = system.weights()[at(contact, j)];
+    right_side[j] = system.initial_gap()[at(contact, j)];
   }
   matrix(n, n) = 0;
   const VectorXd unknowns = matrix.partialPivLu().solve(right_side);
@@ -63,117 +60,41 @@ State solve_for_contact(const System& system, const Indices& contact) {
 }
 
 // u_z1 + u_z2 + h − δ at every node.
-VectorXd gap_of(const System& system, const State& state, const Indices& contact) {
-  VectorXd gap = system.initial_gap.array() - state.approach;
+VectorXd gap_of(const DenseSystem& system, const State& state, const Indices& contact) {
+  VectorXd gap = system.initial_gap().array() - state.approach;
   for (Index i = 0; i < system.size(); ++i) {
     for (const Index j : contact) gap[i] -= system.coefficient(i, j) * state.phi[j];
   }
   return gap;
 }
-
-// Nodes in tension leave the contact, nodes that penetrate enter it.
-Indices revised_contact(const State& state, const Indices& contact, double smallest_gap) {
-  std::vector<bool> in_contact(static_cast<std::size_t>(state.gap.size()), false);
-  for (const Index i : contact) in_contact[static_cast<std::size_t>(i)] = true;
-  Indices revised;
-  for (Index i = 0; i < state.gap.size(); ++i) {
-    const bool stays =
-        in_contact[static_cast<std::size_t>(i)] ? state.phi[i] > 0 : state.gap[i] < -smallest_gap;
-    if (stays) revised.push_back(i);
-  }
-  return revised;
-}
 // end excerpt: matrix-inversion
-
-System system_of(const CylinderPair& cylinders, double line_load, const Grid& grid) {
-  System system;
-  system.influence = VectorXd::NullaryExpr(grid.n_nodes, [](Index k) {
-    return elasticity::triangular_potential(static_cast<double>(k), 1);
-  });
-  system.initial_gap = grid.nodes().unaryExpr([&](double x) { return cylinders.initial_gap(x); });
-  system.total = 2 * line_load / (std::numbers::pi * cylinders.contact_modulus());
-  return system;
-}
-
-// A gap is only as good as the rounding of the terms that make it.
-double rounding_of_gap(const System& system) {
-  constexpr double roundings = 64;
-  const double magnitude =
-      system.total * system.influence.cwiseAbs().maxCoeff() + system.initial_gap.maxCoeff();
-  return roundings * std::numeric_limits<double>::epsilon() * magnitude;
-}
-
-Residuals residuals_of(const Solution& solution, const Indices& contact, double line_load) {
-  VectorXd outside = solution.gap;
-  double misfit = 0;
-  for (const Index i : contact) {
-    misfit = std::max(misfit, std::abs(solution.gap[i]));
-    outside[i] = 0;
-  }
-  return {misfit, std::max(0.0, -outside.minCoeff()), std::max(0.0, -solution.pressure.minCoeff()),
-          std::abs(solution.line_load() - line_load)};
-}
 
 }  // namespace
 
-double Solution::half_width() const {
-  const double second_moment = pressure.dot(grid.nodes().cwiseAbs2()) / pressure.sum();
-  return 2 * std::sqrt(second_moment + grid.spacing * grid.spacing / 6);
-}
-
-double Solution::approach(double datum) const {
-  const double end = grid.x(grid.n_nodes - 1);
-  if (!(std::isfinite(datum) && std::abs(datum) > end)) {
-    throw numerics::InvalidQuantity("datum", datum, fmt::format("beyond the grid's end {}", end));
-  }
-  double sum = approach_at_spacing;
-  for (Index j = 0; j < grid.n_nodes; ++j) {
-    sum += elasticity::triangular_potential(datum - grid.x(j), grid.spacing) * phi[j];
-  }
-  return sum;
-}
-
-Solution solve_by_matrix_inversion(const CylinderPair& cylinders, double line_load,
-                                   const Grid& grid) {
-  numerics::require_positive("load", line_load);
-  const System system = system_of(cylinders, line_load, grid);
-  const double smallest_gap = rounding_of_gap(system);
+Solution solve_by_matrix_inversion(const Problem& problem, double line_load) {
+  const DenseSystem system(problem, line_load);
+  const double smallest_gap = system.rounding_of_gap();
 
   // Begin with every node in contact and let the tension at the ends peel off.
-  Indices contact(static_cast<std::size_t>(grid.n_nodes));
-  for (std::size_t i = 0; i < contact.size(); ++i) contact[i] = static_cast<Index>(i);
-  constexpr int max_solves = 100;
+  ContactMask in_contact = ContactMask::Constant(system.size(), true);
+  ContactSearch search;
   State state;
-  int n_solves = 0;
+  Work work;
   for (bool settled = false; !settled;) {
-    if (++n_solves > max_solves) {
-      throw ContactError(fmt::format("the contact did not settle in {} solves", max_solves));
+    if (++work.solves > max_revisions) {
+      throw ContactError(fmt::format("the contact did not settle in {} solves", max_revisions));
     }
+    const Indices contact = indices_of(in_contact);
     state = solve_for_contact(system, contact);
     state.gap = gap_of(system, state, contact);
-    Indices revised = revised_contact(state, contact, smallest_gap);
-    settled = revised == contact;
-    contact = std::move(revised);
+    settled = search.revise(in_contact, state.phi, state.gap, smallest_gap);
   }
-  if (contact.front() == 0 || contact.back() == grid.n_nodes - 1) {
-    throw ContactError(
-        fmt::format("the contact reaches the end of the grid at x = {}: take a wider grid",
-                    grid.x(grid.n_nodes - 1)));
-  }
+  require_free_ends(problem, state.phi, line_load);
 
-  // Back to stresses.
-  const double stress_per_length =
-      std::numbers::pi * cylinders.contact_modulus() / (2 * grid.spacing);
-  Solution solution{.grid = grid,
-                    .pressure = stress_per_length * state.phi,
-                    .gap = state.gap,
-                    .phi = state.phi,
-                    .approach_at_spacing = state.approach,
-                    .n_in_contact = std::ssize(contact),
-                    .n_solves = n_solves,
-                    .residuals = {}};
-  solution.residuals = residuals_of(solution, contact, line_load);
-  return solution;
+  const double misfit = in_contact.select(state.gap.cwiseAbs(), 0).maxCoeff();
+  const double error = misfit / state.phi.maxCoeff();
+  return to_solution(problem, line_load,
+                     {std::move(state.phi), std::move(state.gap), state.approach, error, work});
 }
 
 }  // namespace contact

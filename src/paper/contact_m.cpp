@@ -1,49 +1,99 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/contact_m.hpp"
 
-#include <Eigen/LU>
-#include <cmath>
+#include <fmt/core.h>
 
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "contact/contact_error.hpp"
 #include "contact/hertz.hpp"
 #include "elasticity/triangular_load.hpp"
 
 namespace paper {
+namespace {
 
-// begin excerpt: contact-m
-ContactM run_contact_m(const parameters::ContactCase& contact,
-                       const parameters::PrintedContactM& printed) {
-  const auto nn = static_cast<Eigen::Index>(printed.n_nodes.value()) - 1;
-  const auto aa = static_cast<Eigen::Index>(printed.zero_node.value());
-  const double c = printed.spacing.value();
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-  // C(i,j), the influence of one body's triangle of unit height; f = 0 at the datum
-  const elasticity::TriangularLoad unit(1, c);
-  const auto influence = [&](Eigen::Index k) {
-    return normal_displacement(contact.body1.material, unit, static_cast<double>(k) * c,
-                               contact.datum);
-  };
+// The node where the pressure becomes zero, counted from 1, must leave two in contact.
+Index require_edge_within(Index n_nodes, Index zero_node) {
+  if (zero_node >= 3 && zero_node <= n_nodes) return zero_node;
+  throw contact::ContactError(
+      fmt::format("the pressure of Contact.m becomes zero at node {}, which must be 3 to {}",
+                  zero_node, n_nodes));
+}
 
-  // B(i,j) = C(1,j) − C(i,j), h(i) = x²/(2R); from node aa on only the diagonal is left
-  Eigen::MatrixXd b(nn, nn);
-  Eigen::VectorXd h(nn);
-  for (Eigen::Index i = 0; i < nn; ++i) {
-    const bool is_zero_pressure = i + 1 >= aa;
-    for (Eigen::Index j = 0; j < nn; ++j) {
-      b(i, j) = is_zero_pressure && i != j ? 0 : influence(j) - influence(i - j);
-    }
-    h[i] = is_zero_pressure ? 0 : contact.cylinders.initial_gap(static_cast<double>(i) * c);
-  }
+Index first_in_tension(const VectorXd& p) {
+  const auto first = std::find_if(p.begin(), p.end(), [](double p_i) { return p_i < 0; });
+  return require_edge_within(p.size(), first - p.begin() + 1);
+}
 
-  // The last equation: A Σp = P with A = c(aa − 2)
-  b.row(0).setConstant(c * static_cast<double>(aa - 2));
-  h[0] = contact.line_load;
-  const Eigen::VectorXd p = b.partialPivLu().solve(h);
-
-  const contact::Hertz twice(contact.cylinders, 2 * contact.line_load);
-  ContactM result{{}, {p.begin(), p.end()}, c * p.sum(), twice.half_width(), twice.peak_pressure()};
-  for (Eigen::Index i = 0; i < nn; ++i) result.x.push_back(static_cast<double>(i) * c);
+ContactM to_result(double c, const VectorXd& sides, const VectorXd& p, Index aa,
+                   const contact::Hertz& hertz) {
+  ContactM result{.x = {},
+                  .pressure = {p.begin(), p.end()},
+                  .has_mirror_images = sides[1] > 1,
+                  .zero_node = aa,
+                  .line_load = c * sides.dot(p),
+                  .hertz_half_width = hertz.half_width(),
+                  .hertz_peak_pressure = hertz.peak_pressure()};
+  for (Index i = 0; i < p.size(); ++i) result.x.push_back(static_cast<double>(i) * c);
   return result;
 }
-// end excerpt: contact-m
+
+}  // namespace
+
+ContactMInput as_printed(const parameters::PrintedData& printed) {
+  const parameters::PrintedContactM& listed = printed.contact_m;
+  return {static_cast<Index>(listed.n_nodes.value()) - 1, listed.spacing.value(),
+          static_cast<Index>(listed.zero_node.value()), printed.tri_dist.step.value()};
+}
+
+// begin excerpt: contact-m
+ContactM run_contact_m(const parameters::ContactCase& contact, const ContactMInput& input,
+                       const ContactMRepairs& mended) {
+  const Index nn = input.n_nodes;
+  const double c = input.spacing;
+  VectorXd sides = VectorXd::Constant(nn, mended.mirror_images ? 2 : 1);  // repair 2
+  sides[0] = 1;
+
+  // f, the displacement k nodes from a triangle of unit height; C(i,j), of node i by node j
+  const elasticity::TriangularLoad unit(1, c);
+  const auto f = [&](Index k) {
+    double x = static_cast<double>(k) * c;
+    if (std::abs(k) <= 1 && !mended.limits) x += input.step;  // repair 1
+    const double u1 = normal_displacement(contact.body1.material, unit, x, contact.datum);
+    if (!mended.both_bodies) return u1;  // repair 3
+    return u1 + normal_displacement(contact.body2.material, unit, x, contact.datum);
+  };
+  const MatrixXd influence = MatrixXd::NullaryExpr(
+      nn, nn, [&](Index i, Index j) { return f(i - j) + (sides[j] > 1 ? f(i + j) : 0); });
+
+  // B(i,j) = C(1,j) − C(i,j), h(i) = x²/(2R); from node aa on p = 0; at last A Σp = P for row 1
+  const auto pressure_up_to = [&](Index aa) -> VectorXd {
+    MatrixXd b = influence.row(0).replicate(nn, 1) - influence;
+    VectorXd h(nn);
+    for (Index i = 0; i < nn; ++i) {
+      h[i] = i + 1 < aa ? contact.cylinders.profile().gap(static_cast<double>(i) * c) : 0;
+      if (i + 1 >= aa) b.row(i) = b(i, i) * VectorXd::Unit(nn, i);
+    }
+    b.row(0).setConstant(c * static_cast<double>(aa - 2));
+    if (mended.weight_of_equilibrium) b.row(0) = c * sides;  // repair 4
+    h[0] = contact.line_load;
+    return b.partialPivLu().solve(h);
+  };
+  Index aa = mended.free_edge ? nn + 1 : input.zero_node;
+  VectorXd p = pressure_up_to(aa);
+  while (mended.free_edge && p.minCoeff() < 0) {  // repair 5
+    p = pressure_up_to(aa = first_in_tension(p));
+  }
+  const double times = mended.hertz_load ? 1 : 2;  // repair 6
+  const contact::Hertz hertz(contact.cylinders, times * contact.line_load);
+  // end excerpt: contact-m
+  require_edge_within(nn, aa);
+  return to_result(c, sides, p, aa, hertz);
+}
 
 }  // namespace paper

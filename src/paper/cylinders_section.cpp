@@ -6,7 +6,6 @@
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "figures/cylinder_pressure.hpp"
-#include "paper/contact_m.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
@@ -18,8 +17,9 @@ using literate::Column;
 using literate::Value;
 
 Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
-  return contact::solve_by_matrix_inversion(c.cylinders, c.line_load,
-                                            contact::grid_around(hertz.half_width(), n_nodes));
+  return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
+                                             contact::grid_around(hertz.half_width(), n_nodes)},
+                                            c.line_load);
 }
 
 figures::CylinderPressure pressure_figure(const Solution& solution, const Hertz& hertz) {
@@ -60,11 +60,10 @@ literate::Table refinement_table(const parameters::ContactCase& c, const Hertz& 
                          Column::scientific("half-width, count", "", 2)});
   for (const long n_nodes : {25L, 47L, 91L, 179L, 355L}) {
     const Solution solution = solve(c, hertz, n_nodes);
-    const double counted = static_cast<double>(solution.n_in_contact) * solution.grid.spacing / 2;
-    table.add_row({n_nodes, hertz.half_width() / solution.grid.spacing, solution.n_solves,
+    table.add_row({n_nodes, hertz.half_width() / solution.grid.spacing, solution.work.solves,
                    solution.peak_pressure() / hertz.peak_pressure() - 1,
                    solution.half_width() / hertz.half_width() - 1,
-                   counted / hertz.half_width() - 1});
+                   solution.half_width_by_count() / hertz.half_width() - 1});
   }
   return table;
 }
@@ -72,47 +71,22 @@ literate::Table refinement_table(const parameters::ContactCase& c, const Hertz& 
 void register_residuals(literate::Document& document, const Solution& solution,
                         const parameters::ContactCase& c, const parameters::UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
-  const double indentation = c.cylinders.initial_gap(solution.half_width());
-  document.value("cylinders.residual.contact", Value::scientific_bound(r.contact, 1, units.length));
+  const double indentation = c.cylinders.profile().gap(solution.half_width());
+  document.value("cylinders.residual.contact", Value::scientific_bound(r.gap, 1, units.length));
   document.value("cylinders.residual.separation",
                  Value::scientific_bound(r.separation, 1, units.length));
   document.value("cylinders.residual.load", Value::scientific_bound(r.load, 1, units.line_load));
   document.value("cylinders.indentation", Value::scientific(indentation, 2, units.length));
   constexpr double rounding = 1e-11;
   document.check("contact-conditions",
-                 r.contact <= rounding * indentation && r.separation <= rounding * indentation &&
-                     r.pressure == 0 && r.load <= rounding * c.line_load,
+                 r.gap <= rounding * indentation && r.separation <= rounding * indentation &&
+                     solution.pressure.minCoeff() >= 0 && r.load <= rounding * c.line_load,
                  "eqs. (1a), (1b) and equilibrium hold to rounding");
 }
 
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   if (body.radius.is_plane()) return Value::text("∞");
   return Value::significant(1 / body.radius.curvature(), 4, unit);
-}
-
-// The listed program, run as it is printed.
-void register_contact_m(literate::Document& document, const parameters::Case& from_file,
-                        const Hertz& hertz) {
-  const parameters::PrintedContactM& printed = from_file.printed->contact_m;
-  const ContactM listed = run_contact_m(from_file.contact, printed);
-  const parameters::UnitSystem& units = from_file.units;
-  const double weight = printed.zero_node.value() - 2;
-  const double edge = (printed.zero_node.value() - 1) * printed.spacing.value();
-  document.value("contact-m.spacing", Value::exact(printed.spacing.value(), units.length));
-  document.value("contact-m.zero-node", Value::exact(printed.zero_node.value()));
-  document.value("contact-m.weight", Value::exact(weight));
-  document.value("contact-m.edge", Value::significant(edge, 2, units.length));
-  document.value("contact-m.edge-share", Value::fixed(edge / hertz.half_width(), 2));
-  document.value("contact-m.load", Value::significant(listed.line_load, 4, units.line_load));
-  document.value("contact-m.load-share",
-                 Value::fixed(from_file.contact.line_load / listed.line_load, 2));
-  document.value("contact-m.hertz-half-width",
-                 Value::significant(listed.hertz_half_width, 4, units.length));
-  document.value("contact-m.hertz-peak",
-                 Value::significant(listed.hertz_peak_pressure, 4, units.stress));
-  document.check("contact-m-load",
-                 std::abs(listed.line_load * weight / from_file.contact.line_load - 1) < 1e-9,
-                 "Contact.m as printed carries P/(aa - 2)");
 }
 
 }  // namespace
@@ -131,8 +105,8 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
   document.value("cylinders.modulus",
                  Value::significant(c.cylinders.contact_modulus(), 4, units.stress));
   document.value("cylinders.nodes", Value::integer(c.n_nodes));
-  document.value("cylinders.in-contact", Value::integer(solution.n_in_contact));
-  document.value("cylinders.solves", Value::integer(solution.n_solves));
+  document.value("cylinders.in-contact", Value::integer(solution.n_in_contact()));
+  document.value("cylinders.solves", Value::integer(solution.work.solves));
   document.value("cylinders.elements", Value::fixed(hertz.half_width() / solution.grid.spacing, 1));
   document.value("cylinders.hertz.half-width",
                  Value::significant(hertz.half_width(), 5, units.length));
@@ -152,7 +126,6 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
   document.value("cylinders.datum", Value::exact(c.datum, units.length));
   register_residuals(document, solution, c, units);
 
-  if (from_file.printed) register_contact_m(document, from_file, hertz);
   document.table("cylinders", comparison_table(solution, hertz, units));
   document.table("cylinder-refinement", refinement_table(c, hertz));
   document.figure("cylinder-pressure", 12, 8.4,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -15,7 +17,10 @@
 namespace paper {
 namespace {
 
+using elasticity::SurfaceQuadrature;
 using literate::Value;
+using literate::Verdict;
+using literate::confirmed_if;
 
 void register_parameters(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& half_space = from_file.half_space;
@@ -42,13 +47,13 @@ figures::ContactGeometry geometry() {
   const contact::CylinderPair cylinders(material, radius, material, radius);
   const contact::Hertz hertz(cylinders, 1);
   const double a = hertz.half_width();
-  const double unit = cylinders.initial_gap(a);  // h at the edge of the contact
-  constexpr double approach = 2.4;               // δ in that unit: where the datum is chosen
+  const double unit = cylinders.profile().gap(a);  // h at the edge of the contact
+  constexpr double approach = 2.4;                 // δ in that unit: where the datum is chosen
   constexpr double end = 2.2;
 
   figures::ContactGeometry g{};
   const auto before = [&](double xi) {
-    return (approach - cylinders.initial_gap(xi * a) / unit) / 2;
+    return (approach - cylinders.profile().gap(xi * a) / unit) / 2;
   };
   constexpr int n = 220;
   for (int i = 0; i <= n; ++i) {
@@ -81,6 +86,8 @@ figures::TriangularElements elements() {
   return e;
 }
 
+constexpr double steps_ratio = 1000;  // of distances, towards a point where something is infinite
+
 // begin excerpt: three-loads
 // Eq. (2) for a triangular, a uniform and a concentrated load of the same resultant, over K/a.
 figures::SurfaceGradient gradients(const parameters::HalfSpaceCase& half_space) {
@@ -109,6 +116,103 @@ figures::SurfaceGradient gradients(const parameters::HalfSpaceCase& half_space) 
 }
 // end excerpt: three-loads
 
+// Three steps towards the force, each to a thousandth of the distance.
+void claim_force(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::HalfSpaceCase& c = from_file.half_space;
+  const double a = c.load.half_width();
+  const SurfaceQuadrature surface(c.material, elasticity::ConcentratedLoad(c.load.line_load()),
+                                  c.datum);
+  const double expected =
+      c.material.integral_compliance() * c.load.line_load() * std::log(steps_ratio);
+  bool grows = true;
+  for (double x = a; x > 1e-8 * a; x /= steps_ratio) {
+    const numerics::Estimate step = surface.normal_displacement_from_gradient(x / steps_ratio) -
+                                    surface.normal_displacement_from_gradient(x);
+    grows = grows && std::abs(step.value - expected) <= step.abs_error + 1e-12 * expected;
+  }
+  document.claim("force-sinks-without-limit",
+                 {.sentence = "Under a concentrated force the displacement is infinite.",
+                  .place = "paper, Problem Description, p. 4",
+                  .computed = Value::scientific(expected, 3, from_file.units.length),
+                  .route = "eq. (2) integrated from the datum to points ever nearer to the force; "
+                           "the value is what each step to a thousandth of the distance adds",
+                  .tolerance = "three such steps add the same within the quadrature's error, so "
+                               "that their sum has no limit",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(grows)});
+}
+
+// Beside the end of a uniform pressure: what the gradient gains in each step, and u_z at the end.
+void claim_uniform(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::HalfSpaceCase& c = from_file.half_space;
+  const double a = c.load.half_width();
+  const double pressure = c.load.line_load() / (2 * a);
+  const SurfaceQuadrature surface(c.material, elasticity::UniformLoad(pressure, a), c.datum);
+  const double unit = c.material.integral_compliance() * c.load.line_load();
+  const numerics::Estimate at_end = surface.normal_displacement(a);
+  const double beside = surface.normal_displacement(a * (1 + 1e-9)).value - at_end.value;
+  document.claim("uniform-displacement-finite",
+                 {.sentence = "Under uniform pressures the displacement is finite everywhere.",
+                  .place = "paper, Problem Description, p. 4",
+                  .computed = Value::scientific(at_end.value, 3, from_file.units.length),
+                  .route = "the integral of the logarithm at the very end of the pressure",
+                  .tolerance = "10⁻⁹ half-widths beside the end it differs by no more than 10⁻⁷ of "
+                               "the scale K: a gradient that is infinite like a logarithm adds "
+                               "about 10⁻⁸",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(std::abs(beside) < 1e-7 * unit)});
+
+  const double expected = c.material.integral_compliance() * pressure * std::log(steps_ratio);
+  bool grows = true;
+  for (double gap = 1e-3 * a; gap > 1e-10 * a; gap /= steps_ratio) {
+    const double step = surface.normal_gradient(a + gap / steps_ratio).value -
+                        surface.normal_gradient(a + gap).value;
+    grows = grows && std::abs(std::abs(step) / expected - 1) < 1e-3;
+  }
+  document.claim("uniform-gradient-infinite",
+                 {.sentence = "Where a uniform pressure ends in a step, the gradient is infinite.",
+                  .place = "paper, Problem Description, p. 4",
+                  .computed = Value::scientific(expected, 3),
+                  .route = "eq. (2) by quadrature at points ever nearer to the step; the value is "
+                           "what each step to a thousandth of the distance adds",
+                  .tolerance = "three such steps add the same to 10⁻³, the distance at which they "
+                               "begin, so that their sum has no limit",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(grows)});
+}
+
+// On both sides of each kink of the triangle: does the gradient jump, is its slope finite?
+void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase& c) {
+  const double a = c.load.half_width();
+  const SurfaceQuadrature surface(c.material, c.load, c.datum);
+  const double unit = c.material.integral_compliance() * c.load.line_load() / a;
+  const auto jump = [&](double kink, double h) {
+    return std::abs(surface.normal_gradient(kink + h * a).value -
+                    surface.normal_gradient(kink - h * a).value) /
+           unit;
+  };
+  int n_continuous = 0;
+  int n_sharp = 0;
+  for (const double kink : {-a, 0.0, a}) {
+    n_continuous += jump(kink, 1e-6) < 1e-4 && jump(kink, 1e-9) < 1e-7;
+    n_sharp += jump(kink, 1e-6) / 1e-6 > jump(kink, 1e-3) / 1e-3 + 5;
+  }
+  const Verdict smooth = n_sharp == 0 ? Verdict::confirmed : Verdict::partly;
+  document.claim(
+      "triangles-smooth",
+      {.sentence = "Overlapping triangles give displacements that are everywhere smooth and "
+                   "continuous.",
+       .place = "paper, Problem Description, p. 4; Conclusions, p. 9",
+       .computed = Value::text(fmt::format(
+           "slope continuous at {} of 3 kinks, curvature infinite at {}", n_continuous, n_sharp)),
+       .route = "eq. (2) by quadrature on both sides of the triangle's ends and of its peak",
+       .tolerance = "h beside a kink the slope differs by less than 100 h/a of K/a, which leaves "
+                    "room for a logarithm; smooth in full would be a curvature that does not grow "
+                    "as h falls",
+       .expected = Verdict::partly,
+       .found = n_continuous == 3 ? smooth : Verdict::refuted});
+}
+
 }  // namespace
 
 void compute_formulation(literate::Document& document, const parameters::Case& from_file) {
@@ -119,6 +223,9 @@ void compute_formulation(literate::Document& document, const parameters::Case& f
   document.figure("triangular-elements", 11, 4.6, [e = elements()](literate::Plot& plot) {
     figures::draw_triangular_elements(plot, e);
   });
+  claim_force(document, from_file);
+  claim_uniform(document, from_file);
+  claim_smooth(document, from_file.half_space);
   document.figure("surface-gradient", 11, 7,
                   [g = gradients(from_file.half_space)](literate::Plot& plot) {
                     figures::draw_surface_gradient(plot, g);

@@ -43,6 +43,7 @@ void describe_provenance(literate::Document& document, const parameters::Case& f
   document.value("provenance.gnuplot", Value::text(first_line_of("gnuplot", "--version")));
   document.value("provenance.tex", Value::text(first_line_of("pdflatex", "--version")));
   document.value("case.title", Value::text(from_file.title));
+  document.value("case.file", Value::text(from_file.file.filename().string()));
 }
 
 }  // namespace paper

@@ -15,7 +15,9 @@ namespace {
 
 using elasticity::SurfaceQuadrature;
 using literate::Column;
+using literate::confirmed_if;
 using literate::Value;
+using literate::Verdict;
 using numerics::Estimate;
 
 // A quadrature beside the closed form at one point.
@@ -143,6 +145,35 @@ figures::QuadratureError error_figure(const Comparisons& gradients,
   return figure;
 }
 
+void claim_quadrature(literate::Document& document, const Comparisons& gradients,
+                      const Comparisons& displacements, const Comparisons& from_gradients,
+                      double displacement_unit, double gradient_unit) {
+  const double difference =
+      std::max(largest_difference(displacements), largest_difference(from_gradients));
+  document.claim(
+      "equation-3-follows",
+      {.sentence = "Putting eq. (4) into eq. (2) and integrating yields eq. (3).",
+       .place = "paper, Problem Description, p. 5",
+       .computed = Value::scientific_bound(difference / displacement_unit, 1),
+       .route = "eq. (2) by quadrature, integrated from the datum by quadrature, and the integral "
+                "of the logarithm; the value is the largest difference, over K",
+       .tolerance = "the error that each quadrature reports, at every point of the tables and over "
+                    "eight decades",
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(all_within_error(displacements) && all_within_error(from_gradients))});
+  document.claim(
+      "quadrature-knows-its-error",
+      {.sentence = "The quadrature of eq. (2) is right within the error that it reports itself.",
+       .place = "this report",
+       .stated = Value::scientific_bound(largest_estimate(gradients) / gradient_unit, 1),
+       .computed = Value::scientific_bound(largest_difference(gradients) / gradient_unit, 1),
+       .route = "the derivative of eq. (3) in closed form; stated is the largest error reported, "
+                "computed the largest difference, over K/a",
+       .tolerance = "at each of the points the difference must be within the error reported there",
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(all_within_error(gradients))});
+}
+
 }  // namespace
 
 void compute_quadrature(literate::Document& document, const parameters::Case& from_file) {
@@ -170,6 +201,7 @@ void compute_quadrature(literate::Document& document, const parameters::Case& fr
                  Value::scientific_bound(largest_estimate(wide_displacements) / unit, 1));
   document.value("quadrature.from-gradient.difference",
                  Value::scientific_bound(largest_difference(from_gradients) / unit, 1));
+  claim_quadrature(document, wide_gradients, wide_displacements, from_gradients, unit, unit / a);
   document.figure("quadrature-error", 15, 6.4,
                   [figure = error_figure(wide_gradients, wide_displacements, a, unit)](
                       literate::Plot& plot) { figures::draw_quadrature_error(plot, figure); });

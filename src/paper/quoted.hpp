@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "literate/table.hpp"
+#include "literate/value.hpp"
 #include "parameters/printed_number.hpp"
 
 namespace paper {
@@ -9,6 +12,14 @@ namespace paper {
 /// A table cell that shows a printed number with its own digits, no more and no fewer.
 inline literate::Cell quoted(const parameters::PrintedNumber& number) {
   return literate::Cell::to_place(number.value(), number.place());
+}
+
+/// The same as a value, with an exponent if it was printed with one.
+inline literate::Value quoted_value(const parameters::PrintedNumber& number,
+                                    const std::string& unit = "") {
+  const bool has_exponent = number.text().find_first_of("eE") != std::string::npos;
+  if (has_exponent) return literate::Value::scientific(number.value(), number.n_digits(), unit);
+  return literate::Value::fixed(number.value(), -number.place(), unit);
 }
 
 }  // namespace paper

@@ -28,4 +28,25 @@ void compute_block(literate::Document& document, const parameters::Case& from_fi
 /// Two cylinders by matrix inversion against Hertz.
 void compute_cylinders(literate::Document& document, const parameters::Case& from_file);
 
+/// Contact.m as printed, and with its defects mended one at a time.
+void compute_contact_m(literate::Document& document, const parameters::Case& from_file);
+
+/// The three kinds of elements, and how fast each converges to Hertz; the graded grid.
+void compute_elements(literate::Document& document, const parameters::Case& from_file);
+
+/// The three methods on one contact, and what large grids take.
+void compute_methods(literate::Document& document, const parameters::Case& from_file);
+
+/// Other profiles against their closed forms.
+void compute_profiles(literate::Document& document, const parameters::Case& from_file);
+
+/// Wavy cylinders: several regions in contact, and the approach instead of the load.
+void compute_regions(literate::Document& document, const parameters::Case& from_file);
+
+/// Friction in eq. (2): what leaving it out costs, and partial slip.
+void compute_friction(literate::Document& document, const parameters::Case& from_file);
+
+/// The stresses beneath the contact against McEwen's closed form.
+void compute_stresses(literate::Document& document, const parameters::Case& from_file);
+
 }  // namespace paper

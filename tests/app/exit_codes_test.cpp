@@ -6,7 +6,7 @@
 
 #include "app/number_text.hpp"
 #include "block/factorization_error.hpp"
-#include "contact/matrix_inversion.hpp"
+#include "contact/contact_error.hpp"
 #include "literate/error.hpp"
 #include "numerics/quadrature.hpp"
 #include "numerics/require.hpp"

@@ -1,33 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two cylinders by matrix inversion: time against the number of nodes.
+// Two cylinders: time against the number of nodes, by each method. The domain is 4.1 half-widths.
 #include <benchmark/benchmark.h>
+#include <gsl/gsl_fit.h>
+#include <sys/resource.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "contact/fft_solver.hpp"
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
+#include "contact/variational.hpp"
 
 namespace {
 
-void solve_contact(benchmark::State& state) {
-  const elasticity::Material steel(30e6, 0.30);
-  const contact::CylinderPair cylinders(steel, contact::Radius::of_cylinder("radius1", 1), steel,
-                                        contact::Radius::of_cylinder("radius2", 3));
-  constexpr double load = 2500;
-  const double half_width = contact::Hertz(cylinders, load).half_width();
-  const contact::Grid grid = contact::grid_around(half_width, state.range(0));
-  int n_solves = 0;
-  for (auto _ : state) {
-    const contact::Solution solution = contact::solve_by_matrix_inversion(cylinders, load, grid);
-    n_solves = solution.n_solves;
-    benchmark::DoNotOptimize(solution.pressure.data());
-  }
-  state.counters["solves"] = n_solves;
+const elasticity::Material steel(30e6, 0.30);
+const contact::CylinderPair cylinders(steel, contact::Radius::of_cylinder("radius1", 1), steel,
+                                      contact::Radius::of_cylinder("radius2", 3));
+constexpr double load = 2500;
+const contact::Hertz hertz(cylinders, load);
+
+contact::Problem problem_of(long n_nodes) {
+  return {cylinders.profile(), cylinders.contact_modulus(),
+          contact::grid_of_width(4.1 * hertz.half_width(), n_nodes)};
 }
 
-BENCHMARK(solve_contact)
-    ->ArgName("nodes")
-    ->Arg(41)
-    ->Arg(91)
-    ->Arg(361)
-    ->Unit(benchmark::kMillisecond);
+void count(benchmark::State& state, const contact::Solution& solution) {
+  double inside = 0;
+  for (Eigen::Index i = 0; i < solution.grid.n_nodes; ++i) {
+    const double x = solution.grid.x(i);
+    if (std::abs(x) > 0.9 * hertz.half_width()) continue;
+    inside = std::max(inside, std::abs(solution.pressure[i] - hertz.pressure(x)));
+  }
+  state.counters["solves"] = solution.work.solves;
+  state.counters["products"] = solution.work.products;
+  state.counters["error_inside"] = inside / hertz.peak_pressure();
+  state.counters["error_peak"] = std::abs(solution.peak_pressure() / hertz.peak_pressure() - 1);
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["MB_so_far"] = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+template <class Method>
+void run(benchmark::State& state, const Method& method) {
+  const contact::Problem problem = problem_of(state.range(0));
+  contact::Solution solution;
+  for (auto _ : state) {
+    solution = method(problem, load);
+    benchmark::DoNotOptimize(solution.pressure.data());
+  }
+  count(state, solution);
+}
+
+contact::Solution by_fft(const contact::Problem& problem, double line_load) {
+  return contact::solve_by_fft(problem, line_load);
+}
+
+void matrix_inversion(benchmark::State& state) {
+  run(state, contact::solve_by_matrix_inversion);
+}
+void variational(benchmark::State& state) {
+  run(state, contact::solve_by_variational_method);
+}
+void fft(benchmark::State& state) {
+  run(state, by_fft);
+}
+
+// The exponent of N in the time from 2^14 to 2^22 nodes: least squares for the best of three.
+void fft_exponent(benchmark::State& state) {
+  std::vector<double> log_n;
+  std::vector<double> log_seconds;
+  for (auto _ : state) {
+    for (int power = 14; power <= 22; ++power) {
+      const contact::Problem problem = problem_of(1L << power);
+      double best = 1e300;
+      for (int repeat = 0; repeat < 3; ++repeat) {
+        const auto start = std::chrono::steady_clock::now();
+        benchmark::DoNotOptimize(by_fft(problem, load).pressure.data());
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        best = std::min(best, seconds.count());
+      }
+      log_n.push_back(power * std::log(2.0));
+      log_seconds.push_back(std::log(best));
+    }
+  }
+  double intercept, slope, cov00, cov01, cov11, residual;
+  gsl_fit_linear(log_n.data(), 1, log_seconds.data(), 1, log_n.size(), &intercept, &slope, &cov00,
+                 &cov01, &cov11, &residual);
+  state.counters["exponent"] = slope;
+}
+
+BENCHMARK(matrix_inversion)->Arg(41)->Arg(91)->Arg(361)->Unit(benchmark::kMillisecond);
+BENCHMARK(variational)->Arg(361)->Arg(1001)->Unit(benchmark::kMillisecond);
+BENCHMARK(fft)->Arg(1 << 12)->Arg(1 << 16)->Arg(1 << 20)->Unit(benchmark::kMillisecond);
+BENCHMARK(fft_exponent)->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace

@@ -40,8 +40,25 @@ BOOST_AUTO_TEST_CASE(a_plane_has_no_curvature) {
 }
 
 BOOST_AUTO_TEST_CASE(the_gap_before_deformation_is_a_parabola) {
-  BOOST_TEST(pair(1, -2).initial_gap(0.5) == 0.0625);
-  BOOST_TEST(pair(1, -2).initial_gap(-0.5) == 0.0625);
+  BOOST_TEST(pair(1, -2).profile().gap(0.5) == 0.0625);
+  BOOST_TEST(pair(1, -2).profile().gap(-0.5) == 0.0625);
+}
+
+BOOST_AUTO_TEST_CASE(the_profile_rises_with_the_relative_curvature_on_both_sides) {
+  const CylinderPair cylinders = pair(2.385, 0.7);
+  const double rise = cylinders.relative_curvature() / 2 * (0.31 * 0.31 - 0.3 * 0.3);
+
+  BOOST_TEST(tolerance::relative_difference(cylinders.profile().rise(0.3, 0.31), rise) < 1e-13);
+  BOOST_TEST(tolerance::relative_difference(cylinders.profile().rise(-0.3, -0.31), rise) < 1e-13);
+  BOOST_TEST(cylinders.profile().is_symmetric());
+}
+
+BOOST_AUTO_TEST_CASE(the_modulus_is_that_of_both_materials) {
+  const Material rubber(700, 0.48);
+  const CylinderPair unlike(steel, Radius::of_plane(), rubber,
+                            Radius::of_cylinder("radius2", 2.385));
+
+  BOOST_TEST(unlike.contact_modulus() == elasticity::contact_modulus(steel, rubber));
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_do_not_touch_at_a_point_are_refused) {

@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(shapes_that_do_not_touch_along_a_line_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_nodes_that_no_grid_has_are_refused) {
-  for (const char* value : {"4", "0", "-41", "10001"}) {
-    check_contact("--nodes", value, {"nodes", value, "from 5 to 10000"});
+  for (const char* value : {"4", "0", "-41", "16777217"}) {
+    check_contact("--nodes", value, {"nodes", value, "from 5 to 16777216", "GB"});
   }
   for (const char* value : {"41.5", "many"}) check_contact("--nodes", value, {"nodes", value});
   check_contact("--nodes", "99999999999999999999", {"nodes"});
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(values_of_a_case_out_of_range_are_refused_at_their_place) {
   check_case("value = 0.010", "value = -1", {place_of("{value = 0.010"), "half_width", "greater"});
   check_case("datum = {value = 10", "datum = {value = 0", {":10:", "datum", "greater than 0"});
   check_case("value = 2500", "value = -2500", {place_of("{value = 2500"), "load", "greater"});
-  check_case("nodes = 91", "nodes = 3", {place_of("91"), "nodes", "3", "from 5 to 10000"});
+  check_case("nodes = 91", "nodes = 3", {place_of("91"), "nodes", "3", "from 5 to 16777216"});
   check_case("count = 11", "count = 1", {place_of("11\n"), "count", "1", "from 2 to 1000"});
   check_case("radius = {value = 1,", "radius = {value = 0,",
              {place_of("{value = 1, unit = \"in\"}\n[contact.body1"), "radius", "other than 0"});
@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE(a_file_of_the_block_in_a_folder_that_is_not_there_is_refuse
 
 BOOST_AUTO_TEST_CASE(an_approach_at_a_datum_within_the_grid_is_refused) {
   check_refused(2, with_flag("contact", papers_contact, "", "") + Words{"--datum", "0.001"},
-                {"datum", "0.001", "beyond"});
+                {"datum", "0.001", "outside the grid"});
 }
 
 BOOST_AUTO_TEST_CASE(an_output_folder_that_cannot_be_made_is_refused_and_nothing_is_written) {

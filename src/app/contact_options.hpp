@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/options.hpp"
+#include "contact/friction.hpp"
+#include "contact/hertz.hpp"
+#include "contact/problem.hpp"
+#include "contact/solution.hpp"
+#include "parameters/case.hpp"
+
+namespace app {
+
+/// A contact that has a closed form, to compare with.
+struct ClosedForm {
+  std::string name;
+  double half_width;
+  double peak_pressure;  ///< infinite for a wedge
+  std::function<double(double)> pressure;
+};
+
+/// A contact to be solved, as the command line and the case file describe it.
+struct ContactInput {
+  elasticity::Material material1;
+  elasticity::Material material2;
+  contact::Problem problem;
+  std::string profile;               ///< as given
+  std::string method;                ///< matrix-inversion, variational or fft
+  double tolerance;                  ///< of fft
+  std::optional<double> line_load;   ///< either this
+  std::optional<double> approach;    ///< or this is given
+  std::optional<double> datum;       ///< always with `approach`
+  std::optional<double> friction;    ///< μ
+  std::optional<double> tangential;  ///< Q; without it the bodies slide
+  std::optional<ClosedForm> closed_form;
+  std::optional<contact::Hertz> hertz;  ///< for cylinders under a load
+};
+
+/// The flags that describe a contact: `halfspace contact` and `halfspace stress` have them.
+class ContactOptions {
+ public:
+  explicit ContactOptions(CLI::App& command);
+
+  const std::string& case_file() const { return case_file_; }
+
+  /// Flags override what the case file says. Throws InputError or InvalidQuantity for what is
+  /// missing, wrong or has no meaning for the profile.
+  ContactInput read(const std::optional<parameters::Case>& from_file) const;
+
+ private:
+  struct Body {
+    Body(CLI::App& command, const std::string& number);
+    elasticity::Material material(const std::optional<parameters::CylinderCase>& given) const;
+    contact::Radius radius_or(const std::optional<parameters::CylinderCase>& given) const;
+    NumberOption young, poisson, radius;
+  };
+
+  void set_profile(ContactInput& input, const std::optional<parameters::Case>& from_file) const;
+  void refuse_flags_of_other_profiles() const;
+  void set_grid(ContactInput& input, Eigen::Index n_nodes) const;
+
+  Body body1_, body2_;
+  NumberOption load_, approach_, datum_;
+  NumberOption slope_, flat_, edge_radius_, power_, coefficient_;
+  NumberOption nodes_, domain_, tolerance_, friction_, tangential_;
+  std::string profile_ = "cylinder";
+  std::string element_ = "triangular";
+  std::string method_;
+  std::string grid_ = "symmetric";
+  std::string case_file_;
+};
+
+/// A solved contact and what it took.
+struct SolvedContact {
+  contact::Solution solution;
+  std::optional<double> approach;  ///< where a datum is given
+  std::optional<contact::Friction> friction;
+  double seconds;
+};
+
+/// Solves it; long solves show on standard error how far they are.
+SolvedContact solve(const ContactInput& input);
+
+}  // namespace app

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/contact_options.hpp"
+#include "app/csv_columns.hpp"
+#include "app/json_text.hpp"
+#include "app/number_text.hpp"
+#include "app/output_format.hpp"
+#include "contact/mcewen.hpp"
+#include "contact/traction.hpp"
+
+namespace app {
+namespace {
+
+struct Options {
+  explicit Options(CLI::App& command) : contact(command) {
+    add_text(command, "--x", x, "LIST", "Positions along the surface, as 0,0.01");
+    add_text(command, "--z", z, "LIST", "Depths; every x is taken with every z");
+    add_text(command, "--points", points, "FILE", "Or a CSV file with the columns x,z");
+    add_choice(command, "--body", body, {"1", "2"}, "Which of the two bodies");
+    output.add_to(command);
+  }
+
+  ContactOptions contact;
+  std::string x, z, points;
+  std::string body = "1";
+  OutputOptions output;
+};
+
+struct Point {
+  double x;
+  double z;
+  elasticity::Stress stress;
+  std::optional<elasticity::Stress> mcewen;
+};
+
+std::vector<Point> points_of(const Options& options) {
+  std::vector<Point> points;
+  const bool is_list = !options.x.empty() || !options.z.empty();
+  if (is_list == !options.points.empty()) {
+    throw InputError("give either --x and --z, or --points");
+  }
+  if (!options.points.empty()) {
+    const CsvColumns columns = read_columns(options.points, "x", "z");
+    for (std::size_t i = 0; i < columns.first.size(); ++i) {
+      points.push_back({columns.first[i], columns.second[i], {}, {}});
+    }
+    return points;
+  }
+  for (const double z : parse_numbers("--z", options.z)) {
+    for (const double x : parse_numbers("--x", options.x)) points.push_back({x, z, {}, {}});
+  }
+  return points;
+}
+
+void compute(std::vector<Point>& points, const ContactInput& input, const SolvedContact& solved,
+             bool is_second) {
+  const Eigen::VectorXd shear = solved.friction ? solved.friction->shear : Eigen::VectorXd();
+  const auto traction = contact::traction_on(solved.solution, is_second ? -shear : shear);
+  std::optional<contact::McEwen> mcewen;
+  if (input.hertz && !solved.friction) mcewen.emplace(*input.hertz);
+  for (Point& point : points) {
+    const elasticity::Stress s = traction.stress(point.x, point.z);
+    point.stress = {s.xx + 0.0, s.zz + 0.0, s.xz + 0.0};  // no -0
+    if (mcewen) point.mcewen = mcewen->stress(point.x, point.z);
+  }
+}
+
+std::string stress_json(const std::vector<Point>& points, double poisson) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Point& point : points) {
+    nlohmann::ordered_json entry = {{"x", point.x},
+                                    {"z", point.z},
+                                    {"stress_xx", point.stress.xx},
+                                    {"stress_zz", point.stress.zz},
+                                    {"stress_xz", point.stress.xz},
+                                    {"max_shear", point.stress.max_shear()},
+                                    {"von_mises", point.stress.von_mises(poisson)}};
+    if (point.mcewen) entry["mcewen_max_shear"] = point.mcewen->max_shear();
+    json.push_back(std::move(entry));
+  }
+  return json_text(json);
+}
+
+std::string stress_csv(const std::vector<Point>& points, double poisson) {
+  std::string text = "x,z,stress_xx,stress_zz,stress_xz,max_shear,von_mises";
+  const bool has_mcewen = !points.empty() && points.front().mcewen;
+  text += has_mcewen ? ",mcewen_max_shear\n" : "\n";
+  for (const Point& point : points) {
+    const elasticity::Stress& s = point.stress;
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "{},{},{},{},{},{},{}", point.x, point.z, s.xx, s.zz, s.xz, s.max_shear(),
+                   s.von_mises(poisson));
+    if (point.mcewen) fmt::format_to(out, ",{}", point.mcewen->max_shear());
+    text += '\n';
+  }
+  return text;
+}
+
+std::string stress_text(const std::vector<Point>& points, double poisson,
+                        const parameters::UnitSystem& units) {
+  const std::string length = fmt::format("[{}]", units.length);
+  const std::string stress = fmt::format("[{}]", units.stress);
+  const bool has_mcewen = !points.empty() && points.front().mcewen;
+  std::string text = fmt::format("{:>12}{:>12}{:>14}{:>14}{:>14}{:>14}{:>14}{}\n", "x", "z",
+                                 "stress xx", "stress zz", "stress xz", "max shear", "von Mises",
+                                 has_mcewen ? "        McEwen" : "");
+  text += fmt::format("{:>12}{:>12}{:>14}{:>14}{:>14}{:>14}{:>14}{}\n", length, length, stress,
+                      stress, stress, stress, stress, has_mcewen ? "     max shear" : "");
+  for (const Point& point : points) {
+    const elasticity::Stress& s = point.stress;
+    text += fmt::format("{:>12.6g}{:>12.6g}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}", point.x,
+                        point.z, s.xx, s.zz, s.xz, s.max_shear(), s.von_mises(poisson));
+    if (point.mcewen) text += fmt::format("{:>14.6g}", point.mcewen->max_shear());
+    text += '\n';
+  }
+  return text;
+}
+
+ExitCode run(const Options& options) {
+  std::optional<parameters::Case> from_file;
+  if (!options.contact.case_file().empty()) {
+    from_file = parameters::read_case(options.contact.case_file());
+  }
+  const parameters::UnitSystem units = options.output.units(from_file);
+  std::vector<Point> points = points_of(options);
+  const ContactInput input = options.contact.read(from_file);
+  const bool is_second = options.body == "2";
+  compute(points, input, solve(input), is_second);
+  const double poisson = (is_second ? input.material2 : input.material1).poisson();
+  for (const Point& point : points) {
+    finite_result(fmt::format("stress at x = {}, z = {}", point.x, point.z),
+                  point.stress.von_mises(poisson));
+  }
+  switch (options.output.format()) {
+    case OutputFormat::csv:
+      fmt::print("{}", stress_csv(points, poisson));
+      break;
+    case OutputFormat::json:
+      fmt::print("{}", stress_json(points, poisson));
+      break;
+    case OutputFormat::table:
+      fmt::print("{}", stress_text(points, poisson, units));
+      break;
+  }
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_stress_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "stress", "Stresses inside one of two bodies pressed together", exit_code,
+              [](CLI::App& command) {
+                auto options = std::make_shared<Options>(command);
+                return [options] { return run(*options); };
+              });
+}
+
+}  // namespace app

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/approach_control.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "contact/nested_grids.hpp"
+#include "numerics/require.hpp"
+
+namespace contact {
+namespace {
+
+// Finds the load P with δ(P) = approach, from two guesses of ln P against ln(δ − h_min).
+class LoadSearch {
+ public:
+  LoadSearch(double approach, double least_gap, double first_guess)
+      : target_(std::log(approach - least_gap)),
+        least_gap_(least_gap),
+        log_load_(std::log(first_guess)) {}
+
+  double load() const { return std::exp(log_load_); }
+
+  // Takes δ at load() and moves on; returns by how much, relative.
+  double improve(double approach) {
+    const double value = std::log(approach - least_gap_);
+    if (has_previous_ && log_load_ != previous_log_load_ && value != previous_value_) {
+      slope_ = (value - previous_value_) / (log_load_ - previous_log_load_);
+    }
+    previous_value_ = value;
+    previous_log_load_ = log_load_;
+    has_previous_ = true;
+    const double change = (target_ - value) / slope_;
+    log_load_ += change;
+    return std::abs(change);
+  }
+
+ private:
+  double target_, least_gap_, log_load_;
+  bool has_previous_ = false;
+  double previous_value_ = 0;
+  double previous_log_load_ = 0;
+  double slope_ = 1;  // δ ≈ P·(a logarithm)
+};
+
+constexpr int max_solves = 60;
+
+Problem on_both_sides(Problem problem, Eigen::Index n_nodes) {
+  const Grid& grid = problem.grid;
+  problem.grid = grid_of_width(grid.end() - grid.begin(), n_nodes, grid.centre);
+  return problem;
+}
+
+// δ on a coarse grid, whose ends the contact may reach while the load is only a guess.
+double coarse_approach(const Problem& problem, double line_load, double datum) {
+  constexpr double tolerance = 1e-8;
+  NestedSolution nested = solve_on_nested_grids(problem, line_load, tolerance);
+  return to_solution(problem, line_load, element_loads(problem, std::move(nested))).approach(datum);
+}
+
+}  // namespace
+
+Solution solve_for_approach(const Problem& problem, double approach, double datum,
+                            const Method& method) {
+  require_valid(problem);
+  const double least_gap =
+      problem.grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); }).minCoeff();
+  if (!(std::isfinite(approach) && approach > least_gap)) {
+    throw numerics::InvalidQuantity(
+        "approach", approach, fmt::format("greater than the least gap {}: no contact", least_gap));
+  }
+  LoadSearch search(approach, least_gap,
+                    std::numbers::pi / 8 * problem.contact_modulus * (approach - least_gap));
+  const Problem coarse = on_both_sides(problem, std::min<Eigen::Index>(problem.grid.n_nodes, 512));
+  constexpr double settled_on_coarse = 1e-6;
+  for (int i = 0; i < max_solves; ++i) {
+    if (search.improve(coarse_approach(coarse, search.load(), datum)) < settled_on_coarse) break;
+  }
+
+  constexpr double settled = 1e-12;
+  constexpr int enough = 8;  // then only the method's own tolerance moves it
+  Solution solution = method(problem, search.load());
+  for (int i = 0; i < enough && search.improve(solution.approach(datum)) > settled; ++i) {
+    solution = method(problem, search.load());
+  }
+  return solution;
+}
+
+}  // namespace contact

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/dense_system.hpp"
+
+#include <fmt/core.h>
+
+#include <limits>
+#include <numbers>
+
+#include "numerics/require.hpp"
+
+namespace contact {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+DenseSystem::DenseSystem(const Problem& problem, double line_load)
+    : is_one_sided_(problem.grid.is_one_sided) {
+  require_valid(problem);
+  numerics::require_positive("load", line_load);
+  const Grid& grid = problem.grid;
+  if (grid.n_nodes > max_dense_nodes) {
+    const auto n = static_cast<double>(grid.n_nodes);
+    throw numerics::InvalidQuantity(
+        "nodes", n,
+        fmt::format("from {} to {} for a dense method (its matrix would take {:.3g} GB); fft takes "
+                    "more",
+                    min_nodes, max_dense_nodes, 8e-9 * n * n));
+  }
+  influence_ = VectorXd::NullaryExpr(is_one_sided_ ? 2 * grid.n_nodes : grid.n_nodes, [&](Index k) {
+    return influence_coefficient(problem.element, static_cast<double>(k));
+  });
+  initial_gap_ = grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); });
+  weights_ = VectorXd::NullaryExpr(grid.n_nodes, [&](Index i) { return grid.weight(i); });
+  total_ = 2 * line_load / (std::numbers::pi * problem.contact_modulus);
+}
+
+double DenseSystem::rounding_of_gap() const {
+  constexpr double roundings = 64;
+  const double magnitude =
+      total_ * influence_.cwiseAbs().maxCoeff() + initial_gap_.cwiseAbs().maxCoeff();
+  return roundings * std::numeric_limits<double>::epsilon() * magnitude;
+}
+
+}  // namespace contact

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/free_ends.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "contact/nested_grids.hpp"
+#include "numerics/require.hpp"
+
+namespace contact {
+namespace {
+
+// A domain about the same centre in which the contact has free ends; none if the profile ends
+// first.
+std::optional<double> domain_needed(const Problem& problem, double line_load) {
+  constexpr Eigen::Index few = 128;
+  constexpr double tolerance = 1e-3;
+  constexpr int max_doublings = 60;
+  const double centre = problem.grid.centre;
+  const double largest =
+      2 * std::min(centre - problem.profile.begin(), problem.profile.end() - centre);
+  double width = problem.grid.end() - problem.grid.begin();
+  for (int doubling = 0; doubling < max_doublings && width < largest; ++doubling) {
+    width = std::min(2 * width, largest);
+    Problem wider = problem;
+    wider.grid = grid_of_width(width, few, centre);
+    const NestedSolution found = solve_on_nested_grids(wider, line_load, tolerance);
+    const std::vector<Region> regions = regions_in_contact(wider.grid, found.phi);
+    const double reach =
+        std::max(centre - regions.front().begin, regions.back().end - centre) / width;
+    constexpr double margin = 1.1;
+    if (margin * reach < 0.5) return 2 * margin * reach * width;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void require_free_ends(const Problem& problem, const Eigen::VectorXd& pressure, double line_load) {
+  const Grid& grid = problem.grid;
+  const bool at_begin = !grid.is_one_sided && pressure[0] > 0;
+  if (!at_begin && !(pressure[grid.n_nodes - 1] > 0)) return;
+
+  Problem both_sides = problem;
+  both_sides.grid.is_one_sided = false;
+  if (grid.is_one_sided) both_sides.grid = grid_of_width(grid.end() - grid.begin(), grid.n_nodes);
+  const std::optional<double> needed = domain_needed(both_sides, line_load);
+  if (!needed) {
+    throw numerics::InvalidQuantity(
+        "load", line_load,
+        fmt::format("less, for a profile that is given from x = {} to {} only",
+                    problem.profile.begin(), problem.profile.end()));
+  }
+  // The end nodes lie half a spacing inside the domain, and must be free.
+  const auto n = static_cast<double>(grid.is_one_sided ? 2 * grid.n_nodes - 1 : grid.n_nodes);
+  const double width = *needed * n / (n - 2);
+  const double end = at_begin ? grid.begin() : grid.end();
+  throw numerics::InvalidQuantity(
+      "domain", grid.end() - grid.begin(),
+      fmt::format("at least {:.3g}, or contact reaches its end at x = {}", width, end));
+}
+
+}  // namespace contact

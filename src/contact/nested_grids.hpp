@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "contact/problem.hpp"
+#include "contact/solution.hpp"
+
+namespace contact {
+
+/// How far a solve has come.
+struct Progress {
+  Eigen::Index n_nodes;  ///< of the grid being solved
+  int revisions;         ///< of its contact so far
+  int iterations;
+};
+using ProgressReport = std::function<void(const Progress&)>;
+
+/// Element loads φ = 2c p/(πE*) on a grid, a length each, and the gap they leave.
+struct NestedSolution {
+  Grid grid;
+  Eigen::VectorXd phi;
+  Eigen::VectorXd gap;  ///< u_z1 + u_z2 + h − δ; its mean in contact is 0
+  double error = 0;     ///< of φ, relative to the greatest
+  Work work;
+};
+
+/// Σφ for the load P: 2P/(πE*), a length.
+double total_phi(const Problem& problem, double line_load);
+
+/// Solves on a sequence of grids, each with twice the nodes of the one before, whose pressure it
+/// starts from. The contact may reach the ends of the grid, whose centre it must have two sides of.
+/// Throws ContactError if rounding keeps the tolerance (relative to the peak) out of reach.
+NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, double tolerance,
+                                     const ProgressReport& report = {});
+
+/// The same with δ, found at the node that carries most.
+ElementLoads element_loads(const Problem& problem, NestedSolution nested);
+
+}  // namespace contact

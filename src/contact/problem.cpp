@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/problem.hpp"
+
+#include <fmt/core.h>
+
+#include "numerics/require.hpp"
+
+namespace contact {
+
+void require_valid(const Problem& problem) {
+  numerics::require_positive("contact_modulus", problem.contact_modulus);
+  const Grid& grid = problem.grid;
+  const Profile& profile = problem.profile;
+  if (grid.is_one_sided && !profile.is_symmetric()) {
+    throw numerics::InvalidQuantity("one-sided grid's end", grid.end(),
+                                    "only for a symmetric profile");
+  }
+  const double last = grid.x(grid.n_nodes - 1);
+  const double first = grid.is_one_sided ? -last : grid.x(0);
+  if (first < profile.begin() || last > profile.end()) {
+    throw numerics::InvalidQuantity(
+        "domain", grid.end() - grid.begin(),
+        fmt::format("within the profile's points, from {} to {}", profile.begin(), profile.end()));
+  }
+}
+
+}  // namespace contact

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/element.hpp"
+#include "contact/grid.hpp"
+#include "contact/profile.hpp"
+
+namespace contact {
+
+/// Two bodies to be pressed together, and the elements to find their pressure with. What remains
+/// to be said is how hard: by the load, or by the approach.
+struct Problem {
+  Profile profile;
+  double contact_modulus;  ///< E*, a stress
+  Grid grid;
+  Element element = Element::triangular;
+};
+
+/// Throws InvalidQuantity unless E* > 0, the grid lies within a measured profile, and the profile
+/// of a one-sided grid is symmetric.
+void require_valid(const Problem& problem);
+
+}  // namespace contact

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/projected_cg.hpp"
+
+#include <fmt/core.h>
+
+#include <limits>
+
+#include "contact/contact_error.hpp"
+
+namespace contact {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+ProjectedCg::ProjectedCg(InfluenceOperator& influence, const VectorXd& rises)
+    : influence_(influence), rises_(rises) {}
+
+// The gap by adding up its differences, against its mean in contact.
+void ProjectedCg::update_gap(const VectorXd& phi) {
+  influence_.rises(phi, product_);
+  ++work_.products;
+  const Index n = phi.size();
+  gap_.resize(n);
+  gap_[0] = 0;
+  for (Index i = 0; i + 1 < n; ++i) gap_[i + 1] = gap_[i] + (rises_[i] - product_[i]);
+  gap_.array() -= gap_.dot(contact_) / contact_.sum();
+}
+
+// correction = preconditioned residual with Σ = 0; the residual changes by a constant, as δ is
+// free.
+void ProjectedCg::project(VectorXd& residual) {
+  influence_.precondition(residual, correction_);
+  correction_.array() *= contact_.array();
+  const double shift = correction_.sum() / uniform_answer_.sum();
+  correction_ -= shift * uniform_answer_;
+  residual -= shift * contact_;
+}
+
+// begin excerpt: projected-cg
+void ProjectedCg::improve(VectorXd& phi, double largest_error) {
+  direction_ = correction_;
+  double product = residual_.dot(correction_);
+  constexpr int max_steps = 200;
+  for (int step = 0; step < max_steps && correction_.lpNorm<Eigen::Infinity>() > largest_error;
+       ++step) {
+    influence_.potentials(direction_, product_);
+    product_.array() *= -contact_.array();
+    const double length = product / direction_.dot(product_);
+    phi += length * direction_;
+    residual_ -= length * product_;
+    project(residual_);
+    const double next = residual_.dot(correction_);
+    direction_ = correction_ + next / product * direction_;
+    product = next;
+    ++work_.iterations;
+    ++work_.products;
+  }
+}
+
+void ProjectedCg::solve(VectorXd& phi, const ContactMask& in_contact, double tolerance) {
+  contact_ = in_contact.cast<double>();
+  influence_.precondition(contact_, uniform_answer_);
+  uniform_answer_.array() *= contact_.array();
+  double previous = std::numeric_limits<double>::infinity();
+  for (int fruitless = 0;;) {
+    update_gap(phi);
+    residual_ = -gap_.cwiseProduct(contact_);
+    project(residual_);
+    const double largest = correction_.lpNorm<Eigen::Infinity>();
+    error_ = largest / phi.maxCoeff();
+    if (error_ <= tolerance) return;
+    constexpr int patience = 3;
+    if (error_ > previous / 2 && ++fruitless > patience) {
+      throw ContactError(
+          fmt::format("tolerance {} is below rounding: the pressure settles at {:.1e} of its peak",
+                      tolerance, error_));
+    }
+    previous = error_;
+    constexpr double digits_at_a_time = 1e-7;  // rounding leaves these at any n
+    improve(phi, std::max(digits_at_a_time * largest, tolerance / 2 * phi.maxCoeff()));
+  }
+}
+// end excerpt: projected-cg
+
+}  // namespace contact

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/variational.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "contact/contact_error.hpp"
+#include "contact/dense_system.hpp"
+#include "contact/free_ends.hpp"
+
+namespace contact {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd compliance_of(const DenseSystem& system) {
+  return MatrixXd::NullaryExpr(system.size(), system.size(),
+                               [&](Index i, Index j) { return -system.coefficient(i, j); });
+}
+
+// Mean over the nodes in contact, each as often as it has images.
+double mean_in_contact(const VectorXd& values, const ArrayXd& weight_in_contact) {
+  return (weight_in_contact * values.array()).sum() / weight_in_contact.sum();
+}
+
+struct Minimum {
+  VectorXd phi;
+  VectorXd gap;
+  double approach;
+  int products;
+};
+
+// begin excerpt: variational
+// Steps along conjugate directions on the nodes that carry; a node that would be in tension is set
+// to zero, one without pressure that penetrates begins to carry, and the load is made P again.
+Minimum minimise(const DenseSystem& system, double smallest_gap, int max_products) {
+  const MatrixXd compliance = compliance_of(system);
+  VectorXd phi = VectorXd::Constant(system.size(), system.total() / system.weights().sum());
+  VectorXd direction = VectorXd::Zero(system.size());
+  double previous = 1;
+  bool is_conjugate = false;
+  for (int products = 1; products < max_products; products += 2) {
+    VectorXd gap = compliance * phi + system.initial_gap();
+    const ArrayXd carrying = (phi.array() > 0).select(system.weights().array(), 0);
+    const double approach = mean_in_contact(gap, carrying);
+    gap.array() -= approach;
+
+    const double misfit = (carrying > 0).select(gap.array().abs(), -gap.array()).maxCoeff();
+    if (misfit <= smallest_gap) return {std::move(phi), std::move(gap), approach, products};
+
+    const double square = (carrying * gap.array().square()).sum();
+    const double factor = is_conjugate ? square / previous : 0;
+    direction = (carrying > 0).select(gap + factor * direction, 0);
+    previous = square;
+    VectorXd change = compliance * direction;
+    change.array() -= mean_in_contact(change, carrying);
+    const ArrayXd weighted = carrying * direction.array();
+    const double step = weighted.matrix().dot(gap) / weighted.matrix().dot(change);
+    phi = (phi - step * direction).cwiseMax(0);
+
+    is_conjugate = true;
+    for (Index i = 0; i < phi.size(); ++i) {
+      if (phi[i] > 0 || gap[i] >= 0) continue;
+      phi[i] = -step * gap[i];
+      is_conjugate = false;
+    }
+    phi *= system.total() / system.weights().dot(phi);
+  }
+  throw ContactError(
+      fmt::format("the variational method did not reach its minimum in {} products", max_products));
+}
+// end excerpt: variational
+
+}  // namespace
+
+Solution solve_by_variational_method(const Problem& problem, double line_load) {
+  const DenseSystem system(problem, line_load);
+  const int max_products = 1000 + static_cast<int>(400 * std::sqrt(system.size()));
+  Minimum minimum = minimise(system, system.rounding_of_gap(), max_products);
+  require_free_ends(problem, minimum.phi, line_load);
+
+  double misfit = 0;
+  for (Index i = 0; i < system.size(); ++i) {
+    if (minimum.phi[i] > 0) misfit = std::max(misfit, std::abs(minimum.gap[i]));
+  }
+  const double error = misfit / minimum.phi.maxCoeff();
+  return to_solution(problem, line_load,
+                     {std::move(minimum.phi), std::move(minimum.gap), minimum.approach, error,
+                      Work{.iterations = minimum.products / 2, .products = minimum.products}});
+}
+
+double energy(const Problem& problem, const Solution& solution) {
+  const DenseSystem system(problem, solution.line_load());
+  const ArrayXd phi = solution.pressure / solution.pressure_per_phi;
+  const ArrayXd weighted = phi * system.weights().array();
+  const ArrayXd displacement = (compliance_of(system) * phi.matrix()).array();
+  // p = φ πE*/(2c), elements c wide: E* π/2 times the sum over nodes
+  return std::numbers::pi / 2 *
+         (weighted * (displacement / 2 + system.initial_gap().array())).sum();
+}
+
+}  // namespace contact

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "contact/element.hpp"
+#include "contact/graded_contact.hpp"
+#include "elasticity/concentrated_load.hpp"
+#include "elasticity/uniform_load.hpp"
+#include "figures/element_kinds.hpp"
+#include "figures/pressure_convergence.hpp"
+#include "paper/convergence.hpp"
+#include "paper/element_quality.hpp"
+#include "paper/sections.hpp"
+
+namespace paper {
+namespace {
+
+using contact::Element;
+using contact::Hertz;
+using literate::Column;
+using literate::Value;
+
+// An element of load 1 at x = 0 and its influence: the displacement −T and its gradient −T′.
+figures::ElementKinds element_figure() {
+  const elasticity::Material unit(2 / std::acos(-1.0), 0);  // K = load: 2/(πE) = 1
+  constexpr double end = 2.5;
+  constexpr int n = 500;
+  constexpr double infinite = std::numeric_limits<double>::quiet_NaN();
+  const elasticity::ConcentratedLoad force(1);
+  const elasticity::UniformLoad uniform(1, 0.5);
+  const elasticity::TriangularLoad triangle(1, 1);
+  figures::ElementKinds figure;
+  for (int i = 0; i <= n; ++i) {
+    const double x = end * (2.0 * i / n - 1);
+    const bool at_force = i == n / 2;
+    figure.x.push_back(x);
+    figure.point_displacement.push_back(
+        at_force ? infinite : elasticity::normal_displacement(unit, force, x, 1));
+    figure.uniform_displacement.push_back(-contact::influence_coefficient(Element::uniform, x));
+    figure.triangular_displacement.push_back(
+        -contact::influence_coefficient(Element::triangular, x));
+    const bool at_end = i == 2 * n / 5 || i == 3 * n / 5;  // |x| = 1/2
+    figure.point_gradient.push_back(at_force ? infinite
+                                             : elasticity::normal_gradient(unit, force, x));
+    figure.uniform_gradient.push_back(at_end ? infinite
+                                             : elasticity::normal_gradient(unit, uniform, x));
+    figure.triangular_gradient.push_back(elasticity::normal_gradient(unit, triangle, x));
+  }
+  return figure;
+}
+
+// What each kind of element says between and beneath the nodes of the same contact.
+void register_quality(literate::Document& document, const parameters::ContactCase& c,
+                      const Hertz& hertz) {
+  constexpr long n_nodes = 89;  // a/c = 40.45
+  literate::Table table({Column::text("elements"), Column::text("displacement"),
+                         Column::text("gradient"), Column::scientific("slope", "", 2),
+                         Column::scientific("shear stress", "", 2)});
+  std::vector<ElementQuality> quality;
+  for (const Element element : {Element::point, Element::uniform, Element::triangular}) {
+    const contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
+    quality.push_back(quality_of(c, hertz, solution));
+    table.add_row({std::string(contact::name_of(element)),
+                   element == Element::point ? "infinite" : "finite",
+                   element == Element::triangular ? "finite" : "infinite", quality.back().slope,
+                   quality.back().shear});
+  }
+  const double spacing =
+      contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes).spacing;
+  document.value("elements.count", Value::fixed(hertz.half_width() / spacing, 1));
+  document.table("element-quality", std::move(table));
+  document.value("elements.slope-gain", Value::significant(quality[1].slope / quality[2].slope, 2));
+  document.value("elements.shear-gain", Value::significant(quality[1].shear / quality[2].shear, 2));
+  document.check(
+      "triangles-gain-in-slopes-and-stresses",
+      10 * quality[2].slope < quality[1].slope && 10 * quality[2].shear < quality[1].shear &&
+          10 * quality[1].slope < quality[0].slope && 10 * quality[1].shear < quality[0].shear,
+      "slopes and stresses near the surface are best with triangles, worst with forces");
+}
+
+using Errors = std::vector<double> ConvergenceStudy::*;
+
+struct Quantity {
+  const char* name;
+  const char* expected_text;
+  double expected;
+  Errors errors;
+};
+
+const std::array<Quantity, 6> quantities = {{
+    {"pressure, largest error", "$\\tfrac12$", 0.5, &ConvergenceStudy::largest},
+    {"pressure, inside", "2", 2, &ConvergenceStudy::inside},
+    {"peak", "2", 2, &ConvergenceStudy::peak},
+    {"half-width by count", "1", 1, &ConvergenceStudy::count},
+    {"half-width extrapolated", "1", 1, &ConvergenceStudy::extrapolated},
+    {"half-width by second moment", "2", 2, &ConvergenceStudy::moment},
+}};
+
+void register_orders(literate::Document& document, const ConvergenceStudy& triangular,
+                     const ConvergenceStudy& uniform) {
+  literate::Table table({Column::text("error of"), Column::text("expected"),
+                         Column::fixed("triangles: $r$", "", 2), Column::fixed("$C$", "", 2),
+                         Column::fixed("uniform: $r$", "", 2), Column::fixed("$C$", "", 2)});
+  double worst = 0;
+  for (const Quantity& quantity : quantities) {
+    const Power first = fitted_power(triangular.elements, triangular.*quantity.errors);
+    const Power second = fitted_power(uniform.elements, uniform.*quantity.errors);
+    for (const Power& power : {first, second}) {
+      worst = std::max(worst, std::abs(power.order - quantity.expected));
+    }
+    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text), first.order,
+                   first.factor, second.order, second.factor});
+  }
+  document.table("element-orders", std::move(table));
+  constexpr double scatter = 0.25;
+  document.check("orders-of-convergence", worst < scatter,
+                 "all errors of contact converge with the expected orders");
+  const Power inside = fitted_power(triangular.elements, triangular.inside);
+  const Power uniform_inside = fitted_power(uniform.elements, uniform.inside);
+  document.check(
+      "triangles-gain-nothing-in-the-pressure",
+      inside.factor < 4 * uniform_inside.factor && uniform_inside.factor < 4 * inside.factor,
+      "inside the contact triangles and uniform elements have errors of the same size");
+  const auto n = static_cast<long>(triangular.elements.size());
+  document.value("elements.n-grids", Value::integer(n));
+  document.value("elements.coarsest", Value::fixed(triangular.elements.front(), 0));
+  document.value("elements.finest", Value::fixed(triangular.elements.back(), 0));
+}
+
+struct Graded {
+  std::vector<double> elements, largest, half_width, peak;
+};
+
+Graded register_graded(literate::Document& document, const parameters::ContactCase& c,
+                       const Hertz& hertz) {
+  const double a = hertz.half_width();
+  literate::Table table(
+      {Column::integer("elements over $a$"), Column::integer("steps of the edges"),
+       Column::scientific("largest error of $p$", "", 2), Column::scientific("peak", "", 2),
+       Column::scientific("half-width", "", 2)});
+  Graded graded;
+  for (const long n : {12L, 25L, 50L, 100L}) {
+    const contact::GradedSolution s = contact::solve_on_graded_grid(
+        c.cylinders.profile(), c.cylinders.contact_modulus(), c.line_load, n, {-1.3 * a, 1.3 * a});
+    double largest = 0;
+    for (Eigen::Index i = 0; i < s.x.size(); ++i) {
+      const double error = s.pressure[i] - hertz.pressure(s.x[i]);
+      largest = std::max(largest, std::abs(error) / hertz.peak_pressure());
+    }
+    graded.elements.push_back(static_cast<double>(n));
+    graded.largest.push_back(largest);
+    graded.half_width.push_back(std::abs(s.half_width() / a - 1));
+    graded.peak.push_back(std::abs(s.peak_pressure() / hertz.peak_pressure() - 1));
+    table.add_row({n, s.n_iterations, largest, graded.peak.back(), graded.half_width.back()});
+  }
+  document.table("graded", std::move(table));
+  document.value("graded.order",
+                 Value::fixed(fitted_power(graded.elements, graded.largest).order, 1));
+  document.value("graded.width-order",
+                 Value::fixed(fitted_power(graded.elements, graded.half_width).order, 1));
+  document.check("graded-grid-removes-the-edge-error",
+                 graded.largest.back() <= 1e-4 && graded.half_width.back() <= 1e-6 &&
+                     graded.peak.back() <= 1e-6,
+                 "100 graded elements: pressure to 1e-4 of the peak, half-width and peak to 1e-6");
+  return graded;
+}
+
+}  // namespace
+
+void compute_elements(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::ContactCase& c = from_file.contact;
+  const Hertz hertz(c.cylinders, c.line_load);
+  document.figure("element-kinds", 14, 6.6, [figure = element_figure()](literate::Plot& plot) {
+    figures::draw_element_kinds(plot, figure);
+  });
+  register_quality(document, c, hertz);
+  const ConvergenceStudy triangular = convergence_study(c, hertz, Element::triangular);
+  const ConvergenceStudy uniform = convergence_study(c, hertz, Element::uniform);
+  register_orders(document, triangular, uniform);
+  const Graded graded = register_graded(document, c, hertz);
+  const figures::PressureConvergence figure{
+      triangular.elements, triangular.inside, triangular.largest, uniform.inside,
+      uniform.largest,     graded.elements,   graded.largest};
+  document.figure("pressure-convergence", 14, 7.6, [figure](literate::Plot& plot) {
+    figures::draw_pressure_convergence(plot, figure);
+  });
+}
+
+}  // namespace paper

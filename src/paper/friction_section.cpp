@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/friction.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "contact/cattaneo_mindlin.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "elasticity/surface_quadrature.hpp"
+#include "figures/partial_slip.hpp"
+#include "paper/convergence.hpp"
+#include "paper/sections.hpp"
+
+namespace paper {
+namespace {
+
+using contact::CattaneoMindlin;
+using contact::Hertz;
+using contact::Solution;
+using elasticity::Material;
+using literate::Column;
+using literate::Value;
+
+constexpr double friction_coefficient = 0.3;  // dry metals, and a round number
+constexpr double light_friction = 0.1;        // greased ones
+
+// Two bodies with the case's radii, pressed to the case's half-width; their pressure and slopes.
+struct Pair {
+  contact::CylinderPair cylinders;
+  Hertz hertz;
+  contact::Problem problem;
+  Solution solution;
+  double beta;
+};
+
+Pair pair_of(const parameters::ContactCase& c, const Material& first, const Material& second) {
+  const contact::CylinderPair cylinders(first, c.body1.radius, second, c.body2.radius);
+  const double load = c.line_load * cylinders.contact_modulus() / c.cylinders.contact_modulus();
+  const Hertz hertz(cylinders, load);
+  const contact::Problem problem{cylinders.profile(), cylinders.contact_modulus(),
+                                 contact::grid_around(hertz.half_width(), c.n_nodes)};
+  return {cylinders, hertz, problem, contact::solve_by_matrix_inversion(problem, load),
+          elasticity::dundurs_beta(first, second)};
+}
+
+contact::Slopes sliding_slopes(const Pair& pair, double mu) {
+  return contact::surface_slopes(pair.problem, pair.solution,
+                                 contact::sliding(pair.solution, mu).shear, pair.beta);
+}
+
+// The slope at the edge of contact, a/R, from the elements' half-width.
+double edge_slope(const Pair& pair) {
+  return pair.solution.half_width() * pair.cylinders.relative_curvature();
+}
+
+// The largest slope of the shear over the largest of the pressure.
+double slope_ratio(const Pair& pair, double mu) {
+  return sliding_slopes(pair, mu).of_shear.cwiseAbs().maxCoeff() / edge_slope(pair);
+}
+
+// Sliding with the pressure that feels the shear: eqs. (1a) and (2) with q = μp on body 1, −μp on
+// body 2. On −a ≤ t ≤ a, t = x − shift,
+//   p = (E*/(2R)) cos πγ (a+t)^{1/2+γ} (a−t)^{1/2−γ},   tan πγ = −βμ.
+struct CoupledSliding {
+  double gamma;
+  double half_width;  ///< a, from P = πE*a²(1−4γ²)/(4R)
+  double shift;       ///< 2γa, of the middle of the contact
+  double factor;
+
+  CoupledSliding(const Hertz& hertz, const contact::CylinderPair& cylinders, double beta_mu)
+      : gamma(-std::atan(beta_mu) / std::numbers::pi),
+        half_width(hertz.half_width() / std::sqrt(1 - 4 * gamma * gamma)),
+        shift(2 * gamma * half_width),
+        factor(cylinders.contact_modulus() * cylinders.relative_curvature() / 2 *
+               std::cos(std::numbers::pi * gamma)) {}
+
+  double pressure(double x) const {
+    const double t = std::clamp(x - shift, -half_width, half_width);
+    return factor * std::pow(half_width + t, 0.5 + gamma) * std::pow(half_width - t, 0.5 - gamma);
+  }
+};
+
+// Puts it into eq. (2) for both bodies: the largest departure of the slopes from −x/R over a/R.
+double departure(const CoupledSliding& exact, const Material& first, const Material& second,
+                 double curvature) {
+  const auto loaded = [&](const Material& material, double mu) {
+    return elasticity::SurfaceQuadrature(
+        material,
+        elasticity::distributed_load(
+            [=](double x) { return exact.pressure(x); },
+            [=](double x) { return mu * exact.pressure(x); },
+            {exact.shift - exact.half_width, exact.shift, exact.shift + exact.half_width}),
+        10 * exact.half_width);
+  };
+  const auto body1 = loaded(first, friction_coefficient);
+  const auto body2 = loaded(second, -friction_coefficient);
+  double largest = 0;
+  for (const double xi : {-0.93, -0.61, -0.2, 0.0, 0.37, 0.72, 0.95}) {
+    const double x = exact.shift + xi * exact.half_width;
+    const double slope = body1.normal_gradient(x).value + body2.normal_gradient(x).value;
+    largest = std::max(largest, std::abs(slope + curvature * x));
+  }
+  return largest / (curvature * exact.half_width);
+}
+
+// Materials on steel, by ratios and so in any unit: round values as engineering handbooks print
+// them. The softer body is the first, and β > 0.
+struct Mating {
+  const char* name;
+  double young_ratio;
+  int place;  ///< of the ratio's last digit
+  double poisson;
+};
+constexpr double steel_poisson = 0.29;
+constexpr Mating matings[] = {
+    {"steel on steel", 1, -2, steel_poisson}, {"brass on steel", 0.52, -2, 0.34},
+    {"aluminium on steel", 0.34, -2, 0.33},   {"glass on steel", 0.34, -2, 0.22},
+    {"nylon on steel", 0.014, -3, 0.40},      {"rubber on steel", 0.0001, -4, 0.499}};
+
+// How far a pair's measured ratio of slopes is from |β|μ.
+double departure_from_beta_mu(const Pair& pair) {
+  return std::abs(slope_ratio(pair, friction_coefficient) -
+                  std::abs(pair.beta) * friction_coefficient);
+}
+
+void compare_pairs(literate::Document& document, const parameters::ContactCase& c,
+                   const Pair& own) {
+  literate::Table table({Column::text("bodies"), Column::fixed("$E_1/E_2$", "", 2),
+                         Column::fixed("$\\nu_1$", "", 3), Column::fixed("$\\nu_2$", "", 3),
+                         Column::fixed("$\\beta$", "", 3),
+                         Column::fixed(fmt::format("$\\mu = {}$", light_friction), "", 2),
+                         Column::fixed(fmt::format("$\\mu = {}$", friction_coefficient), "", 2),
+                         Column::fixed("shift", "", 2), Column::fixed("widening", "", 3)});
+  double departure_of_ratio = 0;
+  double departure_of_exact = 0;
+  const auto add = [&](const char* name, const Pair& pair, literate::Cell young_ratio,
+                       const Material& first, const Material& second) {
+    const CoupledSliding exact(pair.hertz, pair.cylinders, pair.beta * friction_coefficient);
+    table.add_row({name, young_ratio, first.poisson(), second.poisson(), pair.beta,
+                   100 * slope_ratio(pair, light_friction),
+                   100 * slope_ratio(pair, friction_coefficient),
+                   100 * std::abs(exact.shift) / pair.hertz.half_width(),
+                   100 * (exact.half_width / pair.hertz.half_width() - 1)});
+    departure_of_ratio = std::max(departure_of_ratio, departure_from_beta_mu(pair));
+    departure_of_exact = std::max(
+        departure_of_exact, departure(exact, first, second, pair.cylinders.relative_curvature()));
+  };
+  const Material& body1 = c.body1.material;
+  const Material& body2 = c.body2.material;
+  add("this case", own, literate::Cell::to_place(body1.young() / body2.young(), -2), body1, body2);
+  for (const Mating& mating : matings) {
+    const Material steel(body1.young(), steel_poisson);
+    const Material other(mating.young_ratio * steel.young(), mating.poisson);
+    add(mating.name, pair_of(c, other, steel),
+        literate::Cell::to_place(mating.young_ratio, mating.place), other, steel);
+  }
+  document.table("friction-pairs", table);
+  document.value("friction.ratio-error", Value::scientific_bound(departure_of_ratio, 1));
+  // Half-width and peak, from which the ratio is taken, are of second order in c/a.
+  const double square = std::pow(own.solution.grid.spacing / own.hertz.half_width(), 2);
+  document.check("friction-ratio-is-beta-mu", departure_of_ratio < friction_coefficient * square,
+                 "the largest slope of the shear over that of the pressure is beta mu");
+  document.check("sliding-exact", departure_of_exact < 1e-12,
+                 "the pressure that feels the shear satisfies eqs. (1a) and (2)");
+}
+
+// What the shear does to each body's slope, and to their sum, at the middle of the contact.
+void compare_bodies(literate::Document& document, const parameters::ContactCase& c,
+                    const Pair& own) {
+  const contact::Friction sliding = contact::sliding(own.solution, friction_coefficient);
+  const double peak = sliding.shear.maxCoeff() / edge_slope(own);
+  const double slope1 = c.body1.material.local_compliance() * peak;
+  const double slope2 = c.body2.material.local_compliance() * peak;
+  const Eigen::VectorXd of_shear = sliding_slopes(own, friction_coefficient).of_shear;
+  Eigen::Index middle = 0;
+  own.solution.pressure.maxCoeff(&middle);
+  const double sum = of_shear[middle] / edge_slope(own);
+  document.value("friction.body1", Value::percent(slope1, 2));
+  document.value("friction.body2", Value::percent(slope2, 2));
+  document.flag("friction.like", own.beta == 0);
+  document.value("friction.lost", Value::percent(std::abs(slope1 - slope2), 2));
+  document.check("slopes-of-two-bodies",
+                 std::abs(sum - (slope1 - slope2)) <= 1e-14 * std::max(slope1, slope2) &&
+                     (c.body1.material.young() != c.body2.material.young() ||
+                      c.body1.material.poisson() != c.body2.material.poisson() || sum == 0),
+                 "the shear's slopes of the two bodies are subtracted; alike, they cancel");
+}
+
+// One load on one grid, against the closed form.
+struct SlipErrors {
+  double stick;    ///< half-width of the strip that sticks, relative
+  double largest;  ///< of q, over μp₀
+  double mean;
+  double from_edge;  ///< of the largest, to the nearest edge of contact or strip, in spacings
+};
+
+// The half-width of what is taken away, p − q/μ, as Solution::half_width does it.
+double stick_half_width(const Solution& solution, const contact::Friction& friction, double mu) {
+  Solution sticking = solution;
+  sticking.pressure = solution.pressure - friction.shear / mu;
+  return sticking.half_width();
+}
+
+struct Slip {
+  CattaneoMindlin exact;
+  contact::Friction friction;
+  double stick;
+  SlipErrors errors;
+};
+
+Slip partial_slip(const Pair& pair, double share) {
+  const double mu = friction_coefficient;
+  const double load = share * mu * pair.solution.line_load();
+  Slip slip{CattaneoMindlin(pair.hertz, mu, load),
+            contact::partial_slip(pair.problem, pair.solution, mu, load,
+                                  contact::solve_by_matrix_inversion),
+            0,
+            {}};
+  slip.stick = stick_half_width(pair.solution, slip.friction, mu);
+  slip.errors.stick = slip.stick / slip.exact.stick_half_width() - 1;
+  const double c = pair.solution.grid.spacing;
+  for (Eigen::Index i = 0; i < pair.solution.grid.n_nodes; ++i) {
+    const double x = pair.solution.grid.x(i);
+    const double error = std::abs(slip.friction.shear[i] - slip.exact.traction(x)) /
+                         (mu * pair.hertz.peak_pressure());
+    slip.errors.mean += error * c / (2 * pair.hertz.half_width());
+    if (error <= slip.errors.largest) continue;
+    slip.errors.largest = error;
+    slip.errors.from_edge = std::min(std::abs(std::abs(x) - pair.hertz.half_width()),
+                                     std::abs(std::abs(x) - slip.exact.stick_half_width())) /
+                            c;
+  }
+  return slip;
+}
+
+figures::SlipCurve curve_of(const Pair& pair, const Slip& slip, double share) {
+  const double a = pair.hertz.half_width();
+  const double scale = friction_coefficient * pair.hertz.peak_pressure();
+  figures::SlipCurve curve{share, slip.exact.stick_half_width() / a, {}, {}, {}, {}};
+  for (Eigen::Index i = 0; i < pair.solution.grid.n_nodes; ++i) {
+    if (pair.solution.pressure[i] == 0) continue;
+    curve.node_x.push_back(pair.solution.grid.x(i) / a);
+    curve.node.push_back(slip.friction.shear[i] / scale);
+  }
+  // Both sides of the strip even in their angles: the traction is steep at either end of each.
+  constexpr int n = 120;
+  const auto add = [&](double begin, double end) {
+    for (int i = 0; i <= n; ++i) {
+      const double x = (begin + end - (end - begin) * std::cos(std::numbers::pi * i / n)) / 2;
+      curve.x.push_back(x);
+      curve.shear.push_back(slip.exact.traction(x * a) / scale);
+    }
+  };
+  add(-1, -curve.stick);
+  add(-curve.stick, curve.stick);
+  add(curve.stick, 1);
+  return curve;
+}
+
+constexpr double shares[] = {0.3, 0.6, 0.9};
+
+literate::Table slip_table(const std::vector<Slip>& slips, double half_width) {
+  literate::Table table({Column::fixed("$Q/(\\mu P)$", "", 1), Column::fixed("elements", "", 5),
+                         Column::fixed("closed form", "", 5),
+                         Column::scientific("relative difference", "", 2),
+                         Column::scientific("largest", "", 2), Column::scientific("mean", "", 2)});
+  for (std::size_t k = 0; k < slips.size(); ++k) {
+    table.add_row({shares[k], slips[k].stick / half_width,
+                   slips[k].exact.stick_half_width() / half_width, slips[k].errors.stick,
+                   slips[k].errors.largest, slips[k].errors.mean});
+  }
+  return table;
+}
+
+// The errors of the middle one of the loads over grids on which the edges fall anywhere.
+void fit_slip_orders(literate::Document& document, parameters::ContactCase c) {
+  std::vector<double> elements, largest, mean;
+  double root_factor = 0;
+  for (double n = 21; n < 190; n *= 1.08) {
+    c.n_nodes = std::lround(n);
+    const Pair pair = pair_of(c, c.body1.material, c.body2.material);
+    const SlipErrors errors = partial_slip(pair, shares[1]).errors;
+    elements.push_back(pair.hertz.half_width() / pair.solution.grid.spacing);
+    largest.push_back(errors.largest);
+    mean.push_back(errors.mean);
+    root_factor = std::max(root_factor, errors.largest * std::sqrt(elements.back()));
+  }
+  const double largest_order = fitted_power(elements, largest).order;
+  const double mean_order = fitted_power(elements, mean).order;
+  document.value("slip.fit.share", Value::exact(shares[1]));
+  document.value("slip.fit.least", Value::fixed(elements.front(), 0));
+  document.value("slip.fit.most", Value::fixed(elements.back(), 0));
+  document.value("slip.fit.largest", Value::fixed(largest_order, 1));
+  document.value("slip.fit.mean", Value::fixed(mean_order, 1));
+  document.check("slip-orders",
+                 std::abs(largest_order - 0.5) < 0.25 && std::abs(mean_order - 1.5) < 0.3 &&
+                     root_factor < 0.25,
+                 "the shear's largest error is of order 1/2, its mean error of order 3/2");
+}
+
+void compare_partial_slip(literate::Document& document, const parameters::ContactCase& c,
+                          const Pair& own) {
+  figures::PartialSlip figure;
+  std::vector<Slip> slips;
+  double worst_stick = 0;
+  double from_edge = 0;
+  for (std::size_t k = 0; k < std::size(shares); ++k) {
+    slips.push_back(partial_slip(own, shares[k]));
+    figure.curves[k] = curve_of(own, slips[k], shares[k]);
+    const double strip = own.solution.grid.spacing / slips[k].exact.stick_half_width();
+    from_edge = std::max(from_edge, slips[k].errors.from_edge);
+    worst_stick = std::max(worst_stick, std::abs(slips[k].errors.stick) / (strip * strip));
+  }
+  const double a = own.hertz.half_width();
+  figure.sliding_x = figure.curves.back().x;
+  for (const double x : figure.sliding_x) {
+    figure.sliding.push_back(own.hertz.pressure(x * a) / own.hertz.peak_pressure());
+  }
+  document.table("partial-slip", slip_table(slips, a));
+  document.figure("partial-slip", 13.5, 7,
+                  [figure](literate::Plot& plot) { figures::draw_partial_slip(plot, figure); });
+  // As for the half-width of the contact itself (0.36 (c/a)²), with the strip for the contact.
+  document.check("strip-that-sticks", worst_stick < 0.7,
+                 "the strip that sticks is that of Cattaneo and Mindlin to second order");
+  document.check("slip-errors-at-edges", from_edge < 2,
+                 "the shear's largest error is within two elements of an edge of slip");
+  fit_slip_orders(document, c);
+}
+
+}  // namespace
+
+void compute_friction(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::ContactCase& c = from_file.contact;
+  const Pair own = pair_of(c, c.body1.material, c.body2.material);
+  document.value("friction.mu", Value::exact(friction_coefficient));
+  compare_bodies(document, c, own);
+  compare_pairs(document, c, own);
+  compare_partial_slip(document, c, own);
+}
+
+}  // namespace paper

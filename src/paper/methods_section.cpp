@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact/fft_solver.hpp"
+#include "contact/hertz.hpp"
+#include "contact/influence_operator.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "contact/variational.hpp"
+#include "paper/convergence.hpp"
+#include "paper/sections.hpp"
+
+namespace paper {
+namespace {
+
+using contact::Hertz;
+using contact::Problem;
+using contact::Solution;
+using Eigen::Index;
+using Eigen::VectorXd;
+using literate::Cell;
+using literate::Column;
+using literate::Value;
+using parameters::ContactCase;
+
+// The same discrete contact by three methods.
+void register_methods(literate::Document& document, const ContactCase& c, const Hertz& hertz) {
+  constexpr Index n_nodes = 181;
+  const Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
+                        contact::grid_around(hertz.half_width(), n_nodes)};
+  const Solution inversion = contact::solve_by_matrix_inversion(problem, c.line_load);
+  const Solution least = contact::solve_by_variational_method(problem, c.line_load);
+  const Solution fast = contact::solve_by_fft(problem, c.line_load);
+
+  literate::Table table({Column::text("method"), Column::text("its unit of work"),
+                         Column::integer("contacts tried"), Column::integer("units"),
+                         Column::scientific("largest $\\Delta p/p_0$", "", 1)});
+  double pressure = 0;
+  double approach = 0;
+  const auto difference = [&](const Solution& other) {
+    const double largest = (other.pressure - inversion.pressure).lpNorm<Eigen::Infinity>();
+    pressure = std::max(pressure, largest / hertz.peak_pressure());
+    approach =
+        std::max(approach, std::abs(other.approach(c.datum) / inversion.approach(c.datum) - 1));
+    return largest / hertz.peak_pressure();
+  };
+  table.add_row({"matrix inversion", Cell::latex("linear solve, $n^3$"), inversion.work.solves,
+                 inversion.work.solves, Cell()});
+  table.add_row({"variational", Cell::latex("dense product, $N^2$"), Cell(), least.work.products,
+                 difference(least)});
+  table.add_row({"matrix-free", Cell::latex("product by FFT, $N \\log N$"), fast.work.solves,
+                 fast.work.products, difference(fast)});
+  document.table("three-methods", std::move(table));
+  document.value("methods.nodes", Value::integer(n_nodes));
+  document.value("methods.in-contact", Value::integer(inversion.n_in_contact()));
+  document.value("methods.approach", Value::scientific_bound(approach, 1));
+  document.check("three-methods-agree", pressure < 1e-9 && approach < 1e-12,
+                 "three methods give the same pressures and the same approach");
+}
+
+// What the rounding of displacements would do to the pressure, over its peak: the gap from them,
+// less the gap from their differences, as a pressure with an unchanged load.
+double rounding_of_displacements(const Problem& problem, const Solution& solution) {
+  const VectorXd in_contact = (solution.pressure.array() > 0).cast<double>().matrix();
+  const VectorXd phi = solution.pressure / solution.pressure_per_phi;
+  contact::InfluenceOperator influence(problem.element, phi.size());
+  VectorXd misfit, change, uniform_answer;
+  influence.potentials(phi, misfit);
+  for (Index i = 0; i < phi.size(); ++i) {
+    misfit[i] = problem.profile.gap(problem.grid.x(i)) - misfit[i] - solution.gap[i];
+  }
+  misfit.array() -= misfit.dot(in_contact) / in_contact.sum();
+  influence.precondition(misfit.cwiseProduct(in_contact), change);
+  influence.precondition(in_contact, uniform_answer);
+  change -= change.dot(in_contact) / uniform_answer.dot(in_contact) * uniform_answer;
+  return change.cwiseProduct(in_contact).lpNorm<Eigen::Infinity>() / phi.maxCoeff();
+}
+
+void register_large_grids(literate::Document& document, const ContactCase& c, const Hertz& hertz) {
+  literate::Table table({Column::integer("$N$"), Column::integer("tried"),
+                         Column::integer("iterations"), Column::integer("products"),
+                         Column::scientific("$p$, inside", "", 2),
+                         Column::scientific("peak", "", 2), Column::scientific("half-width", "", 2),
+                         Column::scientific("$u_z$ rounded", "", 1)});
+  std::vector<double> n, inside, rounding;
+  std::vector<int> products;
+  double left_over = 0;
+  for (const int power : {7, 10, 13, 16}) {
+    const Index n_nodes = Index{1} << power;
+    const Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
+                          contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes)};
+    const Solution solution = contact::solve_by_fft(problem, c.line_load);
+    const HertzErrors errors = errors_against(hertz, solution);
+    n.push_back(static_cast<double>(n_nodes));
+    inside.push_back(errors.inside);
+    rounding.push_back(rounding_of_displacements(problem, solution));
+    products.push_back(solution.work.products);
+    left_over = solution.residuals.pressure / hertz.peak_pressure();
+    table.add_row({n_nodes, solution.work.solves, solution.work.iterations, products.back(),
+                   errors.inside, std::abs(errors.peak), std::abs(errors.half_width_moment),
+                   rounding.back()});
+  }
+  const auto [least, most] = std::minmax_element(products.begin() + 1, products.end());
+  document.table("large-grids", std::move(table));
+  document.value("large.width", Value::exact(cylinder_domain));
+  document.value("large.growth", Value::integer(std::lround(n.back() / n.front())));
+  document.value("large.products.coarsest", Value::integer(products.front()));
+  document.value("large.products.least", Value::integer(*least));
+  document.value("large.products.most", Value::integer(*most));
+  document.value("large.order", Value::fixed(fitted_power(n, inside).order, 1));
+  document.value("large.rounding", Value::scientific(rounding.back(), 1));
+  document.value("large.left-over", Value::scientific_bound(left_over, 1));
+  document.value("large.tolerance", Value::scientific_bound(contact::default_tolerance, 1));
+  document.check("work-does-not-grow", products.back() <= products.front() && *most <= 30,
+                 "products on the finest grid do not grow with the number of nodes");
+  document.check("large-grids-converge",
+                 std::abs(fitted_power(n, inside).order - 2) < 0.35 && inside.back() < 1e-9,
+                 "the interior error falls to second order down to 1e-9 of the peak");
+  document.check("differences-keep-the-digits",
+                 rounding.back() > 5 * left_over && rounding.back() > 50 * rounding.front(),
+                 "displacements round the pressure off, in proportion to N; differences do not");
+}
+
+}  // namespace
+
+void compute_methods(literate::Document& document, const parameters::Case& from_file) {
+  const ContactCase& c = from_file.contact;
+  const Hertz hertz(c.cylinders, c.line_load);
+  register_methods(document, c, hertz);
+  register_large_grids(document, c, hertz);
+}
+
+}  // namespace paper

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "contact/fft_solver.hpp"
+#include "contact/hertz.hpp"
+#include "contact/power_law.hpp"
+#include "contact/rounded_punch.hpp"
+#include "contact/wedge.hpp"
+#include "figures/profile_pressures.hpp"
+#include "paper/convergence.hpp"
+#include "paper/sections.hpp"
+
+namespace paper {
+namespace {
+
+using contact::Grid;
+using contact::Hertz;
+using contact::Profile;
+using contact::Solution;
+using Eigen::Index;
+using literate::Cell;
+using literate::Column;
+using literate::Value;
+using parameters::ContactCase;
+
+// A profile that has a closed form, scaled to have the half-width of the cylinders.
+struct KnownContact {
+  std::string name;  // LaTeX
+  Profile profile;
+  std::function<double(double)> pressure;
+  double half_width;
+  double peak;      // infinite for the wedge
+  double singular;  // the |x| where the pressure or its slope is infinite; none: infinite
+};
+
+constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double flat_share = 0.7;  // of the contact under the rounded punch
+
+double punch_curvature(const ContactCase& c, double a) {
+  const double b = flat_share * a;
+  const double angle = std::acos(flat_share);
+  return 2 * c.line_load /
+         (c.cylinders.contact_modulus() * (a * a * angle - b * std::sqrt(a * a - b * b)));
+}
+
+std::vector<KnownContact> known_contacts(const ContactCase& c, const Hertz& hertz) {
+  const double a = hertz.half_width();
+  const double load = c.line_load;
+  const double modulus = c.cylinders.contact_modulus();
+  std::vector<KnownContact> contacts;
+  const auto add = [&](std::string name, Profile profile, const auto& solution, double peak,
+                       double singular) {
+    contacts.push_back({std::move(name), std::move(profile),
+                        [solution](double x) { return solution.pressure(x); },
+                        solution.half_width(), peak, singular});
+  };
+  add("cylinders", c.cylinders.profile(), hertz, hertz.peak_pressure(), none);
+  const double slope = load / (modulus * a);
+  add("wedge", Profile::wedge(slope), contact::Wedge(modulus, slope, load), none, 0);
+  const double curvature = punch_curvature(c, a);
+  const contact::RoundedPunch punch(modulus, flat_share * a, curvature, load);
+  add("rounded punch", Profile::rounded_punch(flat_share * a, curvature), punch,
+      punch.peak_pressure(), flat_share * a);
+  double c_n = 0.5;  // (2n−1)!!/(2n)!! at n = 1
+  for (const int n : {2, 3}) {
+    c_n *= (2.0 * n - 1) / (2 * n);
+    const double coefficient = load / (std::numbers::pi * modulus * n * c_n * std::pow(a, 2 * n));
+    const contact::PowerLaw law(modulus, coefficient, n, load);
+    add(fmt::format("power law, $n = {}$", n), Profile::power_law(coefficient, n), law,
+        law.peak_pressure(), none);
+  }
+  return contacts;
+}
+
+// How far the elements are from a closed form; pressures over p₀ of the cylinders.
+struct ProfileErrors {
+  double elements;  // a/c
+  double inside;    // root mean square over |x| ≤ 0.9 a
+  double away;      // the same, farther than a/10 from where the pressure is singular
+  double beside;    // at the node beside x = 0
+  double peak;      // relative
+  double edge;      // of the half-width, over c
+};
+
+ProfileErrors errors_of(const KnownContact& known, const Solution& solution, double scale) {
+  const double a = known.half_width;
+  const Grid& grid = solution.grid;
+  std::array<double, 2> squares{};
+  std::array<int, 2> counts{};
+  for (Index i = 0; i < grid.n_nodes; ++i) {
+    const double x = std::abs(grid.x(i));
+    const double exact = known.pressure(x);
+    if (x > 0.9 * a || !std::isfinite(exact)) continue;
+    const double error = (solution.pressure[i] - exact) / scale;
+    const bool is_away = std::abs(x - known.singular) > a / 10;
+    for (std::size_t k = 0; k < (is_away ? 2U : 1U); ++k) {
+      squares[k] += error * error;
+      ++counts[k];
+    }
+  }
+  const contact::Region region = solution.regions().front();
+  const Index beside = grid.n_nodes / 2 + 1;  // n is odd
+  return {a / grid.spacing,
+          std::sqrt(squares[0] / counts[0]),
+          std::sqrt(squares[1] / counts[1]),
+          std::abs(solution.pressure[beside] - known.pressure(grid.x(beside))) / scale,
+          solution.peak_pressure() / known.peak - 1,
+          ((region.end - region.begin) / 2 - a) / grid.spacing};
+}
+
+figures::ProfilePressures::Panel panel_of(const KnownContact& known, const Solution& solution,
+                                          double a, double scale) {
+  figures::ProfilePressures::Panel panel;
+  panel.title = known.name;
+  const Index middle = solution.grid.n_nodes / 2;
+  constexpr Index stride = 4;
+  for (Index i = middle + 1; i < solution.grid.n_nodes; i += stride) {
+    panel.x.push_back(solution.grid.x(i) / a);
+    panel.pressure.push_back(solution.pressure[i] / scale);
+  }
+  constexpr int n = 400;
+  for (int i = 0; i <= n; ++i) {
+    const double angle = std::numbers::pi / 2 * i / n;
+    const double x = std::sin(angle);
+    const double pressure = known.pressure(x * known.half_width) / scale;
+    panel.exact_x.push_back(x);
+    panel.exact.push_back(std::isfinite(pressure) ? pressure
+                                                  : std::numeric_limits<double>::quiet_NaN());
+    panel.hertz.push_back(std::cos(angle));
+  }
+  return panel;
+}
+
+// One profile on four grids.
+struct ProfileStudy {
+  std::vector<double> elements, inside, away, beside, edge;
+  ProfileErrors printed{};  // on the grid of the table and the figure
+  Index n_in_contact = 0;
+  figures::ProfilePressures::Panel panel;
+};
+
+ProfileStudy study_of(const KnownContact& known, const ContactCase& c, const Hertz& hertz) {
+  constexpr Index printed =
+      177;  // all four have the edge of the contact at the same c/20 of a node
+  const double scale = hertz.peak_pressure();
+  ProfileStudy study;
+  for (const Index n_nodes : {Index{89}, printed, Index{353}, Index{705}}) {
+    const Solution solution = contact::solve_by_fft(
+        {known.profile, c.cylinders.contact_modulus(),
+         contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes)},
+        c.line_load);
+    const ProfileErrors errors = errors_of(known, solution, scale);
+    study.elements.push_back(errors.elements);
+    study.inside.push_back(errors.inside);
+    study.away.push_back(errors.away);
+    study.beside.push_back(errors.beside);
+    study.edge.push_back(std::abs(errors.edge));
+    if (n_nodes != printed) continue;
+    study.printed = errors;
+    study.n_in_contact = solution.n_in_contact();
+    study.panel = panel_of(known, solution, hertz.half_width(), scale);
+  }
+  return study;
+}
+
+void check_orders(literate::Document& document, const std::vector<ProfileStudy>& studies) {
+  // A pressure that is infinite like ln|x| is wrong by as much at a few nodes on every grid, one
+  // whose slope is by c: root mean squares of orders 1/2 and 3/2.
+  constexpr std::array<double, 5> expected = {2, 0.5, 1.5, 2, 2};
+  constexpr double scatter = 0.35;
+  bool as_expected = true;
+  bool second_order_away = true;
+  bool edges_found = true;
+  for (std::size_t k = 0; k < studies.size(); ++k) {
+    const ProfileStudy& study = studies[k];
+    const double order = fitted_power(study.elements, study.inside).order;
+    as_expected = as_expected && std::abs(order - expected[k]) < scatter;
+    const double away = fitted_power(study.elements, study.away).order;
+    second_order_away = second_order_away && std::abs(away - 2) < scatter;
+    edges_found = edges_found && std::ranges::max(study.edge) < 0.25;
+  }
+  const auto [least, most] = std::ranges::minmax_element(studies[1].beside);
+  document.check("profiles-converge", as_expected, "each profile converges with its own order");
+  document.check("singularities-stay-local", second_order_away,
+                 "a tenth of a from a singularity the error is of second order");
+  document.check("edges-within-a-quarter-spacing", edges_found,
+                 "the edge of every contact is found to a quarter of the spacing");
+  document.check("wedge-apex-error-stays", *most < 1.02 * *least,
+                 "beside the wedge's apex the error is the same on all grids");
+}
+
+void register_profiles(literate::Document& document, const ContactCase& c, const Hertz& hertz,
+                       const parameters::UnitSystem& units) {
+  literate::Table table({Column::text("profile"), Column::fixed("peak$/p_0$", "", 4),
+                         Column::scientific("peak", "", 1), Column::scientific("half-width", "", 1),
+                         Column::scientific("$p$, inside", "", 1), Column::fixed("order", "", 1),
+                         Column::scientific("$p$, away", "", 1), Column::fixed("order", "", 1)});
+  const double p0 = hertz.peak_pressure();
+  const double a = hertz.half_width();
+  figures::ProfilePressures figure;
+  std::vector<ProfileStudy> studies;
+  bool same_half_width = true;
+  for (const KnownContact& known : known_contacts(c, hertz)) {
+    same_half_width = same_half_width && std::abs(known.half_width / a - 1) < 1e-12;
+    studies.push_back(study_of(known, c, hertz));
+    const ProfileStudy& study = studies.back();
+    const ProfileErrors& e = study.printed;
+    if (studies.size() > 1) figure.panels.push_back(study.panel);
+    const bool is_finite = std::isfinite(known.peak);
+    const bool is_smooth = known.singular == none;
+    table.add_row({Cell::latex(known.name), is_finite ? Cell(known.peak / p0) : Cell("∞"),
+                   is_finite ? Cell(std::abs(e.peak)) : Cell(), std::abs(e.edge) / e.elements,
+                   e.inside, fitted_power(study.elements, study.inside).order,
+                   is_smooth ? Cell() : Cell(e.away),
+                   is_smooth ? Cell() : Cell(fitted_power(study.elements, study.away).order)});
+  }
+  document.table("profiles", std::move(table));
+  document.figure("profile-pressures", 14, 9, [figure](literate::Plot& plot) {
+    figures::draw_profile_pressures(plot, figure);
+  });
+  document.value("profiles.elements", Value::fixed(studies[0].printed.elements, 1));
+  document.value("profiles.in-contact", Value::integer(studies[0].n_in_contact));
+  document.value("profiles.slope",
+                 Value::significant(c.line_load / (c.cylinders.contact_modulus() * a), 3));
+  document.value("profiles.flat", Value::fixed(flat_share, 1));
+  document.value("profiles.edge-radius",
+                 Value::significant(1 / punch_curvature(c, a), 3, units.length));
+  document.value("profiles.coarsest", Value::fixed(studies[0].elements.front(), 0));
+  document.value("profiles.finest", Value::fixed(studies[0].elements.back(), 0));
+  document.value("profiles.apex-error", Value::percent(studies[1].beside.back(), 0));
+  document.check("profiles-share-their-half-width", same_half_width,
+                 "the closed forms have the half-width of the cylinders");
+  check_orders(document, studies);
+}
+
+}  // namespace
+
+void compute_profiles(literate::Document& document, const parameters::Case& from_file) {
+  const ContactCase& c = from_file.contact;
+  register_profiles(document, c, Hertz(c.cylinders, c.line_load), from_file.units);
+}
+
+}  // namespace paper

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "contact/approach_control.hpp"
+#include "contact/fft_solver.hpp"
+#include "contact/hertz.hpp"
+#include "figures/several_regions.hpp"
+#include "paper/sections.hpp"
+
+namespace paper {
+namespace {
+
+using contact::Hertz;
+using contact::Problem;
+using contact::Profile;
+using contact::Solution;
+using Eigen::Index;
+using literate::Cell;
+using literate::Column;
+using literate::Value;
+using parameters::ContactCase;
+
+// The cylinders with waves on them: h = x²/(2R) + Δ[1 − cos(2πx/λ)], given by points.
+struct WavyCylinders {
+  double length;               // λ
+  double amplitude;            // Δ
+  double flattening_pressure;  // p* = πE*Δ/λ, which presses endless waves flat (Johnson 13.2)
+  Problem problem;
+};
+
+constexpr double waves_in_half_width = 3;
+constexpr double flattening_share = 0.8;  // p*/p₀
+constexpr int n_points = 2001;
+
+WavyCylinders wavy_cylinders(const ContactCase& c, const Hertz& hertz) {
+  const double a = hertz.half_width();
+  const double modulus = c.cylinders.contact_modulus();
+  const double length = a / waves_in_half_width;
+  const double flattening = flattening_share * hertz.peak_pressure();
+  const double amplitude = flattening * length / (std::numbers::pi * modulus);
+  const Profile smooth = c.cylinders.profile();
+  std::vector<double> x, gap;
+  for (int i = 0; i < n_points; ++i) {
+    x.push_back(2 * a * (2.0 * i / (n_points - 1) - 1));
+    const double rise = std::pow(std::sin(std::numbers::pi * x.back() / length), 2);
+    gap.push_back(smooth.gap(x.back()) + 2 * amplitude * rise);
+  }
+  constexpr Index n_nodes = 600;
+  return {length,
+          amplitude,
+          flattening,
+          {Profile::tabulated(x, gap), modulus, contact::grid_of_width(3 * a, n_nodes)}};
+}
+
+// Valleys lie midway between crests; one is closed if a region of contact spans it.
+int closed_valleys(const WavyCylinders& wavy, const Solution& solution) {
+  int n = 0;
+  for (int k = -10; k < 10; ++k) {
+    const double x = (k + 0.5) * wavy.length;
+    n += std::ranges::any_of(solution.regions(), [x](const contact::Region& region) {
+      return region.begin < x && x < region.end;
+    });
+  }
+  return n;
+}
+
+// Those where the pressure of smooth cylinders is above p*.
+int valleys_expected_closed(const WavyCylinders& wavy, const Hertz& smooth) {
+  int n = 0;
+  for (int k = -10; k < 10; ++k) {
+    n += smooth.pressure((k + 0.5) * wavy.length) > wavy.flattening_pressure;
+  }
+  return n;
+}
+
+figures::SeveralRegions::Panel panel_of(const std::string& title, const Solution& solution,
+                                        const Hertz& smooth, const Hertz& hertz) {
+  figures::SeveralRegions::Panel panel{title, {}, {}, {}};
+  for (Index i = 0; i < solution.grid.n_nodes; ++i) {
+    const double x = solution.grid.x(i);
+    panel.x.push_back(x / hertz.half_width());
+    panel.pressure.push_back(solution.pressure[i] / hertz.peak_pressure());
+    panel.smooth.push_back(smooth.pressure(x) / hertz.peak_pressure());
+  }
+  return panel;
+}
+
+struct Loading {
+  std::string name;
+  double share;  // of P
+  bool is_drawn;
+};
+
+const std::array<Loading, 7> loadings = {{{"$P/64$", 1. / 64, false},
+                                          {"$P/16$", 1. / 16, false},
+                                          {"$P/4$", 1. / 4, true},
+                                          {"$P/2$", 1. / 2, true},
+                                          {"$3P/4$", 3. / 4, false},
+                                          {"$P$", 1, true},
+                                          {"$3P/2$", 3. / 2, false}}};
+
+void register_regions(literate::Document& document, const ContactCase& c, const Hertz& hertz,
+                      const WavyCylinders& wavy) {
+  literate::Table table({Column::text("load"), Column::integer("regions"),
+                         Column::integer("valleys closed"), Column::integer("expected"),
+                         Column::fixed("outermost edge$/a$", "", 2),
+                         Column::fixed("share in contact", "", 2)});
+  figures::SeveralRegions figure;
+  std::vector<std::size_t> counts;
+  bool as_expected = true;
+  for (const Loading& loading : loadings) {
+    const double load = loading.share * c.line_load;
+    const Solution solution = contact::solve_by_fft(wavy.problem, load);
+    const Hertz smooth(c.cylinders, load);
+    const std::vector<contact::Region> regions = solution.regions();
+    double touching = 0;
+    for (const contact::Region& region : regions) touching += region.end - region.begin;
+    const double extent = regions.back().end - regions.front().begin;
+    const int closed = closed_valleys(wavy, solution);
+    const int expected = valleys_expected_closed(wavy, smooth);
+    counts.push_back(regions.size());
+    as_expected = as_expected && closed == expected;
+    table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
+                   regions.back().end / hertz.half_width(), touching / extent});
+    if (loading.is_drawn) {
+      figure.panels.push_back(panel_of(loading.name, solution, smooth, hertz));
+    }
+  }
+  document.table("several-regions", std::move(table));
+  document.figure("several-regions", 14, 8.6,
+                  [figure](literate::Plot& plot) { figures::draw_several_regions(plot, figure); });
+  const std::size_t most = std::ranges::max(counts);
+  document.value("wavy.most-regions", Value::integer(static_cast<long>(most)));
+  document.check("regions-form-and-join", counts.front() == 1 && most == 5 && counts.back() < most,
+                 "regions appear, and join, as the load grows");
+  document.check("valleys-close-at-p-star", as_expected,
+                 "the valleys in contact are those where the smooth pressure is above p*");
+}
+
+// Load → approach → load.
+void register_round_trip(literate::Document& document, const ContactCase& c,
+                         const WavyCylinders& wavy, const parameters::UnitSystem& units) {
+  const auto method = [](const Problem& problem, double load) {
+    constexpr double tolerance = 1e-12;
+    return contact::solve_by_fft(problem, load, tolerance);
+  };
+  const Solution solution = method(wavy.problem, c.line_load / 2);
+  const double approach = solution.approach(c.datum);
+  const Solution again = contact::solve_for_approach(wavy.problem, approach, c.datum, method);
+  const double difference = std::abs(again.line_load() / solution.line_load() - 1);
+  document.value("wavy.approach", Value::significant(approach, 4, units.length));
+  document.value("wavy.round-trip", Value::scientific_bound(difference, 1));
+  document.check("approach-gives-the-load-back",
+                 difference < 1e-11 && again.n_in_contact() == solution.n_in_contact(),
+                 "the approach that a load makes gives the same load back");
+}
+
+}  // namespace
+
+void compute_regions(literate::Document& document, const parameters::Case& from_file) {
+  const ContactCase& c = from_file.contact;
+  const Hertz hertz(c.cylinders, c.line_load);
+  const WavyCylinders wavy = wavy_cylinders(c, hertz);
+  document.value("wavy.amplitude", Value::significant(wavy.amplitude, 3, from_file.units.length));
+  document.value("wavy.length", Value::significant(wavy.length, 3, from_file.units.length));
+  document.value("wavy.waves", Value::exact(waves_in_half_width));
+  document.value("wavy.flattening-share", Value::fixed(flattening_share, 1));
+  document.value("wavy.points", Value::integer(n_points));
+  register_regions(document, c, hertz, wavy);
+  register_round_trip(document, c, wavy, from_file.units);
+}
+
+}  // namespace paper

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "contact/friction.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "contact/mcewen.hpp"
+#include "contact/traction.hpp"
+#include "figures/shear_beneath.hpp"
+#include "paper/convergence.hpp"
+#include "paper/sections.hpp"
+
+namespace paper {
+namespace {
+
+using contact::Hertz;
+using contact::McEwen;
+using contact::Solution;
+using elasticity::PiecewiseLinearTraction;
+using literate::Column;
+using literate::Value;
+
+Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
+  return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
+                                             contact::grid_around(hertz.half_width(), n_nodes)},
+                                            c.line_load);
+}
+
+struct Point {
+  double x;
+  double z;
+  double shear;
+};
+
+// The edge's kinks, which only elements have, show above this depth (over a).
+constexpr double least_depth = 0.1;
+constexpr double greatest_friction = 0.3;  // of the table and the figure
+
+// The greatest τ₁ in |x| ≤ 1.2a, z from least_depth: the best point of a grid, then of finer and
+// finer ones around it, until the shear no longer tells them apart.
+template <typename Body>
+Point greatest_shear(const Body& body, double a) {
+  Point best{0, 0.8 * a, 0};
+  double half_x = 1.2 * a;
+  double half_z = 0.8 * a;
+  constexpr int n = 10;  // steps on either side
+  for (int round = 0; round < 11; ++round) {
+    const Point centre = best;
+    for (int i = -n; i <= n; ++i) {
+      for (int k = -n; k <= n; ++k) {
+        const double x = centre.x + half_x * i / n;
+        const double z = std::max(centre.z + half_z * k / n, least_depth * a);
+        const double shear = body.stress(x, z).max_shear();
+        if (shear > best.shear) best = {x, z, shear};
+      }
+    }
+    half_x /= 4;
+    half_z /= 4;
+  }
+  return best;
+}
+
+// Beneath cylinders that slide, p by Hertz and q = μp: with w = x + iz,
+//   F(w) = ∫ p/(w−s) ds = π(p₀/a)[w − √(w²−a²)],  G = μF,  z > 0,
+// in the formulas of elasticity/interior_stress.hpp (derived; McEwen's form for μ = 0).
+struct SlidingHertz {
+  const Hertz& hertz;
+  double friction;
+
+  elasticity::Stress stress(double x, double z) const {
+    const double a = hertz.half_width();
+    const double p = hertz.peak_pressure();
+    const std::complex<double> w(x, z);
+    const std::complex<double> root = std::sqrt(w - a) * std::sqrt(w + a);
+    const std::complex<double> f = p / a * (w - root);
+    const std::complex<double> zf = z * p / a * (1.0 - w / root);
+    const double mu = friction;
+    return {f.imag() + zf.real() - 2 * mu * f.real() + mu * zf.imag(),
+            f.imag() - zf.real() - mu * zf.imag(), -zf.imag() + mu * (f.imag() + zf.real())};
+  }
+};
+
+// The friction at which the surface, where τ₁ = μp₀, overtakes the greatest shear beneath.
+double friction_at_surface(const Hertz& hertz) {
+  double low = 0.2;
+  double high = 0.6;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = (low + high) / 2;
+    const Point beneath = greatest_shear(SlidingHertz{hertz, middle}, hertz.half_width());
+    (beneath.shear > middle * hertz.peak_pressure() ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+literate::Table depth_table(literate::Document& document, const PiecewiseLinearTraction& traction,
+                            const Hertz& hertz, double depth_of_greatest) {
+  literate::Table table({Column::fixed("$z/a$", "", 5), Column::fixed("McEwen", "", 7),
+                         Column::fixed("elements", "", 7), Column::scientific("difference", "", 1),
+                         Column::scientific("largest at this depth", "", 1)});
+  const McEwen mcewen(hertz);
+  const double a = hertz.half_width();
+  const double p0 = hertz.peak_pressure();
+  const auto difference = [&](double x, double z) {
+    return (traction.stress(x, z).max_shear() - mcewen.stress(x, z).max_shear()) / p0;
+  };
+  double near = 0;
+  double at_greatest = 0;
+  for (const double depth : {0.01, 0.05, 0.25, depth_of_greatest, 2.0, 5.0, 20.0}) {
+    double largest = 0;
+    for (int i = -300; i <= 300; ++i) {
+      largest = std::max(largest, std::abs(difference(0.005 * i * a, depth * a)));
+    }
+    near = std::max(near, largest);
+    const bool is_greatest = depth == depth_of_greatest;
+    if (is_greatest) at_greatest = largest;
+    table.add_row({is_greatest ? literate::Cell(depth) : literate::Cell::to_place(depth, -2),
+                   mcewen.stress(0, depth * a).max_shear() / p0,
+                   traction.stress(0, depth * a).max_shear() / p0, difference(0, depth * a),
+                   largest});
+  }
+  document.value("stresses.decay", Value::significant(near / at_greatest, 1));
+  document.check("stresses-decay", near > 10 * at_greatest,
+                 "the largest difference falls by more than ten down to the greatest shear");
+  return table;
+}
+
+// Far below only the load and, next to it, the second moment of the pressure are felt:
+// τ₁ = (P/πz)(1 − 3⟨x²⟩/z²), and ⟨x²⟩ = a²/4.
+void compare_deep(literate::Document& document, const PiecewiseLinearTraction& traction,
+                  const Solution& solution, const Hertz& hertz) {
+  constexpr double depth = 20;
+  const double a = hertz.half_width();
+  const double relative =
+      traction.stress(0, depth * a).max_shear() / McEwen(hertz).stress(0, depth * a).max_shear() -
+      1;
+  const double width_error = solution.half_width() / a - 1;
+  const double expected = -1.5 * width_error / (depth * depth);
+  const double square = std::pow(solution.grid.spacing / a, 2);
+  document.value("stresses.deep", Value::exact(depth));
+  document.value("stresses.deep.difference", Value::scientific(relative, 2));
+  document.value("stresses.deep.expected", Value::scientific(expected, 2));
+  document.check("stresses-deep",
+                 std::abs(relative - expected) < square / std::pow(depth, 4) + 1e-12,
+                 "far below, the stresses differ as the second moments of the pressures do");
+}
+
+void compare_greatest(literate::Document& document, const PiecewiseLinearTraction& traction,
+                      const contact::GreatestShear& exact, const Solution& solution,
+                      const Hertz& hertz) {
+  const double a = hertz.half_width();
+  const Point found = greatest_shear(traction, a);
+  const double shear_error = std::abs(found.shear / exact.shear - 1);
+  const double depth_error = std::abs(found.z - exact.depth.value) / a;
+  document.value("stresses.shear", Value::fixed(exact.shear / hertz.peak_pressure(), 7));
+  document.value("stresses.depth",
+                 Value::estimate({exact.depth.value / a, exact.depth.abs_error / a}));
+  document.value("stresses.shear-error", Value::scientific_bound(shear_error, 1));
+  document.value("stresses.depth-error", Value::scientific_bound(depth_error, 1));
+  const double square = std::pow(solution.grid.spacing / a, 2);
+  document.check("greatest-shear-beneath",
+                 shear_error < 0.25 * square && depth_error < 0.06 * square + 1e-6 &&
+                     std::abs(found.x) < 1e-5 * a,
+                 "the elements find McEwen's greatest shear on the axis, to second order");
+}
+
+void fit_order(literate::Document& document, const parameters::ContactCase& c, const Hertz& hertz) {
+  const McEwen mcewen(hertz);
+  const auto exact = mcewen.greatest_shear();
+  std::vector<double> elements, errors;
+  for (double n = 21; n < 200; n *= 1.06) {
+    const Solution solution = solve(c, hertz, std::lround(n));
+    const double shear =
+        contact::traction_on(solution, {}).stress(0, exact.depth.value).max_shear();
+    elements.push_back(hertz.half_width() / solution.grid.spacing);
+    errors.push_back(std::abs(shear / exact.shear - 1));
+  }
+  const double order = fitted_power(elements, errors).order;
+  document.value("stresses.fit.least", Value::fixed(elements.front(), 0));
+  document.value("stresses.fit.most", Value::fixed(elements.back(), 0));
+  document.value("stresses.fit.order", Value::fixed(order, 1));
+  document.check("stresses-order-two", order > 1.6 && order < 2.5,
+                 "inside the body the stresses converge with order two");
+}
+
+void compare_sliding(literate::Document& document, const Solution& solution, const Hertz& hertz) {
+  const double a = hertz.half_width();
+  const double p0 = hertz.peak_pressure();
+  const double square = std::pow(solution.grid.spacing / a, 2);
+  literate::Table table({Column::fixed("$\\mu$", "", 1), Column::fixed("$x/a$", "", 3),
+                         Column::fixed("$z/a$", "", 3), Column::fixed("$\\tau_1/p_0$", "", 5),
+                         Column::fixed("closed form", "", 5),
+                         Column::scientific("relative difference", "", 1)});
+  double largest = 0;
+  for (const double mu : {0.0, 0.1, 0.2, greatest_friction}) {
+    const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
+    const Point found = greatest_shear(traction, a);
+    const Point exact = greatest_shear(SlidingHertz{hertz, mu}, a);
+    const double difference = found.shear / exact.shear - 1;
+    largest = std::max(largest, std::abs(difference));
+    table.add_row({mu, found.x / a, found.z / a, found.shear / p0, exact.shear / p0, difference});
+  }
+  document.table("sliding-shear", table);
+  document.value("stresses.least-depth", Value::exact(least_depth));
+  document.value("stresses.surface-friction", Value::fixed(friction_at_surface(hertz), 3));
+  document.check("sliding-shear", largest < 0.6 * square,
+                 "beneath sliding cylinders the elements find the greatest shear to second order");
+}
+
+// The shear on the surface of sliding cylinders is μp₀ wherever they touch.
+void check_surface(literate::Document& document, const Solution& solution, const Hertz& hertz) {
+  const auto traction =
+      contact::traction_on(solution, contact::sliding(solution, greatest_friction).shear);
+  const double expected = greatest_friction * hertz.peak_pressure();
+  double largest = 0;
+  for (int i = -40; i <= 40; ++i) {
+    const double shear = traction.stress(0.02 * i * hertz.half_width(), 0).max_shear();
+    largest = std::max(largest, std::abs(shear / expected - 1));
+  }
+  document.value("stresses.surface-difference", Value::scientific_bound(largest, 1));
+  const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
+  document.check("sliding-surface", largest < 1.5 * square,
+                 "on the surface of sliding cylinders the greatest shear is mu p0");
+}
+
+// Where τ₁/p₀ first falls through the level on the way from one point to another, if it does.
+void add_label(figures::ShearField& field, const PiecewiseLinearTraction& traction,
+               const Hertz& hertz, double level, Point from, Point to) {
+  constexpr int n = 500;
+  const double a = hertz.half_width();
+  double before = 0;
+  for (int i = 0; i <= n; ++i) {
+    const double x = from.x + (to.x - from.x) * i / n;
+    const double z = from.z + (to.z - from.z) * i / n;
+    const double tau = traction.stress(x * a, z * a).max_shear() / hertz.peak_pressure();
+    if (before >= level && tau < level) {
+      field.labels.push_back({x, z, level});
+      return;
+    }
+    before = tau;
+  }
+}
+
+figures::ShearField field_of(const figures::ShearBeneath& figure, const Solution& solution,
+                             const Hertz& hertz, double mu) {
+  const double a = hertz.half_width();
+  const double p0 = hertz.peak_pressure();
+  const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
+  const Point greatest = greatest_shear(traction, a);
+  figures::ShearField field{mu, {}, {}, {greatest.x / a, greatest.z / a, greatest.shear / p0}};
+  for (const double z : figure.z) {
+    for (const double x : figure.x) {
+      field.tau.push_back(traction.stress(x * a, z * a).max_shear() / p0);
+    }
+  }
+  // The high levels are met on the way from the greatest shear to a lower corner, the low ones on
+  // the way up beside the contact.
+  for (const double level : figure.levels) {
+    const bool is_high = level > 0.12;
+    add_label(field, traction, hertz, level,
+              is_high ? Point{greatest.x / a, greatest.z / a, 0} : Point{-1.6, 1.2, 0},
+              is_high ? Point{-1.9, 2.45, 0} : Point{-1.6, 0, 0});
+  }
+  return field;
+}
+
+figures::ShearBeneath shear_figure(const Solution& solution, const Hertz& hertz) {
+  const double a = hertz.half_width();
+  const double p0 = hertz.peak_pressure();
+  figures::ShearBeneath figure;
+  figure.levels = {0.05, 0.1, 0.15, 0.2, 0.25, 0.29};
+  for (int i = 0; i <= 100; ++i) figure.x.push_back(0.04 * i - 2);
+  for (int k = 0; k <= 60; ++k) figure.z.push_back(2.5 * std::pow(k / 60.0, 1.5));
+  figure.still = field_of(figure, solution, hertz, 0);
+  figure.sliding = field_of(figure, solution, hertz, greatest_friction);
+  const McEwen mcewen(hertz);
+  for (int k = 0; k <= 200; ++k) {
+    figure.depth.push_back(0.0125 * k);
+    figure.closed.push_back(mcewen.stress(0, figure.depth.back() * a).max_shear() / p0);
+  }
+  const auto traction = contact::traction_on(solution, {});
+  for (int k = 0; k <= 20; ++k) {
+    figure.node_depth.push_back(0.125 * k);
+    figure.node.push_back(traction.stress(0, figure.node_depth.back() * a).max_shear() / p0);
+  }
+  return figure;
+}
+
+}  // namespace
+
+void compute_stresses(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::ContactCase& c = from_file.contact;
+  const Hertz hertz(c.cylinders, c.line_load);
+  const Solution solution = solve(c, hertz, c.n_nodes);
+  const PiecewiseLinearTraction traction = contact::traction_on(solution, {});
+  const contact::GreatestShear exact = McEwen(hertz).greatest_shear();
+
+  compare_greatest(document, traction, exact, solution, hertz);
+  document.table("shear-depths",
+                 depth_table(document, traction, hertz, exact.depth.value / hertz.half_width()));
+  compare_deep(document, traction, solution, hertz);
+  fit_order(document, c, hertz);
+  compare_sliding(document, solution, hertz);
+  check_surface(document, solution, hertz);
+  document.figure("shear-beneath", 15.4, 4.6,
+                  [figure = shear_figure(solution, hertz)](literate::Plot& plot) {
+                    figures::draw_shear_beneath(plot, figure);
+                  });
+}
+
+}  // namespace paper
