@@ -32,7 +32,7 @@ void draw_contact_m_repair(literate::Plot& plot, const ContactMRepair& data) {
   const std::size_t n_rows = (data.panels.size() + across - 1) / across;
   apply_style(plot);
   plot << "set multiplot layout " << n_rows << "," << across
-       << " margins 0.075,0.99,0.115,0.95 spacing 0.03,0.11\n"
+       << " margins 0.095,0.99,0.115,0.95 spacing 0.03,0.11\n"
        << "set xrange [-1.5:1.5]\nset xtics 1\nset yrange [0:" << top << "]\nset ytics 0.5\n"
        << "unset key\n";
   for (std::size_t i = 0; i < data.panels.size(); ++i) {

@@ -19,7 +19,7 @@ void draw_cylinder_pressure(literate::Plot& plot, const CylinderPressure& data) 
        << "plot " << hertz << " with lines ls 1 title 'Hertz', \\\n"
        << "  " << nodes << " using 1:2 with points ls 11 title 'triangular elements'\n"
        << "set tmargin at screen 0.40\nset bmargin at screen 0.13\n"
-       << "set format x '$%g$'\nset xlabel '$x/a$'\nset yrange [*:*]\nset ytics autofreq\n"
+       << "set format x '$%g$'\nset xlabel '$x/a$'\nset yrange [*:*]\nset ytics autofreq\nset mytics 1\n"
        << "set ylabel '$\\Delta p/p_0$" << (scale.factor == 1 ? "" : " (")
        << (scale.factor == 1 ? "" : scale.unit) << (scale.factor == 1 ? "" : ")") << "'\n"
        << "unset key\n"

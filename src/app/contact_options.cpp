@@ -34,6 +34,13 @@ ClosedForm closed_form(std::string name, const Contact& contact, double peak_pre
           [contact](double x) { return contact.pressure(x); }};
 }
 
+// A number that no case file can give.
+double required(const NumberOption& option) {
+  const auto number = option.number();
+  if (!number) throw InputError(option.flag() + " is missing");
+  return *number;
+}
+
 contact::Element element_named(const std::string& name) {
   for (const auto element : {contact::Element::point, contact::Element::uniform}) {
     if (name == contact::name_of(element)) return element;
@@ -126,15 +133,14 @@ void ContactOptions::set_profile(ContactInput& input,
     input.hertz.emplace(cylinders, *input.line_load);
     input.closed_form = closed_form("hertz", *input.hertz, input.hertz->peak_pressure());
   } else if (profile_ == "wedge") {
-    const double slope = slope_.number_or(std::nullopt);
+    const double slope = required(slope_);
     profile = contact::Profile::wedge(slope);
     if (!input.line_load) return;
     input.closed_form = closed_form("wedge", contact::Wedge(modulus, slope, *input.line_load),
                                     std::numeric_limits<double>::infinity());
   } else if (profile_ == "rounded-punch") {
-    const double flat = flat_.number_or(std::nullopt);
-    const double radius =
-        numerics::require_positive("edge-radius", edge_radius_.number_or(std::nullopt));
+    const double flat = required(flat_);
+    const double radius = numerics::require_positive("edge-radius", required(edge_radius_));
     profile = contact::Profile::rounded_punch(flat, 1 / radius);
     if (!input.line_load) return;
     const contact::RoundedPunch punch(modulus, flat, 1 / radius, *input.line_load);
@@ -142,8 +148,12 @@ void ContactOptions::set_profile(ContactInput& input,
   } else if (profile_ == "power") {
     const auto n = power_.integer();
     if (!n) throw InputError("--power is missing");
-    const double coefficient = coefficient_.number_or(std::nullopt);
-    profile = contact::Profile::power_law(coefficient, static_cast<int>(std::clamp(*n, -1L, 99L)));
+    if (*n < 1 || *n > contact::Profile::max_power) {
+      throw InputError(
+          fmt::format("--power = {}: must be from 1 to {}", *n, contact::Profile::max_power));
+    }
+    const double coefficient = required(coefficient_);
+    profile = contact::Profile::power_law(coefficient, static_cast<int>(*n));
     if (!input.line_load) return;
     const contact::PowerLaw power(modulus, coefficient, static_cast<int>(*n), *input.line_load);
     input.closed_form = closed_form("power", power, power.peak_pressure());
@@ -213,6 +223,9 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
     input.line_load = numerics::require_positive("load", load_.number_or(given_load));
   }
   if (input.tangential && !input.friction) throw InputError("--tangential-load needs --friction");
+  if (input.friction && grid_ == "one-sided") {
+    throw InputError("--friction needs --grid symmetric: its shear has no mirror image");
+  }
   constexpr long quickly_inverted = 1000;
   if (method_.empty()) input.method = *n_nodes <= quickly_inverted ? "matrix-inversion" : "fft";
   if (input.method != "fft" && tolerance_.number()) {

@@ -78,6 +78,7 @@ struct SolvedContact {
   contact::Solution solution;
   std::optional<double> approach;  ///< where a datum is given
   std::optional<contact::Friction> friction;
+  std::optional<contact::Slopes> slopes;  ///< with friction
   double seconds;
 };
 

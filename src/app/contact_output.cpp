@@ -22,6 +22,7 @@ std::vector<double> to_vector(const Eigen::VectorXd& vector) {
 double half_width_of(const ContactInput& input, const contact::Solution& solution) {
   if (input.profile == "cylinder") return solution.half_width();
   const auto regions = solution.regions();
+  if (regions.empty()) return 0;
   return (regions.back().end - regions.front().begin) / 2;
 }
 
@@ -74,6 +75,11 @@ std::string regions_text(const contact::Solution& solution, const parameters::Un
 
 void require_finite(const ContactInput& input, const SolvedContact& solved) {
   const contact::Solution& s = solved.solution;
+  if (solved.friction) {
+    finite_result("shear", solved.friction->shear.sum());
+    finite_result("slope_of_pressure", solved.slopes->of_pressure.sum());
+    finite_result("slope_of_shear", solved.slopes->of_shear.sum());
+  }
   finite_result("half_width", half_width_of(input, s));
   finite_result("peak_pressure", s.peak_pressure());
   finite_result("load", s.line_load());
@@ -118,7 +124,12 @@ std::string contact_json(const ContactInput& input, const SolvedContact& solved)
   if (input.closed_form) json[input.closed_form->name] = closed_form_json(*input.closed_form);
   json["x"] = to_vector(s.grid.nodes());
   json["pressure"] = to_vector(s.pressure);
-  if (solved.friction) json["shear"] = to_vector(solved.friction->shear);
+  json["gap"] = to_vector(s.gap);
+  if (solved.friction) {
+    json["shear"] = to_vector(solved.friction->shear);
+    json["slope_of_pressure"] = to_vector(solved.slopes->of_pressure);
+    json["slope_of_shear"] = to_vector(solved.slopes->of_shear);
+  }
   return json_text(json);
 }
 
@@ -129,12 +140,7 @@ std::string contact_csv(const ContactInput& input, const SolvedContact& solved) 
     text += input.closed_form->name == "hertz" ? ",hertz_pressure" : ",exact_pressure";
   }
   text += ",gap";
-  contact::Slopes slopes;
-  if (solved.friction) {
-    const double beta = elasticity::dundurs_beta(input.material1, input.material2);
-    slopes = contact::surface_slopes(input.problem, s, solved.friction->shear, beta);
-    text += ",shear,slope_of_pressure,slope_of_shear";
-  }
+  if (solved.friction) text += ",shear,slope_of_pressure,slope_of_shear";
   text += '\n';
   for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
     const double x = s.grid.x(i);
@@ -143,8 +149,8 @@ std::string contact_csv(const ContactInput& input, const SolvedContact& solved) 
     if (input.closed_form) fmt::format_to(out, ",{}", input.closed_form->pressure(x));
     fmt::format_to(out, ",{}", s.gap[i]);
     if (solved.friction) {
-      fmt::format_to(out, ",{},{},{}", solved.friction->shear[i], slopes.of_pressure[i],
-                     slopes.of_shear[i]);
+      fmt::format_to(out, ",{},{},{}", solved.friction->shear[i], solved.slopes->of_pressure[i],
+                     solved.slopes->of_shear[i]);
     }
     text += '\n';
   }
@@ -181,7 +187,12 @@ std::string contact_text(const ContactInput& input, const SolvedContact& solved,
   if (solved.friction) {
     single("tangential load", solved.friction->tangential_load, units.line_load);
     text += input.tangential ? "partial slip" : "sliding";
-    text += fmt::format(", friction {}\n", *input.friction);
+    text += fmt::format(", friction {}", *input.friction);
+    const double beta = elasticity::dundurs_beta(input.material1, input.material2);
+    if (input.tangential && beta != 0) {
+      text += fmt::format("; exact for like materials, and here Dundurs' beta is {:.3g}", beta);
+    }
+    text += '\n';
   }
   const auto regions = s.regions();
   if (regions.size() > 1) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
 #include "app/contact_options.hpp"
+#include "app/number_text.hpp"
 #include "contact/approach_control.hpp"
+#include "contact/dense_system.hpp"
 #include "contact/fft_solver.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
@@ -39,23 +42,56 @@ contact::Method method_of(const ContactInput& input) {
   };
 }
 
+// The dense methods cannot tell how far they are, but that they will take a while.
+void announce_long_solve(const ContactInput& input) {
+  constexpr Eigen::Index quick = 3000;
+  const Eigen::Index n_nodes = input.problem.grid.n_nodes;
+  if (input.method == "fft" || n_nodes <= quick || n_nodes > contact::max_dense_nodes) return;
+  fmt::print(stderr, "halfspace: {} nodes by {}, whose cost grows with their cube; fft is quick\n",
+             n_nodes, input.method);
+}
+
+// One or two nodes carry any load with no residual, and say nothing of the pressure.
+void require_resolved(const contact::Solution& solution) {
+  constexpr Eigen::Index enough = 3;
+  Eigen::Index most = 0;
+  for (const contact::Region& region : solution.regions()) {
+    const bool is_mirrored = solution.grid.is_one_sided && region.begin < 0;
+    most = std::max(most, is_mirrored ? 2 * region.n_nodes - 1 : region.n_nodes);
+  }
+  if (most >= enough) return;
+  throw InputError(fmt::format(
+      "nodes = {}: contact takes {} of them, which cannot resolve it: more nodes or a narrower "
+      "domain",
+      solution.grid.n_nodes, solution.n_in_contact()));
+}
+
 }  // namespace
 
 SolvedContact solve(const ContactInput& input) {
   const Clock::time_point start = Clock::now();
   const contact::Method method = method_of(input);
-  SolvedContact solved{input.line_load ? method(input.problem, *input.line_load)
+  announce_long_solve(input);
+  SolvedContact solved{.solution = input.line_load
+                                       ? method(input.problem, *input.line_load)
                                        : contact::solve_for_approach(input.problem, *input.approach,
                                                                      *input.datum, method),
-                       {},
-                       {},
-                       0};
+                       .approach = {},
+                       .friction = {},
+                       .slopes = {},
+                       .seconds = 0};
+  require_resolved(solved.solution);
   if (input.datum) solved.approach = solved.solution.approach(*input.datum);
   if (input.friction && input.tangential) {
     solved.friction = contact::partial_slip(input.problem, solved.solution, *input.friction,
                                             *input.tangential, method);
   } else if (input.friction) {
     solved.friction = contact::sliding(solved.solution, *input.friction);
+  }
+  if (solved.friction) {
+    const double beta = elasticity::dundurs_beta(input.material1, input.material2);
+    solved.slopes =
+        contact::surface_slopes(input.problem, solved.solution, solved.friction->shear, beta);
   }
   solved.seconds = seconds_since(start);
   return solved;

@@ -47,6 +47,9 @@ std::vector<Point> points_of(const Options& options) {
   if (is_list == !options.points.empty()) {
     throw InputError("give either --x and --z, or --points");
   }
+  if (is_list && (options.x.empty() || options.z.empty())) {
+    throw InputError(options.x.empty() ? "--x is missing" : "--z is missing");
+  }
   if (!options.points.empty()) {
     const CsvColumns columns = read_columns(options.points, "x", "z");
     for (std::size_t i = 0; i < columns.first.size(); ++i) {
@@ -138,6 +141,7 @@ ExitCode run(const Options& options) {
   for (const Point& point : points) {
     finite_result(fmt::format("stress at x = {}, z = {}", point.x, point.z),
                   point.stress.von_mises(poisson));
+    if (point.mcewen) finite_result("McEwen's stress", point.mcewen->max_shear());
   }
   switch (options.output.format()) {
     case OutputFormat::csv:

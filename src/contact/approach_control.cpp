@@ -68,9 +68,11 @@ Solution solve_for_approach(const Problem& problem, double approach, double datu
   require_valid(problem);
   const double least_gap =
       problem.grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); }).minCoeff();
-  if (!(std::isfinite(approach) && approach > least_gap)) {
+  if (!(approach > least_gap && approach < largest_length)) {
     throw numerics::InvalidQuantity(
-        "approach", approach, fmt::format("greater than the least gap {}: no contact", least_gap));
+        "approach", approach,
+        fmt::format("greater than the least gap {}, or there is no contact, and less than {}",
+                    least_gap, largest_length));
   }
   LoadSearch search(approach, least_gap,
                     std::numbers::pi / 8 * problem.contact_modulus * (approach - least_gap));

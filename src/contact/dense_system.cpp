@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include <limits>
-#include <numbers>
 
+#include "contact/nested_grids.hpp"
 #include "numerics/require.hpp"
 
 namespace contact {
@@ -30,15 +30,16 @@ DenseSystem::DenseSystem(const Problem& problem, double line_load)
     return influence_coefficient(problem.element, static_cast<double>(k));
   });
   initial_gap_ = grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); });
+  least_gap_ = initial_gap_.minCoeff();
+  initial_gap_.array() -= least_gap_;
   weights_ = VectorXd::NullaryExpr(grid.n_nodes, [&](Index i) { return grid.weight(i); });
-  total_ = 2 * line_load / (std::numbers::pi * problem.contact_modulus);
+  total_ = total_phi(problem, line_load);
 }
 
 double DenseSystem::rounding_of_gap() const {
   constexpr double roundings = 64;
-  const double magnitude =
-      total_ * influence_.cwiseAbs().maxCoeff() + initial_gap_.cwiseAbs().maxCoeff();
-  return roundings * std::numeric_limits<double>::epsilon() * magnitude;
+  return roundings * std::numeric_limits<double>::epsilon() * total_ *
+         influence_.cwiseAbs().maxCoeff();
 }
 
 }  // namespace contact

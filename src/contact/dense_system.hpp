@@ -25,17 +25,20 @@ class DenseSystem {
     return is_one_sided_ && j > 0 ? own + influence_[i + j] : own;
   }
 
-  const Eigen::VectorXd& initial_gap() const { return initial_gap_; }  ///< h
+  const Eigen::VectorXd& initial_gap() const { return initial_gap_; }  ///< h − least_gap()
+  double least_gap() const { return least_gap_; }                      ///< of h at the nodes
   const Eigen::VectorXd& weights() const { return weights_; }          ///< w
   double total() const { return total_; }                              ///< 2P/(πE*)
 
-  /// What rounding leaves of a gap: its terms are this much greater than they need be.
+  /// What rounding leaves of a gap in contact, whose terms are of the order of Σφ times the
+  /// greatest T. The gaps far outside may be of any size: they are greater than their rounding.
   double rounding_of_gap() const;
 
  private:
   bool is_one_sided_;
   Eigen::VectorXd influence_;  // T(0), T(1), …
   Eigen::VectorXd initial_gap_;
+  double least_gap_;
   Eigen::VectorXd weights_;
   double total_;
 };

@@ -20,8 +20,8 @@ double require_tolerance(double tolerance);
 /// of grids, each twice as fine as the one before. Cost O(N log N), memory about 90 bytes a node.
 ///
 /// The nodal pressures are those of matrix inversion to tolerance·(peak pressure). Throws
-/// InvalidQuantity for P ≤ 0, a tolerance that require_tolerance refuses, or contact that reaches
-/// the end of the grid; ContactError if rounding keeps the tolerance out of reach.
+/// InvalidQuantity for P ≤ 0, a tolerance that require_tolerance refuses or that rounding keeps out
+/// of reach (the message says what is left), or contact that reaches the end of the grid.
 Solution solve_by_fft(const Problem& problem, double line_load,
                       double tolerance = default_tolerance, const ProgressReport& report = {});
 

@@ -29,6 +29,7 @@ std::optional<double> domain_needed(const Problem& problem, double line_load) {
     wider.grid = grid_of_width(width, few, centre);
     const NestedSolution found = solve_on_nested_grids(wider, line_load, tolerance);
     const std::vector<Region> regions = regions_in_contact(wider.grid, found.phi);
+    if (regions.empty()) return std::nullopt;
     const double reach =
         std::max(centre - regions.front().begin, regions.back().end - centre) / width;
     constexpr double margin = 1.1;
@@ -50,8 +51,8 @@ void require_free_ends(const Problem& problem, const Eigen::VectorXd& pressure, 
   const std::optional<double> needed = domain_needed(both_sides, line_load);
   if (!needed) {
     throw numerics::InvalidQuantity(
-        "load", line_load,
-        fmt::format("less, for a profile that is given from x = {} to {} only",
+        "domain", grid.end() - grid.begin(),
+        fmt::format("wider than the profile is given, from x = {} to {}: contact reaches its end",
                     problem.profile.begin(), problem.profile.end()));
   }
   // The end nodes lie half a spacing inside the domain, and must be free.

@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "contact/contact_error.hpp"
+#include "numerics/dense_lu.hpp"
 #include "numerics/require.hpp"
 
 namespace contact {
@@ -58,7 +58,7 @@ class GivenEdges {
   double total_;  // 2P/(πE*)
   ReferenceGrid grid_;
   MatrixXd bulge_;
-  Eigen::PartialPivLU<MatrixXd> matrix_;
+  numerics::DenseLu matrix_;
 };
 
 Edges moved(const Profile& profile, Edges edges, const Vector2d& step) {
@@ -79,7 +79,11 @@ Vector2d newton_step(const GivenEdges& contact, Edges edges) {
   slope.col(1) = gradient - contact.gradient({edges.left, edges.right - difference});
   slope /= difference;
   slope.diagonal().array() += 1e-6 * slope.cwiseAbs().maxCoeff();
-  Vector2d step = -slope.inverse() * gradient;
+  // Cramer's rule
+  const double determinant = slope(0, 0) * slope(1, 1) - slope(0, 1) * slope(1, 0);
+  Vector2d step(slope(0, 1) * gradient[1] - slope(1, 1) * gradient[0],
+                slope(1, 0) * gradient[0] - slope(0, 0) * gradient[1]);
+  step /= determinant;
   if (!(step.dot(gradient) < 0)) step = -a * a * gradient;
   const double greatest = step.cwiseAbs().maxCoeff();
   return greatest > a / 2 ? Vector2d(step * (a / 2 / greatest)) : step;

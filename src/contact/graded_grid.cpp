@@ -56,7 +56,6 @@ double ReferenceGrid::x(Index node, Edges edges) const {
                                : edges.right - a * from_edge_[node];
 }
 
-// begin excerpt: graded-grid
 // Row e: what nodal pressures add up to, above their mean, at the middle of element e: by the cubic
 // through g = p/√((x − left)(right − x)) at four nodes around.
 MatrixXd bulge_weights(const ReferenceGrid& grid) {
@@ -76,6 +75,7 @@ MatrixXd bulge_weights(const ReferenceGrid& grid) {
   return weights;
 }
 
+// begin excerpt: graded-grid
 // Eq. (1a) at each node and equilibrium, for the contact of half-width 1 and so for any: with
 // φ = 2a p/(πE*), Σ V_ij φ_j + δ = h_i and Σ w_j φ_j = 2P/(πE*).
 MatrixXd graded_system(const ReferenceGrid& grid, const MatrixXd& bulge) {

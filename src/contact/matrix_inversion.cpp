@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "contact/contact_search.hpp"
 #include "contact/dense_system.hpp"
 #include "contact/free_ends.hpp"
+#include "numerics/dense_lu.hpp"
 
 namespace contact {
 namespace {
@@ -52,7 +52,7 @@ State solve_for_contact(const DenseSystem& system, const Indices& contact) {
     right_side[j] = system.initial_gap()[at(contact, j)];
   }
   matrix(n, n) = 0;
-  const VectorXd unknowns = matrix.partialPivLu().solve(right_side);
+  const VectorXd unknowns = numerics::DenseLu(matrix).solve(right_side);
 
   State state{VectorXd::Zero(system.size()), {}, unknowns[n]};
   for (Index j = 0; j < n; ++j) state.phi[at(contact, j)] = unknowns[j];
@@ -94,7 +94,8 @@ Solution solve_by_matrix_inversion(const Problem& problem, double line_load) {
   const double misfit = in_contact.select(state.gap.cwiseAbs(), 0).maxCoeff();
   const double error = misfit / state.phi.maxCoeff();
   return to_solution(problem, line_load,
-                     {std::move(state.phi), std::move(state.gap), state.approach, error, work});
+                     {std::move(state.phi), std::move(state.gap),
+                      state.approach + system.least_gap(), error, work});
 }
 
 }  // namespace contact

@@ -75,15 +75,21 @@ class LevelSolver {
     ContactMask in_contact = phi.array() > 0;
     const bool is_cut_left = window.first > 0;
     const bool is_cut_right = window.first + window.n < level.grid.n_nodes;
+    // The contact is looked for with pressures just good enough, then made sure of with good ones.
+    double search_tolerance = std::max(tolerance_, 1e-6);
     bool settled = false;
     bool has_room = true;
     while (!settled && has_room) {
       if (++level.work.solves > max_revisions) {
         throw ContactError(fmt::format("the contact did not settle in {} solves", max_revisions));
       }
-      pressures.solve(phi, in_contact, tolerance_);
-      settled =
-          contact_search.revise(in_contact, phi, pressures.gap(), tolerance_ * phi.maxCoeff());
+      pressures.solve(phi, in_contact, search_tolerance);
+      settled = contact_search.revise(in_contact, phi, pressures.gap(),
+                                      search_tolerance * phi.maxCoeff());
+      if (settled && search_tolerance > tolerance_) {
+        settled = false;
+        search_tolerance = tolerance_;
+      }
       phi = in_contact.select(phi.cwiseMax(0), 0);
       phi *= total / phi.sum();
       has_room = !(is_cut_left && in_contact[0]) && !(is_cut_right && in_contact[window.n - 1]);
@@ -104,9 +110,9 @@ class LevelSolver {
         rises_over_grid(problem_.element, level.phi.segment(window.first, window.n), window.first,
                         n);
     ++level.work.products;
-    level.gap.resize(n);
-    level.gap[0] = 0;
-    for (Index i = 0; i + 1 < n; ++i) level.gap[i + 1] = level.gap[i] + rises[i];
+    Index start = 0;
+    level.phi.maxCoeff(&start);
+    level.gap = added_up(rises, start);
     const ContactMask in_contact = level.phi.array() > 0;
     level.gap.array() -= in_contact.select(level.gap, 0).sum() / in_contact.cast<double>().sum();
 
@@ -143,7 +149,11 @@ std::vector<Grid> nested_grids(const Grid& finest) {
 }  // namespace
 
 double total_phi(const Problem& problem, double line_load) {
-  return 2 * line_load / (std::numbers::pi * problem.contact_modulus);
+  const double total = 2 * line_load / (std::numbers::pi * problem.contact_modulus);
+  if (!(total < largest_length)) {
+    throw numerics::InvalidQuantity("load", line_load, "less: its square must be a double");
+  }
+  return total;
 }
 
 NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, double tolerance,

@@ -26,12 +26,13 @@ struct NestedSolution {
   Work work;
 };
 
-/// Σφ for the load P: 2P/(πE*), a length.
+/// Σφ for the load P: 2P/(πE*), a length. Throws InvalidQuantity if it is too large to compute
+/// with.
 double total_phi(const Problem& problem, double line_load);
 
 /// Solves on a sequence of grids, each with twice the nodes of the one before, whose pressure it
 /// starts from. The contact may reach the ends of the grid, whose centre it must have two sides of.
-/// Throws ContactError if rounding keeps the tolerance (relative to the peak) out of reach.
+/// Throws InvalidQuantity if rounding keeps the tolerance (relative to the peak) out of reach.
 NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, double tolerance,
                                      const ProgressReport& report = {});
 

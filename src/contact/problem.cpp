@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "numerics/require.hpp"
 
 namespace contact {
@@ -21,6 +23,12 @@ void require_valid(const Problem& problem) {
     throw numerics::InvalidQuantity(
         "domain", grid.end() - grid.begin(),
         fmt::format("within the profile's points, from {} to {}", profile.begin(), profile.end()));
+  }
+  for (Eigen::Index i = 0; i < grid.n_nodes; ++i) {
+    const double gap = profile.gap(grid.x(i));
+    if (std::abs(gap) < largest_length) continue;
+    throw numerics::InvalidQuantity(fmt::format("gap at x = {}", grid.x(i)), gap,
+                                    fmt::format("less than {}", largest_length));
   }
 }
 

@@ -16,8 +16,11 @@ struct Problem {
   Element element = Element::triangular;
 };
 
-/// Throws InvalidQuantity unless E* > 0, the grid lies within a measured profile, and the profile
-/// of a one-sided grid is symmetric.
+/// Lengths whose squares are doubles too, with room to add them up.
+inline constexpr double largest_length = 1e100;
+
+/// Throws InvalidQuantity unless E* > 0, the grid lies within a measured profile, the profile of a
+/// one-sided grid is symmetric, and all gaps are less than largest_length.
 void require_valid(const Problem& problem);
 
 }  // namespace contact

@@ -3,14 +3,23 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <limits>
 
-#include "contact/contact_error.hpp"
+#include "numerics/require.hpp"
 
 namespace contact {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+VectorXd added_up(const VectorXd& rises, Index start) {
+  VectorXd sums(rises.size() + 1);
+  sums[start] = 0;
+  for (Index i = start; i < rises.size(); ++i) sums[i + 1] = sums[i] + rises[i];
+  for (Index i = start; i > 0; --i) sums[i - 1] = sums[i] - rises[i - 1];
+  return sums;
+}
 
 ProjectedCg::ProjectedCg(InfluenceOperator& influence, const VectorXd& rises)
     : influence_(influence), rises_(rises) {}
@@ -19,11 +28,10 @@ ProjectedCg::ProjectedCg(InfluenceOperator& influence, const VectorXd& rises)
 void ProjectedCg::update_gap(const VectorXd& phi) {
   influence_.rises(phi, product_);
   ++work_.products;
-  const Index n = phi.size();
-  gap_.resize(n);
-  gap_[0] = 0;
-  for (Index i = 0; i + 1 < n; ++i) gap_[i + 1] = gap_[i] + (rises_[i] - product_[i]);
-  gap_.array() -= gap_.dot(contact_) / contact_.sum();
+  Index start = 0;
+  phi.maxCoeff(&start);
+  gap_ = added_up(rises_ - product_, start);
+  gap_.array() -= (contact_.array() > 0).select(gap_.array(), 0).sum() / contact_.sum();
 }
 
 // correction = preconditioned residual with Σ = 0; the residual changes by a constant, as δ is
@@ -64,16 +72,17 @@ void ProjectedCg::solve(VectorXd& phi, const ContactMask& in_contact, double tol
   double previous = std::numeric_limits<double>::infinity();
   for (int fruitless = 0;;) {
     update_gap(phi);
-    residual_ = -gap_.cwiseProduct(contact_);
+    residual_ = (contact_.array() > 0).select(-gap_.array(), 0);
     project(residual_);
     const double largest = correction_.lpNorm<Eigen::Infinity>();
     error_ = largest / phi.maxCoeff();
     if (error_ <= tolerance) return;
     constexpr int patience = 3;
-    if (error_ > previous / 2 && ++fruitless > patience) {
-      throw ContactError(
-          fmt::format("tolerance {} is below rounding: the pressure settles at {:.1e} of its peak",
-                      tolerance, error_));
+    if (!std::isfinite(error_) || (error_ > previous / 2 && ++fruitless > patience)) {
+      throw numerics::InvalidQuantity(
+          "tolerance", tolerance,
+          fmt::format("at least {:.1e}, which rounding leaves of the pressure of {} nodes", error_,
+                      phi.size()));
     }
     previous = error_;
     constexpr double digits_at_a_time = 1e-7;  // rounding leaves these at any n

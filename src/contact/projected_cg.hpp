@@ -9,6 +9,10 @@
 
 namespace contact {
 
+/// Adds up rises from node to node, outwards from `start`, where the result is 0: so that a steep
+/// profile's great gaps far outside leave no rounding in contact.
+Eigen::VectorXd added_up(const Eigen::VectorXd& rises, Eigen::Index start);
+
 /// Eq. (1a) for nodes whose contact is known: minimises ½φᵀ(−T)φ + hᵀφ over the element loads φ of
 /// the nodes in contact while Σφ stays what it is.
 ///
@@ -22,7 +26,7 @@ class ProjectedCg {
   ProjectedCg(InfluenceOperator& influence, const Eigen::VectorXd& rises);
 
   /// Changes φ until its error is at most tolerance·max φ; φ is 0 outside contact. Throws
-  /// ContactError if rounding does not let it.
+  /// InvalidQuantity for a tolerance that rounding does not let it reach.
   void solve(Eigen::VectorXd& phi, const ContactMask& in_contact, double tolerance);
 
   /// u_z1 + u_z2 + h − δ at all nodes for the φ last solved; its mean in contact is 0.

@@ -43,19 +43,21 @@ double Solution::line_load() const {
 }
 
 double Solution::half_width() const {
+  // In units of the peak and of the spacing, which very small loads need.
+  const double peak = peak_pressure();
   double load = 0;
   double moment = 0;
   double second_moment = 0;
   for (Index i = 0; i < grid.n_nodes; ++i) {
-    const double p = grid.weight(i) * pressure[i];
-    const double x = grid.x(i) - grid.centre;
+    const double p = grid.weight(i) * pressure[i] / peak;
+    const double x = (grid.x(i) - grid.centre) / grid.spacing;
     load += p;
     if (!grid.is_one_sided) moment += p * x;
     second_moment += p * x * x;
   }
   const double mean = moment / load;
-  const double own = own_second_moment(element) * grid.spacing * grid.spacing;
-  return 2 * std::sqrt(second_moment / load - mean * mean + own);
+  const double own = own_second_moment(element);
+  return 2 * grid.spacing * std::sqrt(second_moment / load - mean * mean + own);
 }
 
 double Solution::half_width_by_count() const {
@@ -84,9 +86,13 @@ std::vector<Region> regions_in_contact(const Grid& grid, const Eigen::VectorXd& 
 }
 
 double Solution::approach(double datum) const {
-  if (!(std::isfinite(datum) && (datum < grid.begin() || datum > grid.end()))) {
+  const std::vector<Region> in_contact = regions();
+  const double begin = in_contact.empty() ? 0 : in_contact.front().begin;
+  const double end = in_contact.empty() ? 0 : in_contact.back().end;
+  const double left = grid.is_one_sided ? -end : begin;
+  if (!(std::isfinite(datum) && (datum < left || datum > end))) {
     throw numerics::InvalidQuantity(
-        "datum", datum, fmt::format("outside the grid from {} to {}", grid.begin(), grid.end()));
+        "datum", datum, fmt::format("outside the contact, from {:.6g} to {:.6g}", left, end));
   }
   const auto potential = [&](double x) {
     return influence_coefficient(element, (datum - x) / grid.spacing);

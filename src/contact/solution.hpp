@@ -67,7 +67,7 @@ struct Solution {
 
   /// The approach δ of points of the two surfaces that lie at x = datum, where u_z1 = u_z2 = 0; a
   /// length. It grows with ln(datum), as every displacement of a half-space does. Throws
-  /// InvalidQuantity unless the datum lies outside the grid.
+  /// InvalidQuantity unless the datum lies outside the contact.
   double approach(double datum) const;
 };
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "contact/contact_error.hpp"
 #include "numerics/require.hpp"
 
 namespace contact {
@@ -21,6 +22,7 @@ elasticity::PiecewiseLinearTraction traction_on(const Solution& solution,
   Eigen::Index first = 0;
   Eigen::Index last = grid.n_nodes - 1;
   const auto carries = [&](Eigen::Index i) { return solution.pressure[i] > 0; };
+  if (solution.n_in_contact() == 0) throw ContactError("nothing is in contact");
   if (!grid.is_one_sided) {
     while (!carries(first + 1)) ++first;
   }

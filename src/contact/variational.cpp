@@ -91,9 +91,10 @@ Solution solve_by_variational_method(const Problem& problem, double line_load) {
     if (minimum.phi[i] > 0) misfit = std::max(misfit, std::abs(minimum.gap[i]));
   }
   const double error = misfit / minimum.phi.maxCoeff();
-  return to_solution(problem, line_load,
-                     {std::move(minimum.phi), std::move(minimum.gap), minimum.approach, error,
-                      Work{.iterations = minimum.products / 2, .products = minimum.products}});
+  return to_solution(
+      problem, line_load,
+      {std::move(minimum.phi), std::move(minimum.gap), minimum.approach + system.least_gap(), error,
+       Work{.iterations = minimum.products / 2, .products = minimum.products}});
 }
 
 double energy(const Problem& problem, const Solution& solution) {
@@ -103,7 +104,7 @@ double energy(const Problem& problem, const Solution& solution) {
   const ArrayXd displacement = (compliance_of(system) * phi.matrix()).array();
   // p = φ πE*/(2c), elements c wide: E* π/2 times the sum over nodes
   return std::numbers::pi / 2 *
-         (weighted * (displacement / 2 + system.initial_gap().array())).sum();
+         (weighted * (displacement / 2 + system.initial_gap().array() + system.least_gap())).sum();
 }
 
 }  // namespace contact

@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "contact/contact_error.hpp"
 #include "contact/hertz.hpp"
 #include "elasticity/triangular_load.hpp"
+#include "numerics/dense_lu.hpp"
 
 namespace paper {
 namespace {
@@ -82,7 +82,7 @@ ContactM run_contact_m(const parameters::ContactCase& contact, const ContactMInp
     b.row(0).setConstant(c * static_cast<double>(aa - 2));
     if (mended.weight_of_equilibrium) b.row(0) = c * sides;  // repair 4
     h[0] = contact.line_load;
-    return b.partialPivLu().solve(h);
+    return numerics::DenseLu(b).solve(h);
   };
   Index aa = mended.free_edge ? nn + 1 : input.zero_node;
   VectorXd p = pressure_up_to(aa);

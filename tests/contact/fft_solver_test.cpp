@@ -363,3 +363,33 @@ BOOST_AUTO_TEST_CASE(loads_and_problems_out_of_range_are_refused) {
   BOOST_CHECK_EXCEPTION(solve_by_fft(one_sided, load), InvalidQuantity,
                         names("one-sided grid's end"));
 }
+
+BOOST_AUTO_TEST_CASE(a_steep_profile_far_outside_leaves_the_pressure_its_digits) {
+  // Gaps at the ends of the grid are up to 1e20 times those in contact.
+  struct Steep {
+    Profile profile;
+    double width;
+  };
+  const std::vector<Steep> steep = {{Profile::power_law(1, 10), 10},
+                                    {Profile::power_law(1, 20), 6},
+                                    {Profile::rounded_punch(1, 1e9), 2.2}};
+  for (const Steep& s : steep) {
+    const Problem problem{s.profile, 1.65e7, contact::grid_of_width(s.width, 601)};
+    const Solution inverted = contact::solve_by_matrix_inversion(problem, 2500);
+    const Solution fast = solve_by_fft(problem, 2500);
+    const Solution variational = contact::solve_by_variational_method(problem, 2500);
+    const double peak = inverted.peak_pressure();
+    BOOST_TEST((fast.pressure - inverted.pressure).cwiseAbs().maxCoeff() < 1e-10 * peak);
+    BOOST_TEST((variational.pressure - inverted.pressure).cwiseAbs().maxCoeff() < 1e-9 * peak);
+    BOOST_TEST(std::abs(fast.approach(1000) / inverted.approach(1000) - 1) < 1e-10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_no_double_can_hold_is_refused) {
+  const auto solve = [](const Profile& profile, double width) {
+    return solve_by_fft({profile, 1.65e7, contact::grid_of_width(width, 300)}, 2500);
+  };
+  BOOST_CHECK_THROW(solve(Profile::wedge(1e308), 1), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(solve(Profile::power_law(1, 20), 1e8), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(solve(Profile::parabola(1), 1e150), numerics::InvalidQuantity);
+}

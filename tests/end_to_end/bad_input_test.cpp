@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE(a_file_of_the_block_in_a_folder_that_is_not_there_is_refuse
 
 BOOST_AUTO_TEST_CASE(an_approach_at_a_datum_within_the_grid_is_refused) {
   check_refused(2, with_flag("contact", papers_contact, "", "") + Words{"--datum", "0.001"},
-                {"datum", "0.001", "outside the grid"});
+                {"datum", "0.001", "outside the contact"});
 }
 
 BOOST_AUTO_TEST_CASE(an_output_folder_that_cannot_be_made_is_refused_and_nothing_is_written) {

@@ -218,3 +218,19 @@ BOOST_AUTO_TEST_CASE(stresses_above_the_surface_or_of_other_elements_are_refused
   check_refused(2, stress + Words{"--x", "0", "--z", "1", "--element", "uniform"},
                 {"triangular elements"});
 }
+
+BOOST_AUTO_TEST_CASE(a_grid_too_coarse_for_the_contact_is_refused) {
+  check_refused(2, contact + Words{"--domain", "1e6"}, {"nodes = 91", "takes 1 of them"});
+}
+
+BOOST_AUTO_TEST_CASE(friction_on_a_one_sided_grid_is_refused) {
+  check_refused(2, contact + Words{"--friction", "0.3", "--grid", "one-sided"},
+                {"--friction", "--grid symmetric"});
+}
+
+BOOST_AUTO_TEST_CASE(shear_that_no_double_holds_is_refused) {
+  for (const char* format : {"table", "csv", "json"}) {
+    check_refused(2, contact + Words{"--friction", "1e305", "--format", format},
+                  {"shear", "not a finite number"});
+  }
+}
