@@ -49,15 +49,21 @@ Window window_around(const VectorXd& phi) {
 
 class LevelSolver {
  public:
-  LevelSolver(const Problem& problem, double tolerance, const ProgressReport& report)
-      : problem_(problem), tolerance_(tolerance), report_(report) {}
+  // looks_everywhere: whether eq. (1b) is to hold on all of the grid, or only around the contact.
+  LevelSolver(const Problem& problem, double tolerance, bool looks_everywhere,
+              const ProgressReport& report)
+      : problem_(problem),
+        tolerance_(tolerance),
+        looks_everywhere_(looks_everywhere),
+        report_(report) {}
 
   // Improves level.phi, whose nodes > 0 are the first guess of the contact and whose sum stays.
   void solve(Level& level) const {
     const double total = level.phi.sum();
     for (bool is_complete = false; !is_complete;) {
       const Window window = window_around(level.phi);
-      is_complete = search(level, window) && enters_nowhere_else(level, window);
+      is_complete =
+          search(level, window) && (!looks_everywhere_ || enters_nowhere_else(level, window));
       level.phi *= total / level.phi.sum();
     }
   }
@@ -75,21 +81,15 @@ class LevelSolver {
     ContactMask in_contact = phi.array() > 0;
     const bool is_cut_left = window.first > 0;
     const bool is_cut_right = window.first + window.n < level.grid.n_nodes;
-    // The contact is looked for with pressures just good enough, then made sure of with good ones.
-    double search_tolerance = std::max(tolerance_, 1e-6);
     bool settled = false;
     bool has_room = true;
     while (!settled && has_room) {
       if (++level.work.solves > max_revisions) {
         throw ContactError(fmt::format("the contact did not settle in {} solves", max_revisions));
       }
-      pressures.solve(phi, in_contact, search_tolerance);
-      settled = contact_search.revise(in_contact, phi, pressures.gap(),
-                                      search_tolerance * phi.maxCoeff());
-      if (settled && search_tolerance > tolerance_) {
-        settled = false;
-        search_tolerance = tolerance_;
-      }
+      pressures.solve(phi, in_contact, tolerance_);
+      settled =
+          contact_search.revise(in_contact, phi, pressures.gap(), tolerance_ * phi.maxCoeff());
       phi = in_contact.select(phi.cwiseMax(0), 0);
       phi *= total / phi.sum();
       has_room = !(is_cut_left && in_contact[0]) && !(is_cut_right && in_contact[window.n - 1]);
@@ -129,6 +129,7 @@ class LevelSolver {
 
   const Problem& problem_;
   double tolerance_;
+  bool looks_everywhere_;
   const ProgressReport& report_;
 };
 
@@ -168,7 +169,7 @@ NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, d
     constexpr double enough_to_start_from = 1e-6;
     const bool is_finest = grid.n_nodes == problem.grid.n_nodes;
     const double wanted = is_finest ? tolerance : std::max(tolerance, enough_to_start_from);
-    LevelSolver(problem, wanted, report).solve(level);
+    LevelSolver(problem, wanted, is_finest, report).solve(level);
   }
   return level;
 }

@@ -46,7 +46,7 @@ void count(benchmark::State& state, const contact::Solution& solution) {
 template <class Method>
 void run(benchmark::State& state, const Method& method) {
   const contact::Problem problem = problem_of(state.range(0));
-  contact::Solution solution;
+  contact::Solution solution{};
   for (auto _ : state) {
     solution = method(problem, load);
     benchmark::DoNotOptimize(solution.pressure.data());
