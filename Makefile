@@ -2,10 +2,13 @@
 # The front door. CMake (CMakePresets.json) and Ninja know what depends on what; here are only the names.
 #
 #   CASE=file.toml   another parameter file than report/ruggiero2001.toml; relative to where you call make
+#   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
+#   ONLY=id          mutants: this one alone
+#   TARGET=name      why: another target, or a file that is built
 #   V=1              show the commands
 
-# Paths never pass through make, which would split them at spaces: the scripts read CASE and CALLER.
-export CASE V
+# Paths never pass through make, which would split them at spaces: the scripts read them and CALLER.
+export CASE MANIFEST ONLY TARGET V
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.
@@ -14,19 +17,40 @@ export LC_ALL := C
 # Two targets at once would be two Ninjas in one folder; Ninja itself runs in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report figures test bench tidy format setup clean help
+.PHONY: report html figures check-report test mutants bench verify dist why watch tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
 	@bash src/toolchain/build report
 
+html: ## the report as one page, build/report/report.html (first make setup STAGES=html)
+	@bash src/toolchain/build html
+
 figures: ## its values, tables and figures only, build/report/generated
 	@bash src/toolchain/build figures
+
+check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
+	@bash src/toolchain/build check-report
 
 test: ## every test
 	@bash src/toolchain/build test
 
+mutants: ## plants faults, each of which must turn a test or the report red
+	@bash src/toolchain/build mutants
+
 bench: ## benchmarks, results in build/bench/bench.json
 	@bash src/toolchain/build bench
+
+verify: ## makes the report again elsewhere and asks for the same bytes
+	@bash src/toolchain/build verify
+
+dist: ## the document as arXiv and journals take it, build/dist/report.tar.gz
+	@bash src/toolchain/build dist
+
+why: ## why the report would be built again
+	@bash src/toolchain/build why
+
+watch: ## builds the report after each save, until Ctrl-C
+	@bash src/toolchain/build watch
 
 tidy: ## clang-tidy on every source
 	@bash src/toolchain/build tidy
@@ -41,5 +65,5 @@ clean: ## remove everything built
 	@rm -rf build
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
 	@awk '/^#   [A-Z]/ { sub(/^#  /, ""); print }' Makefile

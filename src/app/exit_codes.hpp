@@ -10,7 +10,7 @@ namespace app {
 /// What the program answers to the shell.
 enum class ExitCode : int {
   success = 0,
-  claim_failed = 1,  ///< a check, a claim or a computation did not hold
+  claim_failed = 1,  ///< a check, a claim, a lint or a computation did not hold
   bad_input = 2,     ///< a flag, a case file, a document or an output folder
   tool_failed = 3,   ///< gnuplot or LaTeX is missing or failed
 };

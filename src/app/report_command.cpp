@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/compiled_excerpts.hpp"
 #include "app/options.hpp"
 #include "app/stage.hpp"
 #include "literate/document.hpp"
@@ -42,12 +43,13 @@ ExitCode run(const ReportOptions& options) {
   const Stage computing("compute");
   const parameters::Case from_file = parameters::read_case(options.case_file);
   const auto excerpts = literate::find_excerpts(options.source, {"src"});
+  literate::require_compiled(excerpts, compiled_excerpts);
   require_writable(options.output);
   literate::Document document;
   paper::compute(document, from_file);
-  computing.done(fmt::format("{} values, {} tables, {} checks, {} claims",
-                             document.values().size(), document.tables().size(),
-                             document.checks().size(), document.claims().size()));
+  computing.done(fmt::format("{} values, {} tables, {} checks, {} claims", document.values().size(),
+                             document.tables().size(), document.checks().size(),
+                             document.claims().size()));
 
   const Stage drawing("draw");
   document.write(options.output, excerpts);

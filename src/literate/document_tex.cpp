@@ -67,14 +67,43 @@ std::string claims_tex(const Document& document) {
   return text;
 }
 
+namespace {
+
+// LaTeX may break a name after a dot, a hyphen or a colon.
+std::string breakable(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    text += escape_latex(std::string(1, c));
+    if (c == '.' || c == '-' || c == ':' || c == '_') text += "\\allowbreak{}";
+  }
+  return text;
+}
+
+}  // namespace
+
+namespace {
+
+// Text as the index prints it: words too long for its columns, such as digests, may break anywhere.
+std::string index_text(const std::string& printed) {
+  constexpr std::size_t longest = 30;
+  const bool is_word = std::ranges::all_of(printed, [](char c) { return c > ' ' && c < 0x7f; });
+  if (printed.size() <= longest || !is_word) return {};
+  std::string text;
+  for (const char c : printed) text += escape_latex(std::string(1, c)) + "\\allowbreak{}";
+  return text;
+}
+
+}  // namespace
+
 std::string index_tex(const Document& document) {
   std::string text;
   for (const auto& [key, value] : document.values()) {
     const std::string error =
         value.abs_error() ? fmt::format("{:.1e}", *value.abs_error()) : std::string();
-    text +=
-        fmt::format("\\LiterateIndexEntry{{{}}}{{{}}}{{{}}}{{{}}}\n", key, escape_latex_path(key),
-                    error, escape_latex_path(text_of(document.place("value", key))));
+    text += fmt::format("\\LiterateIndexEntry{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", key,
+                        escape_latex_path(key), error,
+                        escape_latex_path(text_of(document.place("value", key))),
+                        value.number() ? std::string() : index_text(value.printed()));
   }
   return text;
 }
@@ -96,7 +125,7 @@ std::string entry(const Document& document, const fs::path& folder, const char* 
                   const char* subfolder, const std::string& name) {
   const SourcePlace& place = document.place(kind, name);
   std::string text = fmt::format("\\LiterateProvenance{{{}}}{{{}}}{{{}}}{{{}}}{{", kind, name,
-                                 escape_latex_path(text_of(place)), escape_latex(place.function));
+                                 escape_latex_path(text_of(place)), breakable(place.function));
   for (const std::string& file : data_files(folder / subfolder, name)) {
     text += fmt::format("%\n  \\LiterateFile{{{}/{}}}{{{}}}", subfolder, file,
                         sha256_of_file(folder / subfolder / file));

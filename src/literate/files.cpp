@@ -8,6 +8,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "literate/error.hpp"
 
@@ -61,17 +62,18 @@ bool write_if_changed(const fs::path& file, std::string_view text) {
   return true;
 }
 
-std::string sha256_of_file(const fs::path& file) {
-  const std::string bytes = read_file(file);
+std::string sha256_of_text(std::string_view text) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw failure("take the SHA-256 of", file);
+  if (EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error("OpenSSL cannot take a SHA-256");
   }
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
-  return text;
+  std::string hexadecimal;
+  for (unsigned int i = 0; i < size; ++i) hexadecimal += fmt::format("{:02x}", digest[i]);
+  return hexadecimal;
 }
+
+std::string sha256_of_file(const fs::path& file) { return sha256_of_text(read_file(file)); }
 
 std::vector<std::string> files_below(const fs::path& folder) {
   std::error_code error;

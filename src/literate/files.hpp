@@ -19,7 +19,10 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view t
 /// Returns whether it wrote.
 bool write_if_changed(const std::filesystem::path& file, std::string_view text);
 
-/// The SHA-256 of a file's bytes in lower-case hexadecimal; throws OutputError naming the file.
+/// The SHA-256 of a text in lower-case hexadecimal.
+std::string sha256_of_text(std::string_view text);
+
+/// The same of a file's bytes; throws OutputError naming a file that cannot be read.
 std::string sha256_of_file(const std::filesystem::path& file);
 
 /// All regular files below a folder, sorted, as generic paths relative to it; throws OutputError.

@@ -70,7 +70,7 @@ std::string escape_latex_path(std::string_view path) {
 }
 
 void require_unit(std::string_view unit) {
-  if (unit.find_first_of("%#&_$~") != std::string_view::npos) {
+  if (unit.find_first_of("%#&_$~\\{}") != std::string_view::npos) {
     throw std::invalid_argument(fmt::format("unit '{}' cannot be printed", unit));
   }
 }

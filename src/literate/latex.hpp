@@ -17,7 +17,7 @@ std::string escape_bookmark(std::string_view text);
 std::string escape_latex_path(std::string_view path);
 
 /// Throws std::invalid_argument for a unit that siunitx cannot print literally: one with % # & _ $
-/// ~.
+/// ~ \ { }.
 void require_unit(std::string_view unit);
 
 }  // namespace literate

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "literate/files.hpp"
+#include "literate/lines.hpp"
 #include "literate/source_label.hpp"
 #include "literate/tex_commands.hpp"
 
@@ -56,6 +57,14 @@ bool is_left_out(const TexCommand& use, const Names& names) {
   });
 }
 
+/// Whether a text prints the ledger, in which all claims stand.
+bool prints_ledger(std::string_view text) {
+  return std::ranges::any_of(lines_of(text), [](std::string_view line) {
+    const auto ledger = line.find("\\claimledger");
+    return ledger != std::string_view::npos && line.find('%') > ledger;
+  });
+}
+
 }  // namespace
 
 ReferenceReport check_references(const std::filesystem::path& source_dir, const Names& names) {
@@ -74,7 +83,11 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
   std::set<std::pair<std::string, std::string>> used;
   for (const std::string& file : files_below(source_dir)) {
     if (!file.ends_with(".tex")) continue;
-    for (const auto& use : commands_in(read_file(source_dir / file), commands)) {
+    const std::string text = read_file(source_dir / file);
+    if (prints_ledger(text)) {
+      for (const std::string& claim : names.claims) used.emplace("claim", claim);
+    }
+    for (const auto& use : commands_in(text, commands)) {
       const Kind& kind = *std::ranges::find(kinds, use.name, &Kind::command);
       used.emplace(use.name, use.argument);
       if (kind.names.contains(use.argument) || is_left_out(use, names)) continue;
@@ -84,6 +97,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     }
   }
   for (const Kind& kind : kinds) {
+    if (kind.noun == std::string_view("excerpt")) continue;  // others may print the same sources
     for (const std::string& name : kind.names) {
       if (!used.contains({kind.command, name})) {
         report.unused.push_back(fmt::format("{} '{}'", kind.noun, name));

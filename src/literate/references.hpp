@@ -13,7 +13,8 @@ namespace literate {
 struct ReferenceReport {
   /// «folder/file.tex:line:column: unknown value 'x', did you mean 'y'?», in the order of the text.
   std::vector<std::string> errors;
-  /// «value 'x'», «table 'y'» …: registered and not used anywhere, sorted by kind and name.
+  /// «value 'x'», «table 'y'» …: registered and not used anywhere, by kind and name. Excerpts are
+  /// not among them, nor claims if the document prints its ledger.
   std::vector<std::string> unused;
 };
 

@@ -11,6 +11,7 @@
 #include "literate/files.hpp"
 #include "literate/latex_log.hpp"
 #include "literate/lines.hpp"
+#include "literate/place_of_use.hpp"
 #include "literate/process.hpp"
 #include "literate/source_label.hpp"
 
@@ -61,6 +62,12 @@ ProcessResult run_latexmk(const TypesetOptions& options, bool from_scratch) {
   return run({"latexmk", arguments, options.source_dir, environment(options)});
 }
 
+/// All that is wrong, each told where the document's author can mend it.
+ToolError failure(std::vector<std::string> messages, const TypesetOptions& options) {
+  for (std::string& message : messages) message = told_at_place_of_use(message, options.source_dir);
+  return ToolError(fmt::format("{}", fmt::join(messages, "\n")));
+}
+
 /// Throws the useful lines of LaTeX's log.
 [[noreturn]] void fail(const TypesetOptions& options, const std::string& output) {
   const fs::path log = in_build_dir(options, ".log");
@@ -70,7 +77,7 @@ ProcessResult run_latexmk(const TypesetOptions& options, bool from_scratch) {
     throw ToolError(
         fmt::format("latexmk failed for {}:\n{}", options.main_file, last_lines(output)));
   }
-  throw ToolError(fmt::format("{}", fmt::join(errors, "\n")));
+  throw failure(errors, options);
 }
 
 }  // namespace
@@ -93,7 +100,7 @@ void typeset(const TypesetOptions& options) {
 
   const auto defects =
       latex_defects(read_file(in_build_dir(options, ".log")), source_label(options.source_dir));
-  if (!defects.empty()) throw ToolError(fmt::format("{}", fmt::join(defects, "\n")));
+  if (!defects.empty()) throw failure(defects, options);
   write_if_changed(options.output_pdf, read_file(in_build_dir(options, ".pdf")));
 }
 

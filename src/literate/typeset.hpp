@@ -24,7 +24,8 @@ struct TypesetOptions {
 /// \pdfsuppressptexinfo=-1. The output is written beside its place and renamed, and left untouched
 /// if its bytes are the same. Throws ToolError if latexmk or pdflatex is missing (naming
 /// `make setup`), with LaTeX's «file:line: message» on an error, and with all of latex_defects if
-/// there is one; OutputError if the output or the build folder cannot be written.
+/// there is one, errors within generated files told where the document uses them; OutputError if
+/// the output or the build folder cannot be written.
 void typeset(const TypesetOptions& options);
 
 }  // namespace literate

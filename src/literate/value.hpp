@@ -16,7 +16,7 @@ namespace literate {
 /// Units are literal text such as "in", "psi", "lbf/in" or "in^2". Numbers are rounded half to
 /// even from the exact binary value; a number that rounds to zero has no sign. Every factory
 /// throws std::invalid_argument for a NaN, an infinity, digits out of range, or a unit that holds
-/// one of % # & _ $ ~.
+/// one of % # & _ $ ~ \ { }.
 class Value {
  public:
   static Value integer(std::int64_t number, std::string_view unit = "");

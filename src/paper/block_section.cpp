@@ -7,6 +7,7 @@
 
 #include "block/load_shapes.hpp"
 #include "block/mass_properties.hpp"
+#include "paper/block_claims.hpp"
 #include "paper/block_figures.hpp"
 #include "paper/block_study.hpp"
 #include "paper/decimals.hpp"
@@ -182,11 +183,6 @@ void tabulate_candidates(literate::Document& document, const parameters::Case& c
                  "every other shape misses the printed displacements by ten times more");
 }
 
-// The paper's difference, analytical − FEA, taken apart; every part a length, the sum the whole.
-struct Share {
-  double x, whole, datum, body, load, rest;
-};
-
 std::vector<Share> like_with_like(const parameters::Case& c, const BlockStudy& study) {
   const parameters::HalfSpaceCase& h = c.half_space;
   const auto half_space = [&](double x) {
@@ -271,8 +267,11 @@ void compute_block(literate::Document& document, const parameters::Case& from_fi
   register_fit(document, from_file, study);
   tabulate_measures(document, from_file, study);
   tabulate_candidates(document, from_file, study);
-  tabulate_shares(document, from_file, like_with_like(from_file, study));
+  const std::vector<Share> shares = like_with_like(from_file, study);
+  tabulate_shares(document, from_file, shares);
   tabulate_mass(document, from_file);
+  claim_block(document, from_file, study,
+              study.fit()->fit.solution.measures(study.measure_options()), shares);
 }
 
 }  // namespace paper

@@ -18,7 +18,9 @@ namespace {
 
 using contact::Hertz;
 using literate::Column;
+using literate::confirmed_if;
 using literate::Value;
+using literate::Verdict;
 
 // The program with the defects mended up to one of them.
 struct Row {
@@ -219,6 +221,91 @@ void check_rows(literate::Document& document, const std::vector<Row>& rows, doub
                  "before the edge is free, mending both bodies and the load adds to the misfit");
 }
 
+constexpr double of_program = 1e-2;  // how near Contact.m's numbers must be to count as right
+const char* const reason = "1 %, far below what the element width of the listing lets one expect";
+
+// The program's pressures, its area and its edge.
+void claim_program(literate::Document& document, const parameters::Case& from_file,
+                   const ContactMInput& input, const std::vector<Row>& rows, const Hertz& hertz) {
+  const parameters::UnitSystem& units = from_file.units;
+  const double load = from_file.contact.line_load;
+  const double carried = rows[printed].program.line_load;
+  document.claim("contact-m-load",
+                 {.sentence = "Contact.m calculates the pressure distribution between two "
+                              "cylinders.",
+                  .place = "paper, Problem Description, p. 6; Appendix 3, p. 17",
+                  .stated = Value::significant(load, 4, units.line_load),
+                  .computed = Value::significant(carried, 4, units.line_load),
+                  .route = "the listed program run as printed: the load that its triangles carry",
+                  .tolerance = reason,
+                  .expected = Verdict::refuted,
+                  .found = confirmed_if(std::abs(carried / load - 1) < of_program)});
+  const double area = input.spacing * static_cast<double>(input.zero_node - 2);
+  const double half_width = edge(rows[finer].program);
+  document.claim("contact-m-area",
+                 {.sentence = "A = c(aa − 2) is the contact area.",
+                  .place = "paper, Appendix 3, p. 18",
+                  .stated = Value::significant(area, 2, units.length),
+                  .computed = Value::significant(half_width, 3, units.length),
+                  .route = "the program with every repair, on a quarter of its element width: the "
+                           "first node without pressure, for one side as A is",
+                  .tolerance = "two of the listing's elements, since counting nodes is no better",
+                  .expected = Verdict::refuted,
+                  .found = confirmed_if(std::abs(area - half_width) < 2 * input.spacing)});
+  const ContactM own = run_contact_m(from_file.contact, input, {.free_edge = true});
+  const bool is_own = own.zero_node == input.zero_node;
+  const bool is_right = rows[all].program.zero_node == input.zero_node;
+  document.claim("contact-m-edge",
+                 {.sentence = "aa is the node where p becomes zero.",
+                  .place = "paper, Appendix 3, p. 17",
+                  .stated = Value::integer(input.zero_node),
+                  .computed = Value::integer(rows[all].program.zero_node),
+                  .route = "the edge found by p ≥ 0: in the program as printed, and with every "
+                           "repair, which is the value",
+                  .tolerance = "none, it is a count; partly if it is right for the printed program",
+                  .expected = Verdict::partly,
+                  .found = literate::confirmed_in(is_own + is_right, 2)});
+  const double own_half_width = rows[printed].program.hertz_half_width;
+  document.claim(
+      "contact-m-hertz-width",
+      {.sentence = "a of Contact.m is Hertz's contact width.",
+       .place = "paper, Appendix 3, p. 18",
+       .stated = Value::significant(own_half_width, 4, units.length),
+       .computed = Value::significant(hertz.half_width(), 4, units.length),
+       .route = "Hertz's half-width for two bodies under P",
+       .tolerance = reason,
+       .expected = Verdict::refuted,
+       .found = confirmed_if(std::abs(own_half_width / hertz.half_width() - 1) < of_program)});
+}
+
+void claim_mended(literate::Document& document, const parameters::UnitSystem& units,
+                  const std::vector<Row>& rows, const Hertz& hertz) {
+  const double own_peak = rows[printed].program.hertz_peak_pressure;
+  document.claim(
+      "contact-m-hertz-peak",
+      {.sentence = "p0 of Contact.m is Hertz's maximum pressure.",
+       .place = "paper, Appendix 3, p. 18",
+       .stated = Value::significant(own_peak, 4, units.stress),
+       .computed = Value::significant(hertz.peak_pressure(), 4, units.stress),
+       .route = "Hertz's peak for two bodies under P",
+       .tolerance = reason,
+       .expected = Verdict::refuted,
+       .found = confirmed_if(std::abs(own_peak / hertz.peak_pressure() - 1) < of_program)});
+  const double before = std::abs(peak(rows[all].program) / hertz.peak_pressure() - 1);
+  const double after = std::abs(peak(rows[finer].program) / hertz.peak_pressure() - 1);
+  const double ratio = rows[all].misfit / rows[finer].misfit;
+  document.claim("contact-m-mended",
+                 {.sentence = "With six repairs Contact.m converges to Hertz.",
+                  .place = "this report",
+                  .computed = Value::scientific_bound(after, 1),
+                  .route = "the peak of the mended program on a grid four times as fine, against "
+                           "Hertz",
+                  .tolerance = "10⁻³ before and 10⁻⁴ after refining, and a misfit of the pressure "
+                               "that falls by four at least",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(before < 1e-3 && after < 1e-4 && ratio > 4)});
+}
+
 }  // namespace
 
 void compute_contact_m(literate::Document& document, const parameters::Case& from_file) {
@@ -231,6 +318,8 @@ void compute_contact_m(literate::Document& document, const parameters::Case& fro
   find_edges(document, contact, input, rows[all].program);
   compare_mended(document, contact, input, rows, hertz);
   check_rows(document, rows, hertz.peak_pressure());
+  claim_program(document, from_file, input, rows, hertz);
+  claim_mended(document, from_file.units, rows, hertz);
   document.table("contact-m-repair", repair_table(rows, hertz, contact.line_load));
   document.figure("contact-m-repair", 15.2, 9.6,
                   [figure = repair_figure(rows, hertz)](literate::Plot& plot) {

@@ -14,7 +14,9 @@ namespace {
 using contact::Hertz;
 using contact::Solution;
 using literate::Column;
+using literate::confirmed_if;
 using literate::Value;
+using literate::Verdict;
 
 Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
   return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
@@ -84,6 +86,50 @@ void register_residuals(literate::Document& document, const Solution& solution,
                  "eqs. (1a), (1b) and equilibrium hold to rounding");
 }
 
+void claim_cylinders(literate::Document& document, const parameters::Case& from_file,
+                     const Solution& solution, const Hertz& hertz) {
+  const parameters::ContactCase& c = from_file.contact;
+  const double radius = 1 / c.cylinders.relative_curvature();
+  const double share = hertz.half_width() / radius;
+  if (from_file.printed) {
+    document.claim("contact-is-small",
+                   {.sentence = "The area of contact is finite though small compared with the "
+                                "dimensions of the two bodies.",
+                    .place = "paper, Introduction and Problem Description, p. 3",
+                    .computed = Value::percent(solution.half_width() / radius, 1),
+                    .route = "the half-width of the elements' contact over the relative radius",
+                    .tolerance = "10 %, a tenth: the theory of half-spaces wants it well below one",
+                    .expected = Verdict::confirmed,
+                    .found = confirmed_if(share > 0 && share < 0.1)});
+  }
+  const double indentation = c.cylinders.profile().gap(solution.half_width());
+  const double gap = solution.residuals.gap / indentation;
+  document.claim(
+      "exact-at-matching-points",
+      {.sentence = "By matrix inversion the boundary conditions are satisfied exactly at "
+                   "the matching points.",
+       .place = "paper, Problem Description, p. 6",
+       .computed = Value::scientific_bound(gap, 1),
+       .route = "eq. (1a) with the displacements of the pressures found, at every node "
+                "in contact, over the gap at the edge before deformation",
+       .tolerance = "10⁻¹¹: rounding, of some 10⁻¹⁵ a term and hundreds of terms",
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(gap <= 1e-11)});
+  const double peak = std::abs(solution.peak_pressure() / hertz.peak_pressure() - 1);
+  const double width = std::abs(solution.half_width() / hertz.half_width() - 1);
+  const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
+  document.claim("hertz-verifies",
+                 {.sentence = "The method can be verified on two cylinders in contact using Hertz.",
+                  .place = "paper, Conclusions, p. 9",
+                  .computed = Value::scientific_bound(std::max(peak, width), 1),
+                  .route = "peak and half-width of overlapping triangles against Hertz; the value "
+                           "is the larger relative difference",
+                  .tolerance = "(c/a)² times 0.25 for the peak and 0.4 for the half-width: the "
+                               "order of linear elements, the factors from grids of 5 to 500 nodes",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(peak < 0.25 * square && width < 0.4 * square)});
+}
+
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   if (body.radius.is_plane()) return Value::text("∞");
   return Value::significant(1 / body.radius.curvature(), 4, unit);
@@ -126,6 +172,7 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
   document.value("cylinders.datum", Value::exact(c.datum, units.length));
   register_residuals(document, solution, c, units);
 
+  claim_cylinders(document, from_file, solution, hertz);
   document.table("cylinders", comparison_table(solution, hertz, units));
   document.table("cylinder-refinement", refinement_table(c, hertz));
   document.figure("cylinder-pressure", 12, 8.4,

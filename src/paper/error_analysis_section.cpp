@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -6,13 +8,16 @@
 
 #include "elasticity/surface_quadrature.hpp"
 #include "paper/decimals.hpp"
+#include "paper/quoted.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using literate::Column;
+using literate::confirmed_if;
 using literate::Value;
+using literate::Verdict;
 
 // What one factor e in the datum does to every displacement: 2(1−ν²)P/(πE).
 double shift_per_e(const parameters::HalfSpaceCase& c) {
@@ -49,6 +54,43 @@ void measure_datum(literate::Document& document, const parameters::Case& from_fi
       "a factor e in the datum shifts every displacement by 2(1-nu^2)P/(pi E)");
 }
 
+void claim_datum(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::HalfSpaceCase& c = from_file.half_space;
+  const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
+  const elasticity::SurfaceQuadrature nearer(c.material, c.load, c.datum / std::numbers::e);
+  const double middle = surface.normal_displacement(0).value;
+  const double shift = std::abs(middle - nearer.normal_displacement(0).value);
+  constexpr double insensitive = 1e-2;
+  document.claim("insensitive-to-c",
+                 {.sentence = "The error is not sensitive to C, provided that it was calculated a "
+                              "distance far from the loaded region.",
+                  .place = "paper, Error Analysis, p. 8",
+                  .computed = Value::scientific(shift, 3, from_file.units.length),
+                  .route = "the displacement by quadrature for two datums, one a factor e nearer; "
+                           "the value is the shift",
+                  .tolerance = "1 % of the largest displacement, which would be lost in a plot",
+                  .expected = Verdict::refuted,
+                  .found = confirmed_if(shift < insensitive * middle)});
+  if (!from_file.printed) return;
+  // K/x is the gradient of the whole load put into a point: 1/x, whose integral has no limit.
+  const double gradient = std::abs(surface.normal_gradient(c.datum).value);
+  const double largest = std::abs(surface.normal_gradient(c.load.half_width()).value);
+  const bool is_small = gradient < insensitive * largest;
+  const bool has_no_limit = std::abs(gradient * c.datum / shift_per_e(c) - 1) < 1e-3;
+  const Verdict of_small = has_no_limit ? Verdict::partly : Verdict::confirmed;
+  document.claim("gradient-approaches-zero",
+                 {.sentence = "At x = 10 the displacement gradient approaches zero, so that C can "
+                              "be evaluated there.",
+                  .place = "paper, Results, p. 7",
+                  .computed = Value::scientific(gradient, 3),
+                  .route = "eq. (2) by quadrature at the datum",
+                  .tolerance = "small: below 1 % of the gradient at the end of the load; but "
+                               "if it is K/x to 10⁻³, its integral has no limit, and C depends on "
+                               "where it is evaluated",
+                  .expected = Verdict::partly,
+                  .found = is_small ? of_small : Verdict::refuted});
+}
+
 // u_x outside the load, which the paper calls negligible.
 void measure_tangential(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
@@ -67,6 +109,33 @@ void measure_tangential(literate::Document& document, const parameters::Case& fr
   }
   document.check("tangential-within-error", agrees,
                  "u_x by quadrature of Johnson (2.24a) is within its error of the closed form");
+}
+
+void claim_tangential(literate::Document& document, const parameters::Case& from_file,
+                      double largest_share) {
+  const parameters::PrintedFigure5& printed = from_file.printed->figure5;
+  double largest = 0;
+  for (std::size_t i = 0; i < printed.x.size(); ++i) {
+    largest = std::max(largest, printed.fea_magnitude[i].value() / printed.fea_z[i].value() - 1);
+  }
+  document.claim("magnitude-like-z",
+                 {.sentence = "The finite-element displacements in the z-direction and their "
+                              "magnitudes are nearly identical.",
+                  .place = "paper, Error Analysis, p. 8",
+                  .computed = Value::percent_bound(largest, 1),
+                  .route = "the printed columns; the value is their largest difference",
+                  .tolerance = "2 %, the size of the marks in a plot like its Fig. 4",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(largest < 2e-2)});
+  document.claim("tangential-negligible",
+                 {.sentence = "This tells us that the displacements in the x-direction are "
+                              "negligible.",
+                  .place = "paper, Error Analysis, p. 8",
+                  .computed = Value::percent(largest_share, 0),
+                  .route = "the x-displacement recovered from the printed magnitude and z, over z",
+                  .tolerance = "2 %, as for the magnitudes from which it is concluded",
+                  .expected = Verdict::refuted,
+                  .found = confirmed_if(largest_share < 2e-2)});
 }
 
 // u_x in the finite-element columns, √(magnitude² − z²), beside the half-space's.
@@ -89,6 +158,7 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
                    100 * fea / z});
   }
   document.table("tangential", table);
+  claim_tangential(document, from_file, largest_share);
   const double z0 = printed.fea_z.front().value();
   const double magnitude0 = printed.fea_magnitude.front().value();
   document.value("tangential.at-zero",
@@ -98,6 +168,44 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
   const double half_space = std::abs(tangential_displacement(c.material, c.load, c.points.back()));
   document.value("tangential.max-disp-x", Value::scientific(largest, 4, unit));
   document.value("tangential.max-disp-x-ratio", Value::fixed(largest / half_space, 2));
+}
+
+// Of the whole load, by the printed slopes: that stated, and that of the run's summary.
+void claim_resultants(literate::Document& document, const parameters::Case& from_file, double least,
+                      double most) {
+  const double stated = from_file.half_space.load.line_load();
+  const parameters::PrintedNumber& summary =
+      from_file.printed->appendix2.measures.at("resultant_load_y");
+  const std::string& unit = from_file.units.line_load;
+  const double found = stated * (least + most) / 2;
+  constexpr double of_slopes = 2e-2;
+  const std::string route =
+      "the printed columns: the slope of FEA (z) over that of the analytical column far from the "
+      "load, times p₀a";
+  const std::string tolerance =
+      "2 %: the slopes of four pairs of points differ by less, and the shape of the load has died "
+      "out there but for (a/x)²/6";
+  document.claim("same-load",
+                 {.sentence = "The finite-element model carries the same load distribution as the "
+                              "analytical solution.",
+                  .place = "paper, Numerical Solution, p. 6",
+                  .stated = Value::significant(stated, 3, unit),
+                  .computed = Value::significant(found, 3, unit),
+                  .route = route,
+                  .tolerance = tolerance,
+                  .expected = Verdict::refuted,
+                  .found = confirmed_if(std::abs(found / stated - 1) < of_slopes)});
+  document.claim(
+      "slopes-tell-the-load",
+      {.sentence = "The slopes of the printed columns far from the load tell the "
+                   "resultant that the run reports.",
+       .place = "this report; paper, Appendix 2, p. 15",
+       .stated = Value::significant(std::abs(summary.value()), 3, unit),
+       .computed = Value::significant(found, 3, unit),
+       .route = route,
+       .tolerance = tolerance,
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(std::abs(found / std::abs(summary.value()) - 1) < of_slopes)});
 }
 
 // Far from the load the slope goes with the resultant; the printed columns tell which they had.
@@ -129,12 +237,15 @@ void compare_resultants(literate::Document& document, const parameters::Case& fr
   const double gap = std::max(std::abs(least - loads), std::abs(most - loads)) / loads;
   document.value("appendix2.resultant", Value::fixed(resultant, 1, from_file.units.line_load));
   document.value("appendix2.resultant-ratio", Value::fixed(loads, 2));
+  claim_resultants(document, from_file, least, most);
   document.value("far-slope.least", Value::fixed(least, 2));
   document.value("far-slope.most", Value::fixed(most, 2));
   document.value("far-slope.gap", Value::percent_bound(gap, 1));
   document.check("fea-carried-another-load", least > 1.5,
                  "far from the load the printed FEA falls more than half again as fast as eq. (3)");
 }
+
+constexpr double stated_order = 1e-7;  // of the error, in words
 
 // Which datum would have made the two columns meet at the last point.
 void compare_error(literate::Document& document, const parameters::Case& from_file) {
@@ -145,6 +256,21 @@ void compare_error(literate::Document& document, const parameters::Case& from_fi
   const double difference = normal_displacement(c.material, c.load, c.points.back(), c.datum) -
                             printed.fea_z.back().value();
   const std::string& unit = from_file.units.length;
+  const double decade = std::sqrt(10.0);
+  const long n_of_order = std::ranges::count_if(printed.error, [&](const auto& error) {
+    return error.value() > stated_order / decade && error.value() < stated_order * decade;
+  });
+  document.claim(
+      "order-of-error",
+      {.sentence = "The error remains in the order of 10E-7.",
+       .place = "paper, Error Analysis, p. 8",
+       .stated = Value::text("10E-7"),
+       .computed = Value::text(fmt::format("{} of {} points", n_of_order, printed.error.size())),
+       .route = "the printed error column",
+       .tolerance = "from 10⁻⁷/√10 to 10⁻⁷√10, half a decade to either side of 10⁻⁷, which must be "
+                    "meant: 10E-7 is 10⁻⁶, more than any of them",
+       .expected = Verdict::partly,
+       .found = literate::confirmed_in(n_of_order, std::ssize(printed.error))});
   document.value("error.first", Value::scientific(first, 2, unit));
   document.value("error.last", Value::scientific(last, 2, unit));
   document.value("error.last-share", Value::percent(last / printed.fea_z.back().value(), 0));
@@ -157,6 +283,7 @@ void compare_error(literate::Document& document, const parameters::Case& from_fi
 
 void compute_error_analysis(literate::Document& document, const parameters::Case& from_file) {
   measure_datum(document, from_file);
+  claim_datum(document, from_file);
   measure_tangential(document, from_file);
   if (from_file.printed) {
     compare_error(document, from_file);

@@ -18,9 +18,9 @@ namespace paper {
 namespace {
 
 using elasticity::SurfaceQuadrature;
+using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
-using literate::confirmed_if;
 
 void register_parameters(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& half_space = from_file.half_space;

@@ -23,7 +23,9 @@ using contact::Hertz;
 using contact::Solution;
 using elasticity::Material;
 using literate::Column;
+using literate::confirmed_if;
 using literate::Value;
+using literate::Verdict;
 
 constexpr double friction_coefficient = 0.3;  // dry metals, and a round number
 constexpr double light_friction = 0.1;        // greased ones
@@ -164,6 +166,17 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
   const double square = std::pow(own.solution.grid.spacing / own.hertz.half_width(), 2);
   document.check("friction-ratio-is-beta-mu", departure_of_ratio < friction_coefficient * square,
                  "the largest slope of the shear over that of the pressure is beta mu");
+  document.claim(
+      "sliding-in-closed-form",
+      {.sentence = "With friction between unlike bodies the pressure is a product of two "
+                   "powers, of the distances from the two edges.",
+       .place = "this report",
+       .computed = Value::scientific_bound(departure_of_exact, 1),
+       .route = "eq. (2) for both bodies by quadrature: its departure from the slope "
+                "−x/R, over a/R, the largest of all pairs",
+       .tolerance = "10⁻¹², what the quadrature reports at singular ends",
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(departure_of_exact < 1e-12)});
   document.check("sliding-exact", departure_of_exact < 1e-12,
                  "the pressure that feels the shear satisfies eqs. (1a) and (2)");
 }
@@ -182,6 +195,18 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
   document.value("friction.body1", Value::percent(slope1, 2));
   document.value("friction.body2", Value::percent(slope2, 2));
   document.flag("friction.like", own.beta == 0);
+  const double lost = std::abs(sum);
+  document.claim(
+      "friction-small-loss",
+      {.sentence = "To neglect tangential tractions will incur only a small loss of "
+                   "precision.",
+       .place = "paper, Problem Description, p. 4",
+       .computed = Value::percent(lost, 2),
+       .route = "eq. (2) for both bodies of this case, sliding: the slope that the shear "
+                "adds in the middle of the contact, over the largest slope there, a/R",
+       .tolerance = "10 %: the contact then moves by 6 % of a, and widens by 0.2 %",
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(lost < 0.1)});
   document.value("friction.lost", Value::percent(std::abs(slope1 - slope2), 2));
   document.check("slopes-of-two-bodies",
                  std::abs(sum - (slope1 - slope2)) <= 1e-14 * std::max(slope1, slope2) &&
@@ -324,6 +349,18 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
   document.figure("partial-slip", 13.5, 7,
                   [figure](literate::Plot& plot) { figures::draw_partial_slip(plot, figure); });
   // As for the half-width of the contact itself (0.36 (c/a)²), with the strip for the contact.
+  document.claim(
+      "strip-of-cattaneo-and-mindlin",
+      {.sentence = "Under a tangential load the strip that sticks is that of Cattaneo "
+                   "and Mindlin.",
+       .place = "this report",
+       .computed = Value::fixed(worst_stick, 2),
+       .route = "the difference of two frictionless contacts against the closed form; the "
+                "value is the largest relative error of the strip, over the square of "
+                "the elements' width over it",
+       .tolerance = "0.7: second order, with twice the factor of the contact's own width",
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(worst_stick < 0.7)});
   document.check("strip-that-sticks", worst_stick < 0.7,
                  "the strip that sticks is that of Cattaneo and Mindlin to second order");
   document.check("slip-errors-at-edges", from_edge < 2,

@@ -11,8 +11,8 @@ void compute(literate::Document& document, const parameters::Case& from_file) {
   compute_formulation(document, from_file);
   compute_quadrature(document, from_file);
   compute_results(document, from_file);
-  compute_error_analysis(document, from_file);
   compute_block(document, from_file);
+  compute_error_analysis(document, from_file);
   compute_cylinders(document, from_file);
   if (from_file.printed) compute_contact_m(document, from_file);
   compute_elements(document, from_file);

@@ -22,7 +22,9 @@ using contact::Solution;
 using Eigen::Index;
 using literate::Cell;
 using literate::Column;
+using literate::confirmed_if;
 using literate::Value;
+using literate::Verdict;
 using parameters::ContactCase;
 
 // The cylinders with waves on them: h = x²/(2R) + Δ[1 − cos(2πx/λ)], given by points.
@@ -113,6 +115,7 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
   figures::SeveralRegions figure;
   std::vector<std::size_t> counts;
   bool as_expected = true;
+  long n_closed = 0;
   for (const Loading& loading : loadings) {
     const double load = loading.share * c.line_load;
     const Solution solution = contact::solve_by_fft(wavy.problem, load);
@@ -125,6 +128,7 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
     const int expected = valleys_expected_closed(wavy, smooth);
     counts.push_back(regions.size());
     as_expected = as_expected && closed == expected;
+    n_closed += closed;
     table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
                    regions.back().end / hertz.half_width(), touching / extent});
     if (loading.is_drawn) {
@@ -136,6 +140,16 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
                   [figure](literate::Plot& plot) { figures::draw_several_regions(plot, figure); });
   const std::size_t most = std::ranges::max(counts);
   document.value("wavy.most-regions", Value::integer(static_cast<long>(most)));
+  document.claim("valleys-close",
+                 {.sentence = "Between waves the valleys close where smooth cylinders would have a "
+                              "pressure above that which presses the waves flat.",
+                  .place = "this report",
+                  .computed = Value::integer(n_closed),
+                  .route = "seven loads on wavy cylinders, given as a measured profile; the value "
+                           "counts the valleys closed in all",
+                  .tolerance = "none, it is a count, and must be right under each load",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(as_expected && n_closed > 0)});
   document.check("regions-form-and-join", counts.front() == 1 && most == 5 && counts.back() < most,
                  "regions appear, and join, as the load grows");
   document.check("valleys-close-at-p-star", as_expected,

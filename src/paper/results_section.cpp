@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "elasticity/surface_quadrature.hpp"
 #include "figures/displacement_comparison.hpp"
 #include "paper/decimals.hpp"
 #include "paper/quoted.hpp"
@@ -11,7 +15,9 @@ namespace paper {
 namespace {
 
 using literate::Column;
+using literate::confirmed_if;
 using literate::Value;
+using literate::Verdict;
 using parameters::PrintedNumber;
 
 double analytical(const parameters::HalfSpaceCase& c, double x) {
@@ -45,6 +51,44 @@ figures::DisplacementComparison comparison_figure(const parameters::Case& from_f
   return figure;
 }
 
+// Left and right, and far from the load, by eq. (2) alone.
+void claim_shape(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::HalfSpaceCase& c = from_file.half_space;
+  const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
+  const double unit = c.material.integral_compliance() * c.load.line_load();
+  double largest = 0;
+  bool is_symmetric = true;
+  for (const double x : c.points) {
+    const numerics::Estimate difference =
+        surface.normal_displacement(x) - surface.normal_displacement(-x);
+    largest = std::max(largest, std::abs(difference.value));
+    is_symmetric = is_symmetric && std::abs(difference.value) <= difference.abs_error;
+  }
+  document.claim("symmetric",
+                 {.sentence = "The displacements are symmetrical about x = 0.",
+                  .place = "paper, Results, p. 8",
+                  .computed = Value::scientific_bound(largest / unit, 1),
+                  .route = "eq. (2) by quadrature at x and at −x, where nothing is known of the "
+                           "symmetry; the value is the largest difference over K",
+                  .tolerance = "the errors that the two quadratures report",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(is_symmetric)});
+  if (!from_file.printed) return;
+  const double end = c.points.back();
+  const double share =
+      surface.normal_displacement(end).value / surface.normal_displacement(0).value;
+  document.claim(
+      "deflects-far-away",
+      {.sentence = "The triangular load deflects the surface at distances well outside "
+                   "the loaded region.",
+       .place = "paper, Conclusions, p. 9",
+       .computed = Value::percent(share, 0),
+       .route = "eq. (2) by quadrature at the last point, as a share of the middle",
+       .tolerance = "at least a tenth, less than which would hardly be seen in its Fig. 4",
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(end > 2 * c.load.half_width() && share > 0.1)});
+}
+
 // Eq. (3) at the points, for a case that has no printed data to stand beside.
 void tabulate_displacements(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
@@ -73,6 +117,47 @@ void describe_odd_point(literate::Document& document, const parameters::Case& fr
   document.value("tri-dist.odd.difference",
                  Value::scientific(std::abs(printed.value() - exact), 2, unit));
   document.value("tri-dist.odd.slope", Value::scientific(slope, 3));
+}
+
+// What the listed program's output says of the load, and of the program.
+void claim_tri_dist(literate::Document& document, const parameters::Case& from_file, long n_agree,
+                    long n_stepped) {
+  const parameters::HalfSpaceCase& c = from_file.half_space;
+  const PrintedNumber& first = from_file.printed->tri_dist.displacement.front();
+  const long n = std::ssize(c.points);
+  const double load = c.load.line_load() * first.value() / analytical(c, c.points.front());
+  constexpr double in_words = 1000;
+  document.claim("load-in-words",
+                 {.sentence = "A 1000 pound/inch load is applied.",
+                  .place = "paper, Numerical Solution, p. 6; Appendix 1, p. 12",
+                  .stated = Value::exact(in_words, from_file.units.line_load),
+                  .computed = Value::significant(load, 4, from_file.units.line_load),
+                  .route = "the first printed displacement over that of eq. (3) under unit load",
+                  .tolerance = "1 %, where the print and eq. (3) have eight digits",
+                  .expected = Verdict::refuted,
+                  .found = confirmed_if(std::abs(load / in_words - 1) < 1e-2)});
+  const auto of_points = [n](long count) {
+    return Value::text(fmt::format("{} of {} points", count, n));
+  };
+  document.claim("tri-dist-is-equation-3",
+                 {.sentence = "The listed program, Tri_dist.m, computes eq. (3).",
+                  .place = "paper, Appendix 1, p. 12",
+                  .computed = of_points(n_agree),
+                  .route = "eq. (3) in this report's form, with the limits taken as limits",
+                  .tolerance = fmt::format("all {} printed digits: eq. (3) must round to the print",
+                                           first.n_digits()),
+                  .expected = Verdict::partly,
+                  .found = literate::confirmed_in(n_agree, n)});
+  document.claim("tri-dist-steps-off",
+                 {.sentence = "Tri_dist.m is eq. (3) where it really evaluates it, a step off the "
+                              "singular points.",
+                  .place = "this report",
+                  .computed = of_points(n_stepped),
+                  .route = "eq. (3) at the abscissae that the listing assigns",
+                  .tolerance = fmt::format("all {} printed digits: eq. (3) must round to the print",
+                                           first.n_digits()),
+                  .expected = Verdict::confirmed,
+                  .found = literate::confirmed_in(n_stepped, n)});
 }
 
 // The program's output beside eq. (3), at the point and where the program really took it.
@@ -106,6 +191,7 @@ void compare_tri_dist(literate::Document& document, const parameters::Case& from
     }
   }
   describe_odd_point(document, from_file, odd);
+  claim_tri_dist(document, from_file, n_agree, n_agree_stepped);
   const long n_points = std::ssize(c.points);
   document.table("tri-dist", table);
   document.value("tri-dist.n-agree", Value::integer(n_agree));
@@ -116,6 +202,90 @@ void compare_tri_dist(literate::Document& document, const parameters::Case& from
                  "eq. (3) has every printed digit of Tri_dist.m at all points but one");
   document.check("tri-dist-step", n_agree_stepped == n_points,
                  "eq. (3) where Tri_dist.m really took it has every printed digit at all points");
+}
+
+// The columns of Fig. 5 against eq. (3), each other and Appendix 2.
+void claim_figure5(literate::Document& document, const parameters::Case& from_file,
+                   long n_analytical, long n_errors_of_z) {
+  const parameters::PrintedFigure5& printed = from_file.printed->figure5;
+  const auto& measures = from_file.printed->appendix2.measures;
+  const long n = std::ssize(printed.x);
+  const auto of_points = [n](long count) {
+    return Value::text(fmt::format("{} of {} points", count, n));
+  };
+  const int n_digits = printed.analytical.front().n_digits();
+  document.claim("figure5-analytical", {.sentence = "The analytical column of Fig. 5 is eq. (3).",
+                                        .place = "paper, Error Analysis, Fig. 5, p. 9",
+                                        .computed = of_points(n_analytical),
+                                        .route = "eq. (3) with its limits",
+                                        .tolerance = fmt::format("all {} printed digits", n_digits),
+                                        .expected = Verdict::partly,
+                                        .found = literate::confirmed_in(n_analytical, n)});
+  document.claim(
+      "error-of-z",
+      {.sentence = "The error is calculated using displacements in the z-direction only.",
+       .place = "paper, Error Analysis, p. 8",
+       .computed = of_points(n_errors_of_z),
+       .route = "the difference of the printed columns, analytical less FEA (z)",
+       .tolerance = "one unit of the last place of these columns, which the error column "
+                    "exceeds in digits",
+       .expected = Verdict::refuted,
+       .found = literate::confirmed_in(n_errors_of_z, n)});
+  long n_same = 0;
+  for (long i = 0; i < n; ++i) {
+    const PrintedNumber& measure = measures.at(fmt::format("measure{}", i + 1));
+    const PrintedNumber& column = printed.fea_z[static_cast<std::size_t>(i)];
+    n_same += column.n_digits() == measure.n_digits() && column.agrees_with(-measure.value());
+  }
+  document.claim("fea-z-are-measures",
+                 {.sentence = "Fig. 5 shows the values obtained from the finite-element run.",
+                  .place = "paper, Error Analysis, p. 8; Appendix 2, pp. 15–16",
+                  .computed = of_points(n_same),
+                  .route = "the column FEA (z) against measure1 to measure11 of the run's summary",
+                  .tolerance = "none: the same digits",
+                  .expected = Verdict::confirmed,
+                  .found = literate::confirmed_in(n_same, n)});
+  const PrintedNumber& maximum = measures.at("max_disp_mag");
+  const PrintedNumber& largest = *std::ranges::max_element(
+      printed.fea_magnitude, {}, [](const PrintedNumber& number) { return number.value(); });
+  document.claim(
+      "largest-magnitude",
+      {.sentence = "The largest displacement of the run is max_disp_mag.",
+       .place = "paper, Appendix 2, p. 15",
+       .stated = quoted_value(maximum, from_file.units.length),
+       .computed = quoted_value(largest, from_file.units.length),
+       .route = "the largest of the magnitudes that Fig. 5 prints from the same run",
+       .tolerance = "half a unit of the last place: no magnitude may exceed the maximum",
+       .expected = Verdict::refuted,
+       .found = confirmed_if(largest.value() <= maximum.value() + maximum.last_place() / 2)});
+}
+
+// Its accuracy as the run states it, and that of the closed form as the program printed it.
+void claim_accuracy(literate::Document& document, const parameters::Case& from_file) {
+  const parameters::HalfSpaceCase& c = from_file.half_space;
+  const parameters::PrintedData& printed = *from_file.printed;
+  double fea = HUGE_VAL;
+  double closed_form = 0;
+  for (std::size_t i = 0; i < c.points.size(); ++i) {
+    const auto convergence = printed.appendix2.convergence.find(fmt::format("measure{}", i + 1));
+    if (convergence != printed.appendix2.convergence.end()) {
+      fea = std::min(fea, convergence->second.value() / 100);
+    }
+    const double exact = analytical(c, c.points[i]);
+    closed_form =
+        std::max(closed_form, std::abs(printed.tri_dist.displacement[i].value() / exact - 1));
+  }
+  document.claim(
+      "fea-most-accurate",
+      {.sentence = "FEA has the advantage of providing the most accurate results.",
+       .place = "paper, Conclusions, p. 10",
+       .stated = Value::scientific(fea, 1),
+       .computed = Value::scientific_bound(closed_form, 1),
+       .route = "stated is the best convergence that the run reports for a displacement, "
+                "computed the largest relative error of the printed closed form",
+       .tolerance = "none: the smaller error is the more accurate",
+       .expected = Verdict::refuted,
+       .found = confirmed_if(fea <= closed_form)});
 }
 
 // Fig. 5 rebuilt: the analytical column from eq. (3), the error column from the other columns.
@@ -149,6 +319,8 @@ void compare_figure5(literate::Document& document, const parameters::Case& from_
     n_errors_of_z += explains(printed.fea_z[i]);
   }
   document.table("figure5", table);
+  claim_figure5(document, from_file, n_analytical, n_errors_of_z);
+  claim_accuracy(document, from_file);
   document.value("figure5.n-analytical", Value::integer(n_analytical));
   document.value("figure5.n-errors-of-magnitude", Value::integer(n_errors_of_magnitude));
   document.value("figure5.n-errors-of-z", Value::integer(n_errors_of_z));
@@ -163,6 +335,7 @@ void compute_results(literate::Document& document, const parameters::Case& from_
                   [figure = comparison_figure(from_file)](literate::Plot& plot) {
                     figures::draw_displacement_comparison(plot, figure);
                   });
+  claim_shape(document, from_file);
   if (from_file.printed) {
     compare_tri_dist(document, from_file);
     compare_figure5(document, from_file);

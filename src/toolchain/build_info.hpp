@@ -16,6 +16,10 @@ extern const char* const commit;
 /// unknown.
 extern const bool modified;
 
+/// The date of the report, e.g. "2001-04-23T12:00:00Z": SOURCE_DATE_EPOCH as it was when the
+/// program was built, or else the commit's; "unknown" where there is neither.
+extern const char* const date;
+
 /// Name and version of the compiler, e.g. "GNU 12.2.0".
 extern const char* const compiler;
 

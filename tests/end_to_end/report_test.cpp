@@ -23,15 +23,34 @@ struct Report {
   fs::path generated() const { return folder / "generated"; }
   fs::path pdf() const { return folder / "report.pdf"; }
 
+  Words typesetting() const {
+    return {"typeset",
+            "--document",
+            document.string(),
+            "--generated",
+            generated().string(),
+            "--build",
+            (folder / "latex").string(),
+            "--output",
+            pdf().string()};
+  }
+
+  // Writes the manifest; `more` are further flags.
+  Outcome make_manifest(const Words& more = {}, const Surroundings& surroundings = {}) const {
+    return run_program(typesetting() +
+                           Words{"--manifest", (folder / "manifest.json").string(), "--case",
+                                 case_file.string(), "--source", document.parent_path().string()} +
+                           more,
+                       surroundings);
+  }
+  std::string manifest() const { return literate::read_file(folder / "manifest.json"); }
+
   void make(const Surroundings& surroundings = {}) const {
     const Outcome computed = run_program({"report", "--case", case_file.string(), "--output",
                                           generated().string(), "--source", source_dir.string()},
                                          surroundings);
     BOOST_TEST_REQUIRE(computed.status == 0, computed.errors);
-    const Outcome typeset = run_program(
-        {"typeset", "--document", document.string(), "--generated", generated().string(), "--build",
-         (folder / "latex").string(), "--output", pdf().string()},
-        surroundings);
+    const Outcome typeset = run_program(typesetting(), surroundings);
     BOOST_TEST_REQUIRE(typeset.status == 0, typeset.errors);
     BOOST_TEST(computed.errors == "");
     BOOST_TEST(typeset.errors == "");
@@ -207,4 +226,104 @@ BOOST_AUTO_TEST_CASE(another_case_changes_what_it_must_and_removes_what_is_no_mo
   BOOST_TEST(!fs::exists(steel.generated() / "tables/tri-dist.tex"));
   check_same_files(steel.generated(), fresh.generated());
   BOOST_TEST((literate::read_file(steel.pdf()) == literate::read_file(fresh.pdf())));
+}
+
+BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
+  const Report& report = steel_report();
+  const TemporaryFolder elsewhere;
+  const Report second{elsewhere.write("other cases/steel_mm.toml", literate::read_file(steel_case)),
+                      elsewhere.path() / "my output"};
+  fs::create_directory(second.folder);
+  second.make();
+
+  BOOST_TEST_REQUIRE(report.make_manifest().status == 0);
+  BOOST_TEST_REQUIRE(
+      second.make_manifest({}, {.environment = {{"TZ", "Pacific/Kiritimati"}}}).status == 0);
+
+  auto first = nlohmann::json::parse(report.manifest());
+  const auto other = nlohmann::json::parse(second.manifest());
+  BOOST_TEST(!holds(report.manifest(), report.folder.string()));
+  BOOST_TEST(!holds(report.manifest(), source_dir.string()));
+  for (const char* file : {"report/report.tex", "report/sections/results.tex",
+                           "src/literate/literate.sty", "figures/style.cpp"}) {
+    BOOST_TEST(first["inputs"].contains(file), file);
+  }
+  for (const char* file :
+       {"report.pdf", "generated/values.tex", "generated/tables/cylinders.tex"}) {
+    BOOST_TEST(first["outputs"].contains(file), file);
+  }
+  for (const char* name : {"Boost", "CLI11", "Eigen", "FFTW", "GSL", "OpenSSL", "UDUNITS", "fmt",
+                           "nlohmann-json", "toml++"}) {
+    BOOST_TEST(first["made_with"]["libraries"].contains(name), name);
+  }
+  // A case goes by its path in the checkout, or from elsewhere by its name.
+  BOOST_TEST(first["inputs"]["tests/end_to_end/steel_mm.toml"] == other["inputs"]["steel_mm.toml"]);
+  first["inputs"]["steel_mm.toml"] = first["inputs"]["tests/end_to_end/steel_mm.toml"];
+  first["inputs"].erase("tests/end_to_end/steel_mm.toml");
+  BOOST_TEST((first == other));
+}
+
+BOOST_AUTO_TEST_CASE(a_manifest_from_elsewhere_is_compared_by_bytes_then_by_numbers) {
+  const Report& report = steel_report();
+  BOOST_TEST_REQUIRE(report.make_manifest().status == 0);
+  const TemporaryFolder folder;
+  const std::string theirs = (folder.path() / "theirs.json").string();
+  auto manifest = nlohmann::json::parse(report.manifest());
+  const auto compared = [&] {
+    folder.write("theirs.json", manifest.dump());
+    return report.make_manifest({"--against", theirs});
+  };
+
+  BOOST_TEST(compared().status == 0);
+  manifest["outputs"]["report.pdf"] = "other";
+  BOOST_TEST(compared().status == 1);
+  BOOST_TEST(holds(compared().errors, "so should the bytes be"));
+  manifest["made_with"]["platform"]["compiler"] = "GNU 99";
+  BOOST_TEST(compared().status == 0);
+  BOOST_TEST(holds(compared().output, "compiler: GNU 99 there, "));
+  manifest["numbers"]["cylinders.approach"] = {{"number", 2.385}, {"printed", "2.4"}};
+  BOOST_TEST(compared().status == 1);
+  BOOST_TEST(holds(compared().errors, "moved: cylinders.approach: 2.385 (2.4) there, "));
+  manifest["project"] = "other";
+  folder.write("theirs.json", manifest.dump());
+  check_refused(2, report.typesetting() + Words{"--against", theirs},
+                {"theirs.json", "another project"});
+}
+
+BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_is_refused_by_name) {
+  const Report& made = steel_report();
+  const TemporaryFolder folder;
+  const Report report{steel_case, folder.path()};
+  fs::copy(made.folder, report.folder, fs::copy_options::recursive);
+  const auto digest = literate::run(
+      {.program = "sh",
+       .arguments = {"-c", "find . -type f -printf '%P\\n' | xargs -d '\\n' sha256sum >../digest"},
+       .working_directory = report.generated()});
+  BOOST_TEST_REQUIRE(digest.exit_status == 0, digest.output);
+  const Words words = report.typesetting() + Words{"--digest", (folder.path() / "digest").string()};
+  BOOST_TEST(run_program(words).status == 0);
+
+  literate::write_file_atomically(report.generated() / "tables/cylinders.tex", "42");
+  check_refused(2, words, {"tables/cylinders.tex", "was changed after it was made"});
+  literate::write_file_atomically(report.generated() / "mine.sty", "");
+  check_refused(2, words, {"mine.sty", "was not made by the program"});
+}
+
+BOOST_AUTO_TEST_CASE(an_error_in_a_generated_table_is_told_where_the_report_uses_it) {
+  const Report& made = steel_report();
+  const TemporaryFolder folder;
+  const Report report{steel_case, folder.path()};
+  fs::copy(made.folder, report.folder, fs::copy_options::recursive);
+  const fs::path table = report.generated() / "tables/cylinders.tex";
+  literate::write_file_atomically(table, literate::read_file(table) + "\n\\nosuchmacro\n");
+
+  const Outcome outcome = run_program(report.typesetting());
+
+  BOOST_TEST(outcome.status == 3);
+  BOOST_TEST(
+      std::regex_search(outcome.errors,
+                        std::regex("^halfspace: report/sections/cylinders\\.tex:\\d+: in table "
+                                   "'cylinders': Undefined control sequence\\. "
+                                   "\\(tables/cylinders\\.tex:\\d+\\)")),
+      outcome.errors);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/references.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "literate/error.hpp"
@@ -17,7 +18,7 @@ const Names names{.values = {"peak.pressure", "load"},
                   .tables = {"results"},
                   .figures = {"pressure"},
                   .excerpts = {"hertz"},
-                  .claims = {},
+                  .claims = {"load-is-peak"},
                   .faults = {},
                   .files = {}};
 
@@ -44,7 +45,7 @@ BOOST_AUTO_TEST_CASE(each_kind_is_looked_up_among_its_own) {
       report_on(
           "\\val "
           "{load}\\ifflag{converged}{\\val{peak.pressure}}{}\\ifflag{diverged}{}{}\\tab{results}"
-          "\\fig{pressure}\\excerpt{hertz}")
+          "\\fig{pressure}\\excerpt{hertz}\\claim{load-is-peak}")
           .unused.empty());
   BOOST_TEST(report_on("\\val{results}\\ifflag{load}{}{}\\tab{pressure}\\fig{hertz}\\excerpt{load}")
                  .errors.size() == 5U);
@@ -66,8 +67,17 @@ BOOST_AUTO_TEST_CASE(a_branch_that_is_not_taken_may_use_what_is_not_registered) 
 BOOST_AUTO_TEST_CASE(what_is_registered_and_not_used_is_listed) {
   BOOST_TEST(report_on("\\val{load}").unused ==
                  (Lines{"value 'peak.pressure'", "flag 'converged'", "flag 'diverged'",
-                        "table 'results'", "figure 'pressure'", "excerpt 'hertz'"}),
+                        "table 'results'", "figure 'pressure'", "claim 'load-is-peak'"}),
              boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(the_ledger_uses_every_claim) {
+  const auto is_unused = [](const std::string& text) {
+    return std::ranges::count(report_on(text).unused, "claim 'load-is-peak'") == 1;
+  };
+
+  BOOST_TEST(!is_unused("x \\claimledger\n"));
+  BOOST_TEST(is_unused("% \\claimledger\n"));
 }
 
 BOOST_AUTO_TEST_CASE(comments_definitions_and_verbatim_are_no_uses) {

@@ -66,6 +66,7 @@ void check_all_hold(const std::string& what, const std::string& case_text) {
   BOOST_TEST_CONTEXT(what) {
     const Document document = computed(case_text);
     BOOST_TEST(failures(document) == std::set<std::string>{}, boost::test_tools::per_element());
+    BOOST_TEST(document.faults() == std::vector<std::string>{}, boost::test_tools::per_element());
     BOOST_TEST(!document.checks().empty());
     for (const std::string& error : unknown_names(document)) BOOST_ERROR(error);
   }

@@ -2,6 +2,7 @@
 # WriteBuildInfo.cmake: the commit and whether the checkout differs from it.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
+unset SOURCE_DATE_EPOCH
 unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
 
 checkout=$scratch/checkout
@@ -19,6 +20,7 @@ git_here() { git -C "$checkout" -c user.name=t -c user.email=t@example.org -c co
 ask "$checkout"
 claim 'outside a checkout the commit is unknown' "$(has 'commit = R"text(unknown)text"')" = yes
 claim 'outside a checkout nothing counts as modified' "$(has 'modified = false')" = yes
+claim 'and there is no date' "$(has 'date = R"text(unknown)text"')" = yes
 claim 'version and flags are written as given' "$(has 'flags = R"text(-O3 -DNAME="x y")text"')" = yes
 
 git_here init
@@ -34,6 +36,11 @@ commit=$(git -C "$checkout" rev-parse HEAD | cut -c 1-12)
 ask "$checkout"
 claim 'the commit has twelve digits' "$(has "commit = R\"text($commit)text\"")" = yes
 claim 'a fresh commit is not modified' "$(has 'modified = false')" = yes
+
+claim "the date is the commit's" "$(has "$(TZ=UTC git -C "$checkout" log -1 --date=format-local:%Y-%m-%dT%H:%M:%SZ --format='date = R"text(%cd)text"')")" = yes
+SOURCE_DATE_EPOCH=988027200 ask "$checkout"
+claim 'or the one that is asked for' "$(has 'date = R"text(2001-04-23T12:00:00Z)text"')" = yes
+ask "$checkout"
 
 touch -d 2001-04-23 "$written"
 before=$(stat -c %Y "$written")

@@ -13,7 +13,7 @@ cd "$scratch/check out" || exit 1
 
 runs make help
 claim 'help succeeds' "$status" -eq 0
-for target in report figures test bench tidy format setup clean help; do
+for target in report html figures check-report test mutants bench verify dist why watch tidy format setup clean help; do
   claim "help tells what $target does" "$(says "make $target ")" = yes
 done
 

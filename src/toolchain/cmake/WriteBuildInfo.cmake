@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DSOURCE= -DTEMPLATE= -DOUTPUT= -DVERSION= … -P WriteBuildInfo.cmake
-# Fills the template in with the commit of SOURCE; leaves OUTPUT untouched if it says the same already.
+# Fills the template in with the commit of SOURCE and the date; leaves OUTPUT untouched if it says the same already.
 cmake_minimum_required(VERSION 3.25)
 
 set(COMMIT unknown)
 set(MODIFIED false)
+set(DATE unknown)
+set(seconds "$ENV{SOURCE_DATE_EPOCH}")
 
 # A source archive unpacked inside another checkout must not report that one's commit: .git is looked for here only.
 if(EXISTS "${SOURCE}/.git")
@@ -25,7 +27,21 @@ if(EXISTS "${SOURCE}/.git")
     if(status MATCHES "(^|\n)[^#\n]")
       set(MODIFIED true)
     endif()
+    if(seconds STREQUAL "")
+      execute_process(
+        COMMAND git -c "safe.directory=${SOURCE}" log -1 --format=%ct
+        WORKING_DIRECTORY "${SOURCE}"
+        OUTPUT_VARIABLE seconds
+        OUTPUT_STRIP_TRAILING_WHITESPACE
+        ERROR_QUIET)
+    endif()
   endif()
+endif()
+
+# What is no number of seconds is no date. string(TIMESTAMP) prints the date of SOURCE_DATE_EPOCH.
+if(seconds MATCHES "^[0-9]+$")
+  set(ENV{SOURCE_DATE_EPOCH} "${seconds}")
+  string(TIMESTAMP DATE "%Y-%m-%dT%H:%M:%SZ" UTC)
 endif()
 
 configure_file("${TEMPLATE}" "${OUTPUT}" @ONLY)

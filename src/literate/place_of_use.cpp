@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/place_of_use.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <regex>
+#include <vector>
+
+#include "literate/files.hpp"
+#include "literate/source_label.hpp"
+#include "literate/tex_commands.hpp"
+
+namespace literate {
+namespace {
+
+/// A folder of generated files and the command that reads one of them.
+struct Kind {
+  const char* folder;
+  const char* command;
+  const char* noun;
+};
+constexpr std::array<Kind, 3> kinds{
+    {{"tables", "tab", "table"}, {"figures", "fig", "figure"}, {"excerpts", "excerpt", "excerpt"}}};
+
+/// Where the document uses a name, «folder/file.tex:line».
+std::vector<std::string> uses(const Kind& kind, const std::string& name,
+                              const std::filesystem::path& source_dir) {
+  std::vector<std::string> places;
+  for (const std::string& file : files_below(source_dir)) {
+    if (!file.ends_with(".tex")) continue;
+    for (const TexCommand& use : commands_in(read_file(source_dir / file), {kind.command})) {
+      if (use.argument != name) continue;
+      places.push_back(fmt::format("{}/{}:{}", source_label(source_dir), file, use.line));
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+std::string told_at_place_of_use(const std::string& message,
+                                 const std::filesystem::path& source_dir) {
+  // Only the first line: the place in the file that follows it is shown as it is.
+  static const std::regex generated(
+      R"(^(?:\S.*/)?((tables|figures|excerpts)/([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
+  std::smatch match;
+  if (!std::regex_search(message, match, generated)) return message;
+  for (const Kind& kind : kinds) {
+    if (match[2] != kind.folder) continue;
+    const std::vector<std::string> places = uses(kind, match[3], source_dir);
+    if (places.empty()) return message;
+    return fmt::format("{}: in {} '{}': {} ({}){}", fmt::join(places, " or "), kind.noun,
+                       match[3].str(), match[4].str(), match[1].str(), match.suffix().str());
+  }
+  return message;
+}
+
+}  // namespace literate

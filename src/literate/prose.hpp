@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace literate {
+
+/// How a character of a LaTeX text is read.
+enum class Mode : char { text, inline_math, display_math };
+
+/// A LaTeX text of which only the prose and the mathematics are left.
+struct Prose {
+  /// Stand where a command was: one that sets upright letters, a number with its unit, a \cite.
+  static constexpr char upright = '\x01';
+  static constexpr char quantity = '\x02';
+  static constexpr char citation = '\x03';
+
+  /// As long as the LaTeX text and with the same line ends; blank where that holds comments,
+  /// verbatim text, names of commands, arguments that are not printed (keys, labels, lengths), a
+  /// list of references, or what precedes \begin{document}.
+  std::string text;
+  std::vector<Mode> modes;  ///< one for each byte of `text`
+};
+
+/// Takes the commands of plain LaTeX, amsmath, hyperref and literate.sty out of a text.
+Prose prose_of(std::string_view latex);
+
+}  // namespace literate

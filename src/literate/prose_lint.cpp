@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose_lint.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "literate/files.hpp"
+#include "literate/lines.hpp"
+#include "literate/prose.hpp"
+#include "literate/source_label.hpp"
+
+namespace literate {
+namespace {
+
+constexpr int most_digits = 2;  // of a number that may be typed: «of order 2», «40 elements»
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// A unit behind a number in text, in a \mathrm or as the second argument of \qty.
+const std::regex& unit() {
+  static const std::regex pattern(
+      R"re(^(\s|~|\\[,;: ]|[{}]|-)*)re"
+      R"re((\\%|per ?cent\b|(µ|°|[kMG]?Pa|[kM]?N|[numcdk]?m|kg|mg|ms|[kM]?Hz|[kMG]B|[mk]?J|kW|kV|lbf|lb|psi|ksi)re"
+      R"re(|ft|rad|mrad|K|pounds?|inch(es)?|feet|degrees?|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?)re"
+      R"re(|hours?|newtons?|pascals?)(?![A-Za-z])))re");
+  return pattern;
+}
+
+/// «in» is a unit where it stands at a tie or a thin space, or ends the clause.
+const std::regex& inches() {
+  static const std::regex pattern(R"re(^((~|\\,)in\b|\s+in\s*[.,;)]))re");
+  return pattern;
+}
+
+/// A number in a text: whole part, decimals, power of ten.
+const std::regex& numeral() {
+  static const std::regex pattern(
+      R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?([eE][+-]?\d+)?)re");
+  return pattern;
+}
+
+int significant_digits(const std::string& whole, const std::string& decimals) {
+  std::string digits;
+  std::ranges::copy_if(whole + decimals, std::back_inserter(digits), is_digit);
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+  if (decimals.empty()) digits.erase(digits.find_last_not_of('0') + 1);
+  return static_cast<int>(digits.size());
+}
+
+/// What stands in front of a number, and behind it, to the ends of the paragraph.
+struct Surroundings {
+  std::string before;
+  std::string after;
+  Mode mode;
+};
+
+bool begins_with_unit(const std::string& text) {
+  return std::regex_search(text, unit()) || std::regex_search(text, inches());
+}
+
+bool has_unit(const Surroundings& around) {
+  static const std::regex quantity("\x02[\\s{]*-?$");
+  static const std::regex end_of_math(R"(^[\s}]*\$)");
+  static const std::regex upright("^(\\s|~|\\\\[,;: ]|\\})*\x01\\s*\\{");
+  if (std::regex_search(around.before, quantity)) return true;
+  if (around.mode == Mode::text) return begins_with_unit(around.after);
+  std::smatch match;
+  if (std::regex_search(around.after, match, end_of_math)) return begins_with_unit(match.suffix());
+  if (!std::regex_search(around.after, match, upright)) return false;
+  return begins_with_unit(match.suffix()) || match.suffix().str().starts_with("in}");
+}
+
+/// A year in parentheses or behind a month, or the place in a source beside a citation.
+bool is_reference(const std::string& number, const Surroundings& around) {
+  static const std::regex year("(1[5-9]|20)\\d\\d");
+  static const std::regex month(
+      "(January|February|March|April|May|June|July|August|September|October"
+      "|November|December)[\\s~]*$");
+  if (std::regex_match(number, year)) {
+    if (around.before.ends_with('(') && around.after.starts_with(')')) return true;
+    if (std::regex_search(around.before, month)) return true;
+  }
+  static const std::regex behind_citation("\x03\\s*,[^.;)\x03]*$");
+  static const std::regex before_citation(
+      "^[a-z]?\\)(\\s+and\\s+\\(\\d+(\\.\\d+)?[a-z]?\\))?[\\s~]+of[\\s~]+\x03");
+  static const std::regex second_of_two("\\(\\d+(\\.\\d+)?[a-z]?\\)\\s+and\\s+\\($");
+  return std::regex_search(around.before, behind_citation) ||
+         (around.before.ends_with('(') && std::regex_search(around.after, before_citation)) ||
+         (std::regex_search(around.before, second_of_two) &&
+          std::regex_search(around.after, before_citation));
+}
+
+struct Marker {
+  bool is_there = false;
+  bool has_reason = false;
+};
+
+/// «% constant: reason» at the end of a line.
+Marker marker_in(std::string_view line) {
+  static const std::regex pattern(R"re((^|[^\\])%\s*constant\b:?\s*(.*)$)re");
+  std::cmatch match;
+  if (!std::regex_search(line.data(), line.data() + line.size(), match, pattern)) return {};
+  return {true, match[2].length() > 0};
+}
+
+/// A number in the prose that ought to be computed, and where it begins.
+struct Typed {
+  std::size_t at = 0;
+  std::string number;
+};
+
+/// Whether what stands before a digit makes it part of a word or of a longer number: MEAE-4960.
+bool continues(const std::string& text, std::size_t at) {
+  if (at == 0) return false;
+  const char before = text[at - 1];
+  if (is_letter(before) || is_digit(before) || before == '.' || before == '_') return true;
+  return before == '-' && at > 1 && is_letter(text[at - 2]);
+}
+
+std::vector<Typed> typed_in(const Prose& prose) {
+  constexpr std::size_t reach = 240;  // as far as a sentence goes
+  std::vector<Typed> found;
+  for (std::size_t at = 0; at < prose.text.size(); ++at) {
+    if (!is_digit(prose.text[at]) || continues(prose.text, at)) continue;
+    const std::size_t begin = at < reach ? 0 : at - reach;
+    const std::string rest = prose.text.substr(at, reach);
+    std::smatch number;
+    if (!std::regex_search(rest, number, numeral())) continue;
+    const Surroundings around{prose.text.substr(begin, at - begin), number.suffix(),
+                              prose.modes[at]};
+    const bool is_long = significant_digits(number[1], number[2]) > most_digits;
+    const bool is_result = has_unit(around) || (is_long && around.mode != Mode::display_math);
+    if (is_result && !is_reference(number[0], around)) found.push_back({at, number[0]});
+    at += static_cast<std::size_t>(number.length()) - 1;
+  }
+  return found;
+}
+
+int n_characters(std::string_view utf8) {
+  return static_cast<int>(std::ranges::count_if(
+      utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::vector<std::string> typed_numbers(std::string_view latex, const std::string& file) {
+  const std::vector<Typed> typed = typed_in(prose_of(latex));
+  auto next = typed.begin();
+  std::vector<std::string> findings;
+  int line_number = 0;
+  for (const std::string_view line : lines_of(latex)) {
+    ++line_number;
+    const auto begin = static_cast<std::size_t>(line.data() - latex.data());
+    const Marker marker = marker_in(line);
+    const auto report = [&](int column, const std::string& message) {
+      findings.push_back(fmt::format("{}:{}:{}: {}", file, line_number, column, message));
+    };
+    const auto first = next;
+    for (; next != typed.end() && next->at < begin + line.size(); ++next) {
+      if (marker.is_there) continue;
+      report(n_characters(latex.substr(begin, next->at - begin)) + 1,
+             fmt::format("{} is typed: take it from the computation, or end the line with "
+                         "'% constant: reason'",
+                         next->number));
+    }
+    if (marker.is_there && !marker.has_reason) report(1, "a constant is marked without a reason");
+    if (marker.is_there && first == next) report(1, "a constant is marked where none is typed");
+  }
+  return findings;
+}
+
+std::vector<std::string> typed_numbers_below(const std::filesystem::path& folder) {
+  std::vector<std::string> findings;
+  for (const std::string& file : files_below(folder)) {
+    if (!file.ends_with(".tex")) continue;
+    const auto found = typed_numbers(read_file(folder / file), source_label(folder) + "/" + file);
+    findings.insert(findings.end(), found.begin(), found.end());
+  }
+  return findings;
+}
+
+}  // namespace literate

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/block_claims.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "block/mass_properties.hpp"
+#include "paper/quoted.hpp"
+
+namespace paper {
+namespace {
+
+using block::MeasureEstimate;
+using literate::confirmed_if;
+using literate::Value;
+using literate::Verdict;
+using parameters::Case;
+using parameters::PrintedNumber;
+
+double named(const std::vector<MeasureEstimate>& measures, const std::string& name) {
+  return std::ranges::find(measures, name, &MeasureEstimate::name)->value.value;
+}
+
+void claim_body(literate::Document& document, const Case& c, const BlockStudy& study) {
+  const auto& printed = c.printed->appendix2.measures;
+  const double nu = c.half_space.material.poisson();
+  const double ratio = printed.at("max_stress_zz").value() /
+                       (printed.at("max_stress_xx").value() + printed.at("max_stress_yy").value());
+  document.claim("plane-strain",
+                 {.sentence = "The body of the run is in plane strain, with the Poisson's ratio of "
+                              "the analytical solution.",
+                  .place = "paper, Numerical Solution, p. 6; Appendix 2, p. 13",
+                  .stated = Value::exact(nu),
+                  .computed = Value::fixed(ratio, 6),
+                  .route = "the printed largest stresses: in plane strain the one out of the plane "
+                           "over the sum of those in it is ν",
+                  .tolerance = "10⁻⁶: the stresses are printed with seven digits",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(std::abs(ratio - nu) < 1e-6)});
+  const block::Rectangle& r = c.block->rectangle;
+  const double middle = study.under_triangle().displacement_z(0, 0).value;
+  const double half_way = study.under_triangle().displacement_z(0, r.height() / 2).value;
+  document.claim("felt-throughout",
+                 {.sentence = "The displacement effects of the load are apparent throughout the "
+                              "body.",
+                  .place = "paper, Numerical Solution, p. 7",
+                  .computed = Value::percent(half_way / middle, 0),
+                  .route = "the block by finite elements of high order: the displacement half way "
+                           "down, over the largest",
+                  .tolerance = "at least 10 %, one of ten shades of its Fig. 3",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(half_way > 0.1 * middle)});
+}
+
+void claim_mass(literate::Document& document, const Case& c) {
+  const auto& printed = c.printed->appendix2.mass_properties;
+  const block::MassProperties mass = block::mass_properties(c.block->rectangle, c.block->density);
+  const std::vector<std::pair<std::string, double>> computed = {
+      {"mass", mass.mass},
+      {"centre_y", mass.centre_y},
+      {"ixx_about_origin", mass.about_origin.ixx},
+      {"iyy_about_origin", mass.about_origin.iyy},
+      {"izz_about_origin", mass.about_origin.izz},
+      {"ixx_about_centre", mass.about_centre.ixx},
+      {"iyy_about_centre", mass.about_centre.iyy},
+      {"izz_about_centre", mass.about_centre.izz}};
+  const long n = std::ssize(computed);
+  const long n_agree = std::ranges::count_if(computed, [&](const auto& property) {
+    const PrintedNumber& number = printed.at(property.first);
+    return std::abs(property.second - number.value()) <= number.last_place();
+  });
+  document.claim("mass-properties",
+                 {.sentence = "Mass, centre and moments of inertia of the run are those of one "
+                              "rectangle.",
+                  .place = "paper, Appendix 2, pp. 14–15",
+                  .computed = Value::text(fmt::format("{} of {} properties", n_agree, n)),
+                  .route = "closed forms for a rectangle of the case's size and density",
+                  .tolerance = "one unit of the last printed place, six or seven digits: the "
+                               "density has no more",
+                  .expected = Verdict::confirmed,
+                  .found = literate::confirmed_in(n_agree, n)});
+}
+
+// Half-space against block under one and the same load: the shape, and the level.
+void claim_size(literate::Document& document, const std::vector<Share>& shares, double middle) {
+  double shape = 0;
+  for (const Share& s : shares) shape = std::max(shape, std::abs(s.body) / middle);
+  const double level = std::abs(shares.front().datum) / middle;
+  constexpr double unaffected = 1e-2;
+  document.claim(
+      "geometry-large-enough",
+      {.sentence = "The geometry is sufficiently large compared to the loaded region and does not "
+                   "affect the results.",
+       .place = "paper, Numerical Solution, p. 7",
+       .computed = Value::text(fmt::format("shape by {}, level by {}",
+                                           Value::percent_bound(shape, 2).printed(),
+                                           Value::percent(level, 0).printed())),
+       .route = "eq. (3) less the block by finite elements under the same triangle, over the "
+                "largest displacement: how it varies over the points, and at x = 0",
+       .tolerance = "1 % for each, a tenth of the convergence that the run asks for",
+       .expected = Verdict::partly,
+       .found = literate::confirmed_in((shape < unaffected) + (level < unaffected), 2)});
+}
+
+void claim_comparison(literate::Document& document, const Case& c,
+                      const std::vector<Share>& shares) {
+  const auto& printed = c.printed->figure5;
+  const double a = c.half_space.load.half_width();
+  double under = 0;
+  double least_part = HUGE_VAL;
+  bool grows = true;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Share& s = shares[i];
+    if (s.x <= a * (1 + 1e-12)) {
+      under = std::max(under, std::abs(s.whole) / printed.fea_z[i].value());
+      least_part = std::min({least_part, std::abs(s.datum), std::abs(s.load)});
+    } else {
+      grows = grows && printed.error[i].value() > printed.error[i - 1].value();
+    }
+  }
+  const double apart = least_part / printed.fea_z.front().value();
+  constexpr double nearly = 3e-2;
+  const bool by_chance = apart > 5 * nearly;
+  const Verdict of_near = by_chance ? Verdict::partly : Verdict::confirmed;
+  document.claim(
+      "nearly-identical-under-load",
+      {.sentence = "The displacements are nearly identical under the loaded region.",
+       .place = "paper, Results, p. 8",
+       .computed = Value::percent_bound(under, 1),
+       .route = "eq. (3) less the printed FEA (z), over the latter; and its parts by the block",
+       .tolerance = "3 %, the height of two marks in its Fig. 4; but only by chance if datum and "
+                    "load, taken one at a time, each part the columns by more than five times that",
+       .expected = Verdict::partly,
+       .found = under < nearly ? of_near : Verdict::refuted});
+
+  const Share& last = shares.back();
+  const double left = std::abs(last.body + last.rest) / std::abs(last.whole);
+  const Verdict of_growth = left < 0.1 ? Verdict::partly : Verdict::confirmed;
+  document.claim(
+      "error-grows",
+      {.sentence = "The error increases as the measure is taken further and further from the "
+                   "loaded region.",
+       .place = "paper, Results and Error Analysis, p. 8",
+       .computed = Value::percent(left, 1),
+       .route = "the printed error column outside the load; and what is left of the last error, as "
+                "a share of it, when datum and load are alike",
+       .tolerance = "the printed errors must grow from point to point; they are no error of the "
+                    "method if less than a tenth is left",
+       .expected = Verdict::partly,
+       .found = grows ? of_growth : Verdict::refuted});
+}
+
+// The run's own measures against the block under the fitted load.
+void claim_run(literate::Document& document, const Case& c, const BlockStudy& study,
+               const std::vector<MeasureEstimate>& fitted) {
+  const auto& printed = c.printed->appendix2.measures;
+  const block::LinearFit& fit = *study.fit();
+  const auto off = [&](const std::string& name) {
+    return std::abs(named(fitted, name) / printed.at(name).value() - 1);
+  };
+  const auto digits = [&](const std::string& name) {
+    const PrintedNumber& number = printed.at(name);
+    return fmt::format("{} of {} digits agree", number.n_agreeing_digits(named(fitted, name)),
+                       number.n_digits());
+  };
+  double least = HUGE_VAL;
+  for (const block::SurfaceDisplacement& seen : study.observed()) {
+    least = std::min(least, 1 - study.under_triangle().displacement_z(seen.x, 0).value / seen.u_z);
+  }
+  document.claim("robust-model",
+                 {.sentence = "The correlation is a good indicator that the FEA was performed on a "
+                              "robust model.",
+                  .place = "paper, Discussion, p. 9",
+                  .computed = Value::percent(least, 0),
+                  .route = "the block by finite elements under the load that the paper states: how "
+                           "far its displacements are below the printed ones, at least",
+                  .tolerance = "10 %, to which the run was converged",
+                  .expected = Verdict::refuted,
+                  .found = confirmed_if(least < 0.1)});
+  PrintedNumber convergence("0.1");  // percent; the least that the run reports, if it does
+  for (const auto& [name, number] : c.printed->appendix2.convergence) {
+    if (name.starts_with("measure") && number.value() < convergence.value()) convergence = number;
+  }
+  const double misfit = convergence.value() / 100;
+  document.claim(
+      "fit-explains-all",
+      {.sentence = "A pressure that falls linearly from its peak to a fraction of it at "
+                   "the ends explains every printed displacement.",
+       .place = "this report",
+       .computed = Value::percent_bound(fit.fit.max_misfit, 2),
+       .route = "least squares for two numbers on eleven displacements of the block; the "
+                "value is the largest misfit",
+       .tolerance = fmt::format("{} %, the least convergence that the run reports for any of them",
+                                convergence.text()),
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(fit.fit.max_misfit < misfit)});
+  document.claim(
+      "resultant",
+      {.sentence = "The run reports its resultant load.",
+       .place = "paper, Appendix 2, p. 15",
+       .stated = quoted_value(printed.at("resultant_load_y"), c.units.line_load),
+       .computed = Value::significant(named(fitted, "resultant_load_y"), 4, c.units.line_load),
+       .route = "the load fitted to the printed displacements, which knows nothing of it",
+       .tolerance =
+           "twice the misfit that is allowed to the displacements; " + digits("resultant_load_y"),
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(off("resultant_load_y") < 2 * misfit)});
+  document.claim(
+      "strain-energy",
+      {.sentence = "The run reports its strain energy.",
+       .place = "paper, Appendix 2, p. 16",
+       .stated = quoted_value(printed.at("strain_energy"), c.units.force),
+       .computed = Value::scientific(named(fitted, "strain_energy"), 4, c.units.force),
+       .route = "the energy of the block under the fitted load",
+       .tolerance = "five times the misfit that is allowed to the displacements: energy is a "
+                    "product of two, with a convergence of its own; " +
+                    digits("strain_energy"),
+       .expected = Verdict::confirmed,
+       .found = confirmed_if(off("strain_energy") < 5 * misfit)});
+}
+
+// Where the run's maxima are, and whether they have converged.
+void claim_maxima(literate::Document& document, const Case& c,
+                  const std::vector<MeasureEstimate>& fitted) {
+  const auto& printed = c.printed->appendix2;
+  const PrintedNumber& maximum = printed.measures.at("max_disp_y");
+  const bool is_printed_so = maximum.agrees_with(printed.measures.at("measure1").value());
+  const double largest = named(fitted, "max_disp_y");
+  const bool is_so = std::abs(largest / named(fitted, "measure1") - 1) < 1e-9;
+  document.claim("largest-in-the-middle",
+                 {.sentence = "The largest normal displacement is that of the middle, measure1.",
+                  .place = "paper, Appendix 2, pp. 15–16",
+                  .stated = quoted_value(maximum, c.units.length),
+                  .computed = Value::scientific(largest, 4, c.units.length),
+                  .route = "the largest on the plotting grid of the block under the fitted load",
+                  .tolerance = "10⁻⁹ of the middle's own, by its plotting grid; the same digits in "
+                               "print",
+                  .expected = Verdict::confirmed,
+                  .found = confirmed_if(is_so && is_printed_so)});
+  const auto claim = [&](const char* id, const char* what, const std::string& name,
+                         double converged, int n_digits, const char* route,
+                         literate::Document::Location location) {
+    const PrintedNumber& number = printed.measures.at(name);
+    const PrintedNumber& convergence = printed.convergence.at(name);
+    const double allowed = 3 * convergence.value() / 100;
+    document.claim(
+        id,
+        {.sentence = fmt::format("The {} converged to {} %.", what, convergence.text()),
+         .place = "paper, Appendix 2, p. 15",
+         .stated = quoted_value(number, c.units.stress),
+         .computed = Value::significant(converged, n_digits, c.units.stress),
+         .route = route,
+         .tolerance = "three times the convergence that is printed: the load is fitted, and the "
+                      "grids on which the maxima are taken differ",
+         .expected = Verdict::refuted,
+         .found = confirmed_if(std::abs(number.value() / converged - 1) < allowed)},
+        location);
+  };
+  claim("tension-converged", "largest principal stress", "max_stress_prin",
+        named(fitted, "max_stress_prin_regular"), 1,
+        "the block under the fitted load, off the step of the pressure and the corners, where "
+        "stresses have no limit",
+        literate::Document::Location::current());
+  claim("shear-converged", "largest shear stress", "max_stress_xy", named(fitted, "max_stress_xy"),
+        3, "the block under the fitted load, where the largest shear lies inside the body",
+        literate::Document::Location::current());
+}
+
+}  // namespace
+
+void claim_block(literate::Document& document, const Case& from_file, const BlockStudy& study,
+                 const std::vector<MeasureEstimate>& fitted, const std::vector<Share>& shares) {
+  claim_body(document, from_file, study);
+  claim_mass(document, from_file);
+  claim_run(document, from_file, study, fitted);
+  claim_maxima(document, from_file, fitted);
+  claim_size(document, shares, study.observed().front().u_z);
+  claim_comparison(document, from_file, shares);
+}
+
+}  // namespace paper

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case in which a statement fares otherwise than the prose says.
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <string>
+
+#include "program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// One printed digit altered: the greatest magnitude of the summary is then no less than the others.
+std::string altered_case() {
+  return with(literate::read_file(papers_case), "max_disp_mag = \"1.594637e-06\"",
+              "max_disp_mag = \"1.594647e-06\"");
+}
+
+const std::string fault_line =
+    "halfspace: claim largest-magnitude is confirmed, not refuted: The largest displacement of the "
+    "run is max_disp_mag. Stated: 1.594647e-6 in; computed: 1.594640e-6 in\n";
+
+struct AlteredReport {
+  TemporaryFolder folder;
+  fs::path case_file = folder.write("altered.toml", altered_case());
+  fs::path generated = folder.path() / "generated";
+  fs::path pdf = folder.path() / "report.pdf";
+
+  Outcome compute(const Words& more = {}) const {
+    return run_program(Words{"report", "--case", case_file.string(), "--output", generated.string(),
+                             "--source", source_dir.string()} +
+                       more);
+  }
+
+  Outcome typeset() const {
+    return run_program({"typeset", "--document", (source_dir / "report").string(), "--generated",
+                        generated.string(), "--build", (folder.path() / "latex").string(),
+                        "--output", pdf.string()});
+  }
+
+  // The text of the PDF, a page an entry.
+  Words pages() const {
+    const auto read =
+        literate::run({.program = "pdftotext", .arguments = {"-layout", pdf.string(), "-"}});
+    BOOST_TEST_REQUIRE(read.exit_status == 0, read.output);
+    Words pages;
+    std::string text = read.output;
+    for (auto end = text.find('\f'); end != std::string::npos; end = text.find('\f')) {
+      pages.push_back(text.substr(0, end));
+      text.erase(0, end + 1);
+    }
+    return pages;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_altered_print_is_typeset_stamped_on_every_page_and_exits_1_with_one_line) {
+  const AlteredReport report;
+
+  const Outcome computed = report.compute({"--defer-verdict"});
+  const Outcome typeset = report.typeset();
+
+  BOOST_TEST(computed.status == 0);
+  BOOST_TEST(computed.errors == "");
+  BOOST_TEST(typeset.status == 1);
+  BOOST_TEST(typeset.errors == fault_line);
+  const Words pages = report.pages();
+  BOOST_TEST(pages.size() > 30U);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    BOOST_TEST(
+        (pages[i].find("Not to be trusted: a statement is not as expected") != std::string::npos),
+        "page " << i + 1 << " has no stamp");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_deferring_the_files_are_written_and_the_verdict_is_told_at_once) {
+  const AlteredReport report;
+
+  const Outcome computed = report.compute();
+
+  BOOST_TEST(computed.status == 1);
+  BOOST_TEST(computed.errors == fault_line);
+  BOOST_TEST(fs::exists(report.generated / "names.json"));
+  BOOST_TEST(fs::exists(report.generated / "claims.tex"));
+}

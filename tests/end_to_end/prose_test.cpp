@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `halfspace check-report`, and a program that is older than the sources it is to quote.
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <string>
+
+#include "literate/document.hpp"
+#include "program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A document and what a computation registered for it: a value, a table that it must use.
+class Workplace {
+ public:
+  explicit Workplace(const std::string& prose, bool holds = true) {
+    folder_.write("report/report.tex", prose);
+    literate::Document document;
+    document.value("peak", literate::Value::fixed(1.5, 1));
+    document.table("peaks", literate::Table({literate::Column::integer("n")}));
+    document.check("balance", holds, "The forces balance.");
+    document.write(folder_.path() / "generated");
+  }
+
+  Words check() const {
+    return {"check-report", "--document", (folder_.path() / "report").string(), "--generated",
+            (folder_.path() / "generated").string()};
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+const std::string all_used = "A peak of \\val{peak}, and\n\\tab{peaks}.\n";
+
+void check_found(int status, const Workplace& workplace, const std::string& errors) {
+  const Outcome outcome = run_program(workplace.check());
+  BOOST_TEST(outcome.status == status);
+  BOOST_TEST(outcome.output == "");
+  BOOST_TEST(outcome.errors == errors);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(prose_that_uses_all_and_types_nothing_passes_in_silence) {
+  check_found(0, Workplace(all_used), "");
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_name_stops_with_its_place) {
+  check_found(2, Workplace(all_used + " \\val{peek}"),
+              "halfspace: report/report.tex:3:2: unknown value 'peek', did you mean 'peak'?\n");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_registered_and_not_used_fails) {
+  check_found(1, Workplace("\\val{peak}"), "halfspace: table 'peaks' is registered and not used\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_typed_result_fails_with_its_place) {
+  const Outcome outcome = run_program(Workplace(all_used + "It is 1.50 high.").check());
+
+  BOOST_TEST(outcome.status == 1);
+  BOOST_TEST(outcome.errors.starts_with("halfspace: report/report.tex:3:7: 1.50 is typed"));
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_hold_fails) {
+  check_found(1, Workplace(all_used, false),
+              "halfspace: check balance failed: The forces balance.\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
+  const TemporaryFolder checkout;
+  fs::copy(source_dir / "src", checkout.path() / "src", fs::copy_options::recursive);
+  const fs::path source = checkout.path() / "src/contact/matrix_inversion.cpp";
+  const std::string marker = "// begin excerpt: matrix-inversion\n";
+  literate::write_file_atomically(source,
+                                  with(literate::read_file(source), marker, marker + "//\n"));
+  const fs::path output = checkout.path() / "out";
+
+  check_refused(2,
+                {"report", "--case", steel_case.string(), "--output", output.string(), "--source",
+                 checkout.path().string()},
+                {"src/contact/matrix_inversion.cpp: excerpt 'matrix-inversion' is not what this "
+                 "program was compiled from: rebuild"});
+  BOOST_TEST(!fs::exists(output));
+}
+
+BOOST_AUTO_TEST_CASE(an_excerpt_that_is_never_closed_is_refused_with_its_line) {
+  const TemporaryFolder checkout;
+  checkout.write("src/a.cpp", "int a;\n// begin excerpt: open\nint b;\n");
+
+  check_refused(2,
+                {"report", "--case", steel_case.string(), "--output",
+                 (checkout.path() / "out").string(), "--source", checkout.path().string()},
+                {"src/a.cpp:2: excerpt 'open' has no end marker"});
+}

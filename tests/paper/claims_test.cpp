@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the report claims: enough of it, complete, with every verdict as its prose says.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "literate/document.hpp"
+#include "literate/files.hpp"
+#include "paper/paper.hpp"
+
+using literate::Claim;
+using literate::Document;
+using literate::Verdict;
+
+namespace {
+
+const std::string source_dir = HALFSPACE_SOURCE_DIR;
+
+Document computed(const std::string& file) {
+  Document document;
+  paper::compute(document, parameters::read_case(source_dir + "/" + file));
+  return document;
+}
+
+const Document& papers() {
+  static const Document document = computed("report/ruggiero2001.toml");
+  return document;
+}
+
+const Document& steel() {
+  static const Document document = computed("tests/end_to_end/steel_mm.toml");
+  return document;
+}
+
+bool is_papers(const Claim& claim) {
+  return claim.place.find("paper, ") != std::string::npos;
+}
+
+Verdict verdict(const Document& document, const std::string& id) {
+  const auto found =
+      std::ranges::find(document.claims(), id, &std::pair<std::string, Claim>::first);
+  BOOST_TEST_REQUIRE((found != document.claims().end()), id << " is not claimed");
+  return found->second.found;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(there_are_enough_claims_of_the_paper_and_of_ours) {
+  const auto n_papers = std::ranges::count_if(
+      papers().claims(), [](const auto& entry) { return is_papers(entry.second); });
+
+  BOOST_TEST(n_papers >= 30);
+  BOOST_TEST(std::ssize(papers().claims()) - n_papers >= 10);
+  BOOST_TEST(steel().claims().size() >= 15U);
+}
+
+BOOST_AUTO_TEST_CASE(every_verdict_is_the_expected_one) {
+  for (const Document* document : {&papers(), &steel()}) {
+    BOOST_TEST(document->faults() == std::vector<std::string>{}, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_claim_is_a_sentence_with_a_place_and_a_tolerance_with_its_reason) {
+  const std::regex sentence(R"([A-Za-z].{15,}\.)");
+  const std::regex place(R"((this report(; )?)?(paper, .*pp?\. \d+.*)?)");
+  for (const Document* document : {&papers(), &steel()}) {
+    std::set<std::string> ids, sentences;
+    for (const auto& [id, claim] : document->claims()) {
+      BOOST_TEST_CONTEXT(id) {
+        BOOST_TEST(std::regex_match(claim.sentence, sentence), claim.sentence);
+        BOOST_TEST(std::regex_match(claim.place, place), claim.place);
+        BOOST_TEST(claim.tolerance.size() > 15U, claim.tolerance);
+        BOOST_TEST(claim.route.size() > 15U, claim.route);
+        for (const std::string& part : {claim.route, claim.tolerance}) {
+          BOOST_TEST(!part.ends_with("."), part);
+        }
+        BOOST_TEST(ids.insert(id).second);
+        BOOST_TEST(sentences.insert(claim.sentence).second, claim.sentence);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(claims_about_print_need_print_and_claims_of_theory_do_not) {
+  for (const auto& [id, claim] : steel().claims()) verdict(papers(), id);
+  for (const char* id : {"load-in-words", "error-of-z", "same-load", "contact-m-load"}) {
+    BOOST_CHECK(verdict(papers(), id) == Verdict::refuted);
+    BOOST_TEST(std::ranges::none_of(steel().claims(),
+                                    [&](const auto& entry) { return entry.first == id; }));
+  }
+  BOOST_CHECK(verdict(steel(), "insensitive-to-c") == Verdict::refuted);
+  BOOST_CHECK(verdict(steel(), "symmetric") == Verdict::confirmed);
+}
+
+BOOST_AUTO_TEST_CASE(every_claim_is_set_in_the_prose_once_or_more) {
+  std::string prose;
+  for (const std::string& file : literate::files_below(source_dir + "/report/sections")) {
+    prose += literate::read_file(source_dir + "/report/sections/" + file);
+  }
+  for (const auto& [id, claim] : papers().claims()) {
+    BOOST_TEST((prose.find("\\claim{" + id + "}") != std::string::npos), id << " is not set");
+  }
+}

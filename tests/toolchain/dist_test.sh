@@ -1,0 +1,37 @@
+#!/bin/sh
+# dist: an archive that typesets anywhere, the same each time.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "$0")/shell_test.sh"
+# shellcheck source=tests/toolchain/toy_checkout.sh
+. "$(dirname "$0")/toy_checkout.sh"
+archive=$toy/build/dist/report.tar.gz
+
+toy_make dist
+claim 'the toy is packed' "$status" -eq 0
+claim 'it was typeset elsewhere' "$(says 'typeset elsewhere to the same text')" = yes
+claim 'it holds what LaTeX reads, and the manifest and case for readers' \
+  "$(tar -tzf "$archive" | grep -v '/$' | sort | tr '\n' ' ')" = \
+  './anc/manifest.json ./anc/ruggiero2001.toml ./report.tex ./sections/a.tex ./tables/t.tex '
+claim 'its files belong to nobody and are as old as the report' \
+  "$(tar -tvzf "$archive" --utc --full-time | grep -c ' 0/0 .* 2001-04-23 12:00:00 ')" -ge 5
+
+first=$(sha256sum <"$archive")
+sleep 1
+touch "$toy/report/sections/a.tex"
+(cd "$toy" && umask 077 && TZ=Pacific/Kiritimati make dist >/dev/null 2>&1)
+claim 'the same report gives the same archive' "$(sha256sum <"$archive")" = "$first"
+
+printf 'A table: \\input{tables/t} \\input{%s}\n' "$scratch/secret" >"$toy/report/sections/a.tex"
+echo 'left at home' >"$scratch/secret.tex"
+toy_make report
+rm "$scratch/secret.tex"
+toy_make dist
+claim 'a document that reads files from elsewhere fails' "$status" -ne 0
+claim "LaTeX's message is shown with file and line" "$(says './sections/a.tex:1: ')" = yes
+claim 'the archive before is left' "$(sha256sum <"$archive")" = "$first"
+
+cp "$toy/report/sections/a.tex" "$toy/report/sections/ä.tex"
+toy_make dist
+claim 'a name that arXiv refuses is told' "$(says 'arXiv takes no file of the name sections/')" = yes
+
+finish

@@ -1,0 +1,61 @@
+# shellcheck shell=sh
+# Sourced after shell_test.sh: a checkout with the real Makefile and scripts around a project that is built in no time:
+# values from a case, and a document with one table.
+# shellcheck disable=SC2154  # source_dir and scratch are shell_test.sh's
+toy="$scratch/toy checkout"
+unset MAKEFLAGS MFLAGS MAKELEVEL CASE MANIFEST TARGET V GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
+export PWD
+
+mkdir -p "$toy/src" "$toy/figures" "$toy/report/sections"
+cp "$source_dir/Makefile" "$source_dir/CMakePresets.json" "$toy"
+cp -r "$source_dir/src/toolchain" "$toy/src"
+echo 'E = 30' >"$toy/report/ruggiero2001.toml"
+echo 'A table: \input{tables/t}' >"$toy/report/sections/a.tex"
+cat >"$toy/report/report.tex" <<'END'
+\documentclass{article}
+\pdfinfoomitdate=1 \pdftrailerid{}
+\begin{document}
+\input{sections/a}
+\end{document}
+END
+
+# compute CASE OUTPUT: what the program would write.
+cat >"$toy/compute" <<'END'
+#!/bin/sh
+mkdir -p "$2/tables"
+tr -d '\n' <"$1" >"$2/tables/t.tex"
+echo '{"values": {}}' >"$2/names.json"
+END
+# typeset DOCUMENT OUTPUT
+cat >"$toy/typeset" <<'END'
+#!/bin/sh
+cd "$1" && TEXINPUTS=".:$2/generated:" SOURCE_DATE_EPOCH=0 pdflatex -interaction=batchmode \
+  -output-directory="$2" report.tex >"$2/said" && echo '  "date": "2001-04-23T12:00:00Z"' >"$2/manifest.json"
+END
+chmod +x "$toy/compute" "$toy/typeset"
+
+cat >"$toy/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(toy LANGUAGES NONE)
+set(HALFSPACE_CASE "" CACHE FILEPATH "")
+set(HALFSPACE_REPORT_DIR "" CACHE PATH "")
+set(to "${HALFSPACE_REPORT_DIR}")
+add_custom_target(ask_for_commit COMMAND "${CMAKE_COMMAND}" -E true)
+add_custom_target(halfspace DEPENDS ask_for_commit)
+add_custom_command(OUTPUT "${to}/generated/names.json" "${to}/generated.sha256"
+  COMMAND "${PROJECT_SOURCE_DIR}/compute" "${HALFSPACE_CASE}" "${to}/generated"
+  COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${to}/generated" "-DOUTPUT=${to}/generated.sha256"
+    -P "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/WriteDigest.cmake"
+  DEPENDS "${PROJECT_SOURCE_DIR}/compute" "${HALFSPACE_CASE}" VERBATIM)
+add_custom_target(generated DEPENDS "${to}/generated.sha256")
+add_custom_command(OUTPUT "${to}/report.pdf" "${to}/manifest.json"
+  COMMAND "${PROJECT_SOURCE_DIR}/typeset" "${PROJECT_SOURCE_DIR}/report" "${to}"
+  DEPENDS "${to}/generated.sha256" report/report.tex report/sections/a.tex VERBATIM)
+add_custom_target(report DEPENDS "${to}/report.pdf")
+END
+
+# toy_make ARGUMENT…: make in the toy, from its own folder.
+toy_make() {
+  cd "$toy" || exit 1
+  runs make "$@"
+}

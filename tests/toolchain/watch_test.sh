@@ -1,0 +1,79 @@
+#!/bin/sh
+# watch: a build after each save, whatever the way of saving.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "$0")/shell_test.sh"
+if ! command -v inotifywait >/dev/null || ! command -v setsid >/dev/null; then
+  echo 'inotifywait is not installed, nothing to watch with'
+  exit 0
+fi
+
+# Only saves are of interest: the build says that it was called, and fails on demand.
+root="$scratch/check out"
+mkdir -p "$root/src/toolchain" "$root/report/sections" "$root/figures" "$scratch/cases"
+cp "$source_dir/src/toolchain/watch" "$source_dir/src/toolchain/stage.sh" "$root/src/toolchain"
+cat >"$root/src/toolchain/build" <<'END'
+echo "build $1"
+if [ -e src/broken.cpp ]; then echo 'broken.cpp:1: error'; exit 1; fi
+END
+touch "$root/report/sections/a.tex" "$scratch/cases/my.toml"
+status=- said=-
+log=$scratch/log
+
+# Commands in the background do not hear of interrupts unless they are told to.
+setsid env --default-signal=INT bash "$root/src/toolchain/watch" "$scratch/cases/my.toml" >"$log" 2>&1 &
+watch=$!
+
+# n_builds N: waits until so many builds are over.
+n_builds() {
+  for _ in $(seq 100); do
+    said=$(cat "$log")
+    [ "$(grep -c 'waiting for the next save' "$log")" -ge "$1" ] && break
+    sleep 0.1
+  done
+  sleep 0.3 # so that one too many would show
+  said=$(cat "$log")
+  test "$(grep -c '^build report' "$log")" -eq "$1"
+}
+claim_built() { # claim_built TEXT N
+  n_builds "$2" && built=yes || built=no
+  claim "$1" "$built" = yes
+}
+
+claim_built 'it builds at once' 1
+sleep 0.5 # until the folders are watched
+echo x >"$root/report/sections/a.tex"
+claim_built 'a save builds' 2
+claim 'what changed is named' "$(says 'changed: report/sections/a.tex')" = yes
+
+echo x >"$root/report/sections/.a.tex.swp"
+echo x >"$root/report/sections/4913"
+mv "$root/report/sections/a.tex" "$root/report/sections/a.tex~"
+echo y >"$root/report/sections/a.new"
+mv "$root/report/sections/a.new" "$root/report/sections/a.tex"
+claim_built 'an editor that saves by renaming builds once' 3
+
+mkdir "$root/src/new"
+sleep 0.3
+echo x >"$root/src/new/a.cpp"
+claim_built 'a new folder is watched too' 4
+echo x >"$scratch/cases/my.toml"
+claim_built 'a case elsewhere is watched' 5
+echo x >"$scratch/cases/other.toml"
+claim_built 'its neighbours are not' 5
+
+touch "$root/src/broken.cpp"
+echo x >"$root/src/broken.cpp"
+claim_built 'a save that breaks the build builds' 6
+claim 'the message is shown' "$(says 'broken.cpp:1: error')" = yes
+claim 'a failure is told' "$(says 'failed; waiting for the next save')" = yes
+rm "$root/src/broken.cpp"
+claim_built 'after a failure it goes on' 7
+
+kill -INT "-$watch"
+status=0
+wait "$watch" || status=$?
+claim 'the interrupt ends it with 0' "$status" -eq 0
+sleep 0.3
+claim 'no watcher stays behind' -z "$(ps -o stat= -g "$watch" | grep -v Z)"
+
+finish

@@ -1,0 +1,62 @@
+#!/bin/sh
+# why: the first cause of a rebuild, in one line.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "$0")/shell_test.sh"
+# shellcheck source=tests/toolchain/toy_checkout.sh
+. "$(dirname "$0")/toy_checkout.sh"
+
+toy_make why
+claim 'before the first build that is the reason' "$(says 'nothing has been built yet')" = yes
+claim 'asking builds nothing' ! -e "$toy/build"
+
+toy_make report
+claim 'the toy is built' "$status" -eq 0
+toy_make why
+claim 'after a build there is nothing to do' "$said" = 'nothing to do'
+
+touch -d '1 minute' "$toy/report/sections/a.tex"
+toy_make why
+claim 'changed prose is named, and what is older' \
+  "$said" = 'report/sections/a.tex changed after build/report/report.pdf was made'
+toy_make why TARGET=figures
+claim 'the figures do not depend on prose' "$said" = 'nothing to do'
+toy_make why TARGET=build/report/report.pdf
+claim 'a file can be asked about' "$(says 'report/sections/a.tex changed')" = yes
+
+touch -d '1 minute' "$toy/report/ruggiero2001.toml"
+toy_make why
+claim 'the first of two causes is named alone' \
+  "$said" = 'report/ruggiero2001.toml changed after build/report/generated/names.json was made'
+touch "$toy/report/ruggiero2001.toml" "$toy/report/sections/a.tex"
+
+echo 'E = 31' >"$scratch/other.toml"
+toy_make why CASE="$scratch/other.toml"
+claim 'another case is a reason' "$said" = "the case is $scratch/other.toml, and was report/ruggiero2001.toml"
+
+toy_make report
+rm "$toy/build/report/report.pdf"
+toy_make why
+claim 'what was removed is named' "$said" = 'build/report/report.pdf is not there'
+toy_make report
+touch -d '1 minute' "$toy/CMakeLists.txt"
+toy_make why
+claim 'a changed CMakeLists.txt is named' "$(says 'CMakeLists.txt changed after')" = yes
+touch "$toy/CMakeLists.txt"
+toy_make report
+
+toy_make why TARGET=nonsense
+claim 'an unknown target ends with 2' "$status" -eq 2
+claim 'an unknown target is named' "$(says 'TARGET: there is no target or file nonsense that is built')" = yes
+
+# Generated files are watched too
+echo forged >"$toy/build/report/generated/tables/t.tex"
+toy_make why
+claim 'a file changed by hand is named' "$said" = 'build/report/generated/tables/t.tex was changed by hand'
+toy_make report
+claim 'it is made again, and it says so' \
+  "$(says 'build/report/generated/tables/t.tex was changed by hand; it is made again')" = yes
+claim 'nothing of it is left' "$(cat "$toy/build/report/generated/tables/t.tex")" = 'E = 30'
+toy_make report
+claim 'once is enough' "$(says 'by hand')" = no
+
+finish
