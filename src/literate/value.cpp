@@ -38,6 +38,11 @@ Decimal supported_digits(numerics::Estimate estimate, int max_digits) {
   return rounded_to_place(estimate.value, std::max(place, lowest_place));
 }
 
+void require_error_bound(double abs_error) {
+  if (std::isfinite(abs_error) && abs_error >= 0) return;
+  throw std::invalid_argument("an error bound to be printed is negative or not finite");
+}
+
 void require_not_negative(double number) {
   if (number < 0) throw std::invalid_argument("a bound to be printed is negative");
 }
@@ -73,15 +78,26 @@ Value Value::scientific(double number, int n_digits, std::string_view unit) {
 }
 
 Value Value::estimate(numerics::Estimate estimate, std::string_view unit, int max_digits) {
-  if (!std::isfinite(estimate.abs_error) || estimate.abs_error < 0) {
-    throw std::invalid_argument("an error bound to be printed is negative or not finite");
-  }
+  require_error_bound(estimate.abs_error);
   const Decimal number = supported_digits(estimate, max_digits);
   // Zeros to the left of the point would claim digits that are not known.
   const bool pads_zeros = number.place > 0 && estimate.abs_error > 0;
   Value value =
       quantity(estimate.value,
                pads_zeros ? literate::scientific(number) : plain_or_scientific(number), unit);
+  value.abs_error_ = estimate.abs_error;
+  return value;
+}
+
+Value Value::with_uncertainty(numerics::Estimate estimate, std::string_view unit) {
+  require_error_bound(estimate.abs_error);
+  if (estimate.abs_error == 0) return exact(estimate.value, unit);
+  const Decimal error = rounded_up_to_digits(estimate.abs_error, 2);
+  const Decimal number = rounded_to_place(estimate.value, error.place);
+  std::string digits =
+      number.place > 0 ? literate::scientific(number) : plain_or_scientific(number);
+  digits.insert(std::min(digits.find('e'), digits.size()), fmt::format("({})", error.digits));
+  Value value = quantity(estimate.value, digits, unit);
   value.abs_error_ = estimate.abs_error;
   return value;
 }

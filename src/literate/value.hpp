@@ -37,6 +37,11 @@ class Value {
   static Value estimate(numerics::Estimate estimate, std::string_view unit = "",
                         int max_digits = 12);
 
+  /// Prints the digits and, in parentheses, the error bound in units of the last of them, two
+  /// digits rounded up: 0.78615138(12) for 0.786151378 and 1.2e-7. Zero error prints as exact()
+  /// does. Throws std::invalid_argument as well when the error is negative or not finite.
+  static Value with_uncertainty(numerics::Estimate estimate, std::string_view unit = "");
+
   /// Prints 100·ratio with `decimals` digits after the point and a per-cent sign; number() is
   /// the ratio.
   static Value percent(double ratio, int decimals);

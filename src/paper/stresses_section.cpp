@@ -171,7 +171,7 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
   const double depth_error = std::abs(found.z - exact.depth.value) / a;
   document.value("stresses.shear", Value::fixed(exact.shear / hertz.peak_pressure(), 7));
   document.value("stresses.depth",
-                 Value::estimate({exact.depth.value / a, exact.depth.abs_error / a}));
+                 Value::with_uncertainty({exact.depth.value / a, exact.depth.abs_error / a}));
   document.value("stresses.shear-error", Value::scientific_bound(shear_error, 1));
   document.value("stresses.depth-error", Value::scientific_bound(depth_error, 1));
   const double square = std::pow(solution.grid.spacing / a, 2);

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/value.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <charconv>
 #include <clocale>
+#include <cmath>
 #include <limits>
 #include <locale>
+#include <random>
 #include <stdexcept>
+#include <string>
 
 using literate::Value;
 
@@ -141,4 +146,47 @@ BOOST_AUTO_TEST_CASE(a_bound_is_never_printed_below_its_number) {
   BOOST_TEST(Value::scientific_bound(3e-15, 1).printed() == "3e-15");
   BOOST_TEST(Value::scientific_bound(0, 1).printed() == "0");
   BOOST_CHECK_THROW(Value::percent_bound(-0.1, 1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(an_uncertainty_stands_in_units_of_the_last_digit_and_is_rounded_up) {
+  const auto printed = [](double value, double abs_error) {
+    return Value::with_uncertainty({value, abs_error}).printed();
+  };
+  BOOST_TEST(printed(0.786151378, 1.11e-7) == "0.78615138(12)");
+  BOOST_TEST(printed(-2.3851, 0.5e-2) == "-2.3851(50)");
+  BOOST_TEST(printed(123456, 400) == "1.2346(40)e5");
+  BOOST_TEST(printed(1.6236054e-6, 3e-10) == "1.62361(30)e-6");
+  BOOST_TEST(printed(0.0001, 0.4) == "0.00(40)");
+  BOOST_TEST(printed(2.5, 0) == "2.5");
+  BOOST_CHECK_THROW(printed(1, -1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_printed_always_contains_the_computed_value) {
+  // Parsed back, the print is within its own error of the value, for any value and error.
+  std::mt19937_64 random(20011);
+  std::uniform_real_distribution<double> exponent(-12, 12);
+  for (int i = 0; i < 2000; ++i) {
+    const double value = (i % 2 == 0 ? 1 : -1) * std::pow(10, exponent(random)) * 2.385;
+    const double error = std::abs(value) * std::pow(10, -std::abs(exponent(random)) / 1.2 + 0.5);
+    const auto parse = [](const std::string& text) {
+      double number = 0;
+      std::from_chars(text.data(), text.data() + text.size(), number);
+      return number;
+    };
+    const double shown = parse(Value::estimate({value, error}).printed());
+    BOOST_TEST(std::abs(shown - value) <= std::max(10 * error, 1e-11 * std::abs(value)));
+
+    std::string text = Value::with_uncertainty({value, error}).printed();
+    const std::size_t open = text.find('(');
+    const std::size_t close = text.find(')');
+    const double digits = parse(text.substr(open + 1, close - open - 1));
+    const std::size_t point = text.find('.');
+    const double decimals = point == std::string::npos ? 0 : static_cast<double>(open - point - 1);
+    const double power = close + 1 < text.size() ? parse(text.substr(close + 2)) : 0;
+    const double bound = digits * std::pow(10, power - decimals);
+    text.erase(open, close - open + 1);
+    BOOST_TEST(bound >= error * (1 - 1e-12));
+    BOOST_TEST(bound <= 1.11 * error);
+    BOOST_TEST(std::abs(parse(text) - value) <= 0.06 * bound + 1e-15 * std::abs(value));
+  }
 }
