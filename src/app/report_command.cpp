@@ -13,7 +13,6 @@
 #include "app/stage.hpp"
 #include "literate/document.hpp"
 #include "literate/excerpt.hpp"
-#include "literate/excerpt_coverage.hpp"
 #include "literate/staging.hpp"
 #include "paper/paper.hpp"
 #include "parameters/case.hpp"
@@ -40,27 +39,6 @@ void require_writable(const fs::path& output) {
   for (const fs::path& made : missing) fs::remove(made, ignored);
 }
 
-// How much of the mechanics the listings show, and of which files nothing.
-void register_coverage(literate::Document& document, const fs::path& source,
-                       const std::vector<literate::Excerpt>& excerpts) {
-  using literate::Column;
-  literate::Table table({Column::text("folder"), Column::integer("lines of code"),
-                         Column::integer("in excerpts"), Column::fixed("share", "percent", 0),
-                         Column::integer("files without")});
-  std::string rest;
-  for (const char* folder : {"elasticity", "contact", "block"}) {
-    const auto coverage = literate::coverage_of(source, std::string("src/") + folder, excerpts);
-    table.add_row({folder, coverage.n_lines, coverage.n_shown,
-                   100.0 * coverage.n_shown / coverage.n_lines, coverage.rest.size()});
-    for (const std::string& file : coverage.rest) {
-      rest +=
-          fmt::format("{}{}/{}", rest.empty() ? "" : ", ", folder, file.substr(0, file.find('.')));
-    }
-  }
-  document.table("excerpt-coverage", std::move(table));
-  document.value("coverage.rest", literate::Value::text(rest));
-}
-
 ExitCode run(const ReportOptions& options) {
   const Stage computing("compute");
   const parameters::Case from_file = parameters::read_case(options.case_file);
@@ -69,7 +47,7 @@ ExitCode run(const ReportOptions& options) {
   require_writable(options.output);
   literate::Document document;
   paper::compute(document, from_file);
-  register_coverage(document, options.source, excerpts);
+  paper::register_coverage(document, options.source, excerpts);
   computing.done(fmt::format("{} values, {} tables, {} checks, {} claims", document.values().size(),
                              document.tables().size(), document.checks().size(),
                              document.claims().size()));

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <vector>
+
 #include "literate/document.hpp"
+#include "literate/excerpt.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -10,5 +14,9 @@ namespace paper {
 /// tables, figures, and the checks that must hold. Tables and values about what the paper prints
 /// exist only if the case has printed data (flag `printed`).
 void compute(literate::Document& document, const parameters::Case& from_file);
+
+/// How much of the mechanics below `source`/src the excerpts show, and of which files nothing.
+void register_coverage(literate::Document& document, const std::filesystem::path& source,
+                       const std::vector<literate::Excerpt>& excerpts);
 
 }  // namespace paper

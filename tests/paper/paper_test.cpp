@@ -22,6 +22,8 @@ const std::string source_dir = HALFSPACE_SOURCE_DIR;
 const std::string papers_text = literate::read_file(source_dir + "/report/ruggiero2001.toml");
 const std::string steel_text = literate::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
 
+const auto excerpts = literate::find_excerpts(source_dir, {"src"});
+
 // The paper's case without the finite body, which takes most of the time.
 std::string without_block() {
   const auto begin = papers_text.find("\n[block]");
@@ -34,6 +36,7 @@ Document computed(const std::string& case_text) {
   const TemporaryFolder folder;
   Document document;
   paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)));
+  paper::register_coverage(document, source_dir, excerpts);
   return document;
 }
 
@@ -53,7 +56,6 @@ std::set<std::string> failures(const Document& document) {
 // What the document would refer to that was not registered.
 std::vector<std::string> unknown_names(const Document& document) {
   const TemporaryFolder folder;
-  const auto excerpts = literate::find_excerpts(source_dir, {"src"});
   const auto file = folder.write("names.json", literate::names_json(document, excerpts, {}));
   return literate::check_references(source_dir + "/report", literate::read_names(file)).errors;
 }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The section that walks through the program: how much of the mechanics its listings show.
+#include <fmt/core.h>
+
+#include <string>
+
+#include "literate/excerpt_coverage.hpp"
+#include "paper/paper.hpp"
+
+namespace paper {
+
+void register_coverage(literate::Document& document, const std::filesystem::path& source,
+                       const std::vector<literate::Excerpt>& excerpts) {
+  using literate::Column;
+  literate::Table table({Column::text("folder"), Column::integer("lines of code"),
+                         Column::integer("in excerpts"), Column::fixed("share", "percent", 0),
+                         Column::integer("files without")});
+  std::string rest;
+  for (const char* folder : {"elasticity", "contact", "block"}) {
+    const auto coverage = literate::coverage_of(source, std::string("src/") + folder, excerpts);
+    table.add_row({folder, coverage.n_lines, coverage.n_shown,
+                   100.0 * coverage.n_shown / coverage.n_lines, coverage.rest.size()});
+    for (const std::string& file : coverage.rest) {
+      rest +=
+          fmt::format("{}{}/{}", rest.empty() ? "" : ", ", folder, file.substr(0, file.find('.')));
+    }
+  }
+  document.table("excerpt-coverage", std::move(table));
+  document.value("coverage.rest", literate::Value::text(rest));
+}
+
+}  // namespace paper
