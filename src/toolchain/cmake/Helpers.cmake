@@ -1,5 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
+# add_precompiled_headers(): what nearly every file includes, read once instead of 200 times; a third of the time to
+# compile. Files include what they use all the same, and CMAKE_DISABLE_PRECOMPILE_HEADERS (preset tidy) proves it.
+function(add_precompiled_headers)
+  add_library(precompiled STATIC "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/precompiled.cpp")
+  target_precompile_headers(precompiled PRIVATE
+    <Eigen/Core> <fmt/core.h>
+    <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map> <memory> <numbers> <optional> <set>
+    <stdexcept> <string> <utility> <vector>)
+  target_link_libraries(precompiled PUBLIC Eigen3::Eigen fmt::fmt PRIVATE project_warnings)
+  target_compile_options(precompiled PRIVATE $<$<CONFIG:Release>:-O1>)
+  add_sanitizers(precompiled)
+endfunction()
+
 # add_folder_library(name [NO_HEAVY_COMPUTING] SOURCES … LINK …): the library of one folder of src (or figures).
 # Headers are included as "folder/name.hpp"; LINK is the architecture. NO_HEAVY_COMPUTING: what the compiler
 # would take to optimise it fully is more than that would ever save.
@@ -12,6 +25,8 @@ function(add_folder_library name)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   add_sanitizers(${name})
+  target_link_libraries(${name} PRIVATE precompiled)
+  target_precompile_headers(${name} REUSE_FROM precompiled)
 endfunction()
 
 # add_sanitizers(target): when asked for by the preset, a broken rule stops the program at once.
@@ -26,16 +41,25 @@ function(add_sanitizers target)
   endif()
 endfunction()
 
+# add_test_options(target): tests compute little, and half of the time to build them would go into optimising.
+function(add_test_options target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<BOOL:${HALFSPACE_SANITIZE}>:-O0>)
+  add_sanitizers(${target})
+endfunction()
+
+# add_test_program(target source LINK …): a program of Boost tests.
+function(add_test_program target source)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK")
+  add_executable(${target} "${source}")
+  target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main precompiled_tests project_warnings)
+  add_test_options(${target})
+  target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+endfunction()
+
 # add_unit_test(folder/name LINK …): tests/folder/name_test.cpp as one program and one CTest test.
 function(add_unit_test test)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
   string(REPLACE "/" "_" target "${test}_test")
-  add_executable(${target} "${PROJECT_SOURCE_DIR}/tests/${test}_test.cpp")
-  target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main project_warnings)
-  add_sanitizers(${target})
-  if(HALFSPACE_SANITIZE)
-    target_compile_options(${target} PRIVATE -O0) # half of the preset's time would go into optimising tests
-  endif()
+  add_test_program(${target} "${PROJECT_SOURCE_DIR}/tests/${test}_test.cpp" ${ARGN})
   add_test(NAME "unit/${test}" COMMAND ${target} --color_output=no)
   set_tests_properties("unit/${test}" PROPERTIES LABELS unit)
 endfunction()
