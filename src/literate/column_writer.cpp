@@ -33,38 +33,37 @@ ColumnWriter::ColumnWriter(const Column& column, const std::vector<const Cell*>&
 }
 
 std::string ColumnWriter::specification() const {
-  if (column_.kind_ == Column::Kind::text) return "l";
-  std::string format = width_.negative ? "-" : "";
-  format += fmt::format("{}", width_.n_integer);
-  if (width_.n_decimals > 0) format += fmt::format(".{}", width_.n_decimals);
-  if (width_.n_exponent > 0) {
-    format += fmt::format("e{}{}", width_.negative_exponent ? "-" : "", width_.n_exponent);
-  }
-  return fmt::format("S[table-format={}]", format);
+  return column_.kind_ == Column::Kind::text ? "l" : "c";
+}
+
+std::string ColumnWriter::cell(std::size_t row) const {
+  const Written& cell = cells_[row];
+  if (!cell.is_number) return cell.text;
+  return fmt::format("\\LiterateCell{{{}}}{{{}}}{{{}}}", table_format(width_), cell.text,
+                     aligned_number(cell.text, width_));
 }
 
 std::string ColumnWriter::heading() const {
-  return fmt::format("{{{}}}", column_.heading());
+  return column_.heading();
 }
 
 std::string ColumnWriter::unit() const {
   const std::string& unit = column_.unit();
-  if (exponent_ == 0) return unit.empty() ? "" : fmt::format("{{(\\unit{{{}}})}}", unit);
-  if (unit.empty()) return fmt::format("{{(\\num{{e{}}})}}", exponent_);
-  return fmt::format("{{(\\qty{{e{}}}{{{}}})}}", exponent_, unit);
+  if (exponent_ == 0) return unit.empty() ? "" : fmt::format("(\\unit{{{}}})", unit);
+  if (unit.empty()) return fmt::format("(\\num{{e{}}})", exponent_);
+  return fmt::format("(\\qty{{e{}}}{{{}}})", exponent_, unit);
 }
 
-std::string ColumnWriter::written(const Cell& cell) {
-  const bool is_text_column = column_.kind_ == Column::Kind::text;
-  if (cell.is_empty()) return "";
-  if (cell.text()) return is_text_column ? *cell.text() : fmt::format("{{{}}}", *cell.text());
-  if (is_text_column) {
+ColumnWriter::Written ColumnWriter::written(const Cell& cell) {
+  if (cell.is_empty()) return {};
+  if (cell.text()) return {*cell.text()};
+  if (column_.kind_ == Column::Kind::text) {
     throw std::invalid_argument(
         fmt::format("column '{}' holds text, not numbers", column_.heading()));
   }
   const std::string number = number_text(cell);
-  widen_for(number);
-  return number;
+  width_ = widest(width_, width_of(number));
+  return {number, true};
 }
 
 std::string ColumnWriter::number_text(const Cell& cell) const {
@@ -81,27 +80,6 @@ std::string ColumnWriter::number_text(const Cell& cell) const {
   Decimal decimal = rounded_to_place(number, cell.place().value_or(exponent_ - decimals_));
   decimal.place -= exponent_;
   return plain(decimal);
-}
-
-void ColumnWriter::widen_for(std::string_view number) {
-  if (number.front() == '-') {
-    width_.negative = true;
-    number.remove_prefix(1);
-  }
-  const auto e = number.find('e');
-  const auto mantissa = number.substr(0, e);
-  const auto point = mantissa.find('.');
-  width_.n_integer = std::max(width_.n_integer, mantissa.substr(0, point).size());
-  if (point != std::string_view::npos) {
-    width_.n_decimals = std::max(width_.n_decimals, mantissa.size() - point - 1);
-  }
-  if (e == std::string_view::npos) return;
-  auto exponent = number.substr(e + 1);
-  if (exponent.front() == '-') {
-    width_.negative_exponent = true;
-    exponent.remove_prefix(1);
-  }
-  width_.n_exponent = std::max(width_.n_exponent, exponent.size());
 }
 
 }  // namespace literate

@@ -24,9 +24,13 @@ BOOST_AUTO_TEST_CASE(the_table_format_holds_the_widest_number) {
 
   const std::string latex = table.latex();
 
-  BOOST_TEST(has(latex, "{S[table-format=-3.2]S[table-format=-1.2e-2]S[table-format=4]}"));
-  BOOST_TEST(has(latex, "  -1.00 & 1.50e-6 & 12 \\\\\n"));
-  BOOST_TEST(has(latex, "  123.46 & -2.39e-12 & 1200 \\\\\n"));
+  BOOST_TEST(has(latex, "{ccc}"));
+  BOOST_TEST(has(latex,
+                 "  \\LiterateCell{-3.2}{-1.00}{\\hphantom{00}-1.00} & "
+                 "\\LiterateCell{-1.2e-2}{1.50e-6}{\\hphantom{-}1.50\\times10^{-6\\hphantom{0}}} & "
+                 "\\LiterateCell{4}{12}{\\hphantom{00}12} \\\\\n"));
+  BOOST_TEST(has(latex, "{-3.2}{123.46}{\\hphantom{-}123.46} & "));
+  BOOST_TEST(has(latex, "{-1.2e-2}{-2.39e-12}{-2.39\\times10^{-12}} & "));
 }
 
 BOOST_AUTO_TEST_CASE(a_scaled_column_moves_its_power_of_ten_to_the_unit_line) {
@@ -36,8 +40,9 @@ BOOST_AUTO_TEST_CASE(a_scaled_column_moves_its_power_of_ten_to_the_unit_line) {
 
   const std::string latex = table.latex();
 
-  BOOST_TEST(has(latex, "{(\\qty{e-6}{in})} & {(\\qty{e6}{psi})} & {(\\num{e3})}"));
-  BOOST_TEST(has(latex, "  1.624 & 30.0 & 2 \\\\\n"));
+  BOOST_TEST(has(latex, "(\\qty{e-6}{in}) & (\\qty{e6}{psi}) & (\\num{e3})"));
+  BOOST_TEST(
+      has(latex, "{1.624} & \\LiterateCell{2.1}{30.0}{30.0} & \\LiterateCell{1}{2}{2} \\\\\n"));
 }
 
 BOOST_AUTO_TEST_CASE(a_common_exponent_is_that_of_the_largest_magnitude) {
@@ -46,8 +51,9 @@ BOOST_AUTO_TEST_CASE(a_common_exponent_is_that_of_the_largest_magnitude) {
 
   const std::string latex = table.latex();
 
-  BOOST_TEST(has(latex, "{(\\qty{e4}{psi})}"));
-  BOOST_TEST(has(latex, "  0.00 \\\\\n  -1.00 \\\\\n  0.00 \\\\\n"));
+  BOOST_TEST(has(latex, "(\\qty{e4}{psi})"));
+  BOOST_TEST(has(
+      latex, "{-1.2}{-1.00}{-1.00} \\\\\n  \\LiterateCell{-1.2}{0.00}{\\hphantom{-}0.00} \\\\\n"));
 }
 
 BOOST_AUTO_TEST_CASE(without_units_there_is_no_unit_line) {
@@ -55,13 +61,13 @@ BOOST_AUTO_TEST_CASE(without_units_there_is_no_unit_line) {
   table.add_row({"50 %", 1.0}).add_row({Cell::latex("$\\infty$"), {}}).add_row({"c", "none"});
 
   BOOST_TEST(table.latex() ==
-             "\\begin{tabular}{lS[table-format=1.1]}\n"
+             "\\begin{tabular}{lc}\n"
              "  \\toprule\n"
-             "  {Case} & {$x$} \\\\\n"
+             "  Case & $x$ \\\\\n"
              "  \\midrule\n"
-             "  50 \\% & 1.0 \\\\\n"
+             "  50 \\% & \\LiterateCell{1.1}{1.0}{1.0} \\\\\n"
              "  $\\infty$ &  \\\\\n"
-             "  c & {none} \\\\\n"
+             "  c & none \\\\\n"
              "  \\bottomrule\n"
              "\\end{tabular}\n");
 }
@@ -81,9 +87,9 @@ BOOST_AUTO_TEST_CASE(a_quoted_number_keeps_its_digits_in_a_column_of_others) {
   table.add_row({Cell::to_place(1.594637e-6, -12)}).add_row({Cell::to_place(9.728517e-7, -13)});
 
   const std::string latex = table.latex();
-  BOOST_TEST(latex.find("1.594637 ") != latex.npos);
-  BOOST_TEST(latex.find("0.9728517 ") != latex.npos);
-  BOOST_TEST(latex.find("table-format=1.7") != latex.npos);
+  BOOST_TEST(latex.find("{1.594\\,637\\hphantom{0}\\,}") != latex.npos);
+  BOOST_TEST(latex.find("{0.972\\,851\\,7}") != latex.npos);
+  BOOST_TEST(latex.find("\\LiterateCell{1.7}{1.594637}") != latex.npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_that_latex_would_misread_is_refused) {
