@@ -68,7 +68,8 @@ elasticity::Stress McEwen::stress(double x, double z) const {
 
 GreatestShear McEwen::greatest_shear() const {
   // Bracket the maximum: no shear at z = 0, little at 4a.
-  gsl_set_error_handler_off();
+  [[maybe_unused]] static gsl_error_handler_t* const former =
+      gsl_set_error_handler_off();  // once: not thread-safe
   const std::unique_ptr<gsl_min_fminimizer, FreeMinimizer> minimizer(
       gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
   if (!minimizer) throw std::bad_alloc();

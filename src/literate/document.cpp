@@ -35,48 +35,60 @@ std::vector<std::string> former_files(const fs::path& output_dir) {
 
 }  // namespace
 
-void Document::remember(const char* kind, const std::string& name, const Location& location) {
-  const auto [entry, is_new] = places_.try_emplace({kind, name}, place_of(location));
+void Document::remember(const std::string& kind, const std::string& name,
+                        const SourcePlace& place) {
+  const auto [entry, is_new] = places_.try_emplace({kind, name}, place);
   if (is_new) return;
-  throw std::logic_error(fmt::format("{}: {} '{}' is registered twice, first at {}",
-                                     text_of(place_of(location)), kind, name,
-                                     text_of(entry->second)));
+  throw std::logic_error(fmt::format("{}: {} '{}' is registered twice, first at {}", text_of(place),
+                                     kind, name, text_of(entry->second)));
+}
+
+void Document::append(Document part) {
+  for (const auto& [kind_and_name, place] : part.places_) {
+    remember(kind_and_name.first, kind_and_name.second, place);
+  }
+  values_.merge(part.values_);
+  flags_.merge(part.flags_);
+  tables_.merge(part.tables_);
+  figures_.merge(part.figures_);
+  std::ranges::move(part.checks_, std::back_inserter(checks_));
+  std::ranges::move(part.claims_, std::back_inserter(claims_));
 }
 
 void Document::value(const std::string& key, Value value, Location location) {
   require_key(key);
-  remember("value", key, location);
+  remember("value", key, place_of(location));
   values_.emplace(key, std::move(value));
 }
 
 void Document::flag(const std::string& key, bool is_set, Location location) {
   require_key(key);
-  remember("flag", key, location);
+  remember("flag", key, place_of(location));
   flags_.emplace(key, is_set);
 }
 
 void Document::table(const std::string& name, Table table, Location location) {
   require_file_name(name);
-  remember("table", name, location);
+  remember("table", name, place_of(location));
   tables_.emplace(name, std::move(table));
 }
 
 void Document::figure(const std::string& name, double width_cm, double height_cm,
                       std::function<void(Plot&)> draw, Location location) {
   require_file_name(name);
-  remember("figure", name, location);
+  remember("figure", name, place_of(location));
   figures_.emplace(name, Figure{width_cm, height_cm, std::move(draw)});
 }
 
 void Document::check(const std::string& id, bool passed, std::string statement, Location location) {
   require_key(id);
-  remember("check", id, location);
+  remember("check", id, place_of(location));
   checks_.push_back({id, passed, std::move(statement)});
 }
 
 void Document::claim(const std::string& id, Claim claim, Location location) {
   require_key(id);
-  remember("claim", id, location);
+  remember("claim", id, place_of(location));
   const std::array<std::pair<const char*, const std::string*>, 5> parts{
       {{"sentence", &claim.sentence},
        {"place", &claim.place},

@@ -52,6 +52,10 @@ class Document {
   /// computed value, route or tolerance is empty.
   void claim(const std::string& id, Claim claim, Location location = Location::current());
 
+  /// Adds all that another document registered, behind what this one has; parts of a document can
+  /// then be computed at the same time. Throws std::logic_error for what both registered.
+  void append(Document part);
+
   const std::map<std::string, Value>& values() const { return values_; }
   const std::map<std::string, bool>& flags() const { return flags_; }
   const std::map<std::string, Table>& tables() const { return tables_; }
@@ -82,7 +86,7 @@ class Document {
              const std::vector<Excerpt>& excerpts = {}) const;
 
  private:
-  void remember(const char* kind, const std::string& name, const Location& location);
+  void remember(const std::string& kind, const std::string& name, const SourcePlace& place);
 
   std::map<std::string, Value> values_;
   std::map<std::string, bool> flags_;

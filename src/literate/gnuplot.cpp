@@ -3,15 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <atomic>
-#include <exception>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "literate/error.hpp"
 #include "literate/files.hpp"
+#include "literate/parallel.hpp"
 #include "literate/process.hpp"
 
 namespace literate {
@@ -75,25 +72,7 @@ void draw_figures(const fs::path& folder, const std::map<std::string, Figure>& f
     names.push_back(name);
   }
 
-  std::vector<std::exception_ptr> errors(names.size());
-  std::atomic<std::size_t> next = 0;
-  const auto draw_next = [&] {
-    for (std::size_t i = next++; i < names.size(); i = next++) {
-      try {
-        run_gnuplot(folder, names[i]);
-      } catch (...) {
-        errors[i] = std::current_exception();
-      }
-    }
-  };
-  {
-    const std::size_t n_cores = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::jthread> threads(std::min(n_cores, names.size()));
-    for (auto& thread : threads) thread = std::jthread(draw_next);
-  }
-  for (const auto& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
+  for_each_parallel(names.size(), 0, [&](std::size_t i) { run_gnuplot(folder, names[i]); });
 }
 
 }  // namespace literate

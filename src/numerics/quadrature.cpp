@@ -11,7 +11,8 @@ namespace numerics {
 Quadrature::Quadrature(std::size_t max_intervals)
     : max_intervals_(max_intervals), workspace_(gsl_integration_workspace_alloc(max_intervals)) {
   if (!workspace_) throw std::bad_alloc();
-  gsl_set_error_handler_off();
+  [[maybe_unused]] static gsl_error_handler_t* const former =
+      gsl_set_error_handler_off();  // once: not thread-safe
 }
 
 Quadrature::Outcome Quadrature::run_smooth(gsl_function* f, double a, double b,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <initializer_list>
+#include <mutex>
 #include <new>
 #include <numbers>
 
@@ -32,7 +33,15 @@ std::size_t convenient_size(std::size_t min_size) {
   return best;
 }
 
+// FFTW's planner, which makes and frees plans, is one for all threads.
+std::mutex planner;
+
 }  // namespace
+
+void RealFourier::FreePlan::operator()(fftw_plan_s* plan) const {
+  const std::scoped_lock lock(planner);
+  fftw_destroy_plan(plan);
+}
 
 RealFourier::RealFourier(std::size_t min_size)
     : size_(convenient_size(min_size)), buffer_(fftw_alloc_real(size_ + 2)), roots_(size_ / 4 + 1) {
@@ -43,6 +52,7 @@ RealFourier::RealFourier(std::size_t min_size)
   }
   auto* z = reinterpret_cast<fftw_complex*>(buffer_.get());
   const int n = static_cast<int>(size_ / 2);
+  const std::scoped_lock lock(planner);
   forward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_FORWARD, FFTW_ESTIMATE));
   backward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_BACKWARD, FFTW_ESTIMATE));
 }

@@ -17,7 +17,8 @@ namespace numerics {
 /// times n. Each overwrites the other's view. The n real numbers are transformed as n/2 complex
 /// ones (Press et al., Numerical Recipes, 12.3.2): FFTW plans these in half a millisecond, a real
 /// transform in 5 to 20, which is more than a small contact takes. Plans are estimated, not
-/// measured, so that a result is the same each time. Not for use by two threads at once.
+/// measured, so that a result is the same each time. Not for use by two threads at once, but
+/// each thread may have its own.
 class RealFourier {
  public:
   /// A transform of the least convenient length n ≥ min_size: even, with few and small odd primes.
@@ -32,7 +33,7 @@ class RealFourier {
 
  private:
   struct FreePlan {
-    void operator()(fftw_plan_s* plan) const { fftw_destroy_plan(plan); }
+    void operator()(fftw_plan_s* plan) const;
   };
   struct FreeBuffer {
     void operator()(double* buffer) const { fftw_free(buffer); }

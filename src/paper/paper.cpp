@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/paper.hpp"
 
+#include "literate/parallel.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
+namespace {
+
+using Section = void (*)(literate::Document&, const parameters::Case&);
+
+// In the order of the report, which numbers the claims.
+std::vector<Section> sections_for(const parameters::Case& from_file) {
+  std::vector<Section> sections{describe_provenance, compute_formulation, compute_quadrature,
+                                compute_results,     compute_block,       compute_error_analysis,
+                                compute_cylinders};
+  if (from_file.printed) sections.push_back(compute_contact_m);
+  sections.insert(sections.end(), {compute_elements, compute_methods, compute_profiles,
+                                   compute_regions, compute_friction, compute_stresses});
+  return sections;
+}
+
+}  // namespace
 
 void compute(literate::Document& document, const parameters::Case& from_file) {
   document.flag("printed", from_file.printed.has_value());
-  describe_provenance(document, from_file);
-  compute_formulation(document, from_file);
-  compute_quadrature(document, from_file);
-  compute_results(document, from_file);
-  compute_block(document, from_file);
-  compute_error_analysis(document, from_file);
-  compute_cylinders(document, from_file);
-  if (from_file.printed) compute_contact_m(document, from_file);
-  compute_elements(document, from_file);
-  compute_methods(document, from_file);
-  compute_profiles(document, from_file);
-  compute_regions(document, from_file);
-  compute_friction(document, from_file);
-  compute_stresses(document, from_file);
+  const std::vector<Section> sections = sections_for(from_file);
+  std::vector<literate::Document> parts(sections.size());
+  literate::for_each_parallel(sections.size(), 0,
+                              [&](std::size_t i) { sections[i](parts[i], from_file); });
+  for (literate::Document& part : parts) document.append(std::move(part));
 }
 
 }  // namespace paper

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of the report, one file each; every one registers what its prose refers to.
+// The sections of the report, one file each; every one registers what its prose refers to. They are
+// computed at the same time, each into a document of its own, and so share nothing.
 #pragma once
 
 #include "literate/document.hpp"

@@ -54,6 +54,24 @@ BOOST_AUTO_TEST_CASE(failed_checks_are_told_apart) {
   BOOST_CHECK_THROW(document.check("sign", true, ""), std::logic_error);
 }
 
+BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without_doubles) {
+  Document document = document_with(1);
+  document.check("first", true, "1");
+  Document part;
+  part.check("second", true, "2");
+  part.value("radius", Value::integer(3));
+  const auto line = part.place("value", "radius").line;
+
+  document.append(part);
+
+  BOOST_TEST(document.values().at("radius").printed() == "3");
+  BOOST_TEST(document.place("value", "radius").line == line);
+  BOOST_REQUIRE(document.checks().size() == 2U);
+  BOOST_TEST(document.checks()[1].id == "second");
+  const std::string message = message_of<std::logic_error>([&] { document.append(part); });
+  BOOST_TEST(message.find("check 'second' is registered twice") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(the_names_read_back) {
   const ScratchFolder scratch;
   document_with(1).write(scratch / "out", {{"x", "a.cpp", 3, "a\n"}});
