@@ -12,6 +12,7 @@
 #include "app/options.hpp"
 #include "app/stage.hpp"
 #include "literate/digest.hpp"
+#include "literate/document_files.hpp"
 #include "literate/files.hpp"
 #include "literate/manifest.hpp"
 #include "literate/manifest_comparison.hpp"
@@ -50,8 +51,9 @@ literate::Manifest::Texts inputs(const Options& options) {
   literate::Manifest::Texts files = sources_below(root, "src", {".cpp", ".hpp", ".in", ".sty"});
   files.merge(sources_below(root, "figures", {".cpp", ".hpp"}));
   const fs::path document = fs::weakly_canonical(options.document);
-  files.merge(sources_below(document.parent_path(), document.filename().string(),
-                            {".tex", ".bib", ".sty"}));
+  const std::string folder = document.filename().string();
+  files.merge(literate::digests(document, literate::document_files(document), folder + "/"));
+  files.merge(sources_below(document.parent_path(), folder, {".bib", ".sty"}));
   if (!options.case_file.empty()) {
     const fs::path file = fs::weakly_canonical(options.case_file);
     const fs::path relative = file.lexically_relative(root);

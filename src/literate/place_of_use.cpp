@@ -7,6 +7,7 @@
 #include <regex>
 #include <vector>
 
+#include "literate/document_files.hpp"
 #include "literate/files.hpp"
 #include "literate/source_label.hpp"
 #include "literate/tex_commands.hpp"
@@ -27,8 +28,7 @@ constexpr std::array<Kind, 3> kinds{
 std::vector<std::string> uses(const Kind& kind, const std::string& name,
                               const std::filesystem::path& source_dir) {
   std::vector<std::string> places;
-  for (const std::string& file : files_below(source_dir)) {
-    if (!file.ends_with(".tex")) continue;
+  for (const std::string& file : document_files(source_dir)) {
     for (const TexCommand& use : commands_in(read_file(source_dir / file), {kind.command})) {
       if (use.argument != name) continue;
       places.push_back(fmt::format("{}/{}:{}", source_label(source_dir), file, use.line));

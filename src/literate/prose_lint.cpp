@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "literate/document_files.hpp"
 #include "literate/files.hpp"
 #include "literate/lines.hpp"
 #include "literate/prose.hpp"
@@ -178,8 +179,7 @@ std::vector<std::string> typed_numbers(std::string_view latex, const std::string
 
 std::vector<std::string> typed_numbers_below(const std::filesystem::path& folder) {
   std::vector<std::string> findings;
-  for (const std::string& file : files_below(folder)) {
-    if (!file.ends_with(".tex")) continue;
+  for (const std::string& file : document_files(folder)) {
     const auto found = typed_numbers(read_file(folder / file), source_label(folder) + "/" + file);
     findings.insert(findings.end(), found.begin(), found.end());
   }

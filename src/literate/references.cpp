@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "literate/document_files.hpp"
 #include "literate/files.hpp"
 #include "literate/lines.hpp"
 #include "literate/source_label.hpp"
@@ -81,8 +82,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
 
   ReferenceReport report;
   std::set<std::pair<std::string, std::string>> used;
-  for (const std::string& file : files_below(source_dir)) {
-    if (!file.ends_with(".tex")) continue;
+  for (const std::string& file : document_files(source_dir)) {
     const std::string text = read_file(source_dir / file);
     if (prints_ledger(text)) {
       for (const std::string& claim : names.claims) used.emplace("claim", claim);

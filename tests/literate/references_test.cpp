@@ -95,3 +95,17 @@ BOOST_AUTO_TEST_CASE(comments_definitions_and_verbatim_are_no_uses) {
 BOOST_AUTO_TEST_CASE(a_missing_folder_is_an_output_error) {
   BOOST_CHECK_THROW(check_references("no such folder", names), OutputError);
 }
+
+BOOST_AUTO_TEST_CASE(a_document_in_a_folder_below_is_another_one) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "report/report.tex", "\\documentclass{article}\\val{load}\n");
+  write_file_atomically(scratch / "report/part/a.tex", "% \\documentclass{no}\n\\val{here}\n");
+  write_file_atomically(scratch / "report/other/main.tex",
+                        "% what it is\n \\documentclass{article}\n\\val{there}\n");
+  write_file_atomically(scratch / "report/other/below/b.tex", "\\val{there}\n");
+
+  const auto report = check_references(scratch / "report", names);
+
+  BOOST_TEST(report.errors == Lines{"report/part/a.tex:2:1: unknown value 'here'"},
+             boost::test_tools::per_element());
+}
