@@ -8,7 +8,8 @@ namespace figures {
 void draw_cylinder_pressure(literate::Plot& plot, const CylinderPressure& data) {
   const auto nodes = plot.data("nodes", {data.x, data.pressure, data.difference});
   const auto hertz = plot.data("hertz", {data.hertz_x, data.hertz});
-  const AxisScale scale = axis_scale(largest_magnitude(data.difference), "");
+  const double largest = largest_magnitude(data.difference);
+  const AxisScale scale = axis_scale(largest, "");
   apply_style(plot);
   plot << "set xrange [-1.2:1.2]\nset xtics 0.4\n"
        << "set multiplot\n"
@@ -19,7 +20,8 @@ void draw_cylinder_pressure(literate::Plot& plot, const CylinderPressure& data) 
        << "plot " << hertz << " with lines ls 1 title 'Hertz', \\\n"
        << "  " << nodes << " using 1:2 with points ls 11 title 'triangular elements'\n"
        << "set tmargin at screen 0.40\nset bmargin at screen 0.13\n"
-       << "set format x '$%g$'\nset xlabel '$x/a$'\nset yrange [*:*]\nset ytics autofreq\nset mytics 1\n"
+       << "set format x '$%g$'\nset xlabel '$x/a$'\nset yrange [*:*]\nset ytics "
+       << tick_step(largest * scale.factor) << "\nset mytics 1\n"
        << "set ylabel '$\\Delta p/p_0$" << (scale.factor == 1 ? "" : " (")
        << (scale.factor == 1 ? "" : scale.unit) << (scale.factor == 1 ? "" : ")") << "'\n"
        << "unset key\n"

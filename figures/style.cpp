@@ -39,6 +39,13 @@ AxisScale axis_scale(double largest, const std::string& unit) {
   return {factor, fmt::format("$10^{{{}}}$\\,{}", exponent, unit)};
 }
 
+double tick_step(double largest) {
+  if (largest == 0) return 1;
+  const double power = std::pow(10.0, std::floor(std::log10(largest)));
+  if (largest < 2 * power) return power / 2;
+  return largest < 5 * power ? power : 2 * power;
+}
+
 std::vector<double> scaled(const std::vector<double>& numbers, double factor) {
   std::vector<double> result(numbers.size());
   std::transform(numbers.begin(), numbers.end(), result.begin(),

@@ -27,6 +27,10 @@ struct AxisScale {
 /// 0.01 to 1000.
 AxisScale axis_scale(double largest, const std::string& unit);
 
+/// The distance of ticks, 1, 2 or 5 times a power of ten, that puts two to four of them on an axis
+/// from 0 to `largest`; 1 for an axis without length.
+double tick_step(double largest);
+
 /// Each number times the factor.
 std::vector<double> scaled(const std::vector<double>& numbers, double factor);
 
