@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "numerics/kernel_integrals.hpp"
 #include "numerics/require.hpp"
+#include "tests/contact/cauchy_integral.hpp"
 #include "tolerances.hpp"
 
 using contact::CattaneoMindlin;
@@ -17,7 +17,6 @@ using contact::CylinderPair;
 using contact::Hertz;
 using contact::Radius;
 using numerics::InvalidQuantity;
-using numerics::KernelIntegrals;
 using std::numbers::pi;
 
 namespace {
@@ -29,32 +28,14 @@ const Hertz hertz(CylinderPair(rubber, Radius::of_cylinder("radius1", 1.137), ru
                                Radius::of_cylinder("radius2", -2.385)),
                   load);
 const double a = hertz.half_width();
-const double inner = std::nextafter(a, 0);
 
 constexpr double tangential = -0.6173 * friction * load;
 const CattaneoMindlin partial(hertz, friction, tangential);
 const double c = partial.stick_half_width();
 
-// Pieces between the edges of contact and stick zone, the kinks of q.
-numerics::PiecewiseFunction over_angles(const std::function<double(double)>& f) {
-  const double kink = std::asin(c / a);
-  return numerics::PiecewiseFunction({{-pi / 2, -kink, f}, {-kink, kink, f}, {kink, pi / 2, f}});
-}
-
-// PV∫ q(s)/(x−s) ds over s = a sin θ, x = a sin θ₀: inside, the kernel is 1/(θ₀−θ) times a smooth
-// function. ds is taken from the rounded s, so that q ds has its digits beside the edges too.
+// The kinks of q are at the edges of the stick zone.
 double cauchy(double x) {
-  const double pole = std::abs(x) < a ? std::asin(x / a) : 0;
-  const auto per_angle = [=](double theta) {
-    const double s = std::clamp(a * std::sin(theta), -inner, inner);
-    const double density = partial.traction(s) * std::sqrt((a - s) * (a + s));
-    if (std::abs(x) > a) return density / (x - s);
-    const double half = (pole - theta) / 2;
-    const double sinc = half == 0 ? 1 : std::sin(half) / half;
-    return density / (a * sinc * std::cos((pole + theta) / 2));
-  };
-  const KernelIntegrals integrals(over_angles(per_angle));
-  return std::abs(x) < a ? integrals.cauchy(pole).value : integrals.total().value;
+  return cauchy_integral([](double s) { return partial.traction(s); }, a, x, c);
 }
 
 // At the edges of the stick zone q has a root's infinite slope: what the quadratures then reach.

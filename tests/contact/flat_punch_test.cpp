@@ -8,13 +8,12 @@
 #include <limits>
 #include <numbers>
 
-#include "numerics/kernel_integrals.hpp"
 #include "numerics/require.hpp"
+#include "tests/contact/cauchy_integral.hpp"
 #include "tolerances.hpp"
 
 using contact::FlatPunch;
 using numerics::InvalidQuantity;
-using numerics::KernelIntegrals;
 using std::numbers::pi;
 
 namespace {
@@ -23,26 +22,9 @@ constexpr double modulus = 913.7;
 constexpr double a = 0.2385;
 constexpr double load = 3.461;
 const FlatPunch punch(modulus, a, load);
-const double inner = std::nextafter(a, 0);
 
-numerics::PiecewiseFunction over_angles(const std::function<double(double)>& f) {
-  return numerics::PiecewiseFunction({{-pi / 2, pi / 2, f}});
-}
-
-// PV∫ p(s)/(x−s) ds over s = a sin θ, x = a sin θ₀: inside, the kernel is 1/(θ₀−θ) times a smooth
-// function. ds is taken from the rounded s, so that p ds has its digits beside the edges too.
 double cauchy(double x) {
-  const double pole = std::abs(x) < a ? std::asin(x / a) : 0;
-  const auto per_angle = [=](double theta) {
-    const double s = std::clamp(a * std::sin(theta), -inner, inner);
-    const double density = punch.pressure(s) * std::sqrt((a - s) * (a + s));
-    if (std::abs(x) > a) return density / (x - s);
-    const double half = (pole - theta) / 2;
-    const double sinc = half == 0 ? 1 : std::sin(half) / half;
-    return density / (a * sinc * std::cos((pole + theta) / 2));
-  };
-  const KernelIntegrals integrals(over_angles(per_angle));
-  return std::abs(x) < a ? integrals.cauchy(pole).value : integrals.total().value;
+  return cauchy_integral([](double s) { return punch.pressure(s); }, a, x);
 }
 
 // −∂(u_z1 + u_z2)/∂x by eq. (2): u_z is positive into the body.

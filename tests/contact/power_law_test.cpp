@@ -9,13 +9,12 @@
 #include <numbers>
 
 #include "contact/hertz.hpp"
-#include "numerics/kernel_integrals.hpp"
 #include "numerics/require.hpp"
+#include "tests/contact/cauchy_integral.hpp"
 #include "tolerances.hpp"
 
 using contact::PowerLaw;
 using numerics::InvalidQuantity;
-using numerics::KernelIntegrals;
 using std::numbers::pi;
 
 namespace {
@@ -25,26 +24,8 @@ constexpr double coefficient = 0.7391;
 constexpr double load = 3.461;
 constexpr int powers[] = {1, 2, 3, 7, 20};
 
-numerics::PiecewiseFunction over_angles(const std::function<double(double)>& f) {
-  return numerics::PiecewiseFunction({{-pi / 2, pi / 2, f}});
-}
-
-// PV∫ p(s)/(x−s) ds over s = a sin θ, x = a sin θ₀: inside, the kernel is 1/(θ₀−θ) times a smooth
-// function. ds is taken from the rounded s, so that p ds has its digits beside the edges too.
 double cauchy(const PowerLaw& contact, double x) {
-  const double a = contact.half_width();
-  const double inner = std::nextafter(a, 0);
-  const double pole = std::abs(x) < a ? std::asin(x / a) : 0;
-  const auto per_angle = [=, &contact](double theta) {
-    const double s = std::clamp(a * std::sin(theta), -inner, inner);
-    const double density = contact.pressure(s) * std::sqrt((a - s) * (a + s));
-    if (std::abs(x) > a) return density / (x - s);
-    const double half = (pole - theta) / 2;
-    const double sinc = half == 0 ? 1 : std::sin(half) / half;
-    return density / (a * sinc * std::cos((pole + theta) / 2));
-  };
-  const KernelIntegrals integrals(over_angles(per_angle));
-  return std::abs(x) < a ? integrals.cauchy(pole).value : integrals.total().value;
+  return cauchy_integral([&](double s) { return contact.pressure(s); }, contact.half_width(), x);
 }
 
 double fall(const PowerLaw& contact, double x) {

@@ -12,13 +12,12 @@
 
 #include "contact/flat_punch.hpp"
 #include "contact/hertz.hpp"
-#include "numerics/kernel_integrals.hpp"
 #include "numerics/require.hpp"
+#include "tests/contact/cauchy_integral.hpp"
 #include "tolerances.hpp"
 
 using contact::RoundedPunch;
 using numerics::InvalidQuantity;
-using numerics::KernelIntegrals;
 using std::numbers::pi;
 
 namespace {
@@ -30,29 +29,9 @@ constexpr double curvature = 2.417;
 // Loads at which (a−b)/b is 0.007, 0.03, 0.6 and 11.
 constexpr double loads[] = {0.07317, 0.7317, 73.17, 12345.6};
 
-// Pieces between the edges of the contact and of the flat, the kinks of p.
-numerics::PiecewiseFunction over_angles(const RoundedPunch& contact,
-                                        const std::function<double(double)>& f) {
-  const double kink = std::asin(b / contact.half_width());
-  return numerics::PiecewiseFunction({{-pi / 2, -kink, f}, {-kink, kink, f}, {kink, pi / 2, f}});
-}
-
-// PV∫ p(s)/(x−s) ds over s = a sin θ, x = a sin θ₀: inside, the kernel is 1/(θ₀−θ) times a smooth
-// function. ds is taken from the rounded s, so that p ds has its digits beside the edges too.
+// The kinks of p are at the edges of the flat.
 double cauchy(const RoundedPunch& contact, double x) {
-  const double a = contact.half_width();
-  const double inner = std::nextafter(a, 0);
-  const double pole = std::abs(x) < a ? std::asin(x / a) : 0;
-  const auto per_angle = [=, &contact](double theta) {
-    const double s = std::clamp(a * std::sin(theta), -inner, inner);
-    const double density = contact.pressure(s) * std::sqrt((a - s) * (a + s));
-    if (std::abs(x) > a) return density / (x - s);
-    const double half = (pole - theta) / 2;
-    const double sinc = half == 0 ? 1 : std::sin(half) / half;
-    return density / (a * sinc * std::cos((pole + theta) / 2));
-  };
-  const KernelIntegrals integrals(over_angles(contact, per_angle));
-  return std::abs(x) < a ? integrals.cauchy(pole).value : integrals.total().value;
+  return cauchy_integral([&](double s) { return contact.pressure(s); }, contact.half_width(), x, b);
 }
 
 double fall(const RoundedPunch& contact, double x) {
