@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-#include <gsl/gsl_version.h>
-
-#include <Eigen/Core>
-#include <boost/version.hpp>
 #include <string>
+#include <utility>
 
 #include "literate/files.hpp"
-#include "literate/process.hpp"
+#include "literate/tool_version.hpp"
 #include "paper/sections.hpp"
 #include "toolchain/build_info.hpp"
+#include "toolchain/libraries.hpp"
 
 namespace paper {
 namespace {
 
 using literate::Value;
-
-std::string first_line_of(const std::string& program, const std::string& flag) {
-  const literate::ProcessResult result = literate::run({.program = program, .arguments = {flag}});
-  return result.output.substr(0, result.output.find('\n'));
-}
 
 }  // namespace
 
@@ -31,17 +23,13 @@ void describe_provenance(literate::Document& document, const parameters::Case& f
   document.value("provenance.case-sha256", Value::text(literate::sha256_of_file(from_file.file)));
   document.value("provenance.compiler", Value::text(toolchain::compiler));
   document.value("provenance.flags", Value::text(toolchain::flags));
-  document.value("provenance.gsl", Value::text(gsl_version));
-  document.value("provenance.eigen",
-                 Value::text(fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                                         EIGEN_MINOR_VERSION)));
-  document.value("provenance.boost", Value::text(fmt::format("{}.{}", BOOST_VERSION / 100000,
-                                                             BOOST_VERSION / 100 % 1000)));
-  document.value("provenance.fmt",
-                 Value::text(fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                                         FMT_VERSION % 100)));
-  document.value("provenance.gnuplot", Value::text(first_line_of("gnuplot", "--version")));
-  document.value("provenance.tex", Value::text(first_line_of("pdflatex", "--version")));
+  const auto libraries = toolchain::libraries();
+  for (const auto& [key, name] :
+       {std::pair{"gsl", "GSL"}, {"eigen", "Eigen"}, {"boost", "Boost"}, {"fmt", "fmt"}}) {
+    document.value(std::string("provenance.") + key, Value::text(libraries.at(name)));
+  }
+  document.value("provenance.gnuplot", Value::text(literate::tool_version("gnuplot")));
+  document.value("provenance.tex", Value::text(literate::tool_version("pdflatex")));
   document.value("case.title", Value::text(from_file.title));
   document.value("case.file", Value::text(from_file.file.filename().string()));
 }

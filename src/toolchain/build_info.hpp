@@ -11,9 +11,8 @@ extern const char* const version;
 /// commit.
 extern const char* const commit;
 
-/// Whether files differ from `commit`, those neither committed nor ignored included; prose
-/// (report/*.tex, *.bib), on which no result depends, is not looked at. False if the commit is
-/// unknown.
+/// Whether files differ from `commit`, those neither committed nor ignored included. False if the
+/// commit is unknown.
 extern const bool modified;
 
 /// The date of the report, e.g. "2001-04-23T12:00:00Z": SOURCE_DATE_EPOCH as it was when the

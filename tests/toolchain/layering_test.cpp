@@ -22,11 +22,12 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"toolchain", {}},
     {"paper",
      {"numerics", "elasticity", "contact", "block", "literate", "parameters", "figures",
-      "toolchain/build_info.hpp"}},
-    {"course", {"literate", "numerics"}},
+      "toolchain/build_info.hpp", "toolchain/libraries.hpp"}},
+    {"course", {"literate", "numerics", "parameters/case_table.hpp"}},
+    {"assignment", {"course", "literate", "numerics", "elasticity", "contact"}},
     {"app",
      {"numerics", "elasticity", "contact", "block", "literate", "parameters", "figures", "paper",
-      "course", "toolchain"}},
+      "course", "assignment", "toolchain"}},
 };
 
 const std::set<std::string> mechanics = {"numerics", "elasticity", "contact", "block"};
