@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "literate/decimal.hpp"
 #include "literate/files.hpp"
 #include "literate/latex.hpp"
 
@@ -99,7 +100,7 @@ std::string index_tex(const Document& document) {
   std::string text;
   for (const auto& [key, value] : document.values()) {
     const std::string error =
-        value.abs_error() ? fmt::format("{:.1e}", *value.abs_error()) : std::string();
+        value.abs_error() ? scientific(rounded_up_to_digits(*value.abs_error(), 2)) : "";
     text += fmt::format("\\LiterateIndexEntry{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", key,
                         escape_latex_path(key), error,
                         escape_latex_path(text_of(document.place("value", key))),

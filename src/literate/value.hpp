@@ -46,16 +46,36 @@ class Value {
   /// the ratio.
   static Value percent(double ratio, int decimals);
 
+  /// As those for a plain number, with at most that many digits or decimals: fewer where the error
+  /// reaches beyond the last of them. Throw std::invalid_argument as well when the error is
+  /// negative or not finite.
+  static Value significant(numerics::Estimate estimate, int max_digits, std::string_view unit = "");
+  static Value fixed(numerics::Estimate estimate, int max_decimals, std::string_view unit = "");
+  static Value scientific(numerics::Estimate estimate, int max_digits, std::string_view unit = "");
+  static Value percent(numerics::Estimate ratio, int max_decimals);
+
   /// As scientific() and percent(), rounded up: for what a sentence says is not exceeded. The
   /// number must not be negative.
   static Value scientific_bound(double number, int n_digits, std::string_view unit = "");
   static Value percent_bound(double ratio, int decimals);
+
+  /// The same for what may be wrong itself: never less than number and error together, and no digit
+  /// below the error.
+  static Value scientific_bound(numerics::Estimate estimate, int n_digits,
+                                std::string_view unit = "");
+  static Value percent_bound(numerics::Estimate ratio, int decimals);
 
   /// Prints the fewest digits that read back as the same double: for parameters.
   static Value exact(double number, std::string_view unit = "");
 
   /// Prints plain text, escaped for LaTeX.
   static Value text(std::string_view text);
+
+  /// The same print with a bound on how wrong its number is, in the number's unit (of a percentage,
+  /// of the ratio). Digits have to be earned: throws std::invalid_argument, naming number, print
+  /// and bound, when the last printed place is less than the bound. Also for text, for a value that
+  /// has a bound already, and for one that is negative or not finite.
+  Value within(double abs_error) const;
 
   /// What LaTeX reads, such as `\qty{1.5e-6}{in}`; works in text and in math mode.
   const std::string& latex() const { return latex_; }
@@ -66,7 +86,7 @@ class Value {
   /// The unrounded number; none for text.
   const std::optional<double>& number() const { return number_; }
 
-  /// The bound given to estimate(); none for the other kinds.
+  /// The bound given with an estimate or to within(); none if none was given.
   const std::optional<double>& abs_error() const { return abs_error_; }
 
   const std::string& unit() const { return unit_; }
@@ -75,11 +95,16 @@ class Value {
   Value() = default;
   static Value quantity(double number, const std::string& digits, std::string_view unit);
   static Value percentage(double ratio, Decimal rounded);
+  static Value plain_or_padded(numerics::Estimate estimate, const Decimal& rounded,
+                               std::string_view unit);
+  Value at_place(int place) const;
+  Value with_error(double abs_error) const;
 
   std::string latex_;
   std::string printed_;
   std::optional<double> number_;
   std::optional<double> abs_error_;
+  int place_ = 0;  // power of ten of the last printed digit, of the number
   std::string unit_;
 };
 

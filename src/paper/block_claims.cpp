@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/block_claims.hpp"
+#include "paper/bounds.hpp"
 
 #include <fmt/core.h>
 
@@ -16,18 +17,20 @@ using block::MeasureEstimate;
 using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
+using numerics::Estimate;
 using parameters::Case;
 using parameters::PrintedNumber;
 
-double named(const std::vector<MeasureEstimate>& measures, const std::string& name) {
-  return std::ranges::find(measures, name, &MeasureEstimate::name)->value.value;
+Estimate named(const std::vector<MeasureEstimate>& measures, const std::string& name) {
+  return std::ranges::find(measures, name, &MeasureEstimate::name)->value;
 }
 
 void claim_body(literate::Document& document, const Case& c, const BlockStudy& study) {
   const auto& printed = c.printed->appendix2.measures;
   const double nu = c.half_space.material.poisson();
-  const double ratio = printed.at("max_stress_zz").value() /
-                       (printed.at("max_stress_xx").value() + printed.at("max_stress_yy").value());
+  const Estimate in_plane =
+      as_estimate(printed.at("max_stress_xx")) + as_estimate(printed.at("max_stress_yy"));
+  const Estimate ratio = quotient(as_estimate(printed.at("max_stress_zz")), in_plane);
   document.claim("plane-strain",
                  {.sentence = "The body of the run is in plane strain, with the Poisson's ratio of "
                               "the analytical solution.",
@@ -38,20 +41,20 @@ void claim_body(literate::Document& document, const Case& c, const BlockStudy& s
                            "over the sum of those in it is ν",
                   .tolerance = "10⁻⁶: the stresses are printed with seven digits",
                   .expected = Verdict::confirmed,
-                  .found = confirmed_if(std::abs(ratio - nu) < 1e-6)});
+                  .found = confirmed_if(std::abs(ratio.value - nu) < 1e-6)});
   const block::Rectangle& r = c.block->rectangle;
-  const double middle = study.under_triangle().displacement_z(0, 0).value;
-  const double half_way = study.under_triangle().displacement_z(0, r.height() / 2).value;
+  const Estimate middle = study.under_triangle().displacement_z(0, 0);
+  const Estimate half_way = study.under_triangle().displacement_z(0, r.height() / 2);
   document.claim("felt-throughout",
                  {.sentence = "The displacement effects of the load are apparent throughout the "
                               "body.",
                   .place = "paper, Numerical Solution, p. 7",
-                  .computed = Value::percent(half_way / middle, 0),
+                  .computed = Value::percent(quotient(half_way, middle), 0),
                   .route = "the block by finite elements of high order: the displacement half way "
                            "down, over the largest",
                   .tolerance = "at least 10 %, one of ten shades of its Fig. 3",
                   .expected = Verdict::confirmed,
-                  .found = confirmed_if(half_way > 0.1 * middle)});
+                  .found = confirmed_if(half_way.value > 0.1 * middle.value)});
 }
 
 void claim_mass(literate::Document& document, const Case& c) {
@@ -158,16 +161,18 @@ void claim_run(literate::Document& document, const Case& c, const BlockStudy& st
   const auto& printed = c.printed->appendix2.measures;
   const block::LinearFit& fit = *study.fit();
   const auto off = [&](const std::string& name) {
-    return std::abs(named(fitted, name) / printed.at(name).value() - 1);
+    return std::abs(named(fitted, name).value / printed.at(name).value() - 1);
   };
   const auto digits = [&](const std::string& name) {
     const PrintedNumber& number = printed.at(name);
-    return fmt::format("{} of {} digits agree", number.n_agreeing_digits(named(fitted, name)),
+    return fmt::format("{} of {} digits agree", number.n_agreeing_digits(named(fitted, name).value),
                        number.n_digits());
   };
-  double least = HUGE_VAL;
+  Estimate least{HUGE_VAL, 0};
   for (const block::SurfaceDisplacement& seen : study.observed()) {
-    least = std::min(least, 1 - study.under_triangle().displacement_z(seen.x, 0).value / seen.u_z);
+    const Estimate computed = study.under_triangle().displacement_z(seen.x, 0);
+    const Estimate below = Estimate{1, 0} - quotient(computed, {seen.u_z, 0});
+    if (below.value < least.value) least = below;
   }
   document.claim("robust-model",
                  {.sentence = "The correlation is a good indicator that the FEA was performed on a "
@@ -178,7 +183,7 @@ void claim_run(literate::Document& document, const Case& c, const BlockStudy& st
                            "far its displacements are below the printed ones, at least",
                   .tolerance = "10 %, to which the run was converged",
                   .expected = Verdict::refuted,
-                  .found = confirmed_if(least < 0.1)});
+                  .found = confirmed_if(least.value < 0.1)});
   PrintedNumber convergence("0.1");  // percent; the least that the run reports, if it does
   for (const auto& [name, number] : c.printed->appendix2.convergence) {
     if (name.starts_with("measure") && number.value() < convergence.value()) convergence = number;
@@ -189,7 +194,7 @@ void claim_run(literate::Document& document, const Case& c, const BlockStudy& st
       {.sentence = "A pressure that falls linearly from its peak to a fraction of it at "
                    "the ends explains every printed displacement.",
        .place = "this report",
-       .computed = Value::percent_bound(fit.fit.max_misfit, 2),
+       .computed = Value::percent_bound(Estimate{fit.fit.max_misfit, study.misfit_error()}, 2),
        .route = "least squares for two numbers on eleven displacements of the block; the "
                 "value is the largest misfit",
        .tolerance = fmt::format("{} %, the least convergence that the run reports for any of them",
@@ -227,8 +232,8 @@ void claim_maxima(literate::Document& document, const Case& c,
   const auto& printed = c.printed->appendix2;
   const PrintedNumber& maximum = printed.measures.at("max_disp_y");
   const bool is_printed_so = maximum.agrees_with(printed.measures.at("measure1").value());
-  const double largest = named(fitted, "max_disp_y");
-  const bool is_so = std::abs(largest / named(fitted, "measure1") - 1) < 1e-9;
+  const Estimate largest = named(fitted, "max_disp_y");
+  const bool is_so = std::abs(largest.value / named(fitted, "measure1").value - 1) < 1e-9;
   document.claim("largest-in-the-middle",
                  {.sentence = "The largest normal displacement is that of the middle, measure1.",
                   .place = "paper, Appendix 2, pp. 15–16",
@@ -240,7 +245,7 @@ void claim_maxima(literate::Document& document, const Case& c,
                   .expected = Verdict::confirmed,
                   .found = confirmed_if(is_so && is_printed_so)});
   const auto claim = [&](const char* id, const char* what, const std::string& name,
-                         double converged, int n_digits, const char* route,
+                         Estimate converged, int n_digits, const char* route,
                          literate::Document::Location location) {
     const PrintedNumber& number = printed.measures.at(name);
     const PrintedNumber& convergence = printed.convergence.at(name);
@@ -255,7 +260,7 @@ void claim_maxima(literate::Document& document, const Case& c,
          .tolerance = "three times the convergence that is printed: the load is fitted, and the "
                       "grids on which the maxima are taken differ",
          .expected = Verdict::refuted,
-         .found = confirmed_if(std::abs(number.value() / converged - 1) < allowed)},
+         .found = confirmed_if(std::abs(number.value() / converged.value - 1) < allowed)},
         location);
   };
   claim("tension-converged", "largest principal stress", "max_stress_prin",

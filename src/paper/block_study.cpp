@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/block_study.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "block/load_shapes.hpp"
 
 namespace paper {
@@ -25,6 +29,21 @@ std::vector<block::SurfaceDisplacement> observed_in(const parameters::Case& c) {
   return observed;
 }
 
+// The same fit on the coarser mesh alone.
+block::Fit coarse_fit(const std::vector<block::RefinedSolution>& solutions,
+                      const std::vector<block::SurfaceDisplacement>& observed) {
+  std::vector<block::RefinedSolution> coarse;
+  coarse.reserve(solutions.size());
+  for (const block::RefinedSolution& s : solutions) coarse.emplace_back(s.coarse(), s.coarse());
+  return block::fit_loads(coarse, observed);
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
 }  // namespace
 
 std::string name_of(Support sides) {
@@ -40,7 +59,18 @@ BlockStudy::BlockStudy(const parameters::Case& from_file)
       free_(analysis_.on(block::with_sides(Support::free))),
       under_triangle_(on(from_file.block->sides).solve(from_file.half_space.load)),
       observed_(observed_in(from_file)) {
-  if (!observed_.empty()) fit_ = fit_on(from_file.block->sides);
+  if (observed_.empty()) return;
+  const Support sides = from_file.block->sides;
+  fit_ = fit_on(sides);
+  const block::Fit coarse = coarse_fit(falls_on(sides), observed_);
+  under_fit_.emplace(fit_->fit.solution.fine(), coarse.solution.fine());
+  misfit_error_ = largest_difference(fit_->fit.residuals, coarse.residuals);
+}
+
+std::vector<block::RefinedSolution> BlockStudy::falls_on(Support sides) const {
+  const double a = case_.half_space.load.half_width();
+  return {on(sides).solve(block::linear_fall(1, 0, a)),
+          on(sides).solve(block::linear_fall(1, 1, a))};
 }
 
 const block::SupportedBlock& BlockStudy::on(Support sides) const {
@@ -55,8 +85,15 @@ block::LinearFit BlockStudy::fit_on(Support sides) const {
 std::vector<Candidate> BlockStudy::candidates() const {
   const double a = case_.half_space.load.half_width();
   std::vector<Candidate> candidates;
+  const auto add = [&](const std::string& shape, Support sides,
+                       const std::vector<block::RefinedSolution>& solutions) {
+    block::Fit fit = block::fit_loads(solutions, observed_);
+    const double error =
+        largest_difference(fit.residuals, coarse_fit(solutions, observed_).residuals);
+    candidates.push_back({shape, sides, std::move(fit), error});
+  };
   for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
-    candidates.push_back({"linear fall", sides, fit_on(sides).fit});
+    add("linear fall", sides, falls_on(sides));
   }
   const std::vector<std::pair<std::string, elasticity::Load>> shapes = {
       {"triangle, eq. (4)", block::linear_fall(1, 0, a)},
@@ -67,7 +104,7 @@ std::vector<Candidate> BlockStudy::candidates() const {
       {"quartic", block::power_fall(1, 4, a)}};
   for (const Support sides : {Support::clamped, Support::free}) {
     for (const auto& [shape, load] : shapes) {
-      candidates.push_back({shape, sides, block::fit_loads({on(sides).solve(load)}, observed_)});
+      add(shape, sides, {on(sides).solve(load)});
     }
   }
   return candidates;

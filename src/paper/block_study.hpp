@@ -20,6 +20,7 @@ struct Candidate {
   std::string shape;
   block::Support sides;
   block::Fit fit;
+  double misfit_error;  ///< how far a misfit moves at most when fitted on the coarser mesh
 };
 
 /// The finite block of the paper, on all supports and under all loads that the report speaks of.
@@ -42,6 +43,13 @@ class BlockStudy {
   const std::optional<block::LinearFit>& fit() const { return fit_; }
   block::LinearFit fit_on(block::Support sides) const;
 
+  /// The block under the fit made on each of the two meshes, so that errors are those of the fit as
+  /// well; fit().fit.solution has the finer mesh's factors on both. Only if there is a fit.
+  const block::RefinedSolution& under_fit() const { return *under_fit_; }
+
+  /// How far a misfit of the fit moves at most when fitted on the coarser mesh.
+  double misfit_error() const { return misfit_error_; }
+
   /// Every candidate of the report: the linear fall on each kind of side, then single shapes.
   std::vector<Candidate> candidates() const;
 
@@ -49,6 +57,9 @@ class BlockStudy {
   block::MeasureOptions measure_options() const;
 
  private:
+  // The triangle and the uniform pressure, of which every linear fall is a sum.
+  std::vector<block::RefinedSolution> falls_on(block::Support sides) const;
+
   const parameters::Case& case_;
   block::Analysis analysis_;
   block::SupportedBlock clamped_;
@@ -57,6 +68,8 @@ class BlockStudy {
   block::RefinedSolution under_triangle_;
   std::vector<block::SurfaceDisplacement> observed_;
   std::optional<block::LinearFit> fit_;
+  std::optional<block::RefinedSolution> under_fit_;
+  double misfit_error_ = 0;
 };
 
 /// "clamped", "roller" or "free".

@@ -6,6 +6,7 @@
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "figures/cylinder_pressure.hpp"
+#include "paper/bounds.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
@@ -17,6 +18,7 @@ using literate::Column;
 using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
+using numerics::Estimate;
 
 Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
   return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
@@ -54,6 +56,19 @@ literate::Table comparison_table(const Solution& solution, const Hertz& hertz,
   return table;
 }
 
+// δ of Hertz's pressure at a datum outside the contact, where ξ = datum/a > 1 and the gap is h − δ:
+//   (a²/(2R)) [ξ/(ξ + √(ξ²−1)) + arcosh ξ], which does not cancel as h less the gap would.
+double hertz_approach(const parameters::ContactCase& c, const Hertz& hertz) {
+  const double xi = std::abs(c.datum) / hertz.half_width();
+  return c.cylinders.profile().gap(hertz.half_width()) *
+         (xi / (xi + std::sqrt((xi - 1) * (xi + 1))) + std::acosh(xi));
+}
+
+// What the elements make of something that Hertz has in closed form: wrong by the difference.
+Estimate against(const parameters::ContactCase& c, double elements, double exact) {
+  return {elements, std::abs(elements - exact) + rounded(c, exact)};
+}
+
 // The same contact on finer and finer grids.
 literate::Table refinement_table(const parameters::ContactCase& c, const Hertz& hertz) {
   literate::Table table({Column::integer("nodes"), Column::fixed("elements over $a$", "", 1),
@@ -70,7 +85,7 @@ literate::Table refinement_table(const parameters::ContactCase& c, const Hertz& 
   return table;
 }
 
-void register_residuals(literate::Document& document, const Solution& solution,
+void register_residuals(literate::Document& document, const Solution& solution, const Hertz& hertz,
                         const parameters::ContactCase& c, const parameters::UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
@@ -78,7 +93,9 @@ void register_residuals(literate::Document& document, const Solution& solution,
   document.value("cylinders.residual.separation",
                  Value::scientific_bound(r.separation, 1, units.length));
   document.value("cylinders.residual.load", Value::scientific_bound(r.load, 1, units.line_load));
-  document.value("cylinders.indentation", Value::scientific(indentation, 2, units.length));
+  const double exact = c.cylinders.profile().gap(hertz.half_width());
+  document.value("cylinders.indentation",
+                 Value::scientific(against(c, indentation, exact), 2, units.length));
   constexpr double rounding = 1e-11;
   document.check("contact-conditions",
                  r.gap <= rounding * indentation && r.separation <= rounding * indentation &&
@@ -132,7 +149,7 @@ void claim_cylinders(literate::Document& document, const parameters::Case& from_
 
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   if (body.radius.is_plane()) return Value::text("∞");
-  return Value::significant(1 / body.radius.curvature(), 4, unit);
+  return Value::significant(closed_form(1 / body.radius.curvature()), 4, unit);
 }
 
 }  // namespace
@@ -147,30 +164,41 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
   document.value("cylinders.radius1", radius_of(c.body1, units.length));
   document.value("cylinders.radius2", radius_of(c.body2, units.length));
   const double radius = 1 / c.cylinders.relative_curvature();
-  document.value("cylinders.relative-radius", Value::significant(radius, 4, units.length));
+  document.value("cylinders.relative-radius",
+                 Value::significant(radius, 4, units.length).within(rounded(c, radius)));
+  const double modulus = c.cylinders.contact_modulus();
   document.value("cylinders.modulus",
-                 Value::significant(c.cylinders.contact_modulus(), 4, units.stress));
+                 Value::significant(modulus, 4, units.stress).within(rounded(modulus)));
   document.value("cylinders.nodes", Value::integer(c.n_nodes));
   document.value("cylinders.in-contact", Value::integer(solution.n_in_contact()));
   document.value("cylinders.solves", Value::integer(solution.work.solves));
-  document.value("cylinders.elements", Value::fixed(hertz.half_width() / solution.grid.spacing, 1));
+  const double a = hertz.half_width();
+  const double p0 = hertz.peak_pressure();
+  // The grid is laid around a, so that their ratio does not depend on the curvature.
+  document.value("cylinders.elements", Value::fixed(closed_form(a / solution.grid.spacing), 1));
   document.value("cylinders.hertz.half-width",
-                 Value::significant(hertz.half_width(), 5, units.length));
+                 Value::significant(a, 5, units.length).within(rounded(c, a)));
   document.value("cylinders.hertz.peak",
-                 Value::significant(hertz.peak_pressure(), 6, units.stress));
+                 Value::significant(p0, 6, units.stress).within(rounded(c, p0)));
   document.value("cylinders.half-width-over-radius",
-                 Value::percent(hertz.half_width() / radius, 1));
+                 Value::percent(a / radius, 1).within(rounded(c, a / radius)));
   // The half-space theory wants a contact that is small beside the bodies (Johnson, ch. 4.1).
   constexpr double small = 0.1;
   document.flag("cylinders.small", hertz.half_width() < small * radius);
   const double peak_error = solution.peak_pressure() / hertz.peak_pressure() - 1;
   const double width_error = solution.half_width() / hertz.half_width() - 1;
-  document.value("cylinders.peak-error", Value::scientific_bound(std::abs(peak_error), 1));
-  document.value("cylinders.width-error", Value::scientific_bound(std::abs(width_error), 1));
-  document.value("cylinders.approach",
-                 Value::significant(solution.approach(c.datum), 4, units.length));
+  document.value("cylinders.peak-error",
+                 Value::scientific_bound(
+                     Estimate{std::abs(peak_error), pressure_error(solution) + rounded(c, 1)}, 1));
+  document.value(
+      "cylinders.width-error",
+      Value::scientific_bound(
+          Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)}, 1));
+  document.value("cylinders.approach", Value::significant(against(c, solution.approach(c.datum),
+                                                                  hertz_approach(c, hertz)),
+                                                          4, units.length));
   document.value("cylinders.datum", Value::exact(c.datum, units.length));
-  register_residuals(document, solution, c, units);
+  register_residuals(document, solution, hertz, c, units);
 
   claim_cylinders(document, from_file, solution, hertz);
   document.table("cylinders", comparison_table(solution, hertz, units));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
+#include "paper/bounds.hpp"
 #include "paper/decimals.hpp"
 #include "paper/quoted.hpp"
 #include "paper/sections.hpp"
@@ -18,6 +19,7 @@ using literate::Column;
 using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
+using numerics::Estimate;
 
 // What one factor e in the datum does to every displacement: 2(1−ν²)P/(πE).
 double shift_per_e(const parameters::HalfSpaceCase& c) {
@@ -36,16 +38,16 @@ void measure_datum(literate::Document& document, const parameters::Case& from_fi
     largest = std::max(largest, shift);
     smallest = std::min(smallest, shift);
   }
-  document.value("datum.nearer", Value::significant(nearer, 3, from_file.units.length));
-  document.value("datum.shift", Value::scientific(largest, 3, from_file.units.length));
-  document.value("datum.shift-share",
-                 Value::percent(largest / normal_displacement(c.material, c.load, 0, c.datum), 0));
-  document.value("datum.gradient",
-                 Value::scientific(normal_gradient(c.material, c.load, c.datum), 3));
+  const Estimate middle = displacement(c, 0);
+  const Estimate shift{largest, 2 * middle.abs_error};
+  const Estimate at_datum = gradient(c, c.datum);
+  document.value("datum.nearer",
+                 Value::significant(closed_form(nearer), 3, from_file.units.length));
+  document.value("datum.shift", Value::scientific(shift, 3, from_file.units.length));
+  document.value("datum.shift-share", Value::percent(quotient(shift, middle), 0));
+  document.value("datum.gradient", Value::scientific(at_datum, 3));
   document.value("datum.gradient-share",
-                 Value::scientific(normal_gradient(c.material, c.load, c.datum) /
-                                       normal_gradient(c.material, c.load, c.load.half_width()),
-                                   2));
+                 Value::scientific(quotient(at_datum, gradient(c, c.load.half_width())), 2));
   // Far from the load the shift is that of a concentrated force; (a/datum)² is what is left.
   const double left_over = 2 * std::pow(c.load.half_width() / nearer, 2);
   document.check(
@@ -58,8 +60,8 @@ void claim_datum(literate::Document& document, const parameters::Case& from_file
   const parameters::HalfSpaceCase& c = from_file.half_space;
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   const elasticity::SurfaceQuadrature nearer(c.material, c.load, c.datum / std::numbers::e);
-  const double middle = surface.normal_displacement(0).value;
-  const double shift = std::abs(middle - nearer.normal_displacement(0).value);
+  const Estimate middle = surface.normal_displacement(0);
+  const Estimate shift = magnitude(middle - nearer.normal_displacement(0));
   constexpr double insensitive = 1e-2;
   document.claim("insensitive-to-c",
                  {.sentence = "The error is not sensitive to C, provided that it was calculated a "
@@ -70,10 +72,11 @@ void claim_datum(literate::Document& document, const parameters::Case& from_file
                            "the value is the shift",
                   .tolerance = "1 % of the largest displacement, which would be lost in a plot",
                   .expected = Verdict::refuted,
-                  .found = confirmed_if(shift < insensitive * middle)});
+                  .found = confirmed_if(shift.value < insensitive * middle.value)});
   if (!from_file.printed) return;
   // K/x is the gradient of the whole load put into a point: 1/x, whose integral has no limit.
-  const double gradient = std::abs(surface.normal_gradient(c.datum).value);
+  const Estimate at_datum = magnitude(surface.normal_gradient(c.datum));
+  const double gradient = at_datum.value;
   const double largest = std::abs(surface.normal_gradient(c.load.half_width()).value);
   const bool is_small = gradient < insensitive * largest;
   const bool has_no_limit = std::abs(gradient * c.datum / shift_per_e(c) - 1) < 1e-3;
@@ -82,7 +85,7 @@ void claim_datum(literate::Document& document, const parameters::Case& from_file
                  {.sentence = "At x = 10 the displacement gradient approaches zero, so that C can "
                               "be evaluated there.",
                   .place = "paper, Results, p. 7",
-                  .computed = Value::scientific(gradient, 3),
+                  .computed = Value::scientific(at_datum, 3),
                   .route = "eq. (2) by quadrature at the datum",
                   .tolerance = "small: below 1 % of the gradient at the end of the load; but "
                                "if it is K/x to 10⁻³, its integral has no limit, and C depends on "
@@ -95,10 +98,9 @@ void claim_datum(literate::Document& document, const parameters::Case& from_file
 void measure_tangential(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
   const double end = c.points.back();
-  const double u_x = std::abs(tangential_displacement(c.material, c.load, end));
+  const Estimate u_x = closed_form(std::abs(tangential_displacement(c.material, c.load, end)));
   document.value("tangential.outside", Value::scientific(u_x, 3, from_file.units.length));
-  document.value("tangential.share",
-                 Value::percent(u_x / normal_displacement(c.material, c.load, end, c.datum), 0));
+  document.value("tangential.share", Value::percent(quotient(u_x, displacement(c, end)), 0));
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   bool agrees = true;
   for (const double x : c.points) {
@@ -112,7 +114,7 @@ void measure_tangential(literate::Document& document, const parameters::Case& fr
 }
 
 void claim_tangential(literate::Document& document, const parameters::Case& from_file,
-                      double largest_share) {
+                      Estimate largest_share) {
   const parameters::PrintedFigure5& printed = from_file.printed->figure5;
   double largest = 0;
   for (std::size_t i = 0; i < printed.x.size(); ++i) {
@@ -135,7 +137,20 @@ void claim_tangential(literate::Document& document, const parameters::Case& from
                   .route = "the x-displacement recovered from the printed magnitude and z, over z",
                   .tolerance = "2 %, as for the magnitudes from which it is concluded",
                   .expected = Verdict::refuted,
-                  .found = confirmed_if(largest_share < 2e-2)});
+                  .found = confirmed_if(largest_share.value < 2e-2)});
+}
+
+// √(magnitude² − z²) of two printed numbers, as far as their last places leave it open.
+Estimate leg(const parameters::PrintedNumber& magnitude, const parameters::PrintedNumber& z) {
+  const auto root = [](double difference, double sum) {
+    return std::sqrt(std::max(0.0, difference) * sum);
+  };
+  const Estimate difference = as_estimate(magnitude) - as_estimate(z);
+  const Estimate sum = as_estimate(magnitude) + as_estimate(z);
+  const double value = root(difference.value, sum.value);
+  const double least = root(difference.value - difference.abs_error, sum.value - sum.abs_error);
+  const double most = root(difference.value + difference.abs_error, sum.value + sum.abs_error);
+  return {value, std::max(value - least, most - value)};
 }
 
 // u_x in the finite-element columns, √(magnitude² − z²), beside the half-space's.
@@ -147,37 +162,40 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
                          Column::scaled("$\\sqrt{\\mathrm{mag}^2 - u_z^2}$, FEA", unit, -8, 2),
                          Column::scaled("$|u_x|$, half-space", unit, -8, 2),
                          Column::fixed("FEA $|u_x|/u_z$, \\%", "", 1)});
-  double largest_share = 0;
+  Estimate largest_share;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
-    const double z = printed.fea_z[i].value();
-    const double magnitude = printed.fea_magnitude[i].value();
-    const double fea = std::sqrt((magnitude - z) * (magnitude + z));
-    largest_share = std::max(largest_share, fea / z);
-    table.add_row({c.points[i], fea,
+    const Estimate fea = leg(printed.fea_magnitude[i], printed.fea_z[i]);
+    const Estimate share = quotient(fea, as_estimate(printed.fea_z[i]));
+    if (share.value > largest_share.value) largest_share = share;
+    table.add_row({c.points[i], fea.value,
                    std::abs(tangential_displacement(c.material, c.load, c.points[i])),
-                   100 * fea / z});
+                   100 * share.value});
   }
   document.table("tangential", table);
   claim_tangential(document, from_file, largest_share);
-  const double z0 = printed.fea_z.front().value();
-  const double magnitude0 = printed.fea_magnitude.front().value();
-  document.value("tangential.at-zero",
-                 Value::scientific(std::sqrt((magnitude0 - z0) * (magnitude0 + z0)), 2, unit));
+  document.value(
+      "tangential.at-zero",
+      Value::scientific(leg(printed.fea_magnitude.front(), printed.fea_z.front()), 2, unit));
   document.value("tangential.largest-share", Value::percent(largest_share, 0));
-  const double largest = from_file.printed->appendix2.measures.at("max_disp_x").value();
-  const double half_space = std::abs(tangential_displacement(c.material, c.load, c.points.back()));
-  document.value("tangential.max-disp-x", Value::scientific(largest, 4, unit));
-  document.value("tangential.max-disp-x-ratio", Value::fixed(largest / half_space, 2));
+  const parameters::PrintedNumber& largest = from_file.printed->appendix2.measures.at("max_disp_x");
+  const Estimate half_space =
+      closed_form(std::abs(tangential_displacement(c.material, c.load, c.points.back())));
+  document.value("tangential.max-disp-x", Value::scientific(as_estimate(largest), 4, unit));
+  document.value("tangential.max-disp-x-ratio",
+                 Value::fixed(quotient(as_estimate(largest), half_space), 2));
 }
 
 // Of the whole load, by the printed slopes: that stated, and that of the run's summary.
-void claim_resultants(literate::Document& document, const parameters::Case& from_file, double least,
-                      double most) {
+void claim_resultants(literate::Document& document, const parameters::Case& from_file,
+                      Estimate least, Estimate most) {
   const double stated = from_file.half_space.load.line_load();
   const parameters::PrintedNumber& summary =
       from_file.printed->appendix2.measures.at("resultant_load_y");
   const std::string& unit = from_file.units.line_load;
-  const double found = stated * (least + most) / 2;
+  // The slopes of the pairs of points differ by this much, of which their digits are the lesser
+  // part.
+  const Estimate found{stated * (least.value + most.value) / 2,
+                       stated * ((most.value - least.value) / 2 + most.abs_error)};
   constexpr double of_slopes = 2e-2;
   const std::string route =
       "the printed columns: the slope of FEA (z) over that of the analytical column far from the "
@@ -194,7 +212,7 @@ void claim_resultants(literate::Document& document, const parameters::Case& from
                   .route = route,
                   .tolerance = tolerance,
                   .expected = Verdict::refuted,
-                  .found = confirmed_if(std::abs(found / stated - 1) < of_slopes)});
+                  .found = confirmed_if(std::abs(found.value / stated - 1) < of_slopes)});
   document.claim(
       "slopes-tell-the-load",
       {.sentence = "The slopes of the printed columns far from the load tell the "
@@ -205,43 +223,48 @@ void claim_resultants(literate::Document& document, const parameters::Case& from
        .route = route,
        .tolerance = tolerance,
        .expected = Verdict::confirmed,
-       .found = confirmed_if(std::abs(found / std::abs(summary.value()) - 1) < of_slopes)});
+       .found = confirmed_if(std::abs(found.value / std::abs(summary.value()) - 1) < of_slopes)});
 }
 
 // Far from the load the slope goes with the resultant; the printed columns tell which they had.
 void compare_resultants(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
   const parameters::PrintedData& printed = *from_file.printed;
-  const double resultant = std::abs(printed.appendix2.measures.at("resultant_load_y").value());
+  const Estimate resultant =
+      magnitude(as_estimate(printed.appendix2.measures.at("resultant_load_y")));
   const auto slope = [&](const std::vector<parameters::PrintedNumber>& column, std::size_t i) {
-    return (column[i].value() - column[i - 1].value()) / (c.points[i] - c.points[i - 1]);
+    return 1 / (c.points[i] - c.points[i - 1]) *
+           (as_estimate(column[i]) - as_estimate(column[i - 1]));
   };
   literate::Table table(
       {Column::text("between the points"), Column::common_exponent("slope, FEA ($z$)", "", 4),
        Column::common_exponent("slope, analytical", "", 4), Column::fixed("ratio", "", 3)});
   const int n_decimals = decimals_of(c.points);
-  const double loads = resultant / c.load.line_load();
-  double least = HUGE_VAL;
-  double most = 0;
+  const Estimate loads = quotient(resultant, closed_form(c.load.line_load()));
+  Estimate least{HUGE_VAL, 0};
+  Estimate most;
   for (std::size_t i = std::max<std::size_t>(5, c.points.size()) - 4; i < c.points.size(); ++i) {
-    const double fea = slope(printed.figure5.fea_z, i);
-    const double analytical = slope(printed.figure5.analytical, i);
+    const Estimate fea = slope(printed.figure5.fea_z, i);
+    const Estimate analytical = slope(printed.figure5.analytical, i);
+    const Estimate ratio = quotient(fea, analytical);
     table.add_row({literate::Cell::latex(
                        Value::fixed(c.points[i - 1], n_decimals).latex() + " and " +
                        Value::fixed(c.points[i], n_decimals, from_file.units.length).latex()),
-                   fea, analytical, fea / analytical});
-    least = std::min(least, fea / analytical);
-    most = std::max(most, fea / analytical);
+                   fea.value, analytical.value, ratio.value});
+    if (ratio.value < least.value) least = ratio;
+    if (ratio.value > most.value) most = ratio;
   }
   document.table("far-slopes", table);
-  const double gap = std::max(std::abs(least - loads), std::abs(most - loads)) / loads;
+  const Estimate below = magnitude(least - loads);
+  const Estimate above = magnitude(most - loads);
+  const Estimate gap = quotient(below.value > above.value ? below : above, loads);
   document.value("appendix2.resultant", Value::fixed(resultant, 1, from_file.units.line_load));
   document.value("appendix2.resultant-ratio", Value::fixed(loads, 2));
   claim_resultants(document, from_file, least, most);
   document.value("far-slope.least", Value::fixed(least, 2));
   document.value("far-slope.most", Value::fixed(most, 2));
   document.value("far-slope.gap", Value::percent_bound(gap, 1));
-  document.check("fea-carried-another-load", least > 1.5,
+  document.check("fea-carried-another-load", least.value > 1.5,
                  "far from the load the printed FEA falls more than half again as fast as eq. (3)");
 }
 
@@ -251,10 +274,15 @@ constexpr double stated_order = 1e-7;  // of the error, in words
 void compare_error(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
   const parameters::PrintedFigure5& printed = from_file.printed->figure5;
-  const double first = printed.error.front().value();
-  const double last = printed.error.back().value();
-  const double difference = normal_displacement(c.material, c.load, c.points.back(), c.datum) -
-                            printed.fea_z.back().value();
+  const Estimate first = as_estimate(printed.error.front());
+  const Estimate last = as_estimate(printed.error.back());
+  const Estimate fea = as_estimate(printed.fea_z.back());
+  const Estimate difference = displacement(c, c.points.back()) - fea;
+  // The datum that would close a difference d is datum·exp(−d/K); it is as wrong as d/K,
+  // relatively.
+  const double closing = c.datum * std::exp(-difference.value / shift_per_e(c));
+  const double closing_error =
+      rounded(closing) + closing * std::expm1(difference.abs_error / shift_per_e(c));
   const std::string& unit = from_file.units.length;
   const double decade = std::sqrt(10.0);
   const long n_of_order = std::ranges::count_if(printed.error, [&](const auto& error) {
@@ -273,10 +301,11 @@ void compare_error(literate::Document& document, const parameters::Case& from_fi
        .found = literate::confirmed_in(n_of_order, std::ssize(printed.error))});
   document.value("error.first", Value::scientific(first, 2, unit));
   document.value("error.last", Value::scientific(last, 2, unit));
-  document.value("error.last-share", Value::percent(last / printed.fea_z.back().value(), 0));
+  document.value("error.last-share", Value::percent(quotient(last, fea), 0));
   document.value("error.datum-that-closes-it",
-                 Value::significant(c.datum * std::exp(-difference / shift_per_e(c)), 2, unit));
-  document.value("error.shift-over-last", Value::percent(shift_per_e(c) / difference, 0));
+                 Value::significant(Estimate{closing, closing_error}, 2, unit));
+  document.value("error.shift-over-last",
+                 Value::percent(quotient(closed_form(shift_per_e(c)), difference), 0));
 }
 
 }  // namespace

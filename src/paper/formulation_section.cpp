@@ -12,6 +12,7 @@
 #include "figures/contact_geometry.hpp"
 #include "figures/surface_gradient.hpp"
 #include "figures/triangular_elements.hpp"
+#include "paper/bounds.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
@@ -33,11 +34,13 @@ void register_parameters(literate::Document& document, const parameters::Case& f
   document.value("poisson", Value::exact(half_space.material.poisson()));
   document.value("peak-pressure", Value::exact(half_space.load.peak_pressure(), units.stress));
   document.value("half-width", Value::exact(half_space.load.half_width(), units.length));
-  document.value("line-load", Value::significant(half_space.load.line_load(), 4, units.line_load));
+  const double line_load = half_space.load.line_load();
+  document.value("line-load",
+                 Value::significant(line_load, 4, units.line_load).within(rounded(line_load)));
   document.value("datum", Value::exact(half_space.datum, units.length));
   document.value("n-points", Value::integer(std::ssize(half_space.points)));
-  const double k = half_space.material.integral_compliance() * half_space.load.line_load();
-  document.value("displacement-scale", Value::scientific(k, 4, units.length));
+  const double k = half_space.material.integral_compliance() * line_load;
+  document.value("displacement-scale", Value::scientific(k, 4, units.length).within(rounded(k)));
 }
 
 // Two like cylinders under a load that makes the deformation visible; lengths over the half-width.
@@ -133,7 +136,7 @@ void claim_force(literate::Document& document, const parameters::Case& from_file
   document.claim("force-sinks-without-limit",
                  {.sentence = "Under a concentrated force the displacement is infinite.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(expected, 3, from_file.units.length),
+                  .computed = Value::scientific(closed_form(expected), 3, from_file.units.length),
                   .route = "eq. (2) integrated from the datum to points ever nearer to the force; "
                            "the value is what each step to a thousandth of the distance adds",
                   .tolerance = "three such steps add the same within the quadrature's error, so "
@@ -154,7 +157,7 @@ void claim_uniform(literate::Document& document, const parameters::Case& from_fi
   document.claim("uniform-displacement-finite",
                  {.sentence = "Under uniform pressures the displacement is finite everywhere.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(at_end.value, 3, from_file.units.length),
+                  .computed = Value::scientific(at_end, 3, from_file.units.length),
                   .route = "the integral of the logarithm at the very end of the pressure",
                   .tolerance = "10⁻⁹ half-widths beside the end it differs by no more than 10⁻⁷ of "
                                "the scale K: a gradient that is infinite like a logarithm adds "
@@ -172,7 +175,7 @@ void claim_uniform(literate::Document& document, const parameters::Case& from_fi
   document.claim("uniform-gradient-infinite",
                  {.sentence = "Where a uniform pressure ends in a step, the gradient is infinite.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(expected, 3),
+                  .computed = Value::scientific(closed_form(expected), 3),
                   .route = "eq. (2) by quadrature at points ever nearer to the step; the value is "
                            "what each step to a thousandth of the distance adds",
                   .tolerance = "three such steps add the same to 10⁻³, the distance at which they "

@@ -8,6 +8,7 @@
 #include "contact/influence_operator.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
+#include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
 
@@ -97,7 +98,7 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
                          Column::scientific("$p$, inside", "", 2),
                          Column::scientific("peak", "", 2), Column::scientific("half-width", "", 2),
                          Column::scientific("$u_z$ rounded", "", 1)});
-  std::vector<double> n, inside, rounding;
+  std::vector<double> n, inside, bounds, rounding;
   std::vector<int> products;
   double left_over = 0;
   for (const int power : {7, 10, 13, 16}) {
@@ -108,6 +109,7 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
     const HertzErrors errors = errors_against(hertz, solution);
     n.push_back(static_cast<double>(n_nodes));
     inside.push_back(errors.inside);
+    bounds.push_back(pressure_error(solution));
     rounding.push_back(rounding_of_displacements(problem, solution));
     products.push_back(solution.work.products);
     left_over = solution.residuals.pressure / hertz.peak_pressure();
@@ -122,7 +124,7 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
   document.value("large.products.coarsest", Value::integer(products.front()));
   document.value("large.products.least", Value::integer(*least));
   document.value("large.products.most", Value::integer(*most));
-  document.value("large.order", Value::fixed(fitted_power(n, inside).order, 1));
+  document.value("large.order", Value::fixed(fitted_power(n, inside, bounds).order_estimate(), 1));
   document.value("large.rounding", Value::scientific(rounding.back(), 1));
   document.value("large.left-over", Value::scientific_bound(left_over, 1));
   document.value("large.tolerance", Value::scientific_bound(contact::default_tolerance, 1));

@@ -7,6 +7,7 @@
 
 #include "elasticity/surface_quadrature.hpp"
 #include "figures/displacement_comparison.hpp"
+#include "paper/bounds.hpp"
 #include "paper/decimals.hpp"
 #include "paper/quoted.hpp"
 #include "paper/sections.hpp"
@@ -75,8 +76,8 @@ void claim_shape(literate::Document& document, const parameters::Case& from_file
                   .found = confirmed_if(is_symmetric)});
   if (!from_file.printed) return;
   const double end = c.points.back();
-  const double share =
-      surface.normal_displacement(end).value / surface.normal_displacement(0).value;
+  const numerics::Estimate share =
+      quotient(surface.normal_displacement(end), surface.normal_displacement(0));
   document.claim(
       "deflects-far-away",
       {.sentence = "The triangular load deflects the surface at distances well outside "
@@ -86,7 +87,7 @@ void claim_shape(literate::Document& document, const parameters::Case& from_file
        .route = "eq. (2) by quadrature at the last point, as a share of the middle",
        .tolerance = "at least a tenth, less than which would hardly be seen in its Fig. 4",
        .expected = Verdict::confirmed,
-       .found = confirmed_if(end > 2 * c.load.half_width() && share > 0.1)});
+       .found = confirmed_if(end > 2 * c.load.half_width() && share.value > 0.1)});
 }
 
 // Eq. (3) at the points, for a case that has no printed data to stand beside.
@@ -108,14 +109,16 @@ void describe_odd_point(literate::Document& document, const parameters::Case& fr
   const PrintedNumber& printed = from_file.printed->tri_dist.displacement[i];
   const std::string& unit = from_file.units.length;
   const double x = c.points[i];
-  const double exact = analytical(c, x);
-  const double slope = normal_gradient(c.material, c.load, x);
+  const numerics::Estimate exact = displacement(c, x);
+  const numerics::Estimate slope = gradient(c, x);
+  // The print is meant as it stands, not as the interval of what rounds to it.
+  const double difference = std::abs(printed.value() - exact.value);
   document.value("tri-dist.odd.x", Value::fixed(x, decimals_of(c.points), unit));
   document.value("tri-dist.odd.printed",
                  Value::scientific(printed.value(), printed.n_digits(), unit));
   document.value("tri-dist.odd.exact", Value::scientific(exact, printed.n_digits(), unit));
   document.value("tri-dist.odd.difference",
-                 Value::scientific(std::abs(printed.value() - exact), 2, unit));
+                 Value::scientific(numerics::Estimate{difference, exact.abs_error}, 2, unit));
   document.value("tri-dist.odd.slope", Value::scientific(slope, 3));
 }
 
@@ -125,7 +128,8 @@ void claim_tri_dist(literate::Document& document, const parameters::Case& from_f
   const parameters::HalfSpaceCase& c = from_file.half_space;
   const PrintedNumber& first = from_file.printed->tri_dist.displacement.front();
   const long n = std::ssize(c.points);
-  const double load = c.load.line_load() * first.value() / analytical(c, c.points.front());
+  const numerics::Estimate load =
+      c.load.line_load() * quotient(as_estimate(first), displacement(c, c.points.front()));
   constexpr double in_words = 1000;
   document.claim("load-in-words",
                  {.sentence = "A 1000 pound/inch load is applied.",
@@ -135,7 +139,7 @@ void claim_tri_dist(literate::Document& document, const parameters::Case& from_f
                   .route = "the first printed displacement over that of eq. (3) under unit load",
                   .tolerance = "1 %, where the print and eq. (3) have eight digits",
                   .expected = Verdict::refuted,
-                  .found = confirmed_if(std::abs(load / in_words - 1) < 1e-2)});
+                  .found = confirmed_if(std::abs(load.value / in_words - 1) < 1e-2)});
   const auto of_points = [n](long count) {
     return Value::text(fmt::format("{} of {} points", count, n));
   };

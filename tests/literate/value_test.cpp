@@ -190,3 +190,108 @@ BOOST_AUTO_TEST_CASE(what_is_printed_always_contains_the_computed_value) {
     BOOST_TEST(std::abs(parse(text) - value) <= 0.06 * bound + 1e-15 * std::abs(value));
   }
 }
+
+BOOST_AUTO_TEST_CASE(a_bound_makes_no_other_print) {
+  const auto same = [](const Value& value, double abs_error) {
+    const Value bounded = value.within(abs_error);
+    BOOST_TEST(bounded.printed() == value.printed());
+    BOOST_TEST(bounded.latex() == value.latex());
+    BOOST_TEST(*bounded.number() == *value.number());
+    BOOST_TEST(*bounded.abs_error() == abs_error);
+  };
+  same(Value::significant(2.3851, 3, "in"), 0.01);
+  same(Value::fixed(2.3851, 0), 1);
+  same(Value::scientific(2.3851e-7, 3), 1e-9);
+  same(Value::percent(0.0131, 1), 1e-3);
+  same(Value::percent_bound(0.0131, 0), 1e-2);
+  same(Value::scientific_bound(2.1e-15, 1), 1e-15);
+  same(Value::exact(0.25), 0.01);
+  same(Value::fixed(2, 1), 0);
+}
+
+BOOST_AUTO_TEST_CASE(digits_that_are_not_earned_are_refused_by_name) {
+  const auto refused = [](const Value& value, double abs_error) {
+    BOOST_CHECK_THROW(value.within(abs_error), std::invalid_argument);
+  };
+  refused(Value::significant(2.3851, 3), 0.0101);
+  refused(Value::significant(123456, 4), 101);
+  refused(Value::fixed(2.3851, 0), 1.1);
+  refused(Value::scientific(2.3851e-7, 3), 1.1e-9);
+  refused(Value::percent(0.0131, 1), 1.1e-3);
+  refused(Value::exact(0.25), 0.011);
+  refused(Value::text("0.25"), 0);
+  refused(Value::estimate({1, 0.1}), 0);
+  refused(Value::with_uncertainty({1, 0.1}), 0);
+  refused(Value::fixed(1, 2), -1e-9);
+  refused(Value::fixed(1, 2), not_a_number);
+  refused(Value::fixed(1, 2), infinity);
+
+  BOOST_CHECK_EXCEPTION(
+      Value::fixed(2.3851, 2, "in").within(0.02), std::invalid_argument, [](const auto& error) {
+        return std::string(error.what()) ==
+               "2.3851 is printed as '2.39 in', more digits than an error of 0.02 supports";
+      });
+}
+
+BOOST_AUTO_TEST_CASE(with_an_error_fewer_digits_are_printed_than_allowed_if_it_wants_so) {
+  BOOST_TEST(Value::significant({2.3851, 1e-9}, 3, "in").printed() == "2.39 in");
+  BOOST_TEST(Value::significant({2.3851, 0.02}, 3).printed() == "2.4");
+  BOOST_TEST(Value::significant({123456, 400}, 6).printed() == "1.23e5");
+  BOOST_TEST(Value::significant({0, 0.02}, 2).printed() == "0.0");
+  BOOST_TEST(Value::significant({0, 0}, 2).printed() == "0");
+  BOOST_TEST(Value::fixed({2.3851, 1e-9}, 3).printed() == "2.385");
+  BOOST_TEST(Value::fixed({2.3851, 0.1}, 3).printed() == "2.4");
+  BOOST_TEST(Value::fixed({238.51, 40}, 3).printed() == "2e2");
+  BOOST_TEST(Value::scientific({2.3851e-7, 0}, 3).printed() == "2.39e-7");
+  BOOST_TEST(Value::scientific({3.09e-9, 5.1e-10}, 2, "in").printed() == "3e-9 in");
+  BOOST_TEST(Value::percent({0.01314, 1e-4}, 2).printed() == "1.31 %");
+  BOOST_TEST(Value::percent({0.01314, 2e-3}, 2).printed() == "1 %");
+  BOOST_TEST(Value::percent({1.314, 0.2}, 2).printed() == "1e2 %");
+  BOOST_TEST(*Value::percent({0.01314, 2e-3}, 2).abs_error() == 2e-3);
+  BOOST_TEST(*Value::percent({0.01314, 2e-3}, 2).number() == 0.01314);
+  BOOST_CHECK_THROW(Value::fixed({1, -1}, 2), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::percent({1, infinity}, 2), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::significant({1, not_a_number}, 2), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::scientific({1, -1}, 2), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_exceeded_is_not_exceeded_by_number_and_error_together) {
+  BOOST_TEST(Value::scientific_bound({2.9e-15, 2e-16}, 1, "in").printed() == "4e-15 in");
+  BOOST_TEST(Value::percent_bound({0.000737, 6e-5}, 2).printed() == "0.08 %");
+  BOOST_TEST(Value::percent_bound({0.000737, 7e-5}, 2).printed() == "0.09 %");
+  BOOST_TEST(Value::percent_bound({0.00885, 5.6e-4}, 2).printed() == "1.0 %");
+  BOOST_TEST(Value::percent_bound({0.3, 2}, 2).printed() == "1e3 %");
+  BOOST_TEST(Value::scientific_bound({3.294e-10, 3e-12}, 3).printed() == "3.4e-10");
+  BOOST_TEST(Value::scientific_bound({3e-12, 3e-10}, 3).printed() == "1e-9");
+  BOOST_TEST(Value::scientific_bound({0, 0}, 3).printed() == "0");
+  BOOST_TEST(*Value::percent_bound({0.000737, 7e-5}, 2).number() == 0.000737);
+  BOOST_TEST(*Value::scientific_bound({2.9e-15, 2e-16}, 1).abs_error() == 2e-16);
+  BOOST_CHECK_THROW(Value::scientific_bound({1, -0.1}, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::scientific_bound({-1, 0.1}, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::percent_bound({1, not_a_number}, 1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(fewer_digits_are_printed_just_when_those_asked_for_are_not_earned) {
+  const auto earns = [](const Value& value, double error) {
+    try {
+      value.within(error);
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  };
+  std::mt19937_64 random(20012);
+  std::uniform_real_distribution<double> exponent(-9, 9);
+  for (int i = 0; i < 1000; ++i) {
+    const double number = std::pow(10, exponent(random)) * 1.7;
+    const double error = std::pow(10, exponent(random)) * 2.3;
+    for (const int n : {1, 3, 6}) {
+      BOOST_TEST(earns(Value::scientific(number, n), error) ==
+                 (Value::scientific({number, error}, n).printed() ==
+                  Value::scientific(number, n).printed()));
+      BOOST_TEST(
+          earns(Value::percent(number, n), error) ==
+          (Value::percent({number, error}, n).printed() == Value::percent(number, n).printed()));
+    }
+  }
+}

@@ -136,8 +136,8 @@ BOOST_AUTO_TEST_CASE(counting_nodes_gives_the_half_width_to_half_an_element) {
   const std::string csv = computed(steel_text).tables().at("cylinder-refinement").csv();
   const std::regex row(R"((\d+),([\d.]+),.*,(-?[\d.]+(e-?\d+)?)\n)");
   int n_rows = 0;
-  for (auto at = std::sregex_iterator(csv.begin(), csv.end(), row);
-       at != std::sregex_iterator(); ++at, ++n_rows) {
+  for (auto at = std::sregex_iterator(csv.begin(), csv.end(), row); at != std::sregex_iterator();
+       ++at, ++n_rows) {
     const double n_elements = std::stod((*at)[2]);
     BOOST_TEST(std::abs(std::stod((*at)[3])) * n_elements < 0.75, at->str());
   }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/bounds.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace paper {
+namespace {
+
+using numerics::Estimate;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+double rounded(double x) {
+  return 8 * epsilon * std::abs(x);
+}
+
+Estimate closed_form(double x) {
+  return {x, rounded(x)};
+}
+
+double rounded(const parameters::ContactCase& c, double x) {
+  const double magnitudes =
+      std::abs(c.body1.radius.curvature()) + std::abs(c.body2.radius.curvature());
+  return rounded(x) * magnitudes / c.cylinders.relative_curvature();
+}
+
+Estimate quotient(Estimate a, Estimate b) {
+  const double least = std::abs(b.value) - b.abs_error;
+  if (!(least > 0))
+    throw std::invalid_argument("a quotient by what may be zero has no error bound");
+  const double value = a.value / b.value;
+  return {value, (a.abs_error + std::abs(value) * b.abs_error) / least + rounded(value)};
+}
+
+Estimate magnitude(Estimate a) {
+  return {std::abs(a.value), a.abs_error};
+}
+
+Estimate as_estimate(const parameters::PrintedNumber& number) {
+  return {number.value(), number.last_place() / 2};
+}
+
+Estimate displacement(const parameters::HalfSpaceCase& c, double x) {
+  const double scale = c.material.integral_compliance() * c.load.line_load();
+  const double logarithm = std::abs(std::log(c.datum / c.load.half_width()));
+  return {normal_displacement(c.material, c.load, x, c.datum), 1e-14 * scale * (1 + logarithm)};
+}
+
+Estimate gradient(const parameters::HalfSpaceCase& c, double x) {
+  const double value = normal_gradient(c.material, c.load, x);
+  return {value, 1e-13 * std::abs(value)};
+}
+
+double pressure_error(const contact::Solution& solution) {
+  const auto n = static_cast<double>(solution.n_in_contact());
+  return 4 * solution.residuals.pressure / solution.peak_pressure() + 16 * epsilon * std::sqrt(n);
+}
+
+double half_width_error(const contact::Solution& solution) {
+  constexpr double of_pressures = 1.5;  // (16/(3π) + 4/π)/2
+  return of_pressures * pressure_error(solution) + 8 * epsilon;
+}
+
+}  // namespace paper

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How wrong what the report prints may be: each bound with where it comes from.
+#pragma once
+
+#include "contact/solution.hpp"
+#include "numerics/estimate.hpp"
+#include "parameters/case.hpp"
+
+namespace paper {
+
+/// What a closed form of some operations without cancellation may lose: eight roundings of x. For
+/// |ν| ≤ 0.95, beyond which 1 − ν² cancels.
+double rounded(double x);
+
+/// The same with x itself.
+numerics::Estimate closed_form(double x);
+
+/// The same of what depends on the cylinders' relative curvature, where 1/R₁ + 1/R₂ cancels if one
+/// body lies in a hollow of the other.
+double rounded(const parameters::ContactCase& c, double x);
+
+/// a/b with the errors of both and of the division; b must be farther from zero than its error.
+numerics::Estimate quotient(numerics::Estimate a, numerics::Estimate b);
+
+/// |a|, as wrong as a.
+numerics::Estimate magnitude(numerics::Estimate a);
+
+/// A printed number: half a unit of its last place.
+numerics::Estimate as_estimate(const parameters::PrintedNumber& number);
+
+/// u_z by eq. (3) and its derivative, with the accuracy that elasticity/triangular_load.hpp states.
+numerics::Estimate displacement(const parameters::HalfSpaceCase& c, double x);
+numerics::Estimate gradient(const parameters::HalfSpaceCase& c, double x);
+
+/// How wrong the nodal pressures may be as the solution of the discrete equations, over their peak:
+/// four times what the method's residual stands for, and rounding that the residual does not see.
+double pressure_error(const contact::Solution& solution);
+
+/// The same of Solution::half_width(), relative. With δ the error of the pressures over their peak,
+/// ∫px² of Hertz's pressure moves by (16/3π)δ of itself at most and ∫p by (4/π)δ, and the root of
+/// their ratio by half of both.
+double half_width_error(const contact::Solution& solution);
+
+}  // namespace paper

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/bounds.hpp"
+
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "contact/fft_solver.hpp"
+#include "contact/graded_contact.hpp"
+#include "contact/hertz.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "contact/variational.hpp"
+#include "paper/convergence.hpp"
+
+using contact::Solution;
+using elasticity::Material;
+using numerics::Estimate;
+using parameters::PrintedNumber;
+
+namespace {
+
+parameters::ContactCase cylinders_of(double radius1, double radius2) {
+  const Material steel(206e3, 0.28);
+  const Material aluminium(71.5e3, 0.345);
+  const auto r1 = contact::Radius::of_cylinder("radius1", radius1);
+  const auto r2 = contact::Radius::of_cylinder("radius2", radius2);
+  return {{steel, r1}, {aluminium, r2}, {steel, r1, aluminium, r2}, 780, 30, 91};
+}
+
+bool contains(Estimate estimate, double truth) {
+  return std::abs(estimate.value - truth) <= estimate.abs_error;
+}
+
+// The same discrete contact by every method there is.
+std::vector<Solution> by_all_methods(const parameters::ContactCase& c, long n_nodes) {
+  const contact::Hertz hertz(c.cylinders, c.line_load);
+  const contact::Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
+                                 contact::grid_around(hertz.half_width(), n_nodes)};
+  return {contact::solve_by_matrix_inversion(problem, c.line_load),
+          contact::solve_by_variational_method(problem, c.line_load),
+          contact::solve_by_fft(problem, c.line_load),
+          contact::solve_by_fft(problem, c.line_load, 1e-12)};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_quotient_holds_every_quotient_of_what_its_parts_hold) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 10000; ++i) {
+    const Estimate a{10 * uniform(random), std::abs(uniform(random))};
+    const Estimate b{2 + uniform(random), 0.9 * std::abs(uniform(random))};
+    const Estimate quotient = paper::quotient(a, b);
+    const double truth =
+        (a.value + a.abs_error * uniform(random)) / (b.value + b.abs_error * uniform(random));
+    BOOST_TEST(contains(quotient, truth));
+  }
+  const Estimate worst = paper::quotient({1, 0.5}, {-2, 1});
+  BOOST_TEST(worst.value == -0.5);
+  BOOST_TEST(worst.abs_error == 1, boost::test_tools::tolerance(1e-14));  // 1.5/−1 is −1.5
+  BOOST_CHECK_THROW(paper::quotient({1, 0}, {0, 0}), std::invalid_argument);
+  BOOST_CHECK_THROW(paper::quotient({1, 0}, {1, 1}), std::invalid_argument);
+  BOOST_CHECK_THROW(paper::quotient({1, 0}, {1, std::nan("")}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_printed_number_is_half_a_unit_of_its_last_place_wrong) {
+  const Estimate printed = paper::as_estimate(PrintedNumber("-1.6236048e-006"));
+  BOOST_TEST(printed.value == -1.6236048e-6);
+  BOOST_TEST(printed.abs_error == 5e-14, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(paper::as_estimate(PrintedNumber("16")).abs_error == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(where_curvatures_cancel_closed_forms_are_less_certain) {
+  BOOST_TEST(paper::rounded(cylinders_of(25, 75), 3) == paper::rounded(3));
+  // 1/25 − 1/25.1 is a 251st of either, and there are two.
+  BOOST_TEST(paper::rounded(cylinders_of(25, -25.1), 3) == 501 * paper::rounded(3),
+             boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(closed_forms_are_within_their_roundings_of_extended_precision) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(0.2, 5);
+  for (int i = 0; i < 2000; ++i) {
+    const double r1 = 25 * uniform(random);
+    const double r2 = -40 * r1 / (30 + 9 * uniform(random));  // a hollow, from near to wide
+    if (1 / r1 + 1 / r2 <= 0) continue;
+    const parameters::ContactCase c = cylinders_of(r1, r2);
+    const contact::Hertz hertz(c.cylinders, c.line_load);
+    const auto compliance = [](const Material& m) {
+      const long double nu = m.poisson();
+      return (1 - nu * nu) / m.young();
+    };
+    const long double modulus = 1 / (compliance(c.body1.material) + compliance(c.body2.material));
+    const long double curvature =
+        1 / static_cast<long double>(r1) + 1 / static_cast<long double>(r2);
+    const long double pi = std::numbers::pi_v<long double>;
+    const long double a = std::sqrt(4 * c.line_load / (pi * modulus * curvature));
+    const auto wrong = [](double x, long double truth) {
+      return static_cast<double>(std::abs(x - truth));
+    };
+    BOOST_TEST(wrong(hertz.half_width(), a) <= paper::rounded(c, hertz.half_width()));
+    BOOST_TEST(wrong(hertz.peak_pressure(), 2 * c.line_load / (pi * a)) <=
+               paper::rounded(c, hertz.peak_pressure()));
+    BOOST_TEST(wrong(c.cylinders.contact_modulus(), modulus) <=
+               paper::rounded(c.cylinders.contact_modulus()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(methods_differ_by_no_more_than_the_errors_of_their_pressures) {
+  const parameters::ContactCase c = cylinders_of(25, 75);
+  for (const long n_nodes : {20L, 91L, 181L, 500L}) {
+    const std::vector<Solution> solutions = by_all_methods(c, n_nodes);
+    const double peak = solutions.front().peak_pressure();
+    for (const Solution& one : solutions) {
+      BOOST_TEST(paper::pressure_error(one) < 1e-9);
+      for (const Solution& other : solutions) {
+        const double apart = (one.pressure - other.pressure).lpNorm<Eigen::Infinity>() / peak;
+        BOOST_TEST(apart <= paper::pressure_error(one) + paper::pressure_error(other));
+        BOOST_TEST(std::abs(one.half_width() / other.half_width() - 1) <=
+                   paper::half_width_error(one) + paper::half_width_error(other));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_looser_tolerance_is_seen_in_the_error_of_the_pressures) {
+  const parameters::ContactCase c = cylinders_of(25, 75);
+  const contact::Hertz hertz(c.cylinders, c.line_load);
+  const contact::Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
+                                 contact::grid_of_width(2.2 * hertz.half_width(), 4096)};
+  const Solution tight = contact::solve_by_fft(problem, c.line_load, 1e-13);
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const Solution loose = contact::solve_by_fft(problem, c.line_load, tolerance);
+    const double apart =
+        (loose.pressure - tight.pressure).lpNorm<Eigen::Infinity>() / tight.peak_pressure();
+    BOOST_TEST(apart <= paper::pressure_error(loose) + paper::pressure_error(tight), tolerance);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_order_of_a_fit_moves_by_no_more_than_its_error) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (const std::size_t n_grids : {4U, 30U}) {
+    std::vector<double> n, errors, bounds;
+    for (std::size_t i = 0; i < n_grids; ++i) {
+      n.push_back(10 * std::pow(1.3, static_cast<double>(i)));
+      errors.push_back((2 + uniform(random)) / (n.back() * n.back()));
+      bounds.push_back(0.1 * errors.back());
+    }
+    const paper::Power power = paper::fitted_power(n, errors, bounds);
+    BOOST_TEST(power.order_error > 0.01);
+    BOOST_TEST(power.order_error < 0.5);
+    BOOST_TEST(paper::fitted_power(n, errors).order_error == 0);
+    // Of errors that are no more than their bounds the order is as good as unknown.
+    BOOST_TEST(paper::fitted_power(n, errors, errors).order_error > 1);
+    BOOST_TEST(std::isfinite(paper::fitted_power(n, errors, errors).order_error));
+    for (int trial = 0; trial < 500; ++trial) {
+      std::vector<double> moved = errors;
+      for (std::size_t i = 0; i < n_grids; ++i)
+        moved[i] += bounds[i] * std::copysign(1, uniform(random));
+      BOOST_TEST(contains(power.order_estimate(), paper::fitted_power(n, moved).order));
+    }
+  }
+}

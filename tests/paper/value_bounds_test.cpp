@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report's numbers against their own error bounds: the same computed in other ways must be
+// within them.
+#include <boost/test/unit_test.hpp>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "contact/graded_contact.hpp"
+#include "literate/document.hpp"
+#include "literate/files.hpp"
+#include "paper/paper.hpp"
+#include "temporary_file.hpp"
+
+using literate::Document;
+using literate::Value;
+
+namespace {
+
+const std::string source_dir = HALFSPACE_SOURCE_DIR;
+const std::string papers_text = literate::read_file(source_dir + "/report/ruggiero2001.toml");
+const std::string steel_text = literate::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
+
+Document computed(const std::string& case_text) {
+  const TemporaryFolder folder;
+  Document document;
+  paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)));
+  return document;
+}
+
+parameters::ContactCase contact_of(const std::string& case_text) {
+  const TemporaryFolder folder;
+  return parameters::read_case(folder.write("case.toml", case_text)).contact;
+}
+
+const Document& papers() {
+  static const Document document = computed(papers_text);
+  return document;
+}
+
+const Document& steel() {
+  static const Document document = computed(steel_text);
+  return document;
+}
+
+std::string with(std::string text, const std::string& before, const std::string& after) {
+  const auto at = text.find(before);
+  BOOST_TEST_REQUIRE(at != std::string::npos);
+  return text.replace(at, before.size(), after);
+}
+
+// Counts, parameters and text: what is printed is the number.
+bool is_exact(const Value& value) {
+  if (!value.number()) return true;
+  double shown = 0;
+  const std::string& text = value.printed();
+  std::from_chars(text.data(), text.data() + text.size(), shown);
+  return shown == *value.number();
+}
+
+// Both numbers with bounds, and how far they may be apart.
+void check_within(const Document& one, const Document& other,
+                  const std::map<std::string, double>& factors, bool errors_of_both) {
+  int n_compared = 0;
+  for (const auto& [key, value] : one.values()) {
+    if (!value.abs_error() || !other.values().contains(key)) continue;
+    const Value& again = other.values().at(key);
+    BOOST_TEST_REQUIRE(again.abs_error().has_value(), key);
+    const double factor = factors.at(value.unit());
+    const double apart = std::abs(*value.number() - factor * *again.number());
+    const double allowed = *value.abs_error() + (errors_of_both ? factor * *again.abs_error() : 0);
+    BOOST_TEST(apart <= allowed, key << ": " << *value.number() << " and "
+                                     << factor * *again.number() << ", apart " << apart
+                                     << ", allowed " << allowed);
+    ++n_compared;
+  }
+  BOOST_TEST(n_compared > 50);
+}
+
+const std::map<std::string, double> same_units = {{"", 1},   {"in", 1},  {"psi", 1}, {"lbf/in", 1},
+                                                  {"mm", 1}, {"MPa", 1}, {"N/mm", 1}};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_number_is_exact_or_has_a_bound_but_for_those_that_can_have_none) {
+  // Differences that are rounding; bounds that a method reports; averages of counts.
+  const std::set<std::string> without = {"block.displacement-error",
+                                         "contact-m.rounding",
+                                         "cylinders.residual.contact",
+                                         "cylinders.residual.load",
+                                         "cylinders.residual.separation",
+                                         "large.left-over",
+                                         "large.rounding",
+                                         "methods.approach",
+                                         "quadrature.displacement.difference",
+                                         "quadrature.displacement.estimate",
+                                         "quadrature.displacement.evaluations",
+                                         "quadrature.from-gradient.difference",
+                                         "quadrature.from-gradient.evaluations",
+                                         "quadrature.gradient.difference",
+                                         "quadrature.gradient.estimate",
+                                         "quadrature.gradient.evaluations",
+                                         "wavy.round-trip"};
+  for (const Document* document : {&papers(), &steel()}) {
+    for (const auto& [key, value] : document->values()) {
+      if (!without.contains(key)) BOOST_TEST((is_exact(value) || value.abs_error()), key);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_digit_is_printed_below_its_bound) {
+  // The last printed place, from the mantissa's decimals and the exponent.
+  for (const auto& [key, value] : papers().values()) {
+    const std::string& text = value.printed();
+    if (!value.abs_error() || text.find('(') != std::string::npos) continue;
+    const std::string digits = text.substr(0, text.find(' '));
+    const std::size_t e = std::min(digits.find('e'), digits.size());
+    const std::size_t point = std::min(digits.find('.'), e);
+    double place = point < e ? -static_cast<double>(e - point - 1) : 0;
+    if (e < digits.size()) place += std::stod(digits.substr(e + 1));
+    if (text.ends_with("%")) place -= 2;
+    BOOST_TEST(std::pow(10, place) >= *value.abs_error() * (1 - 1e-12), key << ": " << text);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(other_units_which_round_otherwise_change_no_number_by_more_than_its_bound) {
+  const Document in_metres = computed(with(steel_text, "\"mm-N\"", "\"m-N\""));
+
+  check_within(steel(), in_metres, {{"", 1}, {"mm", 1e3}, {"MPa", 1e-6}, {"N/mm", 1e-3}}, true);
+}
+
+BOOST_AUTO_TEST_CASE(another_datum_of_the_cylinders_changes_nothing_but_their_approach) {
+  // Contact.m's coefficients hold the datum, which only cancels.
+  const Document other =
+      computed(with(papers_text, "datum = {value = 1, unit", "datum = {value = 3, unit"));
+  const Document nearer =
+      computed(with(papers_text, "datum = {value = 1, unit", "datum = {value = 0.1, unit"));
+  for (const Document* document : {&other, &nearer}) {
+    for (const auto& [key, value] : papers().values()) {
+      if (!value.abs_error() || key.ends_with("approach")) continue;
+      BOOST_TEST(
+          std::abs(*value.number() - *document->values().at(key).number()) <= *value.abs_error(),
+          key);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_finer_block_changes_no_number_by_more_than_its_bound) {
+  check_within(papers(), computed(with(papers_text, "order = 7", "order = 9")), same_units, false);
+}
+
+BOOST_AUTO_TEST_CASE(the_approach_of_the_cylinders_holds_that_of_a_grid_that_ends_on_the_edges) {
+  for (const auto& [document, text] : {std::pair{&papers(), papers_text}, {&steel(), steel_text}}) {
+    const parameters::ContactCase c = contact_of(text);
+    const double end = 2 * *document->values().at("cylinders.hertz.half-width").number();
+    const auto solution = contact::solve_on_graded_grid(
+        c.cylinders.profile(), c.cylinders.contact_modulus(), c.line_load, 200, {-end, end});
+    constexpr double of_graded_grid = 1e-9;  // relative, measured for the half-width
+    const Value& approach = document->values().at("cylinders.approach");
+    BOOST_TEST(std::abs(*approach.number() - solution.approach(c.datum)) <=
+               *approach.abs_error() + of_graded_grid * *approach.number());
+  }
+}
