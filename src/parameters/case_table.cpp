@@ -12,7 +12,7 @@
 namespace parameters {
 namespace {
 
-std::string place(const std::string& file, const toml::source_region& source) {
+std::string place_in(const std::string& file, const toml::source_region& source) {
   return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
 }
 
@@ -78,7 +78,7 @@ CaseTable CaseTable::parse_file(const std::filesystem::path& path) {
     document->root = toml::parse(text.str(), document->file);
   } catch (const toml::parse_error& e) {
     throw CaseError(
-        fmt::format("{}: {}", place(document->file, e.source()), std::string(e.description())));
+        fmt::format("{}: {}", place_in(document->file, e.source()), std::string(e.description())));
   }
   auto node = std::make_shared<Node>();
   node->table = &document->root;
@@ -94,6 +94,20 @@ CaseTable CaseTable::table(const std::string& key) const {
   const toml::table* table = node_->get(*this, key).as_table();
   if (table == nullptr) node_->wrong_type(*this, key, "a table");
   return CaseTable(std::make_shared<Node>(Node{node_->document, table, node_->path_of(key)}));
+}
+
+std::vector<CaseTable> CaseTable::tables(const std::string& key) const {
+  if (!has(key)) return {};
+  const toml::array* array = node_->get(*this, key).as_array();
+  if (array == nullptr || !array->is_array_of_tables()) {
+    node_->wrong_type(*this, key, "an array of tables");
+  }
+  std::vector<CaseTable> tables;
+  for (const toml::node& element : *array) {
+    tables.push_back(CaseTable(
+        std::make_shared<Node>(Node{node_->document, element.as_table(), node_->path_of(key)})));
+  }
+  return tables;
 }
 
 std::string CaseTable::text(const std::string& key) const {
@@ -157,29 +171,62 @@ std::vector<PrintedNumber> CaseTable::printed_numbers(const std::string& key) co
     try {
       numbers.emplace_back(*text);
     } catch (const std::invalid_argument& e) {
-      throw CaseError(fmt::format("{}: {}: {}", place(node_->document->file, element.source()),
+      throw CaseError(fmt::format("{}: {}: {}", place_in(node_->document->file, element.source()),
                                   node_->path_of(key), e.what()));
     }
   }
   return numbers;
 }
 
+std::vector<std::string> CaseTable::texts(const std::string& key) const {
+  const toml::array* array = node_->get(*this, key).as_array();
+  if (array == nullptr) node_->wrong_type(*this, key, "an array of strings");
+  std::vector<std::string> texts;
+  for (const toml::node& element : *array) {
+    const auto text = element.value_exact<std::string>();
+    if (!text) {
+      throw CaseError(fmt::format("{}: {}: must be a string, not {}",
+                                  place_in(node_->document->file, element.source()),
+                                  node_->path_of(key), type_name(element)));
+    }
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+std::chrono::sys_seconds CaseTable::instant(const std::string& key) const {
+  const std::string wanted = "a date and time with offset such as 2027-01-15T23:59:00Z";
+  const auto given = node_->get(*this, key).value_exact<toml::date_time>();
+  if (!given) node_->wrong_type(*this, key, wanted);
+  if (!given->offset) fail(key, "must be " + wanted + ", not one without offset");
+  using namespace std::chrono;
+  return sys_days(year(given->date.year) / month(given->date.month) / day(given->date.day)) +
+         hours(given->time.hour) + minutes(given->time.minute - given->offset->minutes) +
+         seconds(given->time.second);
+}
+
 void CaseTable::reject_unknown_keys() const {
   for (const auto& [key, node] : *node_->table) {
     const std::string name(key.str());
     if (!node_->document->asked_for.contains(&node)) {
-      throw CaseError(fmt::format("{}: {}: unknown key", place(node_->document->file, key.source()),
+      throw CaseError(fmt::format("{}: {}: unknown key",
+                                  place_in(node_->document->file, key.source()),
                                   node_->path_of(name)));
     }
     if (node.is_table()) table(name).reject_unknown_keys();
+    if (!node.is_array_of_tables()) continue;
+    for (const CaseTable& element : tables(name)) element.reject_unknown_keys();
   }
 }
 
-void CaseTable::fail(const std::string& key, const std::string& message) const {
+std::string CaseTable::place(const std::string& key) const {
   const toml::node* node = node_->table->get(key);
   const toml::source_region& source = node != nullptr ? node->source() : node_->table->source();
-  throw CaseError(fmt::format("{}: {}: {}", place(node_->document->file, source),
-                              node_->path_of(key), message));
+  return place_in(node_->document->file, source);
+}
+
+void CaseTable::fail(const std::string& key, const std::string& message) const {
+  throw CaseError(fmt::format("{}: {}: {}", place(key), node_->path_of(key), message));
 }
 
 }  // namespace parameters

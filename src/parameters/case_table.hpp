@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -31,12 +32,20 @@ class CaseTable {
 
   bool has(const std::string& key) const;
   CaseTable table(const std::string& key) const;
+
+  /// The tables of an array of tables, [[key]], which has at least one; none without the key.
+  std::vector<CaseTable> tables(const std::string& key) const;
+
   std::string text(const std::string& key) const;
   double number(const std::string& key) const;
   long integer(const std::string& key) const;
   double quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const;
   std::vector<PrintedNumber> printed_numbers(const std::string& key) const;
   PrintedNumber printed_number(const std::string& key) const;
+  std::vector<std::string> texts(const std::string& key) const;
+
+  /// A date and time with its offset from UTC, such as 2027-01-15T23:59:00Z.
+  std::chrono::sys_seconds instant(const std::string& key) const;
 
   /// All keys of the table, sorted.
   std::vector<std::string> keys() const;
@@ -59,7 +68,10 @@ class CaseTable {
   /// Throws CaseError for the first key, here or below, that nobody has asked for.
   void reject_unknown_keys() const;
 
-  /// Throws CaseError at the value of `key` (or at the table, where it has no such key).
+  /// Where the value of `key` stands (or the table, where it has no such key): «file:line:column».
+  std::string place(const std::string& key) const;
+
+  /// Throws CaseError at place(key).
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
 
  private:

@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "temporary_file.hpp"
 
@@ -96,6 +97,72 @@ BOOST_AUTO_TEST_CASE(a_key_that_nobody_asked_for_is_an_error) {
 
   check_error("a = 1\nyuong = 2\n[t]\nb = 3\n", read, "2:1: yuong: unknown key");
   check_error("a = 1\n[t]\nb = 3\nc = 4\n", read, "4:1: t.c: unknown key");
+}
+
+BOOST_AUTO_TEST_CASE(an_array_of_tables_is_read_in_its_order) {
+  const TemporaryFolder folder;
+  const auto table = CaseTable::parse_file(
+      folder.write("case.toml", "[[t]]\nn = 1\n[[t]]\nn = 2\n[[t.u]]\nm = 3\n"));
+
+  const auto tables = table.tables("t");
+
+  BOOST_REQUIRE(tables.size() == 2);
+  BOOST_TEST(tables[1].integer("n") == 2);
+  BOOST_REQUIRE(tables[1].tables("u").size() == 1);
+  BOOST_TEST(tables[1].tables("u")[0].integer("m") == 3);
+  BOOST_TEST(tables[0].tables("u").empty());
+}
+
+BOOST_AUTO_TEST_CASE(errors_within_an_array_of_tables_have_their_place) {
+  const auto read = [](const CaseTable& table) {
+    for (const CaseTable& t : table.tables("t")) {
+      t.integer("n");
+      for (const CaseTable& u : t.tables("u")) u.integer("m");
+    }
+    table.reject_unknown_keys();
+  };
+
+  check_error("[[t]]\nn = 1\n[[t]]\nn = 'x'\n", read, "4:5: t.n: must be an integer");
+  check_error("[[t]]\nn = 1\n[[t]]\n", read, "3:1: t.n: missing");
+  check_error("[[t]]\nn = 1\nk = 2\n", read, "3:1: t.k: unknown key");
+  check_error("[[t]]\nn = 1\n[[t.u]]\nm = 1\nk = 2\n", read, "5:1: t.u.k: unknown key");
+  check_error("[[v]]\nn = 1\n", read, "1:3: v: unknown key");
+  check_error("t = [1]\n", read, "1:5: t: must be an array of tables");
+  check_error("t = 1\n", read, "1:5: t: must be an array of tables, not an integer");
+}
+
+BOOST_AUTO_TEST_CASE(an_array_of_strings_names_the_element_that_is_none) {
+  const TemporaryFolder folder;
+  const auto table = CaseTable::parse_file(folder.write("case.toml", "s = ['a', \"b\"]\n"));
+  const auto read = [](const CaseTable& t) { t.texts("s"); };
+
+  BOOST_TEST((table.texts("s") == std::vector<std::string>{"a", "b"}));
+  check_error("s = ['a',\n  2]\n", read, "2:3: s: must be a string, not an integer");
+  check_error("s = 'a'\n", read, "1:5: s: must be an array of strings, not a string");
+}
+
+BOOST_AUTO_TEST_CASE(an_instant_counts_its_offset) {
+  const TemporaryFolder folder;
+  const auto table = CaseTable::parse_file(
+      folder.write("case.toml", "utc = 2027-01-15T22:59:01Z\nlocal = 2027-01-15T23:59:01+01:00\n"));
+
+  BOOST_TEST(table.instant("utc").time_since_epoch().count() == 1800053941);
+  BOOST_CHECK(table.instant("utc") == table.instant("local"));
+}
+
+BOOST_AUTO_TEST_CASE(an_instant_without_offset_is_none) {
+  const auto read = [](const CaseTable& t) { t.instant("d"); };
+
+  check_error("d = 2027-01-15T23:59:00\n", read, "1:5: d: must be a date and time with offset");
+  check_error("d = 2027-01-15\n", read, "1:5: d: must be a date and time with offset");
+  check_error("d = 'now'\n", read, "1:5: d: must be a date and time with offset");
+}
+
+BOOST_AUTO_TEST_CASE(a_place_is_that_of_the_value) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.toml", "\na = 1\n");
+
+  BOOST_TEST(CaseTable::parse_file(file).place("a") == file.string() + ":2:5");
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
