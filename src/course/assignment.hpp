@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+enum class Visibility { visible, hidden };
+
+/// One line of the marking scheme.
+struct CheckEntry {
+  std::string id;  ///< names the code that decides
+  double points = 0;
+  Visibility visibility = Visibility::hidden;
+  std::string says;   ///< what is tried, in words for students
+  std::string place;  ///< of the id: «file:line:column»
+};
+
+/// What students write one file for.
+struct Exercise {
+  std::string id;
+  std::string title;
+  std::string file;                    ///< in the student's project, such as "src/closed_form.cpp"
+  std::vector<std::string> builds_on;  ///< ids of exercises whose functions it calls
+  std::vector<CheckEntry> checks;
+
+  double points() const;
+};
+
+/// A number that variants differ in: from + k·step with whole k ≥ 0, up to `to`.
+struct Quantity {
+  std::string name;
+  std::string unit;  ///< as printed; the number is in this unit
+  double from = 0;
+  double to = 0;
+  double step = 0;
+  double nominal = 0;  ///< of the handout that is for nobody
+};
+
+struct LatePolicy {
+  double percent_per_day = 0;  ///< of the points reached, for each day begun
+  int days = 0;                ///< later than this counts nothing
+};
+
+/// What a submission may use at most.
+struct Limits {
+  int compile_seconds = 20;
+  int run_seconds = 5;
+  int memory_mb = 1024;
+  int processes = 32;
+  int output_kb = 256;
+  int file_kb = 256;       ///< of one submitted file
+  int submission_mb = 20;  ///< of the whole
+};
+
+/// The assignment as `assignment.toml` describes it.
+struct Assignment {
+  std::filesystem::path folder;  ///< holds assignment.toml and template/
+  std::string title;
+  std::chrono::sys_seconds deadline;
+  double points = 0;
+  double floor = 0;                   ///< what the handout as released scores
+  std::vector<std::string> provided;  ///< files below src/ that the handout gets a copy of
+  LatePolicy late;
+  Limits limits;
+  std::vector<Exercise> exercises;
+  std::vector<Quantity> quantities;
+};
+
+/// Reads folder/assignment.toml. Throws parameters::CaseError «file:line:column: …» for what is
+/// malformed or does not fit together.
+Assignment read_assignment(const std::filesystem::path& folder);
+
+/// The value from + k·step of a quantity, to 12 digits: 0.28 and not 0.28000000000000003.
+double on_grid(const Quantity& quantity, std::uint64_t k);
+
+/// How many values a quantity may have.
+std::uint64_t n_values(const Quantity& quantity);
+
+}  // namespace course

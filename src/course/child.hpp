@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// A child process whose standard streams are files, so that a limit on file sizes holds for what
+/// it prints. It inherits no environment and no other descriptor.
+struct Child {
+  std::vector<std::string> command;      ///< the program's whole path first
+  std::vector<std::string> environment;  ///< NAME=value
+  std::filesystem::path folder;          ///< it starts in
+  std::filesystem::path input, output, errors;
+  std::filesystem::path third = "/dev/null";  ///< to be read as descriptor 3
+  std::size_t memory_mb = 0;  ///< that it and all its descendants may hold; 0: as much as there is
+};
+
+struct ChildEnd {
+  int status = 0;             ///< exit status, or 128 + the number of the signal that ended it
+  bool is_too_large = false;  ///< it was killed, as it held more memory than allowed
+};
+
+/// Runs a child to its end. Throws literate::ToolError if it cannot start.
+ChildEnd run_child(const Child& child);
+
+}  // namespace course

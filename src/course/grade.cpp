@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/grade.hpp"
+
+#include "course/program_run.hpp"
+#include "course/scratch_folder.hpp"
+#include "literate/error.hpp"
+#include "literate/files.hpp"
+#include "literate/staging.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<std::string> pictures_of(const Assignment& assignment, const GradingTask& task,
+                                     const Built& built) {
+  if (!task.curves || !built.link_error.empty()) return {};
+  ProgramRun run(assignment.limits, built, task.isolation);
+  const Program program = [&](const std::string& name, const Numbers& inputs) {
+    return run.answer(name, inputs);
+  };
+  std::vector<std::string> pictures;
+  for (const Curve& curve : task.curves(program, task.variant)) {
+    std::string svg = svg_of(curve);
+    if (!svg.empty()) pictures.push_back(std::move(svg));
+  }
+  return pictures;
+}
+
+void write(const Assignment& assignment, const Graded& graded,
+           const std::vector<std::string>& pictures, const fs::path& output) {
+  literate::Staging staging(output);
+  const auto put = [&](const char* name, const std::string& text) {
+    literate::write_file_atomically(staging.path() / name, text);
+  };
+  put("results.json", gradescope_json(assignment, graded));
+  put("junit.xml", junit_xml(assignment, graded));
+  put("feedback.html", feedback_html(assignment, graded, pictures));
+  put("log.txt", log_text(assignment, graded));
+  put("mark.json", mark_json(assignment, graded));
+  staging.publish({});
+}
+
+}  // namespace
+
+Graded grade_submission(const Assignment& assignment, const GradingTask& task,
+                        const fs::path& output) {
+  const ScratchFolder scratch;
+  const fs::path taking = scratch.path() / "taking";
+  fs::create_directory(taking);
+  Graded graded;
+  graded.student = task.student;
+  graded.submitted = task.submitted;
+  graded.late = lateness(assignment, task.submitted);
+  graded.submission = take_submission(assignment, task.submission, taking, task.isolation);
+
+  // Without walls jobs run as another user, who has to find the way.
+  if (task.isolation == Isolation::none) {
+    fs::permissions(scratch.path(), fs::perms::group_exec | fs::perms::others_exec,
+                    fs::perm_options::add);
+  }
+  const Built built = build(assignment, task.toolkit, graded.submission.files,
+                            scratch.path() / "build", task.isolation);
+  graded.compile_errors = built.compile_errors;
+  graded.link_error = built.link_error;
+  graded.results = evaluate(assignment, task.checks, built, task.variant, task.isolation);
+  write(assignment, graded, pictures_of(assignment, task, built), output);
+  return graded;
+}
+
+}  // namespace course

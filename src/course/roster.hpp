@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "course/lateness.hpp"
+
+namespace course {
+
+/// The class: when each student handed in, where the file tells.
+using Roster = std::map<std::string, std::optional<Time>>;
+
+/// Reads a CSV file with a header line, whose columns `student` and, if there is one, `submitted`
+/// (RFC 3339; empty for unknown) count. Throws literate::SourceError «file:line: …» for a student
+/// named twice, an id that is none, and a time that is none.
+Roster read_roster(const std::filesystem::path& file);
+
+/// A submission in the folder of all.
+struct Entry {
+  std::string student;
+  std::filesystem::path path;
+};
+
+/// What there is to grade, sorted by student, and a line for each thing in the folder that is no
+/// submission, is from somebody who is not in the class, or is one of two from the same student.
+struct Listing {
+  std::vector<Entry> entries;
+  std::vector<std::string> problems;
+};
+
+/// Throws OutputError if the folder cannot be read.
+Listing list_submissions(const std::filesystem::path& folder, const std::optional<Roster>& roster);
+
+}  // namespace course

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/variants.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "literate/error.hpp"
+#include "literate/files.hpp"
+
+namespace course {
+namespace {
+
+constexpr int n_attempts = 1000;
+
+// A number below n. Of 2^64 equally likely ones the remainder is taken; with n ≤ 1e9 no place is
+// likelier than another by more than 1e-10 of it.
+std::uint64_t drawn(const std::string& text, std::uint64_t n) {
+  const std::string hexadecimal = literate::sha256_of_text(text).substr(0, 16);
+  std::uint64_t number = 0;
+  std::from_chars(hexadecimal.data(), hexadecimal.data() + hexadecimal.size(), number, 16);
+  return number % n;
+}
+
+bool is_id_character(unsigned char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+         c == '_' || c == '-' || c == '@';
+}
+
+// As it can be shown in one line.
+std::string printable(const std::string& text) {
+  std::string shown;
+  for (const char c : text.substr(0, 80)) {
+    const auto byte = static_cast<unsigned char>(c);
+    shown += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return text.size() > 80 ? shown + "…" : shown;
+}
+
+}  // namespace
+
+void require_student_id(const std::string& student) {
+  const bool is_plain = std::ranges::all_of(student, is_id_character);
+  const bool is_hidden = student.starts_with('.') || student.starts_with('-');
+  if (!student.empty() && student.size() <= 64 && is_plain && !is_hidden) return;
+  throw literate::SourceError(fmt::format(
+      "student \"{}\": an id is of 1 to 64 letters, digits, '.', '_', '-' and '@' and does not "
+      "begin with '.' or '-'",
+      printable(student)));
+}
+
+Variant nominal_variant(const Assignment& assignment) {
+  Variant variant;
+  for (const Quantity& quantity : assignment.quantities) {
+    variant.quantities[quantity.name] = quantity.nominal;
+  }
+  return variant;
+}
+
+Variant variant_of(const Assignment& assignment, const std::string& student,
+                   const std::string& seed, const std::function<bool(const Variant&)>& is_valid) {
+  require_student_id(student);
+  if (seed.empty()) throw literate::SourceError("the seed of a variant is empty");
+  // Neither id nor name holds a line end, so no two draws share a text.
+  Variant variant{.student = student, .quantities = {}};
+  for (int attempt = 0; attempt < n_attempts; ++attempt) {
+    for (const Quantity& quantity : assignment.quantities) {
+      const std::string text = fmt::format("{}\n{}\n{}\n{}", student, quantity.name, attempt, seed);
+      variant.quantities[quantity.name] = on_grid(quantity, drawn(text, n_values(quantity)));
+    }
+    if (is_valid(variant)) return variant;
+  }
+  throw literate::SourceError(
+      fmt::format("student \"{}\": none of {} variants drawn is valid; the quantities' ranges in "
+                  "{} are too wide",
+                  student, n_attempts, (assignment.folder / "assignment.toml").string()));
+}
+
+}  // namespace course
