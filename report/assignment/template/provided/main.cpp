@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// build/assignment TASK: reads numbers from standard input, prints the answer, one number a line.
+// What there is to compute stands in tasks.hpp. Exits 2, with a line on standard error, for what it
+// cannot take.
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "tasks.hpp"
+
+namespace {
+
+std::vector<double> read_numbers(std::istream& in) {
+  std::vector<double> numbers;
+  double number = 0;
+  while (in >> number) numbers.push_back(number);
+  if (!in.eof()) throw std::invalid_argument("standard input holds something that is no number");
+  return numbers;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 2) throw std::invalid_argument("usage: assignment TASK < numbers");
+    std::cout << std::setprecision(std::numeric_limits<double>::max_digits10);
+    for (const double number : run_task(argv[1], read_numbers(std::cin))) {
+      std::cout << number << '\n';
+    }
+    return 0;
+  } catch (const std::exception& e) {
+    std::cerr << "assignment: " << e.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// build/figures DIR: your curves as DIR/*.dat and your numbers as DIR/numbers.tex, for the report.
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "assignment.hpp"
+#include "variant_of_this_handout.hpp"
+
+namespace {
+
+using exercise::Material;
+using exercise::TriangularLoad;
+
+const Material material1{this_variant("young1"), this_variant("poisson1")};
+const Material material2{this_variant("young2"), this_variant("poisson2")};
+const TriangularLoad load{this_variant("peak_pressure"), this_variant("half_width")};
+const double datum = this_variant("datum");
+
+// The number, or 0 with a warning for an exercise that gives none yet: the report can be made all
+// the same.
+double number_of(const std::string& exercise, double number) {
+  static std::set<std::string> warned;
+  if (std::isfinite(number)) return number;
+  if (warned.insert(exercise).second) {
+    std::cerr << "figures: exercise " << exercise << " gives no number; the report shows 0\n";
+  }
+  return 0;
+}
+
+std::ofstream open(const std::filesystem::path& file) {
+  std::ofstream out(file);
+  if (!out) throw std::runtime_error("cannot write " + file.string());
+  return out << std::setprecision(17), std::move(out);
+}
+
+// x/a, the slope by eq. (3) and by eq. (2) with its error, and u_z.
+void write_surface(const std::filesystem::path& file) {
+  std::ofstream out = open(file);
+  for (int i = -160; i <= 160; ++i) {
+    const double xi = i / 40.0;
+    const double x = xi * load.half_width;
+    const auto quadrature = exercise::normal_gradient_by_quadrature(material1, load, x);
+    out << xi << ' ' << number_of("1", exercise::normal_gradient(material1, load, x)) << ' '
+        << number_of("2", quadrature.value) << ' ' << number_of("2", quadrature.abs_error) << ' '
+        << number_of("3", exercise::normal_displacement(material1, load, datum, x)) << '\n';
+  }
+}
+
+exercise::Contact write_contact(const std::filesystem::path& file) {
+  const exercise::Cylinders cylinders{material1, this_variant("radius1"), material2,
+                                      this_variant("radius2")};
+  const exercise::Grid grid{static_cast<int>(std::lround(this_variant("nodes"))),
+                            this_variant("spacing")};
+  exercise::Contact contact =
+      exercise::solve_contact(cylinders, grid, datum, this_variant("line_load"));
+  contact.pressure.resize(static_cast<std::size_t>(grid.n_nodes), std::nan(""));
+  std::ofstream out = open(file);
+  for (int i = 0; i < grid.n_nodes; ++i) {
+    const double pressure = contact.pressure[static_cast<std::size_t>(i)];
+    out << grid.x(i) << ' ' << number_of("5", pressure) << '\n';
+  }
+  return contact;
+}
+
+// A TeX command \name that prints the number in millimetres.
+void define_length(std::ostream& out, const std::string& name, double length) {
+  out << "\\newcommand*\\" << name << "{" << std::setprecision(5) << 1e3 * length << "\\,mm}\n";
+}
+
+void write_all(const std::filesystem::path& folder) {
+  write_surface(folder / "surface.dat");
+  const exercise::Contact contact = write_contact(folder / "contact.dat");
+  std::ofstream numbers = open(folder / "numbers.tex");
+  define_length(numbers, "halfwidth", number_of("5", contact.half_width));
+  define_length(numbers, "approach", number_of("5", contact.approach));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 2) throw std::invalid_argument("usage: figures DIR");
+    write_all(argv[1]);
+    return 0;
+  } catch (const std::exception& e) {
+    std::cerr << "figures: " << e.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exercise 2: the slope under a triangular load by numerical integration of eq. (2).
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "assignment.hpp"
+
+namespace exercise {
+namespace {
+
+// BEGIN SOLUTION
+struct Singular {
+  TriangularLoad load;
+  double x;
+};
+
+double triangle(const TriangularLoad& load, double s) {
+  return load.peak_pressure * std::max(0.0, 1 - std::abs(s) / load.half_width);
+}
+
+// [p(s) − p(x)]/(x − s), which stays finite at s = x: the slope of p.
+double regular_part(double s, void* parameters) {
+  const auto& [load, x] = *static_cast<const Singular*>(parameters);
+  return s == x ? 0 : (triangle(load, s) - triangle(load, x)) / (x - s);
+}
+
+// PV∫ ds/(x − s) over the load times p(x), which goes to 0 at the ends.
+double singular_part(const TriangularLoad& load, double x) {
+  const double a = load.half_width;
+  if (std::abs(x) >= a) return 0;
+  return triangle(load, x) * std::log((a + x) / (a - x));
+}
+
+// The ends of the smooth pieces of the integrand, in rising order and each once.
+std::vector<double> breakpoints(double a, double x) {
+  std::vector<double> points = {-a, 0, a};
+  if (std::abs(x) < a && x != 0) points.push_back(x);
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+numerics::Estimate integrate(Singular& singular, double abs_tolerance) {
+  gsl_set_error_handler_off();
+  std::vector<double> points = breakpoints(singular.load.half_width, singular.x);
+  gsl_function integrand{regular_part, &singular};
+  gsl_integration_workspace* workspace = gsl_integration_workspace_alloc(1000);
+  numerics::Estimate integral;
+  gsl_integration_qagp(&integrand, points.data(), points.size(), abs_tolerance, 0, 1000, workspace,
+                       &integral.value, &integral.abs_error);
+  gsl_integration_workspace_free(workspace);
+  return integral;
+}
+// END SOLUTION
+
+}  // namespace
+
+numerics::Estimate normal_gradient_by_quadrature(const Material& material,
+                                                 const TriangularLoad& load, double x) {
+  // BEGIN SOLUTION
+  // STUB: const double unknown = std::numeric_limits<double>::quiet_NaN();
+  // STUB: return {unknown, unknown};
+  Singular singular{load, x};
+  numerics::Estimate integral = integrate(singular, 1e-10 * load.peak_pressure);
+  integral.value += singular_part(load, x);
+  integral.abs_error += 1e-13 * load.peak_pressure;  // rounding, of which GSL knows nothing
+
+  const double nu = material.poisson;
+  const double compliance = 2 * (1 - nu * nu) / (std::numbers::pi * material.young);
+  return -compliance * integral;
+  // END SOLUTION
+}
+
+}  // namespace exercise

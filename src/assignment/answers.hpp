@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all checks share: asking the student's program, and counting how much holds. Part of the
+// handout, so only the standard library is used.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "course/check.hpp"
+
+namespace assignment {
+
+/// The answer of a task, with exactly `count` finite numbers.
+///
+/// A wrong count, a NaN or an infinity ends the check: guarded() turns that into share 0 and a
+/// message. What the program itself throws (course::ProgramFailure) goes through.
+course::Numbers answer(const course::Program& program, const std::string& task,
+                       const course::Numbers& inputs, std::size_t count);
+
+/// As above, and at least one of the numbers is not zero: zeros have every symmetry there is.
+course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
+                               const course::Numbers& inputs, std::size_t count);
+
+/// The check with share 0 and a message for an answer that is no answer.
+course::Check guarded(course::Check check);
+
+/// Counts the parts of a check that hold. Each part counts the same.
+class Tally {
+ public:
+  /// `property` completes «does not hold at …»: "g(−x) = −g(x)".
+  explicit Tally(std::string property) : property_(std::move(property)) {}
+
+  void part(bool holds, const std::string& where);
+
+  /// The share of the parts that hold, and where the first of the others are.
+  course::Outcome outcome() const;
+
+ private:
+  std::string property_;
+  std::size_t n_parts_ = 0;
+  std::vector<std::string> failed_;
+};
+
+/// «name = number» with up to six digits, to say where a part failed.
+std::string at(const std::string& name, double number);
+
+/// |a − b| ≤ tolerance; not for NaN.
+bool near(double a, double b, double tolerance);
+
+/// The greatest magnitude; 0 for none.
+double greatest(const course::Numbers& numbers);
+
+/// Each number times the factor.
+course::Numbers times(double factor, course::Numbers numbers);
+
+/// The one list after the other.
+course::Numbers joined(course::Numbers first, const course::Numbers& second);
+
+}  // namespace assignment

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/curves.hpp"
+
+#include <exception>
+
+#include "assignment/answers.hpp"
+#include "assignment/tasks.hpp"
+#include "literate/error.hpp"
+
+namespace assignment {
+namespace {
+
+using course::Curve;
+using course::Numbers;
+using course::Program;
+using course::Variant;
+
+// From −3 to 3 half-widths of the load.
+Numbers places() {
+  Numbers xi;
+  for (int i = -30; i <= 30; ++i) xi.push_back(0.1 * i);
+  return xi;
+}
+
+Numbers slope_by_eq_3(const Program& program, const Surface& surface) {
+  return ask_gradient(program, surface, times(surface.half_width, places()));
+}
+
+Curve slope(const Program& program, const Variant& variant) {
+  return {"Your slope by eq. (3)", "x/a", "slope", places(),
+          slope_by_eq_3(program, surface_of(variant))};
+}
+
+Curve disagreement(const Program& program, const Variant& variant) {
+  const Surface surface = surface_of(variant);
+  const Numbers by_eq_3 = slope_by_eq_3(program, surface);
+  Numbers difference = ask_quadrature(program, surface, times(surface.half_width, places())).value;
+  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= by_eq_3[i];
+  return {"Your eq. (2) minus your eq. (3)", "x/a", "difference", places(), difference};
+}
+
+Curve pressure(const Program& program, const Variant& variant) {
+  const Cylinders cylinders = cylinders_of(variant);
+  Numbers x;
+  for (int i = 0; i < cylinders.n_nodes; ++i) x.push_back(cylinders.x(i));
+  return {"Your contact pressure", "x in m", "p in Pa", x,
+          ask_contact(program, cylinders).pressure};
+}
+
+}  // namespace
+
+std::vector<Curve> curves(const Program& program, const Variant& variant) {
+  std::vector<Curve> all;
+  for (const auto curve : {slope, disagreement, pressure}) {
+    try {
+      all.push_back(curve(program, variant));
+    } catch (const literate::ToolError&) {
+      throw;
+    } catch (const std::exception&) {
+      // No answer, no picture.
+    }
+  }
+  return all;
+}
+
+}  // namespace assignment

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "course/check.hpp"
+#include "course/feedback.hpp"
+#include "course/variant.hpp"
+
+namespace assignment {
+
+/// What the feedback page draws: the student's own slope and contact pressure, and how far their
+/// eqs. (2) and (3) are apart. An exercise without an answer has no curve. Throws ToolError.
+std::vector<course::Curve> curves(const course::Program& program, const course::Variant& variant);
+
+}  // namespace assignment

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "course/check.hpp"
+
+namespace assignment {
+
+/// The hidden checks of the slope by eq. (3), of that by eq. (2), and of the displacement.
+course::Checks hidden_surface_checks();
+
+}  // namespace assignment

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "course/check.hpp"
+
+namespace assignment {
+
+/// The checks that students can run themselves. They hold no answers: each tries a property that
+/// the right numbers have.
+course::Checks public_checks();
+
+}  // namespace assignment

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "course/check.hpp"
+
+namespace assignment {
+
+/// The public checks of the influence coefficients.
+course::Checks public_influence_checks();
+
+}  // namespace assignment

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/sheet.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "assignment/sheet_figures.hpp"
+
+namespace assignment {
+
+using course::Assignment;
+using course::CheckEntry;
+using course::Exercise;
+using course::Variant;
+using course::Visibility;
+using literate::Cell;
+using literate::Column;
+using literate::Document;
+using literate::Table;
+using literate::Value;
+
+namespace {
+
+// What a quantity of assignment.toml is called in the formulas, and in words.
+struct Meaning {
+  std::string symbol;
+  std::string words;
+};
+const std::map<std::string, Meaning> meanings = {
+    {"young1", {"$E_1$", "modulus of elasticity of body 1, and of exercises 1 to 3"}},
+    {"poisson1", {"$\\nu_1$", "Poisson's ratio of body 1, and of exercises 1 to 3"}},
+    {"young2", {"$E_2$", "modulus of elasticity of body 2"}},
+    {"poisson2", {"$\\nu_2$", "Poisson's ratio of body 2"}},
+    {"radius1", {"$R_1$", "radius of cylinder 1"}},
+    {"radius2", {"$R_2$", "radius of cylinder 2"}},
+    {"line_load", {"$P$", "load that presses the cylinders together"}},
+    {"spacing", {"$c$", "spacing of the nodes"}},
+    {"nodes", {"$n$", "number of nodes"}},
+    {"peak_pressure", {"$p_0$", "peak of the triangular pressure"}},
+    {"half_width", {"$a$", "half-width of the triangular pressure"}},
+    {"datum", {"$d$", "datum, where the displacement is zero"}},
+};
+
+void register_facts(Document& document, const Assignment& assignment, const Variant& variant) {
+  document.value("sheet.title", Value::text(assignment.title));
+  document.value("sheet.deadline", Value::text(fmt::format("{:%Y-%m-%d, %H:%M} UTC",
+                                                           fmt::gmtime(assignment.deadline))));
+  document.value("sheet.points", Value::exact(assignment.points));
+  document.value("sheet.student", Value::text(variant.student));
+  document.flag("sheet.is-personal", !variant.student.empty());
+  document.value("late.percent", Value::exact(assignment.late.percent_per_day));
+  document.value("late.days", Value::integer(assignment.late.days));
+  document.value("limit.compile", Value::integer(assignment.limits.compile_seconds, "s"));
+  document.value("limit.run", Value::integer(assignment.limits.run_seconds, "s"));
+  document.value("limit.memory", Value::integer(assignment.limits.memory_mb, "MB"));
+  document.value("limit.file", Value::integer(assignment.limits.file_kb, "kB"));
+}
+
+const char* name_of(Visibility visibility) {
+  return visibility == Visibility::visible ? "public" : "hidden";
+}
+
+void register_exercises(Document& document, const Assignment& assignment) {
+  Table exercises({Column::text("exercise"), Column::text("file"), Column::text("builds on"),
+                   Column::text("points"), Column::text("of them public")});
+  int number = 0;
+  for (const Exercise& exercise : assignment.exercises) {
+    Table checks({Column::text("what is tried"), Column::text("check"), Column::text("points")});
+    double of_public = 0;
+    for (const CheckEntry& check : exercise.checks) {
+      if (check.visibility == Visibility::visible) of_public += check.points;
+      checks.add_row({check.says, name_of(check.visibility), fmt::format("{}", check.points)});
+    }
+    document.table("checks-" + exercise.id, std::move(checks));
+    document.value("points." + exercise.id, Value::exact(exercise.points()));
+    const std::string before = fmt::format("{}", fmt::join(exercise.builds_on, ", "));
+    exercises.add_row({fmt::format("{}. {}", ++number, exercise.title), exercise.file,
+                       before.empty() ? "–" : before, fmt::format("{}", exercise.points()),
+                       fmt::format("{}", of_public)});
+  }
+  document.table("exercises", std::move(exercises));
+}
+
+void register_quantities(Document& document, const Assignment& assignment, const Variant& variant) {
+  Table table(
+      {Column::text(""), Column::text("quantity"), Column::text("name"), Column::text("value")});
+  for (const course::Quantity& quantity : assignment.quantities) {
+    const Value value = Value::exact(variant(quantity.name), quantity.unit);
+    const auto known = meanings.find(quantity.name);
+    const Meaning meaning = known == meanings.end() ? Meaning{} : known->second;
+    table.add_row(
+        {Cell::latex(meaning.symbol), meaning.words, quantity.name, Cell::latex(value.latex())});
+  }
+  document.table("quantities", std::move(table));
+}
+
+}  // namespace
+
+void register_sheet(Document& document, const Assignment& assignment, const Variant& variant) {
+  register_facts(document, assignment, variant);
+  register_exercises(document, assignment);
+  register_quantities(document, assignment, variant);
+  document.figure("setting", 15.5, 3.5, draw_setting);
+  document.figure("lost-digits", 13.5, 4.8, draw_lost_digits);
+}
+
+}  // namespace assignment

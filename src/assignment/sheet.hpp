@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "course/assignment.hpp"
+#include "course/variant.hpp"
+#include "literate/document.hpp"
+
+namespace assignment {
+
+/// Registers what the assignment sheet (report/assignment/sheet.tex) names: its facts (`sheet.…`),
+/// the points and a table of checks of each exercise (`points.ID`, `checks-ID`), the limits
+/// (`limit.…`), all exercises with their files (`exercises`), the variant's numbers (`quantities`),
+/// and its figures.
+///
+/// No id of a hidden check and no number that a check expects is among them. Throws
+/// std::out_of_range for a quantity that the variant lacks.
+void register_sheet(literate::Document& document, const course::Assignment& assignment,
+                    const course::Variant& variant);
+
+}  // namespace assignment
