@@ -5,10 +5,14 @@
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   ONLY=id          mutants: this one alone
 #   TARGET=name      why: another target, or a file that is built
+#   STUDENT=id SEED=text   handout: that student's own; SEED also of check-variants and grade
+#   SUBMISSIONS=dir  grade: what students handed in; ROSTER=file, who they are, and J=n at a time
+#   UNSAFE=1         grade: without bubblewrap
+#   N=300            check-variants: how many
 #   V=1              show the commands
 
 # Paths never pass through make, which would split them at spaces: the scripts read them and CALLER.
-export CASE MANIFEST ONLY TARGET V
+export CASE MANIFEST ONLY TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.
@@ -17,7 +21,8 @@ export LC_ALL := C
 # Two targets at once would be two Ninjas in one folder; Ninja itself runs in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report html figures check-report test mutants bench verify dist why watch tidy format setup clean help
+.PHONY: report html figures check-report test mutants bench verify dist why watch handout check-variants grade gradescope \
+  tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
 	@bash src/toolchain/build report
@@ -51,6 +56,18 @@ why: ## why the report would be built again
 
 watch: ## builds the report after each save, until Ctrl-C
 	@bash src/toolchain/build watch
+
+handout: ## the course assignment for students, proved: build/handout and build/handout.zip
+	@bash src/toolchain/build handout
+
+check-variants: ## the instructor's solution on the variants of a class
+	@bash src/toolchain/build check-variants
+
+grade: ## marks and feedback for what is in SUBMISSIONS: build/grades
+	@bash src/toolchain/build grade
+
+gradescope: ## the autograder for Gradescope, build/gradescope.zip
+	@bash src/toolchain/build gradescope
 
 tidy: ## clang-tidy on every source
 	@bash src/toolchain/build tidy

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   app::add_report_command(program, exit_code);
   app::add_typeset_command(program, exit_code);
   app::add_check_report_command(program, exit_code);
+  app::add_course_command(program, exit_code);
   // After the subcommands, which would inherit it.
   program.set_help_all_flag("--help-all", "Print the help of every subcommand");
 

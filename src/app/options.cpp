@@ -30,6 +30,13 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
   command->callback([run = set_up(*command), &exit_code] { exit_code = run_guarded(run); });
 }
 
+CLI::App& add_command_group(CLI::App& program, const std::string& name,
+                            const std::string& description) {
+  CLI::App* group = program.add_subcommand(name, description);
+  group->require_subcommand(1);
+  return *group;
+}
+
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
               const std::string& type, const std::string& help) {
   add(command, flag, text, help)->type_name(type);

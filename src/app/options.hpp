@@ -23,6 +23,10 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
                  ExitCode& exit_code,
                  const std::function<std::function<ExitCode()>(CLI::App&)>& set_up);
 
+/// Adds a command that only holds subcommands, one of which must be given.
+CLI::App& add_command_group(CLI::App& program, const std::string& name,
+                            const std::string& description);
+
 /// Adds a flag that takes a text, shown in the help as `type`. As all of these flags it refuses an
 /// empty text, so that a text that is empty was not given.
 void add_text(CLI::App& command, const std::string& flag, std::string& text,

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/course_options.hpp"
+
+#include "app/options.hpp"
+#include "assignment/hidden_checks.hpp"
+#include "assignment/public_checks.hpp"
+#include "assignment/valid_variant.hpp"
+#include "course/check_list.hpp"
+#include "course/variants.hpp"
+
+namespace app {
+
+void add_assignment(CLI::App& command, CourseOptions& options) {
+  add_text(command, "--assignment", options.assignment, "DIR", "Folder of assignment.toml");
+}
+
+void add_source(CLI::App& command, CourseOptions& options) {
+  add_text(command, "--source", options.source, "DIR", "The checkout");
+}
+
+void add_student(CLI::App& command, CourseOptions& options) {
+  add_text(command, "--student", options.student, "ID",
+           "Whose numbers; the assignment's nominal ones without");
+  add_text(command, "--seed", options.seed, "TEXT", "What the variants are drawn from");
+}
+
+course::Assignment read_assignment(const CourseOptions& options) {
+  course::Assignment assignment = course::read_assignment(options.assignment);
+  course::all_checks(assignment, assignment::public_checks(), assignment::hidden_checks());
+  return assignment;
+}
+
+course::Variant variant_of(const CourseOptions& options, const course::Assignment& assignment) {
+  if (options.student.empty() != options.seed.empty()) {
+    throw InputError("--student and --seed need each other");
+  }
+  if (options.student.empty()) return course::nominal_variant(assignment);
+  return course::variant_of(assignment, options.student, options.seed, assignment::is_valid);
+}
+
+}  // namespace app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the subcommands of `halfspace course` have in common.
+#pragma once
+
+#include <string>
+
+#include "course/assignment.hpp"
+#include "course/variant.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+struct CourseOptions {
+  std::string assignment = "report/assignment";
+  std::string source = ".";
+  std::string student, seed;
+};
+
+void add_assignment(CLI::App& command, CourseOptions& options);
+void add_source(CLI::App& command, CourseOptions& options);
+void add_student(CLI::App& command, CourseOptions& options);
+
+/// Reads the assignment and asks whether each of its checks has code, before any work.
+course::Assignment read_assignment(const CourseOptions& options);
+
+/// The student's numbers, or the nominal ones where there is no student. Throws InputError where
+/// there is no seed for the student, or no student for the seed.
+course::Variant variant_of(const CourseOptions& options, const course::Assignment& assignment);
+
+}  // namespace app

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/course_commands.hpp"
+#include "app/course_options.hpp"
+#include "app/options.hpp"
+#include "app/stage.hpp"
+#include "assignment/hidden_checks.hpp"
+#include "assignment/public_checks.hpp"
+#include "assignment/valid_variant.hpp"
+#include "course/handout.hpp"
+#include "course/proof.hpp"
+#include "course/variant_check.hpp"
+#include "literate/files.hpp"
+
+namespace app {
+namespace fs = std::filesystem;
+namespace {
+
+struct Options : CourseOptions {
+  std::string output, sheet, handout, zip, toolkit;
+};
+
+void add_place(CLI::App& command, Options& options) {
+  add_assignment(command, options);
+  add_source(command, options);
+}
+
+void add_toolkit(CLI::App& command, Options& options) {
+  add_required_text(command, "--toolkit", options.toolkit, "DIR", "What `course toolkit` made");
+}
+
+std::size_t count_of(const NumberOption& option, long otherwise, long most) {
+  const long count = option.integer().value_or(otherwise);
+  if (count < 1 || count > most) {
+    throw InputError(fmt::format("{}: {} is not from 1 to {}", option.flag(), count, most));
+  }
+  return static_cast<std::size_t>(count);
+}
+
+std::size_t jobs_of(const NumberOption& option) {
+  constexpr long most = 1024;
+  return count_of(option, 1, most);
+}
+
+ExitCode write(const Options& options, course::Edition edition) {
+  const course::Assignment assignment = read_assignment(options);
+  const course::Variant variant = variant_of(options, assignment);
+  const course::Project project = course::read_project(assignment, options.source);
+  course::write_project(project, edition, assignment, variant, options.sheet, options.output);
+  fmt::print("{}\n", options.output);
+  return ExitCode::success;
+}
+
+// What the answers are compared with.
+std::vector<fs::path> secret_files(const std::string& source) {
+  const fs::path folder = fs::path(source) / "src/assignment";
+  std::vector<fs::path> files;
+  for (const std::string& file : literate::files_below(folder)) {
+    if (file.starts_with("hidden_")) files.push_back(folder / file);
+  }
+  return files;
+}
+
+ExitCode prove(const Options& options, std::size_t n_jobs) {
+  const course::Assignment assignment = read_assignment(options);
+  const course::Project project = course::read_project(assignment, options.source);
+  const course::ProofInput input{.assignment = assignment,
+                                 .project = project,
+                                 .visible = assignment::public_checks(),
+                                 .hidden = assignment::hidden_checks(),
+                                 .variant = variant_of(options, assignment),
+                                 .handout = options.handout,
+                                 .zip = options.zip,
+                                 .toolkit = options.toolkit,
+                                 .secret_files = secret_files(options.source),
+                                 .n_jobs = n_jobs};
+  Stage stage("prove");
+  const bool all_hold = course::prove(input, [&](const course::ProvedClaim& claim) {
+    stage.done(claim.faults.empty() ? claim.says : "does not hold: " + claim.says);
+    answer_faults(claim.faults);
+    stage = Stage("prove");
+  });
+  return all_hold ? ExitCode::success : ExitCode::claim_failed;
+}
+
+ExitCode check_variants(const Options& options, std::size_t count, std::size_t n_jobs) {
+  const course::Assignment assignment = read_assignment(options);
+  const course::Project project = course::read_project(assignment, options.source);
+  const Stage stage("variants");
+  const std::vector<std::string> faults =
+      course::faults_of_variants({.assignment = assignment,
+                                  .project = project,
+                                  .visible = assignment::public_checks(),
+                                  .hidden = assignment::hidden_checks(),
+                                  .toolkit = options.toolkit,
+                                  .is_valid = assignment::is_valid,
+                                  .seed = options.seed,
+                                  .count = count,
+                                  .n_jobs = n_jobs});
+  const std::string found = faults.empty() ? "no two alike, the solution scores all points on each"
+                                           : fmt::format("{} faults", faults.size());
+  stage.done(fmt::format("{} variants: {}", count, found));
+  return answer_faults(faults);
+}
+
+void add_handout(CLI::App& course, ExitCode& exit_code) {
+  add_command(course, "handout", "Write the project that students get", exit_code,
+              [](CLI::App& command) {
+                auto options = std::make_shared<Options>();
+                add_required_text(command, "--output", options->output, "DIR",
+                                  "Folder to write; replaced as a whole");
+                add_student(command, *options);
+                add_text(command, "--sheet", options->sheet, "FILE", "The assignment sheet, a PDF");
+                add_place(command, *options);
+                return [options] { return write(*options, course::Edition::handout); };
+              });
+}
+
+void add_solution(CLI::App& course, ExitCode& exit_code) {
+  add_command(course, "solution", "Write the same project with the instructor's solution",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<Options>();
+                add_required_text(command, "--output", options->output, "DIR",
+                                  "Folder to write; replaced as a whole");
+                add_student(command, *options);
+                add_place(command, *options);
+                return [options] { return write(*options, course::Edition::solution); };
+              });
+}
+
+void add_prove(CLI::App& course, ExitCode& exit_code) {
+  add_command(course, "prove",
+              "Prove a handout: it compiles, scores its floor, gives nothing away; the solution "
+              "and the wrong ones score what they must",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<Options>();
+                add_required_text(command, "handout", options->handout, "HANDOUT",
+                                  "Folder that `course handout` wrote");
+                add_toolkit(command, *options);
+                add_text(command, "--zip", options->zip, "FILE", "The same packed");
+                add_student(command, *options);
+                auto jobs = std::make_shared<NumberOption>(command, "--jobs", "How many at a time");
+                add_place(command, *options);
+                return [options, jobs] { return prove(*options, jobs_of(*jobs)); };
+              });
+}
+
+void add_check_variants(CLI::App& course, ExitCode& exit_code) {
+  add_command(course, "check-variants", "Try the instructor's solution on many variants", exit_code,
+              [](CLI::App& command) {
+                auto options = std::make_shared<Options>();
+                auto count = std::make_shared<NumberOption>(command, "--count", "How many; 300");
+                add_required_text(command, "--seed", options->seed, "TEXT",
+                                  "What the variants are drawn from");
+                add_toolkit(command, *options);
+                auto jobs = std::make_shared<NumberOption>(command, "--jobs", "How many at a time");
+                add_place(command, *options);
+                return [options, count, jobs] {
+                  constexpr long class_size = 300;
+                  constexpr long most = 100000;
+                  return check_variants(*options, count_of(*count, class_size, most),
+                                        jobs_of(*jobs));
+                };
+              });
+}
+
+}  // namespace
+
+void add_course_release_commands(CLI::App& course, ExitCode& exit_code) {
+  add_handout(course, exit_code);
+  add_solution(course, exit_code);
+  add_prove(course, exit_code);
+  add_check_variants(course, exit_code);
+}
+
+}  // namespace app

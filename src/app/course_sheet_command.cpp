@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+
+#include "app/course_commands.hpp"
+#include "app/course_options.hpp"
+#include "app/options.hpp"
+#include "app/stage.hpp"
+#include "assignment/sheet.hpp"
+#include "literate/document.hpp"
+
+namespace app {
+namespace {
+
+struct SheetOptions : CourseOptions {
+  std::string output;
+};
+
+ExitCode run(const SheetOptions& options) {
+  const Stage writing("sheet");
+  const course::Assignment assignment = read_assignment(options);
+  literate::Document document;
+  assignment::register_sheet(document, assignment, variant_of(options, assignment));
+  document.write(options.output);
+  writing.done(
+      fmt::format("{} values, {} tables", document.values().size(), document.tables().size()));
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_course_sheet_command(CLI::App& course, ExitCode& exit_code) {
+  add_command(course, "sheet", "Write what the assignment sheet is typeset from", exit_code,
+              [](CLI::App& command) {
+                auto options = std::make_shared<SheetOptions>();
+                add_required_text(command, "--output", options->output, "DIR",
+                                  "Folder to write to");
+                add_student(command, *options);
+                add_assignment(command, *options);
+                return [options] { return run(*options); };
+              });
+}
+
+}  // namespace app

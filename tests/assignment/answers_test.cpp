@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/answers.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "assignment/hidden_checks.hpp"
+#include "assignment/programs.hpp"
+#include "assignment/public_checks.hpp"
+#include "course/check_list.hpp"
+
+using course::Numbers;
+using course::Outcome;
+using course::Program;
+
+namespace {
+
+course::Checks all_checks() {
+  return course::all_checks(programs::assignment(), assignment::public_checks(),
+                            assignment::hidden_checks());
+}
+
+// What each check says to a program whose answers are all changed alike.
+void require_refused(const Program& program, const std::string& reason) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  for (const auto& [id, check] : all_checks()) {
+    const Outcome outcome = check(program, variant);
+    BOOST_TEST_CONTEXT(id << ": " << outcome.message) {
+      BOOST_TEST(outcome.share == 0);
+      BOOST_TEST(outcome.message.find(reason) != std::string::npos);
+    }
+  }
+}
+
+// The right answers with one number replaced.
+Program with_first(double number) {
+  return [=](const std::string& task, const Numbers& in) {
+    Numbers out = programs::right(task, in);
+    out.front() = number;
+    return out;
+  };
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(each_listed_check_has_code_and_each_code_is_listed) {
+  BOOST_TEST(all_checks().size() == 26U);
+}
+
+BOOST_AUTO_TEST_CASE(a_nan_counts_nothing) {
+  require_refused(with_first(std::numeric_limits<double>::quiet_NaN()),
+                  "not a finite number (nan)");
+}
+
+BOOST_AUTO_TEST_CASE(an_infinity_counts_nothing) {
+  require_refused(with_first(-std::numeric_limits<double>::infinity()), "number 1 of ");
+}
+
+BOOST_AUTO_TEST_CASE(an_answer_that_is_too_long_counts_nothing) {
+  require_refused(
+      [](const std::string& task, const Numbers& in) {
+        Numbers out = programs::right(task, in);
+        out.push_back(0);
+        return out;
+      },
+      "are due");
+}
+
+BOOST_AUTO_TEST_CASE(no_answer_counts_nothing) {
+  require_refused([](const std::string&, const Numbers&) { return Numbers{}; }, "0 numbers where");
+}
+
+BOOST_AUTO_TEST_CASE(zeros_count_nothing_whatever_their_symmetry) {
+  require_refused([](const std::string& task,
+                     const Numbers& in) { return Numbers(programs::right(task, in).size(), 0.0); },
+                  "all numbers are zero");
+}
+
+BOOST_AUTO_TEST_CASE(a_program_that_fails_is_for_the_grader_to_tell) {
+  const Program crashes = [](const std::string&, const Numbers&) -> Numbers {
+    throw course::ProgramFailure("killed by SIGSEGV");
+  };
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+
+  for (const auto& [id, check] : all_checks()) {
+    BOOST_CHECK_THROW(check(crashes, variant), course::ProgramFailure);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_tally_gives_its_share_and_says_where_it_failed) {
+  assignment::Tally tally("x is positive");
+  for (const double x : {1., -2., -3., -4., -5., 6., 7., 8.}) {
+    tally.part(x > 0, assignment::at("x", x));
+  }
+
+  const Outcome outcome = tally.outcome();
+
+  BOOST_TEST(outcome.share == 0.5);
+  BOOST_TEST(outcome.message == "x is positive: not so for 4 of 8 (x = -2; x = -3; x = -4; …)");
+}

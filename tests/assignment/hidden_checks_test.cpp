@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/hidden_checks.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <map>
+#include <set>
+
+#include "assignment/programs.hpp"
+#include "course/expected_values.hpp"
+#include "course/secret_numbers.hpp"
+
+using course::Numbers;
+using course::Program;
+using programs::misled;
+using programs::scaled;
+using programs::spoiled;
+
+namespace {
+
+const course::Variant nominal = course::nominal_variant(programs::assignment());
+
+std::map<std::string, double> shares(const Program& program) {
+  std::map<std::string, double> found;
+  for (const auto& [id, check] : assignment::hidden_checks()) {
+    found[id] = check(program, nominal).share;
+  }
+  return found;
+}
+
+std::set<std::string> failed(const Program& program) {
+  std::set<std::string> ids;
+  for (const auto& [id, share] : shares(program)) {
+    if (share < 1) ids.insert(id);
+  }
+  return ids;
+}
+
+void require_failed(const Program& program, const std::set<std::string>& expected) {
+  const auto found = failed(program);
+  BOOST_TEST(found == expected, boost::test_tools::per_element());
+}
+
+// Programs that are wrong in every task, each in another way.
+std::vector<Program> wrong_programs() {
+  std::vector<Program> list;
+  for (const double factor : {-1., 2., 1 + 1e-5}) {
+    list.push_back([=](const std::string& task, const Numbers& in) {
+      Numbers out = programs::right(task, in);
+      for (double& number : out) number *= factor;
+      return out;
+    });
+  }
+  return list;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(right_functions_pass_every_check_for_every_variant) {
+  for (const course::Variant& variant : programs::variants()) {
+    for (const auto& [id, check] : assignment::hidden_checks()) {
+      const course::Outcome outcome = check(programs::right, variant);
+      BOOST_TEST(outcome.share == 1, variant.student << ' ' << id << ": " << outcome.message);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_factor_counts_nothing) {
+  for (const double factor : {-1., 2., 1.001}) {
+    for (const auto& [task, ids] : std::map<std::string, std::set<std::string>>{
+             {"gradient", {"gradient-far-digits", "gradient-reference"}},
+             {"gradient_by_quadrature", {"quadrature-reference"}},
+             {"displacement", {"displacement-other", "displacement-reference"}},
+             {"influence", {"influence-far", "influence-reference"}},
+             {"contact", {"contact-half-width", "contact-reference"}}}) {
+      const auto found = shares(scaled(task, factor));
+      for (const std::string& id : ids) {
+        // The slope far off is within the tolerance of any small slope.
+        BOOST_TEST(found.at(id) < 0.2, task << " times " << factor << ", " << id);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(each_task_is_marked_for_itself) {
+  require_failed(scaled("gradient", 2), {"gradient-far-digits", "gradient-reference"});
+  require_failed(scaled("displacement", 2), {"displacement-other", "displacement-reference"});
+  require_failed(scaled("influence", 2), {"influence-far", "influence-reference"});
+  require_failed(scaled("contact", 2), {"contact-half-width", "contact-reference"});
+}
+
+BOOST_AUTO_TEST_CASE(an_error_is_honest_only_if_it_covers_the_truth_and_says_something) {
+  for (const double claimed : {0., 1.}) {
+    const Program claiming = spoiled("gradient_by_quadrature", [=](Numbers& out) {
+      for (std::size_t i = 1; i < out.size(); i += 2) out[i] = claimed;
+    });
+    require_failed(claiming, {"quadrature-honest"});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_that_takes_the_second_body_for_the_first_is_wrong_for_other_pairs) {
+  const Program one_body = misled("contact", [](Numbers& in) {
+    in[3] = in[0];
+    in[4] = in[1];
+  });
+  const auto found = shares(one_body);
+  BOOST_TEST(found.at("contact-reference") < 1);
+  BOOST_TEST(found.at("contact-half-width") < 1);
+}
+
+BOOST_AUTO_TEST_CASE(digits_that_are_lost_far_away_cost_a_part_only) {
+  const Program losing = spoiled("influence", [](Numbers& out) { out.back() *= 1 + 1e-7; });
+  const auto found = shares(losing);
+  BOOST_TEST(found.at("influence-far") == 0.8);
+  BOOST_TEST(found.at("influence-reference") == 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(no_message_tells_a_number_that_was_expected) {
+  for (const course::Variant& variant : programs::variants()) {
+    course::ExpectedValues expected;
+    for (const auto& [id, check] : expected.listening(assignment::hidden_checks())) {
+      check(programs::right, variant);
+    }
+    const course::SecretNumbers secrets(expected.values());
+    BOOST_TEST(!secrets.empty());
+    for (const Program& wrong : wrong_programs()) {
+      for (const auto& [id, check] : assignment::hidden_checks()) {
+        const std::string message = check(wrong, variant).message;
+        BOOST_TEST(!message.empty());
+        BOOST_TEST(secrets.printed_in(message).empty(), id << ": " << message);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(messages_are_the_same_however_wrong_the_numbers_are) {
+  const auto programs = wrong_programs();
+  for (const auto& [id, check] : assignment::hidden_checks()) {
+    if (id == "quadrature-honest") continue;  // its reported errors change with the factor
+    const std::string message = check(programs[0], nominal).message;
+    BOOST_TEST(check(programs[1], nominal).message == message, id);
+  }
+}

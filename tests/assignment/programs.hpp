@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Programs of students: this project's own functions behind the tasks, and the same made wrong.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "assignment/valid_variant.hpp"
+#include "contact/cylinder_pair.hpp"
+#include "contact/element.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "course/assignment.hpp"
+#include "course/check.hpp"
+#include "course/variants.hpp"
+#include "elasticity/surface_quadrature.hpp"
+#include "elasticity/triangular_load.hpp"
+
+namespace programs {
+
+using course::Numbers;
+using course::Program;
+
+inline course::Assignment assignment() {
+  return course::read_assignment(HALFSPACE_SOURCE_DIR "/report/assignment");
+}
+
+/// The nominal variant, and some students'.
+inline std::vector<course::Variant> variants() {
+  const course::Assignment description = assignment();
+  std::vector<course::Variant> list = {course::nominal_variant(description)};
+  for (const char* student : {"ada", "emmy", "sofja"}) {
+    list.push_back(course::variant_of(description, student, "a seed", assignment::is_valid));
+  }
+  return list;
+}
+
+inline Numbers gradient(const Numbers& in) {
+  Numbers out;
+  for (const double x : std::span(in).subspan(4)) {
+    out.push_back(elasticity::normal_gradient({in[0], in[1]}, {in[2], in[3]}, x));
+  }
+  return out;
+}
+
+inline Numbers quadrature(const Numbers& in) {
+  const elasticity::SurfaceQuadrature surface({in[0], in[1]},
+                                              elasticity::TriangularLoad(in[2], in[3]), 10 * in[3]);
+  Numbers out;
+  for (const double x : std::span(in).subspan(4)) {
+    const numerics::Estimate found = surface.normal_gradient(x);
+    out.insert(out.end(), {found.value, found.abs_error});
+  }
+  return out;
+}
+
+inline Numbers displacement(const Numbers& in) {
+  Numbers out;
+  for (const double x : std::span(in).subspan(5)) {
+    out.push_back(elasticity::normal_displacement({in[0], in[1]}, {in[2], in[3]}, x, in[4]));
+  }
+  return out;
+}
+
+inline Numbers influence(const Numbers& in) {
+  const auto unit = [](double k) {
+    return contact::influence_coefficient(contact::Element::triangular, k);
+  };
+  Numbers out;
+  for (const double k : std::span(in).subspan(3)) {
+    out.push_back(-2 * in[1] / (std::numbers::pi * in[0]) * (unit(k) - unit(in[2] / in[1])));
+  }
+  return out;
+}
+
+inline Numbers contact_of(const Numbers& in) {
+  using contact::Radius;
+  const contact::CylinderPair pair({in[0], in[1]}, Radius::of_cylinder("R1", in[2]), {in[3], in[4]},
+                                   Radius::of_cylinder("R2", in[5]));
+  const contact::Solution solution = contact::solve_by_matrix_inversion(
+      {pair.profile(), pair.contact_modulus(), {std::lround(in[8]), in[7]}}, in[6]);
+  const double to_datum =
+      contact::influence_coefficient(contact::Element::triangular, in[9] / in[7]);
+  const double total_phi = 2 * in[6] / (std::numbers::pi * pair.contact_modulus());
+  Numbers out = {solution.approach_at_spacing + total_phi * to_datum, solution.half_width()};
+  out.insert(out.end(), solution.pressure.begin(), solution.pressure.end());
+  return out;
+}
+
+/// This project's functions.
+inline Numbers right(const std::string& task, const Numbers& in) {
+  if (task == "gradient") return gradient(in);
+  if (task == "gradient_by_quadrature") return quadrature(in);
+  if (task == "displacement") return displacement(in);
+  if (task == "influence") return influence(in);
+  if (task == "contact") return contact_of(in);
+  throw std::logic_error("no task " + task);
+}
+
+/// The right program, but for one task whose answer `spoil` changes.
+inline Program spoiled(const std::string& task, const std::function<void(Numbers&)>& spoil) {
+  return [=](const std::string& asked, const Numbers& in) {
+    Numbers out = right(asked, in);
+    if (asked == task) spoil(out);
+    return out;
+  };
+}
+
+/// The right program, but for one task that is given other inputs.
+inline Program misled(const std::string& task, const std::function<void(Numbers&)>& mislead) {
+  return [=](const std::string& asked, Numbers in) {
+    if (asked == task) mislead(in);
+    return right(asked, in);
+  };
+}
+
+/// The task's answers times a factor.
+inline Program scaled(const std::string& task, double factor) {
+  return spoiled(task, [=](Numbers& out) {
+    for (double& number : out) number *= factor;
+  });
+}
+
+}  // namespace programs

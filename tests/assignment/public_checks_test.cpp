@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/public_checks.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <set>
+
+#include "assignment/programs.hpp"
+
+using course::Numbers;
+using course::Program;
+using programs::misled;
+using programs::scaled;
+using programs::spoiled;
+
+namespace {
+
+using Ids = std::set<std::string>;
+
+// The checks that a program does not pass in full.
+Ids failed(const Program& program) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  Ids ids;
+  for (const auto& [id, check] : assignment::public_checks()) {
+    const course::Outcome outcome = check(program, variant);
+    BOOST_TEST((outcome.share == 1) == outcome.message.empty());
+    if (outcome.share < 1) ids.insert(id);
+  }
+  return ids;
+}
+
+void require_failed(const Program& program, const Ids& expected) {
+  const Ids found = failed(program);
+  BOOST_TEST(found == expected, boost::test_tools::per_element());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(right_functions_pass_every_check_for_every_variant) {
+  for (const course::Variant& variant : programs::variants()) {
+    for (const auto& [id, check] : assignment::public_checks()) {
+      const course::Outcome outcome = check(programs::right, variant);
+      BOOST_TEST(outcome.share == 1, variant.student << ' ' << id << ": " << outcome.message);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_lost_sign_of_the_slope_shows) {
+  require_failed(scaled("gradient", -1),
+                 {"displacement-slope", "gradient-far", "quadrature-error", "quadrature-residual"});
+}
+
+BOOST_AUTO_TEST_CASE(a_factor_of_the_slope_shows_where_there_is_another_way_to_it) {
+  require_failed(scaled("gradient", 2),
+                 {"displacement-slope", "quadrature-error", "quadrature-residual"});
+}
+
+BOOST_AUTO_TEST_CASE(a_slope_that_is_not_odd_shows) {
+  const Program shifted = misled("gradient", [](Numbers& in) {
+    for (std::size_t i = 4; i < in.size(); ++i) in[i] += 0.01 * in[3];
+  });
+  require_failed(shifted, {"displacement-slope", "gradient-far", "gradient-odd", "quadrature-error",
+                           "quadrature-residual"});
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_dependence_on_poissons_ratio_shows) {
+  const Program squared = misled("gradient", [](Numbers& in) { in[1] *= in[1]; });
+  require_failed(squared, {"displacement-slope", "gradient-scaling", "quadrature-error",
+                           "quadrature-residual"});
+}
+
+BOOST_AUTO_TEST_CASE(an_error_of_zero_or_one_that_says_nothing_is_not_honest) {
+  for (const double claimed : {0., 1.}) {
+    const Program claiming = spoiled("gradient_by_quadrature", [=](Numbers& out) {
+      for (std::size_t i = 1; i < out.size(); i += 2) out[i] = claimed;
+    });
+    require_failed(claiming, {"quadrature-error"});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_difference_that_the_error_does_not_cover_shows) {
+  const Program off = spoiled("gradient_by_quadrature", [](Numbers& out) {
+    for (std::size_t i = 0; i < out.size(); i += 2) out[i] *= 1 + 1e-8;
+  });
+  require_failed(off, {"quadrature-error"});
+}
+
+BOOST_AUTO_TEST_CASE(a_displacement_without_datum_shows) {
+  const Program sunk = spoiled("displacement", [](Numbers& out) {
+    for (double& u : out) u += 1e-9;
+  });
+  require_failed(sunk, {"displacement-datum", "influence-displacement"});
+}
+
+BOOST_AUTO_TEST_CASE(a_displacement_with_a_wrong_sign_rises_in_the_middle) {
+  require_failed(scaled("displacement", -1),
+                 {"displacement-shape", "displacement-slope", "influence-displacement"});
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_neighbour_does_not_refine) {
+  const Program wrong = spoiled("influence", [](Numbers& out) { out[1] *= 1.001; });
+  const Ids found = failed(wrong);
+  BOOST_TEST(found.contains("influence-refinement"));
+  BOOST_TEST(found.contains("influence-shape"));
+  BOOST_TEST(found.contains("influence-displacement"));
+  BOOST_TEST(found.contains("contact-gap"));
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_with_half_of_the_load_shows) {
+  require_failed(misled("contact", [](Numbers& in) { in[6] /= 2; }), {"contact-load"});
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_of_another_modulus_leaves_a_gap) {
+  require_failed(misled("contact", [](Numbers& in) { in[0] = in[3] = 0.9 * in[0]; }),
+                 {"contact-gap"});
+}
+
+BOOST_AUTO_TEST_CASE(tension_shows) {
+  const Program pulled = spoiled("contact", [](Numbers& out) { out[2] = out.back() = -1; });
+  const Ids found = failed(pulled);
+  BOOST_TEST(found.contains("contact-pressure"));
+  BOOST_TEST(found.contains("contact-gap"));
+}
+
+BOOST_AUTO_TEST_CASE(a_half_width_with_an_error_of_first_order_shows) {
+  const Program rough =
+      spoiled("contact", [](Numbers& out) { out[1] *= 1 + 0.1 / static_cast<double>(out.size()); });
+  require_failed(rough, {"contact-convergence"});
+}

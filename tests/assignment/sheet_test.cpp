@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/sheet.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+#include <vector>
+
+#include "assignment/programs.hpp"
+#include "literate/names.hpp"
+#include "literate/references.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+const course::Assignment description = programs::assignment();
+
+literate::Document sheet_of(const course::Variant& variant) {
+  literate::Document document;
+  assignment::register_sheet(document, description, variant);
+  return document;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(each_exercise_has_its_points_and_a_line_for_each_check) {
+  const literate::Document sheet = sheet_of(course::nominal_variant(description));
+
+  for (const course::Exercise& exercise : description.exercises) {
+    BOOST_TEST(*sheet.values().at("points." + exercise.id).number() == exercise.points());
+    const std::string checks = sheet.tables().at("checks-" + exercise.id).csv();
+    for (const course::CheckEntry& check : exercise.checks) {
+      BOOST_TEST(checks.find(check.says) != std::string::npos, check.says);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_table_names_a_hidden_check) {
+  const literate::Document sheet = sheet_of(course::nominal_variant(description));
+
+  for (const auto& [name, table] : sheet.tables()) {
+    for (const course::Exercise& exercise : description.exercises) {
+      for (const course::CheckEntry& check : exercise.checks) {
+        const bool is_hidden = check.visibility == course::Visibility::hidden;
+        BOOST_TEST(!(is_hidden && table.csv().find(check.id) != std::string::npos), check.id);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(it_holds_the_students_own_numbers) {
+  course::Variant variant = course::nominal_variant(description);
+  BOOST_TEST(!sheet_of(variant).flags().at("sheet.is-personal"));
+  variant.student = "ada";
+  variant.quantities["radius1"] = 0.0346;
+
+  const literate::Document sheet = sheet_of(variant);
+
+  BOOST_TEST(sheet.flags().at("sheet.is-personal"));
+  BOOST_TEST(sheet.values().at("sheet.student").printed() == "ada");
+  BOOST_TEST(sheet.tables().at("quantities").latex().find("\\qty{0.0346}{m}") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(every_quantity_has_a_symbol) {
+  const std::string table =
+      sheet_of(course::nominal_variant(description)).tables().at("quantities").latex();
+
+  std::size_t n_symbols = 0;
+  for (auto at = table.find("\n  $"); at != std::string::npos; at = table.find("\n  $", at + 1)) {
+    ++n_symbols;
+  }
+  BOOST_TEST(n_symbols == description.quantities.size());
+}
+
+BOOST_AUTO_TEST_CASE(a_variant_that_lacks_a_quantity_is_refused) {
+  literate::Document document;
+  BOOST_CHECK_EXCEPTION(
+      assignment::register_sheet(document, description, {}), std::out_of_range,
+      [](const auto& e) { return std::string(e.what()).find("young1") != std::string::npos; });
+}
+
+BOOST_AUTO_TEST_CASE(sheet_tex_uses_all_that_is_registered_and_nothing_else) {
+  const TemporaryFolder folder;
+  sheet_of(course::nominal_variant(description)).write(folder.path() / "generated");
+
+  const literate::ReferenceReport report = literate::check_references(
+      description.folder, literate::read_names(folder.path() / "generated" / "names.json"));
+
+  BOOST_TEST(report.errors == std::vector<std::string>{}, boost::test_tools::per_element());
+  BOOST_TEST(report.unused == std::vector<std::string>{}, boost::test_tools::per_element());
+}

@@ -1,0 +1,1 @@
+#define square cube
