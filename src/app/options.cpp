@@ -7,6 +7,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <charconv>
+#include <cstdio>
 
 namespace app {
 namespace {
@@ -21,7 +22,46 @@ CLI::Option* add(CLI::App& command, const std::string& flag, std::string& text,
   return option;
 }
 
+// What the user ran, "halfspace" or "halfspace course grade".
+std::string chosen_command(const CLI::App& program) {
+  std::string command = program.get_name();
+  for (const CLI::App* subcommand : program.get_subcommands()) {
+    command += " " + chosen_command(*subcommand);
+  }
+  return command;
+}
+
+int answer(const std::string& program, const std::string& message) {
+  fmt::print(stderr, "{}: {}\n", program, message);
+  return static_cast<int>(ExitCode::bad_input);
+}
+
 }  // namespace
+
+int run_program(const ProgramText& text,
+                const std::vector<void (*)(CLI::App& program, ExitCode& exit_code)>& add_commands,
+                int argc, char** argv) {
+  CLI::App program{text.description, text.name};
+  program.set_version_flag("--version", text.version);
+  program.require_subcommand(0, 1);  // none is refused below, after what was given instead
+  ExitCode exit_code = ExitCode::success;
+  for (const auto add : add_commands) add(program, exit_code);
+  // After the subcommands, which would inherit it.
+  program.set_help_all_flag("--help-all", "Print the help of every subcommand");
+
+  try {
+    program.parse(argc, argv);
+    if (program.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
+    return answer(text.name, fmt::format("{} (see {} --help)", e.what(), chosen_command(program)));
+  }
+  // A full disk shows when the last of the output is written, not before.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return answer(text.name, "standard output cannot be written");
+  }
+  return static_cast<int>(exit_code);
+}
 
 void add_command(CLI::App& program, const std::string& name, const std::string& description,
                  ExitCode& exit_code,

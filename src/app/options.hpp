@@ -17,6 +17,16 @@ class App;
 
 namespace app {
 
+struct ProgramText {
+  std::string name, description, version;
+};
+
+/// Runs the subcommand that the command line names, of those that `add_commands` add, and returns
+/// the exit code for the shell; a wrong command line or output that cannot be written is bad input.
+int run_program(const ProgramText& text,
+                const std::vector<void (*)(CLI::App& program, ExitCode& exit_code)>& add_commands,
+                int argc, char** argv);
+
 /// Adds a subcommand: `set_up` gets it to add its flags to, and returns what runs when it is
 /// chosen. Parsing the command line then runs it, guarded, and stores its answer in `exit_code`.
 void add_command(CLI::App& program, const std::string& name, const std::string& description,

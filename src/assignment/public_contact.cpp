@@ -17,7 +17,7 @@ using course::Outcome;
 using course::Program;
 using course::Variant;
 
-constexpr double roundings = 1e-8;
+constexpr double pressure_roundings = 1e-8;
 
 // The same with a part of the load, whose contact the grid holds as well.
 Cylinders with_load(Cylinders cylinders, double share) {
@@ -31,7 +31,8 @@ Outcome contact_carries_the_load(const Program& program, const Variant& variant)
     const Cylinders c = with_load(cylinders_of(variant), share);
     const Numbers p = ask_contact(program, c).pressure;
     const double carried = c.spacing * std::accumulate(p.begin(), p.end(), 0.0);
-    tally.part(near(carried, c.line_load, roundings * c.line_load), at("part of your load", share));
+    tally.part(near(carried, c.line_load, pressure_roundings * c.line_load),
+               at("part of your load", share));
   }
   return tally.outcome();
 }
@@ -42,14 +43,14 @@ Outcome contact_pressure_has_the_shape(const Program& program, const Variant& va
   const std::size_t n = p.size();
   bool is_symmetric = top > 0;
   for (std::size_t i = 0; i < n; ++i) {
-    is_symmetric = is_symmetric && near(p[i], p[n - 1 - i], roundings * top);
+    is_symmetric = is_symmetric && near(p[i], p[n - 1 - i], pressure_roundings * top);
   }
   const auto least = std::min_element(p.begin(), p.end());
 
   Tally tally("the pressure");
   tally.part(top > 0 && *least >= 0, "is nowhere negative");
   tally.part(is_symmetric, "is symmetric");
-  tally.part(top > 0 && near(p[n / 2], top, roundings * top), "is greatest in the middle");
+  tally.part(top > 0 && near(p[n / 2], top, pressure_roundings * top), "is greatest in the middle");
   tally.part(top > 0 && p.front() == 0 && p.back() == 0, "is zero at the ends of the grid");
   return tally.outcome();
 }
@@ -101,7 +102,7 @@ bool same(const Numbers& a, const Numbers& b, double tolerance) {
 }
 
 Outcome contact_scales(const Program& program, const Variant& variant) {
-  constexpr double tolerance = 100 * roundings;
+  constexpr double tolerance = 100 * pressure_roundings;
   const Cylinders c = cylinders_of(variant);
   Cylinders large = with_load(c, 4);
   large.spacing *= 2;

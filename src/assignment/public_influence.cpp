@@ -14,14 +14,14 @@ using course::Outcome;
 using course::Program;
 using course::Variant;
 
-constexpr double roundings = 1e-9;
+constexpr double influence_roundings = 1e-9;
 
 Outcome influence_has_the_shape(const Program& program, const Variant& variant) {
   const Cylinders c = cylinders_of(variant);
   const double datum = 40 * c.spacing;
   const Numbers u = ask_influence(program, c.contact_modulus(), c.spacing, datum,
                                   {0, 1, 2, 3, 7, -1, -7, 40, 100, 200, 400});
-  const double tolerance = roundings * greatest(u);
+  const double tolerance = influence_roundings * greatest(u);
   const double fall = u[8] - u[9];
 
   Tally tally("the coefficients are those of a triangle");
@@ -49,8 +49,9 @@ Outcome influence_refines(const Program& program, const Variant& variant) {
   Tally tally("a triangle over four spacings is half, one and half of three over two");
   for (std::size_t i = 1; i < k.size(); ++i) {
     const double scale = large[0] - large[i];
-    tally.part(near(large[0] - large[i], composed(0) - composed(i), 100 * roundings * scale),
-               at("k", k[i]));
+    tally.part(
+        near(large[0] - large[i], composed(0) - composed(i), 100 * influence_roundings * scale),
+        at("k", k[i]));
   }
   return tally.outcome();
 }

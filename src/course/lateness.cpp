@@ -4,10 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
 
 #include "course/student_text.hpp"
 #include "literate/error.hpp"
+#include "literate/pattern.hpp"
 
 namespace course {
 namespace {
@@ -23,11 +24,14 @@ Time parse_time(const std::string& text) {
   using std::chrono::hours;
   using std::chrono::minutes;
   using std::chrono::seconds;
-  static const std::regex form(
+  static const literate::Pattern form(
       R"((\d{4})-(\d\d)-(\d\d)[Tt ](\d\d):(\d\d):(\d\d)(?:\.\d{1,9})?(?:[Zz]|([+-])(\d\d):(\d\d)))");
-  std::smatch part;
-  if (!std::regex_match(text, part, form)) throw no_time(text);
-  const auto number = [&](std::size_t i) { return part[i].matched ? std::stoi(part[i]) : 0; };
+  const auto match = form.match_all_of(text);
+  if (!match) throw no_time(text);
+  const std::vector<std::string_view>& part = match->parts;
+  const auto number = [&](std::size_t i) {
+    return part[i].empty() ? 0 : std::stoi(std::string(part[i]));
+  };
   const std::chrono::year_month_day day{std::chrono::year{number(1)},
                                         std::chrono::month{static_cast<unsigned>(number(2))},
                                         std::chrono::day{static_cast<unsigned>(number(3))}};

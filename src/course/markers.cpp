@@ -5,10 +5,10 @@
 
 #include <filesystem>
 #include <optional>
-#include <regex>
 
 #include "literate/error.hpp"
 #include "literate/lines.hpp"
+#include "literate/pattern.hpp"
 
 namespace course {
 namespace {
@@ -52,10 +52,10 @@ struct Marker {
 };
 
 // Whether a line has the words of a marker, however spelt: a slip must not give a solution away.
-bool looks_like_marker(const std::string& line) {
-  static const std::regex words(
-      R"re((^|[^a-z])(begin|end)[ \t_-]+(solutions?|hidden[ \t_-]+tests?)\b)re", std::regex::icase);
-  return std::regex_search(line, words);
+bool looks_like_marker(std::string_view line) {
+  static const literate::Pattern words(
+      R"re((^|[^a-z])(begin|end)[ \t_-]+(solutions?|hidden[ \t_-]+tests?)\b)re", true);
+  return words.is_in(line);
 }
 
 /// Walks through the lines of one file and divides them.
@@ -69,7 +69,7 @@ class Divider {
       act(*marker, line);
       return;
     }
-    if (looks_like_marker(std::string(line.text))) {
+    if (looks_like_marker(line.text)) {
       fail(number_,
            fmt::format("a marker is a line «{} BEGIN SOLUTION», «… END SOLUTION», «… BEGIN "
                        "HIDDEN TESTS: name» or «… END HIDDEN TESTS»",

@@ -10,7 +10,7 @@ namespace {
 
 // [(ξ+1) ln|ξ+1| − (ξ−1) ln|ξ−1|] for ξ = x/a ≥ 0, outside as 2 ln ξ + [(1+η) ln(1+η) − (1−η)
 // ln(1−η)]/η with η = 1/ξ, whose two terms have one sign.
-double displacement_bracket(double x, double a) {
+double edge_logarithms(double x, double a) {
   const auto t_log = [](double t) { return t == 0 ? 0 : t * std::log(t); };
   if (x <= a) return t_log((a + x) / a) + t_log((a - x) / a);
   const double eta = a / x;
@@ -50,8 +50,8 @@ double normal_displacement(const Material& material, const UniformLoad& load, do
                            double datum) {
   const double a = load.half_width();
   const double scale = material.integral_compliance() * load.pressure() * a;
-  const double here = displacement_bracket(std::abs(numerics::require_finite("x", x)), a);
-  const double there = displacement_bracket(std::abs(numerics::require_finite("datum", datum)), a);
+  const double here = edge_logarithms(std::abs(numerics::require_finite("x", x)), a);
+  const double there = edge_logarithms(std::abs(numerics::require_finite("datum", datum)), a);
   return -scale * (here - there);
 }
 

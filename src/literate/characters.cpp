@@ -252,6 +252,11 @@ std::size_t length_from_lead(unsigned char lead) {
 
 }  // namespace
 
+int n_characters(std::string_view utf8) {
+  return static_cast<int>(std::ranges::count_if(
+      utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 std::string_view first_character(std::string_view text) {
   const std::size_t length = length_from_lead(static_cast<unsigned char>(text.front()));
   const std::string_view tail = text.substr(1, length - 1);

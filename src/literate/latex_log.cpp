@@ -6,14 +6,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "literate/characters.hpp"
 #include "literate/lines.hpp"
 
 namespace literate {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /// Names a file of the document after its folder; leaves others as LaTeX names them.
 std::string labelled(std::string_view file, std::string_view label) {

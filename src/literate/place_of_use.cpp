@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <regex>
 #include <vector>
 
 #include "literate/document_files.hpp"
 #include "literate/files.hpp"
+#include "literate/pattern.hpp"
 #include "literate/source_label.hpp"
 #include "literate/tex_commands.hpp"
 
@@ -16,16 +16,16 @@ namespace literate {
 namespace {
 
 /// A folder of generated files and the command that reads one of them.
-struct Kind {
+struct Artefact {
   const char* folder;
   const char* command;
   const char* noun;
 };
-constexpr std::array<Kind, 3> kinds{
+constexpr std::array<Artefact, 3> kinds{
     {{"tables", "tab", "table"}, {"figures", "fig", "figure"}, {"excerpts", "excerpt", "excerpt"}}};
 
 /// Where the document uses a name, «folder/file.tex:line».
-std::vector<std::string> uses(const Kind& kind, const std::string& name,
+std::vector<std::string> uses(const Artefact& kind, const std::string& name,
                               const std::filesystem::path& source_dir) {
   std::vector<std::string> places;
   for (const std::string& file : document_files(source_dir)) {
@@ -42,16 +42,17 @@ std::vector<std::string> uses(const Kind& kind, const std::string& name,
 std::string told_at_place_of_use(const std::string& message,
                                  const std::filesystem::path& source_dir) {
   // Only the first line: the place in the file that follows it is shown as it is.
-  static const std::regex generated(
+  static const Pattern generated(
       R"(^(?:\S.*/)?((tables|figures|excerpts)/([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
-  std::smatch match;
-  if (!std::regex_search(message, match, generated)) return message;
-  for (const Kind& kind : kinds) {
-    if (match[2] != kind.folder) continue;
-    const std::vector<std::string> places = uses(kind, match[3], source_dir);
+  const auto match = generated.find_in(message);
+  if (!match) return message;
+  const std::vector<std::string_view>& parts = match->parts;
+  for (const Artefact& kind : kinds) {
+    if (parts[2] != kind.folder) continue;
+    const std::vector<std::string> places = uses(kind, std::string(parts[3]), source_dir);
     if (places.empty()) return message;
-    return fmt::format("{}: in {} '{}': {} ({}){}", fmt::join(places, " or "), kind.noun,
-                       match[3].str(), match[4].str(), match[1].str(), match.suffix().str());
+    return fmt::format("{}: in {} '{}': {} ({}){}", fmt::join(places, " or "), kind.noun, parts[3],
+                       parts[4], parts[1], match->rest);
   }
   return message;
 }

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "literate/characters.hpp"
+
 namespace literate {
 namespace {
 
@@ -67,10 +69,6 @@ const std::set<std::string_view> skipped_environments = {"verbatim", "verbatim*"
 const std::set<std::string_view> upright_commands = {"mathrm", "text",   "textrm",
                                                      "unit",   "mathup", "operatorname"};
 const std::set<std::string_view> quantity_commands = {"qty", "SI"};
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '@';
-}
 
 /// Walks through a text once and blanks what is not prose.
 class Reader {
@@ -188,7 +186,7 @@ void Reader::read_environment(bool begins) {
 
 void Reader::read_command() {
   std::size_t end = at_ + 1;
-  while (end < latex_.size() && is_letter(latex_[end])) ++end;
+  while (end < latex_.size() && is_command_letter(latex_[end])) ++end;
   const std::string_view name = latex_.substr(at_ + 1, end - at_ - 1);
   if (name.empty()) return read_symbol();
   const std::size_t first = at_;

@@ -4,11 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <regex>
 
+#include "literate/characters.hpp"
 #include "literate/document_files.hpp"
 #include "literate/files.hpp"
 #include "literate/lines.hpp"
+#include "literate/pattern.hpp"
 #include "literate/prose.hpp"
 #include "literate/source_label.hpp"
 
@@ -17,16 +18,9 @@ namespace {
 
 constexpr int most_digits = 2;  // of a number that may be typed: «of order 2», «40 elements»
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /// A unit behind a number in text, in a \mathrm or as the second argument of \qty.
-const std::regex& unit() {
-  static const std::regex pattern(
+const Pattern& unit() {
+  static const Pattern pattern(
       R"re(^(\s|~|\\[,;: ]|[{}]|-)*)re"
       R"re((\\%|per ?cent\b|(µ|°|[kMG]?Pa|[kM]?N|[numcdk]?m|kg|mg|ms|[kM]?Hz|[kMG]B|[mk]?J|kW|kV|lbf|lb|psi|ksi)re"
       R"re(|ft|rad|mrad|K|pounds?|inch(es)?|feet|degrees?|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?)re"
@@ -35,21 +29,22 @@ const std::regex& unit() {
 }
 
 /// «in» is a unit where it stands at a tie or a thin space, or ends the clause.
-const std::regex& inches() {
-  static const std::regex pattern(R"re(^((~|\\,)in\b|\s+in\s*[.,;)]))re");
+const Pattern& inches() {
+  static const Pattern pattern(R"re(^((~|\\,)in\b|\s+in\s*[.,;)]))re");
   return pattern;
 }
 
 /// A number in a text: whole part, decimals, power of ten.
-const std::regex& numeral() {
-  static const std::regex pattern(
+const Pattern& numeral() {
+  static const Pattern pattern(
       R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?([eE][+-]?\d+)?)re");
   return pattern;
 }
 
-int significant_digits(const std::string& whole, const std::string& decimals) {
+int significant_digits(std::string_view whole, std::string_view decimals) {
   std::string digits;
-  std::ranges::copy_if(whole + decimals, std::back_inserter(digits), is_digit);
+  std::ranges::copy_if(whole, std::back_inserter(digits), is_digit);
+  std::ranges::copy_if(decimals, std::back_inserter(digits), is_digit);
   digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
   if (decimals.empty()) digits.erase(digits.find_last_not_of('0') + 1);
   return static_cast<int>(digits.size());
@@ -62,40 +57,39 @@ struct Surroundings {
   Mode mode;
 };
 
-bool begins_with_unit(const std::string& text) {
-  return std::regex_search(text, unit()) || std::regex_search(text, inches());
+bool begins_with_unit(std::string_view text) {
+  return unit().is_in(text) || inches().is_in(text);
 }
 
 bool has_unit(const Surroundings& around) {
-  static const std::regex quantity("\x02[\\s{]*-?$");
-  static const std::regex end_of_math(R"(^[\s}]*\$)");
-  static const std::regex upright("^(\\s|~|\\\\[,;: ]|\\})*\x01\\s*\\{");
-  if (std::regex_search(around.before, quantity)) return true;
+  static const Pattern quantity("\x02[\\s{]*-?$");
+  static const Pattern end_of_math(R"(^[\s}]*\$)");
+  static const Pattern upright("^(\\s|~|\\\\[,;: ]|\\})*\x01\\s*\\{");
+  if (quantity.is_in(around.before)) return true;
   if (around.mode == Mode::text) return begins_with_unit(around.after);
-  std::smatch match;
-  if (std::regex_search(around.after, match, end_of_math)) return begins_with_unit(match.suffix());
-  if (!std::regex_search(around.after, match, upright)) return false;
-  return begins_with_unit(match.suffix()) || match.suffix().str().starts_with("in}");
+  if (const auto end = end_of_math.find_in(around.after)) return begins_with_unit(end->rest);
+  const auto letters = upright.find_in(around.after);
+  if (!letters) return false;
+  return begins_with_unit(letters->rest) || letters->rest.starts_with("in}");
 }
 
 /// A year in parentheses or behind a month, or the place in a source beside a citation.
 bool is_reference(const std::string& number, const Surroundings& around) {
-  static const std::regex year("(1[5-9]|20)\\d\\d");
-  static const std::regex month(
+  static const Pattern year("(1[5-9]|20)\\d\\d");
+  static const Pattern month(
       "(January|February|March|April|May|June|July|August|September|October"
       "|November|December)[\\s~]*$");
-  if (std::regex_match(number, year)) {
+  if (year.is_all_of(number)) {
     if (around.before.ends_with('(') && around.after.starts_with(')')) return true;
-    if (std::regex_search(around.before, month)) return true;
+    if (month.is_in(around.before)) return true;
   }
-  static const std::regex behind_citation("\x03\\s*,[^.;)\x03]*$");
-  static const std::regex before_citation(
+  static const Pattern behind_citation("\x03\\s*,[^.;)\x03]*$");
+  static const Pattern before_citation(
       "^[a-z]?\\)(\\s+and\\s+\\(\\d+(\\.\\d+)?[a-z]?\\))?[\\s~]+of[\\s~]+\x03");
-  static const std::regex second_of_two("\\(\\d+(\\.\\d+)?[a-z]?\\)\\s+and\\s+\\($");
-  return std::regex_search(around.before, behind_citation) ||
-         (around.before.ends_with('(') && std::regex_search(around.after, before_citation)) ||
-         (std::regex_search(around.before, second_of_two) &&
-          std::regex_search(around.after, before_citation));
+  static const Pattern second_of_two("\\(\\d+(\\.\\d+)?[a-z]?\\)\\s+and\\s+\\($");
+  return behind_citation.is_in(around.before) ||
+         ((around.before.ends_with('(') || second_of_two.is_in(around.before)) &&
+          before_citation.is_in(around.after));
 }
 
 struct Marker {
@@ -105,10 +99,10 @@ struct Marker {
 
 /// «% constant: reason» at the end of a line.
 Marker marker_in(std::string_view line) {
-  static const std::regex pattern(R"re((^|[^\\])%\s*constant\b:?\s*(.*)$)re");
-  std::cmatch match;
-  if (!std::regex_search(line.data(), line.data() + line.size(), match, pattern)) return {};
-  return {true, match[2].length() > 0};
+  static const Pattern pattern(R"re((^|[^\\])%\s*constant\b:?\s*(.*)$)re");
+  const auto match = pattern.find_in(line);
+  if (!match) return {};
+  return {true, !match->parts[2].empty()};
 }
 
 /// A number in the prose that ought to be computed, and where it begins.
@@ -132,21 +126,17 @@ std::vector<Typed> typed_in(const Prose& prose) {
     if (!is_digit(prose.text[at]) || continues(prose.text, at)) continue;
     const std::size_t begin = at < reach ? 0 : at - reach;
     const std::string rest = prose.text.substr(at, reach);
-    std::smatch number;
-    if (!std::regex_search(rest, number, numeral())) continue;
-    const Surroundings around{prose.text.substr(begin, at - begin), number.suffix(),
+    const auto match = numeral().find_in(rest);
+    if (!match) continue;
+    const std::string number(match->parts[0]);
+    const Surroundings around{prose.text.substr(begin, at - begin), std::string(match->rest),
                               prose.modes[at]};
-    const bool is_long = significant_digits(number[1], number[2]) > most_digits;
+    const bool is_long = significant_digits(match->parts[1], match->parts[2]) > most_digits;
     const bool is_result = has_unit(around) || (is_long && around.mode != Mode::display_math);
-    if (is_result && !is_reference(number[0], around)) found.push_back({at, number[0]});
-    at += static_cast<std::size_t>(number.length()) - 1;
+    if (is_result && !is_reference(number, around)) found.push_back({at, number});
+    at += number.size() - 1;
   }
   return found;
-}
-
-int n_characters(std::string_view utf8) {
-  return static_cast<int>(std::ranges::count_if(
-      utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 }  // namespace

@@ -5,19 +5,11 @@
 
 #include <algorithm>
 
+#include "literate/characters.hpp"
 #include "literate/lines.hpp"
 
 namespace literate {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '@';
-}
-
-int n_characters(std::string_view utf8) {
-  return static_cast<int>(std::ranges::count_if(
-      utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 /// The text in braces at the start of `text`, after spaces; none if there is no such argument.
 std::string_view argument_at(std::string_view text) {

@@ -39,8 +39,8 @@ struct WavyCylinders {
 
 constexpr double waves_in_half_width = 3;
 constexpr double flattening_share = 0.8;  // p*/p₀
-constexpr int n_points = 2001;
-constexpr Index n_nodes = 600;
+constexpr int n_sampled = 2001;
+constexpr Index n_wavy_nodes = 600;
 constexpr double domain = 3;  // over a
 
 WavyCylinders wavy_cylinders(const ContactCase& c, const Hertz& hertz) {
@@ -51,15 +51,15 @@ WavyCylinders wavy_cylinders(const ContactCase& c, const Hertz& hertz) {
   const double amplitude = flattening * length / (std::numbers::pi * modulus);
   const Profile smooth = c.cylinders.profile();
   std::vector<double> x, gap;
-  for (int i = 0; i < n_points; ++i) {
-    x.push_back(2 * a * (2.0 * i / (n_points - 1) - 1));
+  for (int i = 0; i < n_sampled; ++i) {
+    x.push_back(2 * a * (2.0 * i / (n_sampled - 1) - 1));
     const double rise = std::pow(std::sin(std::numbers::pi * x.back() / length), 2);
     gap.push_back(smooth.gap(x.back()) + 2 * amplitude * rise);
   }
   return {length,
           amplitude,
           flattening,
-          {Profile::tabulated(x, gap), modulus, contact::grid_of_width(domain * a, n_nodes)}};
+          {Profile::tabulated(x, gap), modulus, contact::grid_of_width(domain * a, n_wavy_nodes)}};
 }
 
 // Valleys lie midway between crests; one is closed if a region of contact spans it.
@@ -202,7 +202,7 @@ void compute_regions(literate::Document& document, const parameters::Case& from_
                  Value::significant(wavy.length, 3, unit).within(rounded(c, wavy.length)));
   document.value("wavy.waves", Value::exact(waves_in_half_width));
   document.value("wavy.flattening-share", Value::fixed(flattening_share, 1));
-  document.value("wavy.points", Value::integer(n_points));
+  document.value("wavy.points", Value::integer(n_sampled));
   register_regions(document, c, hertz, wavy);
   register_round_trip(document, c, hertz, wavy, from_file.units);
 }
