@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block/mass_properties.hpp"
 #include "paper/quoted.hpp"
 
 namespace paper {
@@ -59,16 +58,7 @@ void claim_body(literate::Document& document, const Case& c, const BlockStudy& s
 
 void claim_mass(literate::Document& document, const Case& c) {
   const auto& printed = c.printed->appendix2.mass_properties;
-  const block::MassProperties mass = block::mass_properties(c.block->rectangle, c.block->density);
-  const std::vector<std::pair<std::string, double>> computed = {
-      {"mass", mass.mass},
-      {"centre_y", mass.centre_y},
-      {"ixx_about_origin", mass.about_origin.ixx},
-      {"iyy_about_origin", mass.about_origin.iyy},
-      {"izz_about_origin", mass.about_origin.izz},
-      {"ixx_about_centre", mass.about_centre.ixx},
-      {"iyy_about_centre", mass.about_centre.iyy},
-      {"izz_about_centre", mass.about_centre.izz}};
+  const auto computed = mass_by_name(c);
   const long n = std::ssize(computed);
   const long n_agree = std::ranges::count_if(computed, [&](const auto& property) {
     const PrintedNumber& number = printed.at(property.first);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "block/load_shapes.hpp"
-#include "block/mass_properties.hpp"
 #include "paper/block_claims.hpp"
 #include "paper/block_figures.hpp"
 #include "paper/block_study.hpp"
@@ -248,21 +247,11 @@ void tabulate_shares(literate::Document& document, const parameters::Case& c,
 
 void tabulate_mass(literate::Document& document, const parameters::Case& c) {
   const auto& printed = c.printed->appendix2.mass_properties;
-  const block::MassProperties mass = block::mass_properties(c.block->rectangle, c.block->density);
-  const std::vector<std::pair<std::string, double>> computed = {
-      {"mass", mass.mass},
-      {"centre_y", mass.centre_y},
-      {"ixx_about_origin", mass.about_origin.ixx},
-      {"iyy_about_origin", mass.about_origin.iyy},
-      {"izz_about_origin", mass.about_origin.izz},
-      {"ixx_about_centre", mass.about_centre.ixx},
-      {"iyy_about_centre", mass.about_centre.iyy},
-      {"izz_about_centre", mass.about_centre.izz}};
   literate::Table table({Column::text("property"), Column::scientific("printed", "", 7),
                          Column::scientific("computed", "", 7),
                          Column::integer("digits that agree")});
   bool agree = true;
-  for (const auto& [name, value] : computed) {
+  for (const auto& [name, value] : mass_by_name(c)) {
     const PrintedNumber& number = printed.at(name);
     table.add_row({Cell::latex("\\code{" + escaped(name) + "}"), quoted(number), value,
                    number.n_agreeing_digits(value)});

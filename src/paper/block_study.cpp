@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "block/load_shapes.hpp"
+#include "block/mass_properties.hpp"
 
 namespace paper {
 namespace {
@@ -45,6 +46,18 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, double>> mass_by_name(const parameters::Case& c) {
+  const block::MassProperties mass = block::mass_properties(c.block->rectangle, c.block->density);
+  return {{"mass", mass.mass},
+          {"centre_y", mass.centre_y},
+          {"ixx_about_origin", mass.about_origin.ixx},
+          {"iyy_about_origin", mass.about_origin.iyy},
+          {"izz_about_origin", mass.about_origin.izz},
+          {"ixx_about_centre", mass.about_centre.ixx},
+          {"iyy_about_centre", mass.about_centre.iyy},
+          {"izz_about_centre", mass.about_centre.izz}};
+}
 
 std::string name_of(Support sides) {
   if (sides == Support::clamped) return "clamped";

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "block/analysis.hpp"
@@ -71,6 +72,10 @@ class BlockStudy {
   std::optional<block::RefinedSolution> under_fit_;
   double misfit_error_ = 0;
 };
+
+/// Mass, centre and moments of inertia of the case's block, named and ordered as in the printed
+/// summary.
+std::vector<std::pair<std::string, double>> mass_by_name(const parameters::Case& from_file);
 
 /// "clamped", "roller" or "free".
 std::string name_of(block::Support sides);
