@@ -52,21 +52,30 @@ function(add_test_options target)
   add_sanitizers(${target})
 endfunction()
 
-# add_test_program(target source LINK …): a program of Boost tests.
+# add_test_program(target source [HEAVY_COMPUTING] LINK …): a program of Boost tests. HEAVY_COMPUTING: one that would run
+# longer under the sanitizers than optimising it takes.
 function(add_test_program target source)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "HEAVY_COMPUTING" "" "LINK")
   add_executable(${target} "${source}")
   target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main precompiled_tests project_warnings)
-  add_test_options(${target})
-  target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+  if(arg_HEAVY_COMPUTING AND HALFSPACE_SANITIZE)
+    add_sanitizers(${target})
+  else()
+    add_test_options(${target})
+    target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+  endif()
 endfunction()
 
-# add_unit_test(folder/name [SLOW seconds] LINK …): tests/folder/name_test.cpp as one program and one CTest test, labelled
+# add_unit_test(folder/name [SLOW seconds] [HEAVY_COMPUTING] LINK …): tests/folder/name_test.cpp as one program and one CTest test, labelled
 # `unit` and part of the target unit_tests, or `slow` and begun before shorter ones.
 function(add_unit_test test)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SLOW" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAVY_COMPUTING" "SLOW" "LINK")
   string(REPLACE "/" "_" target "${test}_test")
-  add_test_program(${target} "${PROJECT_SOURCE_DIR}/tests/${test}_test.cpp" LINK ${arg_LINK})
+  set(kind "")
+  if(arg_HEAVY_COMPUTING)
+    set(kind HEAVY_COMPUTING)
+  endif()
+  add_test_program(${target} "${PROJECT_SOURCE_DIR}/tests/${test}_test.cpp" ${kind} LINK ${arg_LINK})
   if(DEFINED arg_SLOW)
     add_test(NAME "slow/${test}" COMMAND ${target} --color_output=no)
     set_tests_properties("slow/${test}" PROPERTIES LABELS slow COST ${arg_SLOW})
