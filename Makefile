@@ -5,8 +5,9 @@
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   ONLY=id          mutants: this one alone
 #   TARGET=name      why: another target, or a file that is built
-#   STUDENT=id SEED=text   handout: that student's own; SEED also of check-variants and grade
-#   SUBMISSIONS=dir  grade: what students handed in; ROSTER=file, who they are, and J=n at a time
+#   STUDENT=id SEED=text   handout: that student's own; SEED also of handouts, check-variants and grade
+#   ROSTER=file      handouts, check-variants, grade: who the students are; J=n of them at a time
+#   SUBMISSIONS=dir  grade: what they handed in
 #   UNSAFE=1         grade: without bubblewrap
 #   N=300            check-variants: how many
 #   V=1              show the commands
@@ -21,7 +22,7 @@ export LC_ALL := C
 # Two targets at once would be two Ninjas in one folder; Ninja itself runs in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report html figures check-report test mutants bench verify dist why watch handout check-variants grade gradescope \
+.PHONY: report html figures check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
@@ -59,6 +60,9 @@ watch: ## builds the report after each save, until Ctrl-C
 
 handout: ## the course assignment for students, proved: build/handout and build/handout.zip
 	@bash src/toolchain/build handout
+
+handouts: ## one for each student in ROSTER, with numbers of their own: build/handouts
+	@bash src/toolchain/build handouts
 
 check-variants: ## the instructor's solution on the variants of a class
 	@bash src/toolchain/build check-variants

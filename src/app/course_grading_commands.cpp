@@ -29,12 +29,6 @@ std::optional<course::Roster> roster_of(const std::string& file) {
   return course::read_roster(file);
 }
 
-/// Says each problem on standard error: bad_input if there is any.
-ExitCode answer_problems(const std::vector<std::string>& problems) {
-  for (const std::string& problem : problems) fmt::print(stderr, "halfspace: {}\n", problem);
-  return problems.empty() ? ExitCode::success : ExitCode::bad_input;
-}
-
 struct ToolkitOptions : CourseOptions {
   std::string output;
 };
@@ -59,28 +53,34 @@ struct GradeOptions : CourseOptions {
   bool is_unsafe = false;
 };
 
-std::optional<course::Time> time_of(const GradeOptions& options, const std::string& student) {
-  if (!options.submitted.empty()) return course::parse_time(options.submitted);
-  const std::optional<course::Roster> roster = roster_of(options.roster);
-  if (!roster) return std::nullopt;
-  const auto found = roster->find(student);
-  if (found == roster->end()) {
-    throw InputError(fmt::format("there is no student {} in '{}'", student, options.roster));
+/// What the roster says of a student; options that say it are stronger.
+course::RosterEntry times_of(const GradeOptions& options, const std::string& student) {
+  course::RosterEntry times;
+  if (const std::optional<course::Roster> roster = roster_of(options.roster)) {
+    const auto found = roster->find(student);
+    if (found == roster->end()) {
+      throw InputError(fmt::format("there is no student {} in '{}'", student, options.roster));
+    }
+    times = found->second;
   }
-  return found->second;
+  if (!options.submitted.empty()) times.submitted = course::parse_time(options.submitted);
+  if (!options.deadline.empty()) times.deadline = course::parse_time(options.deadline);
+  return times;
 }
 
 ExitCode grade(const GradeOptions& options) {
   course::Assignment assignment = read_assignment(options);
-  if (!options.deadline.empty()) assignment.deadline = course::parse_time(options.deadline);
   course::GradingTask task;
   task.submission = options.submission;
   task.student = options.student.empty() ? course::student_of(task.submission) : options.student;
   course::require_student_id(task.student);
-  task.submitted = time_of(options, task.student);
-  task.variant = options.seed.empty() ? course::nominal_variant(assignment)
-                                      : course::variant_of(assignment, task.student, options.seed,
-                                                           assignment::is_valid);
+  const course::RosterEntry times = times_of(options, task.student);
+  task.submitted = times.submitted;
+  assignment.deadline = times.deadline.value_or(assignment.deadline);
+  const std::string seed = seed_of(options);
+  task.variant = seed.empty()
+                     ? course::nominal_variant(assignment)
+                     : course::variant_of(assignment, task.student, seed, assignment::is_valid);
   task.toolkit = options.toolkit;
   task.checks =
       course::all_checks(assignment, assignment::public_checks(), assignment::hidden_checks());
@@ -104,14 +104,13 @@ void add_grade(CLI::App& course, ExitCode& exit_code) {
                 add_required_text(command, "--output", options->output, "DIR", "Folder to write");
                 add_text(command, "--student", options->student, "ID",
                          "Whose it is; else the submission's name without its ending");
-                add_text(command, "--seed", options->seed, "TEXT",
-                         "The seed of the variants; without it everybody has the nominal numbers");
+                add_seed(command, *options);
                 add_text(command, "--submitted", options->submitted, "TIME",
                          "When, as 2027-01-15T23:59:00+01:00");
                 add_text(command, "--deadline", options->deadline, "TIME",
                          "For this student, instead of the assignment's");
                 add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class, whose column `submitted` tells when");
+                         "CSV of the class, whose columns `submitted` and `deadline` tell when");
                 add_switch(command, "--unsafe", options->is_unsafe,
                            "Grade without bubblewrap: with limits, but with no walls");
                 return [options] { return grade(*options); };
@@ -131,7 +130,7 @@ ExitCode list(const ListOptions& options) {
     std::fwrite(path.data(), 1, path.size(), stdout);
     std::fputc(options.has_null ? '\0' : '\n', stdout);
   }
-  return answer_problems(listing.problems);
+  return answer_faults(listing.problems);
 }
 
 void add_list(CLI::App& course, ExitCode& exit_code) {
@@ -147,6 +146,35 @@ void add_list(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
+void add_student_of(CLI::App& course, ExitCode& exit_code) {
+  add_command(course, "student", "Tell whose a submission is, by its name", exit_code,
+              [](CLI::App& command) {
+                auto submission = std::make_shared<std::string>();
+                add_required_text(command, "submission", *submission, "FOLDER|ARCHIVE",
+                                  "A folder or archive that `list` lists");
+                return [submission] {
+                  const std::string student = course::student_of(*submission);
+                  course::require_student_id(student);
+                  fmt::print("{}\n", student);
+                  return ExitCode::success;
+                };
+              });
+}
+
+void add_class(CLI::App& course, ExitCode& exit_code) {
+  add_command(course, "class", "List the students of a class, a line each", exit_code,
+              [](CLI::App& command) {
+                auto roster = std::make_shared<std::string>();
+                add_required_text(command, "roster", *roster, "FILE", "CSV of the class");
+                return [roster] {
+                  for (const auto& [student, entry] : course::read_roster(*roster)) {
+                    fmt::print("{}\n", student);
+                  }
+                  return ExitCode::success;
+                };
+              });
+}
+
 struct CollectOptions : CourseOptions {
   std::string grades, output, roster, submissions;
 };
@@ -157,7 +185,7 @@ ExitCode collect(const CollectOptions& options) {
       options.submissions.empty() ? std::nullopt
                                   : std::optional<std::filesystem::path>(options.submissions));
   literate::write_file_atomically(options.output, grades.csv);
-  return answer_problems(grades.problems);
+  return answer_faults(grades.problems);
 }
 
 void add_collect(CLI::App& course, ExitCode& exit_code) {
@@ -182,6 +210,8 @@ void add_course_grading_commands(CLI::App& course, ExitCode& exit_code) {
   add_toolkit(course, exit_code);
   add_grade(course, exit_code);
   add_list(course, exit_code);
+  add_student_of(course, exit_code);
+  add_class(course, exit_code);
   add_collect(course, exit_code);
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/course_options.hpp"
 
+#include <fmt/core.h>
+
 #include "app/options.hpp"
 #include "assignment/hidden_checks.hpp"
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
 #include "course/check_list.hpp"
 #include "course/variants.hpp"
+#include "literate/files.hpp"
 
 namespace app {
 
@@ -21,7 +24,23 @@ void add_source(CLI::App& command, CourseOptions& options) {
 void add_student(CLI::App& command, CourseOptions& options) {
   add_text(command, "--student", options.student, "ID",
            "Whose numbers; the assignment's nominal ones without");
-  add_text(command, "--seed", options.seed, "TEXT", "What the variants are drawn from");
+  add_seed(command, options);
+}
+
+void add_seed(CLI::App& command, CourseOptions& options) {
+  add_text(command, "--seed", options.seed, "TEXT",
+           "What the variants are drawn from; without it everybody has the nominal numbers");
+  add_text(command, "--seed-file", options.seed_file, "FILE",
+           "File of the seed, which other users see in no list of processes");
+}
+
+std::string seed_of(const CourseOptions& options) {
+  if (options.seed_file.empty()) return options.seed;
+  if (!options.seed.empty()) throw InputError("--seed and --seed-file exclude each other");
+  std::string seed = literate::read_file(options.seed_file);
+  while (seed.ends_with('\n') || seed.ends_with('\r')) seed.pop_back();
+  if (seed.empty()) throw InputError(fmt::format("'{}' holds no seed", options.seed_file));
+  return seed;
 }
 
 course::Assignment read_assignment(const CourseOptions& options) {
@@ -31,11 +50,12 @@ course::Assignment read_assignment(const CourseOptions& options) {
 }
 
 course::Variant variant_of(const CourseOptions& options, const course::Assignment& assignment) {
-  if (options.student.empty() != options.seed.empty()) {
+  const std::string seed = seed_of(options);
+  if (options.student.empty() != seed.empty()) {
     throw InputError("--student and --seed need each other");
   }
   if (options.student.empty()) return course::nominal_variant(assignment);
-  return course::variant_of(assignment, options.student, options.seed, assignment::is_valid);
+  return course::variant_of(assignment, options.student, seed, assignment::is_valid);
 }
 
 }  // namespace app

@@ -17,6 +17,7 @@
 #include "assignment/valid_variant.hpp"
 #include "course/handout.hpp"
 #include "course/proof.hpp"
+#include "course/roster.hpp"
 #include "course/variant_check.hpp"
 #include "literate/files.hpp"
 
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Options : CourseOptions {
-  std::string output, sheet, handout, zip, toolkit;
+  std::string output, sheet, handout, zip, toolkit, roster, handouts;
 };
 
 void add_place(CLI::App& command, Options& options) {
@@ -81,6 +82,7 @@ ExitCode prove(const Options& options, std::size_t n_jobs) {
                                  .zip = options.zip,
                                  .toolkit = options.toolkit,
                                  .secret_files = secret_files(options.source),
+                                 .source = options.source,
                                  .n_jobs = n_jobs};
   Stage stage("prove");
   const bool all_hold = course::prove(input, [&](const course::ProvedClaim& claim) {
@@ -91,23 +93,43 @@ ExitCode prove(const Options& options, std::size_t n_jobs) {
   return all_hold ? ExitCode::success : ExitCode::claim_failed;
 }
 
-ExitCode check_variants(const Options& options, std::size_t count, std::size_t n_jobs) {
+std::vector<std::string> students_of(const Options& options, const NumberOption& count) {
+  constexpr long class_size = 300;
+  constexpr long most = 100000;
+  if (options.roster.empty()) {
+    if (!options.handouts.empty()) throw InputError("--handouts needs --roster");
+    return course::invented_students(count_of(count, class_size, most));
+  }
+  if (count.integer()) throw InputError("--count and --roster exclude each other");
+  std::vector<std::string> students;
+  for (const auto& [student, entry] : course::read_roster(options.roster)) {
+    students.push_back(student);
+  }
+  if (students.empty()) throw InputError(fmt::format("'{}' names no student", options.roster));
+  return students;
+}
+
+ExitCode check_variants(const Options& options, const std::vector<std::string>& students,
+                        std::size_t n_jobs) {
   const course::Assignment assignment = read_assignment(options);
   const course::Project project = course::read_project(assignment, options.source);
-  const Stage stage("variants");
-  const std::vector<std::string> faults =
-      course::faults_of_variants({.assignment = assignment,
-                                  .project = project,
-                                  .visible = assignment::public_checks(),
-                                  .hidden = assignment::hidden_checks(),
-                                  .toolkit = options.toolkit,
-                                  .is_valid = assignment::is_valid,
-                                  .seed = options.seed,
-                                  .count = count,
-                                  .n_jobs = n_jobs});
-  const std::string found = faults.empty() ? "no two alike, the solution scores all points on each"
-                                           : fmt::format("{} faults", faults.size());
-  stage.done(fmt::format("{} variants: {}", count, found));
+  Stage stage("variants");
+  const auto faults = course::faults_of_variants({.assignment = assignment,
+                                                  .project = project,
+                                                  .visible = assignment::public_checks(),
+                                                  .hidden = assignment::hidden_checks(),
+                                                  .toolkit = options.toolkit,
+                                                  .is_valid = assignment::is_valid,
+                                                  .seed = seed_of(options),
+                                                  .students = students,
+                                                  .n_jobs = n_jobs,
+                                                  .handouts = options.handouts,
+                                                  .secret_files = secret_files(options.source)});
+  const std::string good = options.handouts.empty() ? "" : ", nothing is given away";
+  const std::string found = faults.empty()
+                                ? "no two alike, the solution scores all points on each" + good
+                                : fmt::format("{} faults", faults.size());
+  stage.done(fmt::format("{} variants: {}", students.size(), found));
   return answer_faults(faults);
 }
 
@@ -158,16 +180,16 @@ void add_check_variants(CLI::App& course, ExitCode& exit_code) {
               [](CLI::App& command) {
                 auto options = std::make_shared<Options>();
                 auto count = std::make_shared<NumberOption>(command, "--count", "How many; 300");
-                add_required_text(command, "--seed", options->seed, "TEXT",
-                                  "What the variants are drawn from");
+                add_text(command, "--roster", options->roster, "FILE",
+                         "CSV of the class, whose own variants are tried");
+                add_seed(command, *options);
+                add_text(command, "--handouts", options->handouts, "DIR",
+                         "The students' handouts and zips, which are proved to be theirs");
                 add_toolkit(command, *options);
                 auto jobs = std::make_shared<NumberOption>(command, "--jobs", "How many at a time");
                 add_place(command, *options);
                 return [options, count, jobs] {
-                  constexpr long class_size = 300;
-                  constexpr long most = 100000;
-                  return check_variants(*options, count_of(*count, class_size, most),
-                                        jobs_of(*jobs));
+                  return check_variants(*options, students_of(*options, *count), jobs_of(*jobs));
                 };
               });
 }

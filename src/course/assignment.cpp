@@ -71,6 +71,14 @@ void require_below(const CaseTable& table, const std::string& key, const fs::pat
   }
 }
 
+bool is_empty_list(const CaseTable& table, const std::string& key) {
+  try {
+    return table.has(key) && table.texts(key).empty();
+  } catch (const parameters::CaseError&) {
+    return false;  // it holds something
+  }
+}
+
 LatePolicy read_late(const CaseTable& table) {
   return {.percent_per_day = number(table, "percent_per_day", 0, 100),
           .days = integer(table, "days", 0, 366)};
@@ -86,6 +94,7 @@ Limits read_limits(const CaseTable& table) {
   };
   read("compile_seconds", limits.compile_seconds, day);
   read("run_seconds", limits.run_seconds, day);
+  read("submission_seconds", limits.submission_seconds, day);
   read("memory_mb", limits.memory_mb, tebibyte_in_mb);
   read("processes", limits.processes, 100000);
   read("output_kb", limits.output_kb, tebibyte_in_mb);
@@ -171,7 +180,9 @@ Exercise Exercises::read(const CaseTable& table) {
     table.fail("file", fmt::format("{} is another exercise's file already", exercise.file));
   }
   if (table.has("builds_on")) exercise.builds_on = table.texts("builds_on");
-  const std::vector<CaseTable> checks = table.tables("check");
+  // `check = []` is a list of no kind in particular, and has no tables.
+  const bool has_none = is_empty_list(table, "check");
+  const auto checks = has_none ? std::vector<CaseTable>{} : table.tables("check");
   if (checks.empty()) {
     table.fail("id", fmt::format("exercise \"{}\" has no [[exercise.check]]", exercise.id));
   }

@@ -49,7 +49,8 @@ struct LatePolicy {
 /// What a submission may use at most.
 struct Limits {
   int compile_seconds = 20;
-  int run_seconds = 5;
+  int run_seconds = 5;           ///< of the processor, for one answer
+  int submission_seconds = 120;  ///< by the clock, for all answers together
   int memory_mb = 1024;
   int processes = 32;
   int output_kb = 256;

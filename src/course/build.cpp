@@ -3,6 +3,7 @@
 
 #include <array>
 #include <csignal>
+#include <utility>
 
 #include "course/grading.hpp"
 #include "course/sandbox.hpp"
@@ -220,16 +221,19 @@ class Objects {
     }
   }
 
-  /// Links all; where that fails, leaves out those files that do not link with stubs for the
-  /// others. Returns the linker's message where it fails all the same.
+  /// Links all; where that fails, adds one file after another, in the exercises' order, stubs
+  /// standing for the rest, and leaves out each that breaks the link. Returns the linker's message
+  /// where it fails all the same.
   std::string link(const fs::path& program) {
     if (compiler_.link(with_stubs(own_), program).empty()) return "";
-    const auto all = own_;
-    for (const auto& [file, object] : all) {
-      const std::string error = compiler_.link(with_stubs({{file, object}}), program);
+    const auto all = std::exchange(own_, {});
+    for (const Exercise& exercise : assignment_.exercises) {
+      const auto object = all.find(exercise.file);
+      if (object == all.end() || !own_.insert(*object).second) continue;
+      const std::string error = compiler_.link(with_stubs(own_), program);
       if (error.empty()) continue;
-      errors_[file] = error;
-      own_.erase(file);
+      errors_[exercise.file] = error;
+      own_.erase(exercise.file);
     }
     return compiler_.link(with_stubs(own_), program);
   }

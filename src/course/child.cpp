@@ -5,16 +5,18 @@
 #include <fmt/core.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/syscall.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
-#include <fstream>
-#include <sstream>
 #include <system_error>
+#include <thread>
 
+#include "course/descendants.hpp"
 #include "literate/error.hpp"
 
 namespace course {
@@ -51,58 +53,118 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-std::string first_line_of(const std::string& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return line;
-}
+/// What the attendant tells: why the child could not start, or its status as of wait.
+struct Report {
+  int error = 0;
+  int status = SIGKILL;
+};
 
-/// Pages that a process and all below it hold. A page that two of them share counts twice.
-std::size_t pages_of(pid_t process) {
-  std::istringstream sizes(first_line_of(fmt::format("/proc/{}/statm", process)));
-  std::size_t all = 0;
-  std::size_t resident = 0;
-  sizes >> all >> resident;
-  std::istringstream children(first_line_of(fmt::format("/proc/{0}/task/{0}/children", process)));
-  for (pid_t child = 0; children >> child;) resident += pages_of(child);
-  return resident;
-}
-
-/// Waits for the child's end, and looks at its size 20 times a second: limits of single processes
-/// do not count what many hold together. Returns whether it had to be killed.
-bool watch(pid_t process, std::size_t memory_mb) {
-  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  const int handle = static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
-  if (handle < 0) return false;
-  bool is_too_large = false;
-  pollfd poll{handle, POLLIN, 0};
-  while (!is_too_large && ::poll(&poll, 1, 50) == 0) {
-    is_too_large = memory_mb > 0 && pages_of(process) > memory_mb * 1'048'576 / page;
+/// The attendant's life: it starts the child, tells how that ended, and stays until nothing is left
+/// below it, as orphans become its own. It was forked from a process that may have threads, so it
+/// allocates nothing.
+[[noreturn]] void attend(const FileActions& actions, char* const* command, char* const* environment,
+                         int reports) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  Report report;
+  pid_t child = 0;
+  report.error = posix_spawn(&child, command[0], actions.get(), nullptr, command, environment);
+  if (report.error == 0) {
+    pid_t ended = 0;
+    do {
+      ended = ::wait(&report.status);
+    } while (ended != child && (ended > 0 || errno == EINTR));
   }
-  if (is_too_large) ::kill(process, SIGKILL);
-  ::close(handle);
-  return is_too_large;
+  while (::write(reports, &report, sizeof report) < 0 && errno == EINTR) {
+  }
+  while (::wait(nullptr) > 0 || errno == EINTR) {
+  }
+  ::_exit(0);
 }
+
+/// A child with the attendant above it.
+class Attended {
+ public:
+  explicit Attended(const Child& child) {
+    std::vector<std::string> command = child.command;
+    std::vector<std::string> environment = child.environment;
+    const std::vector<char*> command_pointers = pointers(command);
+    const std::vector<char*> environment_pointers = pointers(environment);
+    const FileActions actions(child);
+    if (::pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK) != 0) fail(errno, child);
+    attendant_ = ::fork();
+    if (attendant_ == 0) {
+      attend(actions, command_pointers.data(), environment_pointers.data(), pipe_[1]);
+    }
+    const int error = errno;
+    ::close(pipe_[1]);
+    if (attendant_ > 0) return;
+    ::close(pipe_[0]);
+    fail(error, child);
+  }
+  Attended(const Attended&) = delete;
+  Attended& operator=(const Attended&) = delete;
+  ~Attended() {
+    end_all();
+    ::close(pipe_[0]);
+  }
+
+  /// Waits for the child's end, and looks at what it uses 20 times a second: limits of single
+  /// processes do not count what many hold together.
+  Excess watch(const Child& child) {
+    pollfd poll{pipe_[0], POLLIN, 0};
+    for (int ready = 0; (ready = ::poll(&poll, 1, 50)) <= 0;) {
+      if (ready < 0 && errno != EINTR) break;
+      const Usage usage = usage_of(descendants(attendant_));
+      if (child.memory_mb > 0 && usage.bytes > child.memory_mb * 1'048'576) return Excess::memory;
+      if (child.cpu_seconds > 0 && usage.cpu_seconds > child.cpu_seconds) return Excess::time;
+      if (child.tasks > 0 && usage.tasks > child.tasks) return Excess::tasks;
+      if (has_ended()) break;  // something killed it
+    }
+    return Excess::none;
+  }
+
+  /// After watch() without excess.
+  Report report() const {
+    Report report;
+    if (::read(pipe_[0], &report, sizeof report) != sizeof report) return {};
+    return report;
+  }
+
+  [[noreturn]] static void fail(int error, const Child& child) {
+    throw literate::ToolError(fmt::format("cannot start {}: {}", child.command.front(),
+                                          std::generic_category().message(error)));
+  }
+
+ private:
+  bool has_ended() {
+    if (is_over_) return true;
+    const pid_t ended = ::waitpid(attendant_, nullptr, WNOHANG);
+    is_over_ = ended > 0 || (ended < 0 && errno != EINTR);
+    return is_over_;
+  }
+
+  void end_all() {
+    while (!has_ended()) {
+      for (const pid_t process : descendants(attendant_)) ::kill(process, SIGKILL);
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+  }
+
+  std::array<int, 2> pipe_{};
+  pid_t attendant_ = 0;
+  bool is_over_ = false;
+};
 
 }  // namespace
 
 ChildEnd run_child(const Child& child) {
-  std::vector<std::string> command = child.command;
-  std::vector<std::string> environment = child.environment;
-  const FileActions actions(child);
-  pid_t pid = 0;
-  const int error = posix_spawn(&pid, command.front().c_str(), actions.get(), nullptr,
-                                pointers(command).data(), pointers(environment).data());
-  if (error != 0) {
-    throw literate::ToolError(fmt::format("cannot start {}: {}", command.front(),
-                                          std::generic_category().message(error)));
-  }
+  Attended attended(child);
   ChildEnd end;
-  end.is_too_large = watch(pid, child.memory_mb);
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
+  end.excess = attended.watch(child);
+  if (end.excess != Excess::none) return end;
+  const auto [error, status] = attended.report();
+  if (error != 0) Attended::fail(error, child);
   end.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   return end;
 }

@@ -16,15 +16,22 @@ struct Child {
   std::filesystem::path folder;          ///< it starts in
   std::filesystem::path input, output, errors;
   std::filesystem::path third = "/dev/null";  ///< to be read as descriptor 3
-  std::size_t memory_mb = 0;  ///< that it and all its descendants may hold; 0: as much as there is
+  // What it and all its descendants may use together; 0: as much as there is.
+  std::size_t memory_mb = 0;
+  double cpu_seconds = 0;
+  std::size_t tasks = 0;  ///< processes and threads
 };
+
+/// A limit that was exceeded, so that the child was killed.
+enum class Excess { none, memory, time, tasks };
 
 struct ChildEnd {
-  int status = 0;             ///< exit status, or 128 + the number of the signal that ended it
-  bool is_too_large = false;  ///< it was killed, as it held more memory than allowed
+  int status = 0;  ///< exit status, or 128 + the number of the signal that ended it
+  Excess excess = Excess::none;
 };
 
-/// Runs a child to its end. Throws literate::ToolError if it cannot start.
+/// Runs a child to its end, and ends all that it leaves behind, daemons too. Throws
+/// literate::ToolError if it cannot start.
 ChildEnd run_child(const Child& child);
 
 }  // namespace course

@@ -119,7 +119,7 @@ Grades collect_grades(const Assignment& assignment, const fs::path& folder,
     }
   }
   if (roster) {
-    for (const auto& [student, submitted] : *roster) {
+    for (const auto& [student, entry] : *roster) {
       rows.emplace(student, empty_row(assignment, "missing"));
     }
   }

@@ -7,7 +7,6 @@
 
 #include "course/grading.hpp"
 #include "course/program_run.hpp"
-#include "literate/error.hpp"
 
 namespace course {
 namespace {
@@ -21,12 +20,11 @@ double points_of(double share, double points) {
 Outcome outcome_of(const Check& check, const Program& program, const Variant& variant) {
   try {
     return check(program, variant);
-  } catch (const literate::ToolError&) {
-    throw;
   } catch (const ProgramFailure& failure) {
     return {0, failure.what()};
-  } catch (const std::exception&) {
-    // Numbers that the check did not expect; what it says of them is not for the student.
+  } catch (const std::logic_error&) {
+    // Numbers that the check did not expect; what it says of them is not for the student. What
+    // goes wrong otherwise is the grader's own failure, and costs the student nothing.
     return {0, "the program's answer cannot be judged: too few numbers, or meaningless ones"};
   }
 }
@@ -53,6 +51,12 @@ std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& ch
                                   const Built& built, const Variant& variant, Isolation isolation) {
   require_code(assignment, checks);
   ProgramRun run(assignment.limits, built, isolation);
+  return evaluate(assignment, checks, built, variant, run);
+}
+
+std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& checks,
+                                  const Built& built, const Variant& variant, ProgramRun& run) {
+  require_code(assignment, checks);
   const Program program = [&](const std::string& task, const Numbers& inputs) {
     return run.answer(task, inputs);
   };

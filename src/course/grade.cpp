@@ -11,10 +11,8 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<std::string> pictures_of(const Assignment& assignment, const GradingTask& task,
-                                     const Built& built) {
-  if (!task.curves || !built.link_error.empty()) return {};
-  ProgramRun run(assignment.limits, built, task.isolation);
+std::vector<std::string> pictures_of(const GradingTask& task, ProgramRun& run) {
+  if (!task.curves) return {};
   const Program program = [&](const std::string& name, const Numbers& inputs) {
     return run.answer(name, inputs);
   };
@@ -49,21 +47,18 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
   fs::create_directory(taking);
   Graded graded;
   graded.student = task.student;
-  graded.submitted = task.submitted;
   graded.late = lateness(assignment, task.submitted);
   graded.submission = take_submission(assignment, task.submission, taking, task.isolation);
 
-  // Without walls jobs run as another user, who has to find the way.
-  if (task.isolation == Isolation::none) {
-    fs::permissions(scratch.path(), fs::perms::group_exec | fs::perms::others_exec,
-                    fs::perm_options::add);
-  }
   const Built built = build(assignment, task.toolkit, graded.submission.files,
                             scratch.path() / "build", task.isolation);
   graded.compile_errors = built.compile_errors;
   graded.link_error = built.link_error;
-  graded.results = evaluate(assignment, task.checks, built, task.variant, task.isolation);
-  write(assignment, graded, pictures_of(assignment, task, built), output);
+  ProgramRun run(assignment.limits, built, task.isolation);
+  graded.results = evaluate(assignment, task.checks, built, task.variant, run);
+  const bool has_program = built.link_error.empty();
+  write(assignment, graded, has_program ? pictures_of(task, run) : std::vector<std::string>{},
+        output);
   return graded;
 }
 

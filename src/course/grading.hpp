@@ -32,6 +32,8 @@ struct Built {
 Built build(const Assignment& assignment, const std::filesystem::path& toolkit, const Files& files,
             const std::filesystem::path& scratch, Isolation isolation);
 
+class ProgramRun;
+
 /// What a check gave.
 struct CheckResult {
   std::string id;
@@ -43,6 +45,10 @@ struct CheckResult {
 /// `checks` does not hold.
 std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& checks,
                                   const Built& built, const Variant& variant, Isolation isolation);
+
+/// The same of a program that runs already, for what is asked besides.
+std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& checks,
+                                  const Built& built, const Variant& variant, ProgramRun& run);
 
 double total(const std::vector<CheckResult>& results);
 

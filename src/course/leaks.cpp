@@ -79,6 +79,40 @@ std::string output_of(const literate::Command& command, const fs::path& file) {
                                         result.output.substr(0, result.output.find('\n'))));
 }
 
+/// The project's own files that a source includes, "folder/name", headers with their sources.
+std::vector<std::string> included_files(const fs::path& file) {
+  std::vector<std::string> included;
+  const std::string text = literate::read_file(file);
+  for (const std::string_view line : literate::lines_of(text)) {
+    constexpr std::string_view include = "#include \"";
+    if (!line.starts_with(include)) continue;
+    const fs::path name = line.substr(include.size(), line.rfind('"') - include.size());
+    included.push_back(name.string());
+    included.push_back(fs::path(name).replace_extension(".cpp").string());
+  }
+  return included;
+}
+
+/// The folders of `src` that the files include from, directly or not.
+std::set<std::string> included_folders(const fs::path& src, const std::vector<fs::path>& files) {
+  std::set<std::string> folders;
+  std::set<fs::path> seen;
+  std::vector<fs::path> waiting = files;
+  while (!waiting.empty()) {
+    const fs::path file = waiting.back();
+    waiting.pop_back();
+    if (!fs::is_regular_file(file) || !seen.insert(file).second) continue;
+    for (const std::string& name : included_files(file)) {
+      const std::string folder = fs::path(name).begin()->string();
+      const bool is_shared = folder == "assignment" || folder == "course" || folder == "numerics";
+      if (is_shared || !fs::is_directory(src / folder)) continue;
+      folders.insert(folder);
+      waiting.push_back(src / name);
+    }
+  }
+  return folders;
+}
+
 /// Searches files, and the files within them.
 class Search {
  public:
@@ -206,6 +240,23 @@ std::vector<std::string> published_solutions(const Project& project) {
       published.push_back(fmt::format("{}:{}: all of this region stands in the public part too",
                                       file.origin.string(), region));
     }
+  }
+  return published;
+}
+
+std::vector<std::string> published_references(const Assignment& assignment, const fs::path& source,
+                                              const std::vector<fs::path>& files) {
+  const std::set<std::string> folders = included_folders(source / "src", files);
+  std::vector<std::string> published;
+  for (const std::string& provided : assignment.provided) {
+    const fs::path file = source / "src" / provided;
+    const bool is_secret = std::ranges::any_of(files, [&](const fs::path& secret) {
+      return fs::absolute(secret).lexically_normal() == fs::absolute(file).lexically_normal();
+    });
+    if (!is_secret && !folders.contains(fs::path(provided).begin()->string())) continue;
+    published.push_back(fmt::format("{}: provided: src/{} belongs to what the hidden checks {}",
+                                    (assignment.folder / "assignment.toml").string(), provided,
+                                    is_secret ? "are made of" : "compare with"));
   }
   return published;
 }

@@ -37,6 +37,14 @@ Secrets secrets_of(const Assignment& assignment, const Project& project,
 /// part as well: a copy that no scan can tell from what is public.
 std::vector<std::string> published_solutions(const Project& project);
 
+/// A line for each provided file that lies in a folder of source/src which `files` (the hidden
+/// checks' sources) include from, directly or by what they include: the answers that submissions
+/// are compared with. Files of assignment/, course/ and numerics/, which both sides use, are none,
+/// but for `files` themselves.
+std::vector<std::string> published_references(const Assignment& assignment,
+                                              const std::filesystem::path& source,
+                                              const std::vector<std::filesystem::path>& files);
+
 /// A line for each secret found in a file, or in any file of a folder, its name included. All files
 /// are searched as bytes; PDFs as text too, with their attachments; zips are unpacked; an archive
 /// of another kind is a line by itself. Throws literate::ToolError if pdftotext, pdfdetach or

@@ -15,7 +15,6 @@ namespace course {
 /// All that grading found out about one submission.
 struct Graded {
   std::string student;
-  std::optional<Time> submitted;
   Lateness late;
   Submission submission;
   std::map<std::string, std::string> compile_errors;  ///< by exercise

@@ -51,6 +51,8 @@ std::string ProgramRun::failure_of(const JobEnd& end) const {
       return fmt::format("the program takes longer than {} s", limits_.run_seconds);
     case Ending::too_large:
       return fmt::format("the program uses more than {} MB", limits_.memory_mb);
+    case Ending::too_many_processes:
+      return fmt::format("the program starts more than {} processes", limits_.processes);
     case Ending::too_much_output:
       return fmt::format("the program prints more than {} kB", limits_.output_kb);
     case Ending::crash: {
@@ -61,10 +63,11 @@ std::string ProgramRun::failure_of(const JobEnd& end) const {
     case Ending::normal:
       break;
   }
-  return end.status == 0 ? "" : fmt::format("the program ended with exit status {}", end.status);
+  // Its status is the program's to choose, and could tell what it has seen.
+  return end.status == 0 ? "" : "the program ended with a failure";
 }
 
-ProgramRun::Answer ProgramRun::ask(const std::string& task, const Numbers& inputs) {
+JobEnd ProgramRun::run(const std::string& task, const Numbers& inputs) {
   const fs::path folder = program_.parent_path();
   std::string text;
   for (const double number : inputs) text += fmt::format("{}\n", number);
@@ -81,17 +84,39 @@ ProgramRun::Answer ProgramRun::ask(const std::string& task, const Numbers& input
   job.memory_mb = limits_.memory_mb;
   job.processes = limits_.processes;
   job.file_kb = limits_.output_kb;
+  const auto begin = std::chrono::steady_clock::now();
   const JobEnd end = sandbox_.run(job);
+  time_ += std::chrono::steady_clock::now() - begin;
+  return end;
+}
+
+ProgramRun::Answer ProgramRun::ask_once(const std::string& task, const Numbers& inputs) {
+  if (time_ > std::chrono::seconds(limits_.submission_seconds)) {
+    return {{},
+            fmt::format("the submission took more than {} s in all", limits_.submission_seconds)};
+  }
+  const JobEnd end = run(task, inputs);
   Answer answer{{}, failure_of(end)};
   if (end.ending == Ending::too_slow) given_up_[task] = answer.failure;
   if (!answer.failure.empty()) return answer;
   try {
     const auto max_bytes = static_cast<std::size_t>(limits_.output_kb) * 1024;
-    answer.numbers = parse_answer(beginning_of(job.output, max_bytes));
+    answer.numbers = parse_answer(beginning_of(program_.parent_path() / "output", max_bytes));
   } catch (const ProgramFailure& failure) {
     answer.failure = failure.what();
   }
   return answer;
+}
+
+ProgramRun::Answer ProgramRun::ask(const std::string& task, const Numbers& inputs) {
+  const Answer first = ask_once(task, inputs);
+  if (!first.failure.empty()) return first;
+  const Answer second = ask_once(task, inputs);
+  const bool is_over =
+      given_up_.contains(task) || time_ > std::chrono::seconds(limits_.submission_seconds);
+  if (!second.failure.empty() && is_over) return second;
+  if (second.failure.empty() && second.numbers == first.numbers) return first;
+  return {{}, "the program gives different answers to the same question"};
 }
 
 Numbers ProgramRun::answer(const std::string& task, const Numbers& inputs) {

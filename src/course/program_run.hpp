@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,8 +18,9 @@ namespace course {
 /// Throws ProgramFailure for anything but finite decimal numbers; the message repeats none of it.
 Numbers parse_answer(std::string_view text);
 
-/// A built submission as the checks see it. A request is one run in the sandbox; the same request
-/// again has the same answer, and a task that took too long once is not asked again.
+/// A built submission as the checks see it. A request is two runs in the sandbox, which must agree;
+/// the same request again has the same answer. A task that took too long once is not asked again,
+/// and nothing is after all runs together took Limits::submission_seconds.
 class ProgramRun {
  public:
   /// Its files go beside the program.
@@ -33,6 +35,8 @@ class ProgramRun {
     std::string failure;
   };
   Answer ask(const std::string& task, const Numbers& inputs);
+  Answer ask_once(const std::string& task, const Numbers& inputs);
+  JobEnd run(const std::string& task, const Numbers& inputs);
   std::string failure_of(const JobEnd& end) const;
 
   Limits limits_;
@@ -40,6 +44,7 @@ class ProgramRun {
   Sandbox sandbox_;
   std::map<std::pair<std::string, Numbers>, Answer> answers_;
   std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
+  std::chrono::duration<double> time_{};         ///< of all runs so far
 };
 
 }  // namespace course

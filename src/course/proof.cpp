@@ -3,14 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "course/check_list.hpp"
 #include "course/expected_values.hpp"
 #include "course/grading.hpp"
 #include "course/leaks.hpp"
 #include "course/score.hpp"
-#include "course/scratch_folder.hpp"
 #include "course/student_build.hpp"
 #include "course/toolkit.hpp"
 #include "course/variants.hpp"
@@ -22,13 +19,6 @@
 namespace course {
 namespace fs = std::filesystem;
 namespace {
-
-// A packed project is a folder, or the files as they are.
-fs::path root_of(const fs::path& unpacked) {
-  std::vector<fs::path> entries;
-  for (const auto& entry : fs::directory_iterator(unpacked)) entries.push_back(entry.path());
-  return entries.size() == 1 && fs::is_directory(entries[0]) ? entries[0] : unpacked;
-}
 
 /// Proves the claims, one after the other.
 class Prover {
@@ -53,7 +43,6 @@ class Prover {
     return score_of(input_.assignment, input_.toolkit, submission(input_.assignment, files), checks,
                     variant, isolation_of(input_.n_jobs));
   }
-  std::vector<std::string> differences_of_zip() const;
 
   const ProofInput& input_;
   ExpectedValues expected_;
@@ -116,29 +105,6 @@ ProvedClaim Prover::wrong_scores() const {
   return claim;
 }
 
-// The folder that is searched has to be what the zip holds.
-std::vector<std::string> Prover::differences_of_zip() const {
-  const ScratchFolder unpacked;
-  unpack_zip(input_.zip, unpacked.path());
-  const fs::path root = root_of(unpacked.path());
-  const auto packed = literate::files_below(root);
-  const auto loose = literate::files_below(input_.handout);
-  std::vector<std::string> faults;
-  std::vector<std::string> lonely;
-  std::ranges::set_symmetric_difference(packed, loose, std::back_inserter(lonely));
-  for (const std::string& file : lonely) {
-    faults.push_back(fmt::format("zip and folder: {} is in one and not the other", file));
-  }
-  for (const std::string& file : packed) {
-    if (!std::ranges::binary_search(loose, file)) continue;
-    if (literate::read_file(root / file) == literate::read_file(input_.handout / file)) {
-      continue;
-    }
-    faults.push_back(fmt::format("zip and folder: {} is not the same", file));
-  }
-  return faults;
-}
-
 ProvedClaim Prover::no_leaks() const {
   const auto values = expected_.values();
   const Secrets secrets =
@@ -150,10 +116,11 @@ ProvedClaim Prover::no_leaks() const {
   const auto add = [&](const std::vector<std::string>& faults) {
     claim.faults.insert(claim.faults.end(), faults.begin(), faults.end());
   };
+  add(published_references(input_.assignment, input_.source, input_.secret_files));
   add(leaks(secrets, input_.handout));
   if (input_.zip.empty()) return claim;
   add(leaks(secrets, input_.zip));
-  add(differences_of_zip());
+  add(differences_of_zip(input_.zip, input_.handout));
   return claim;
 }
 

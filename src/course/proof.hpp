@@ -23,6 +23,7 @@ struct ProofInput {
   std::filesystem::path zip;                        ///< the same, packed; may be empty
   std::filesystem::path toolkit;                    ///< of `course toolkit`
   std::vector<std::filesystem::path> secret_files;  ///< sources that no line of may be given away
+  std::filesystem::path source;                     ///< the checkout that provided files are from
   std::size_t n_jobs = 1;
 };
 
@@ -38,7 +39,8 @@ struct ProvedClaim {
 ///   every public check;
 /// - as it is, it scores the assignment's floor; the instructor's solution scores all points; each
 ///   wrong solution, with the nominal numbers, scores what the list says;
-/// - it holds no secret (course/leaks.hpp), and its zip no other files.
+/// - it holds no secret and provides nothing of the reference (course/leaks.hpp), and its zip no
+///   other files.
 ///
 /// Tells of each claim when it is tried; returns whether all hold. More than one job at a time
 /// takes bubblewrap. Throws ToolError, OutputError and CaseError as its parts do.

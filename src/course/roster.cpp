@@ -22,11 +22,27 @@ std::size_t column(const std::vector<std::string>& header, const std::string& na
   return static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
 }
 
-void add_student(Roster& roster, const std::string& student, const std::string& submitted) {
+/// Where the columns are that count; those that are not there are at the header's end.
+struct Columns {
+  explicit Columns(const std::vector<std::string>& header)
+      : student(column(header, "student")),
+        submitted(column(header, "submitted")),
+        deadline(column(header, "deadline")) {}
+
+  std::size_t student, submitted, deadline;
+};
+
+std::optional<Time> time_in(const std::vector<std::string>& fields, std::size_t column) {
+  if (column >= fields.size() || fields[column].empty()) return std::nullopt;
+  return parse_time(fields[column]);
+}
+
+void add_student(Roster& roster, const std::vector<std::string>& fields, const Columns& columns) {
+  const std::string& student = fields[columns.student];
   require_student_id(student);
-  std::optional<Time> time;
-  if (!submitted.empty()) time = parse_time(submitted);
-  if (!roster.emplace(student, time).second) {
+  const RosterEntry entry{.submitted = time_in(fields, columns.submitted),
+                          .deadline = time_in(fields, columns.deadline)};
+  if (!roster.emplace(student, entry).second) {
     throw literate::SourceError(fmt::format("student {} is listed twice", student));
   }
 }
@@ -63,9 +79,8 @@ Roster read_roster(const fs::path& file) {
   std::string_view first = lines[0];
   if (first.starts_with("\xEF\xBB\xBF")) first.remove_prefix(3);
   const std::vector<std::string> header = csv_fields(first);
-  const std::size_t student = column(header, "student");
-  const std::size_t submitted = column(header, "submitted");
-  if (student == header.size()) fail(1, "there is no column 'student'");
+  const Columns columns(header);
+  if (columns.student == header.size()) fail(1, "there is no column 'student'");
   Roster roster;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (literate::stripped(lines[i]).empty()) continue;
@@ -74,7 +89,7 @@ Roster read_roster(const fs::path& file) {
       fail(i + 1, fmt::format("{} fields; the header has {}", fields.size(), header.size()));
     }
     try {
-      add_student(roster, fields[student], submitted < header.size() ? fields[submitted] : "");
+      add_student(roster, fields, columns);
     } catch (const literate::SourceError& error) {
       fail(i + 1, error.what());
     }

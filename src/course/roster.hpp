@@ -11,12 +11,18 @@
 
 namespace course {
 
-/// The class: when each student handed in, where the file tells.
-using Roster = std::map<std::string, std::optional<Time>>;
+/// What the class's file tells of one student.
+struct RosterEntry {
+  std::optional<Time> submitted = {};
+  std::optional<Time> deadline = {};  ///< an extension: instead of the assignment's
+};
 
-/// Reads a CSV file with a header line, whose columns `student` and, if there is one, `submitted`
-/// (RFC 3339; empty for unknown) count. Throws literate::SourceError «file:line: …» for a student
-/// named twice, an id that is none, and a time that is none.
+/// The class, by student.
+using Roster = std::map<std::string, RosterEntry>;
+
+/// Reads a CSV file with a header line, whose columns `student` and, where there are such,
+/// `submitted` and `deadline` (RFC 3339; empty for unknown) count. Throws literate::SourceError
+/// «file:line: …» for a student named twice, an id that is none, and a time that is none.
 Roster read_roster(const std::filesystem::path& file);
 
 /// A submission in the folder of all.
@@ -32,7 +38,7 @@ struct Listing {
   std::vector<std::string> problems;
 };
 
-/// Throws OutputError if the folder cannot be read.
+/// Throws OutputError for what is no folder, or cannot be read.
 Listing list_submissions(const std::filesystem::path& folder, const std::optional<Roster>& roster);
 
 }  // namespace course

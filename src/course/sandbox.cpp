@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <csignal>
-#include <sstream>
+#include <system_error>
 
 #include "course/child.hpp"
+#include "course/descendants.hpp"
+#include "course/job_user.hpp"
 #include "course/syscall_filter.hpp"
 #include "literate/error.hpp"
 #include "literate/files.hpp"
@@ -22,21 +24,22 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// A user for this process alone: where there are so many, one that no person and no service has;
-/// else, in a container, one that differs for processes that run at the same time.
-unsigned own_user() {
-  std::istringstream map(literate::read_file("/proc/self/uid_map"));
-  unsigned long inside = 0;
-  unsigned long outside = 0;
-  unsigned long n_users = 0;
-  map >> inside >> outside >> n_users;
-  const auto process = static_cast<unsigned>(::getpid());
-  return n_users > 2'000'000'000UL ? 1'900'000'000U + process : 20'000U + process % 40'000U;
+/// Parts of /usr that a distribution's compiler does not need and an instructor may keep things in.
+std::vector<std::string> hidden_folders() {
+  const fs::path compiler = fs::canonical(literate::find_tool("g++"));
+  std::vector<std::string> hidden;
+  for (const char* folder : {"/usr/local", "/usr/src"}) {
+    const bool has_compiler = compiler.string().starts_with(std::string(folder) + "/");
+    if (fs::is_directory(folder) && !has_compiler) hidden.emplace_back(folder);
+  }
+  return hidden;
 }
 
 JobEnd ending_of(const ChildEnd& end) {
   const int status = end.status;
-  if (end.is_too_large) return {Ending::too_large, 0};
+  if (end.excess == Excess::memory) return {Ending::too_large, 0};
+  if (end.excess == Excess::time) return {Ending::too_slow, 0};
+  if (end.excess == Excess::tasks) return {Ending::too_many_processes, 0};
   if (status == 124 || status == 128 + SIGKILL || status == 128 + SIGXCPU) {
     return {Ending::too_slow, 0};
   }
@@ -85,13 +88,22 @@ Sandbox::Sandbox(Isolation isolation, const fs::path& work)
     : isolation_(isolation),
       work_(fs::absolute(work)),
       is_root_(::geteuid() == 0),
-      user_(own_user()) {
+      user_(is_root_ ? job_user() : ::geteuid()) {
   if (isolation_ == Isolation::sandbox) {
     write_syscall_filter(work_ / "filter");
   } else {
-    fs::permissions(work_, fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add);
+    make_reachable();
   }
   probe();
+}
+
+/// Jobs of another grading must not find the way, whose names the list of processes tells.
+void Sandbox::make_reachable() const {
+  using fs::perms;
+  fs::permissions(work_, perms::owner_all | perms::group_exec);
+  if (is_root_ && ::chown(work_.c_str(), 0, user_) != 0) {
+    throw literate::ToolError(fmt::format("cannot give '{}' to another group", work_.string()));
+  }
 }
 
 std::string Sandbox::place(const Readable& readable) const {
@@ -117,10 +129,11 @@ std::vector<std::string> Sandbox::walls(const Job& job) const {
   } else {
     append(walls, {"--unshare-user", "--disable-userns"});
   }
-  append(walls, {"--ro-bind",
-                 "/usr",
-                 "/usr",
-                 "--symlink",
+  append(walls, {"--ro-bind", "/usr", "/usr"});
+  for (const std::string& folder : hidden_folders()) {
+    append(walls, {"--perms", "0755", "--tmpfs", folder, "--remount-ro", folder});
+  }
+  append(walls, {"--symlink",
                  "usr/bin",
                  "/bin",
                  "--symlink",
@@ -160,7 +173,8 @@ std::vector<std::string> Sandbox::walls(const Job& job) const {
 }
 
 std::vector<std::string> Sandbox::command(const Job& job) const {
-  std::vector<std::string> command = {"/usr/bin/timeout"};
+  // A grading that is killed takes its job along.
+  std::vector<std::string> command = {"/usr/bin/setpriv", "--pdeathsig=KILL", "/usr/bin/timeout"};
   // In a group of its own `timeout` would not hear Ctrl-C; without walls the group is all there is
   // to end the children with.
   if (isolation_ == Isolation::sandbox) command.emplace_back("--foreground");
@@ -168,22 +182,22 @@ std::vector<std::string> Sandbox::command(const Job& job) const {
   if (isolation_ == Isolation::sandbox) append(command, walls(job));
   if (is_root_) append(command, as_user(user_));
   append(command, within_limits(job));
-  // Of a person grading without walls, all processes would count.
-  if (is_root_ || isolation_ == Isolation::sandbox) {
-    command.push_back(fmt::format("--nproc={}", job.processes));
-  }
+  // Of a person grading without walls, all processes count: there the watchdog has to count the
+  // job's, and this only ends what outruns it.
+  const bool counts_alone = is_root_ || isolation_ == Isolation::sandbox;
+  command.push_back(fmt::format(
+      "--nproc={}", counts_alone ? static_cast<std::size_t>(job.processes)
+                                 : own_tasks() + 8 * static_cast<std::size_t>(job.processes)));
   append(command, job.command);
   return command;
 }
 
 JobEnd Sandbox::run(const Job& job) const {
   const bool has_walls = isolation_ == Isolation::sandbox;
-  if (!has_walls) {
-    fs::create_directories(scratch());
-    if (is_root_ && ::chown(scratch().c_str(), user_, user_) != 0) {
-      throw literate::ToolError(fmt::format("cannot give '{}' to another user", scratch()));
-    }
-  }
+  if (!has_walls) prepare_scratch();
+  // One more is `timeout`.
+  const std::size_t max_tasks =
+      has_walls || is_root_ ? 0 : static_cast<std::size_t>(job.processes) + 1;
   const ChildEnd end = run_child({.command = command(job),
                                   .environment = {"PATH=/usr/bin:/bin", "LC_ALL=C",
                                                   "HOME=" + scratch(), "TMPDIR=" + scratch()},
@@ -194,24 +208,19 @@ JobEnd Sandbox::run(const Job& job) const {
                                   .output = job.output,
                                   .errors = job.errors,
                                   .third = has_walls ? work_ / "filter" : "/dev/null",
-                                  .memory_mb = static_cast<std::size_t>(job.memory_mb)});
-  if (!has_walls) end_what_is_left();
+                                  .memory_mb = static_cast<std::size_t>(job.memory_mb),
+                                  .cpu_seconds = static_cast<double>(job.seconds),
+                                  .tasks = max_tasks});
+  std::error_code ignored;
+  if (!has_walls) fs::remove_all(scratch(), ignored);
   return ending_of(end);
 }
 
-void Sandbox::end_what_is_left() const {
-  if (is_root_) {
-    std::vector<std::string> command = as_user(user_);
-    append(command, {"/usr/bin/kill", "-KILL", "--", "-1"});
-    run_child({.command = command,
-               .environment = {},
-               .folder = "/",
-               .input = "/dev/null",
-               .output = "/dev/null",
-               .errors = "/dev/null"});
+void Sandbox::prepare_scratch() const {
+  fs::create_directories(scratch());
+  if (is_root_ && ::chown(scratch().c_str(), user_, user_) != 0) {
+    throw literate::ToolError(fmt::format("cannot give '{}' to another user", scratch()));
   }
-  std::error_code ignored;
-  fs::remove_all(scratch(), ignored);
 }
 
 void Sandbox::probe() const {

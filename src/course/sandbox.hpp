@@ -23,14 +23,14 @@ struct Job {
   std::filesystem::path input = "/dev/null";
   std::filesystem::path output;
   std::filesystem::path errors;
-  int seconds = 5;       ///< of the processor, each process; the job has twice as long by the clock
+  int seconds = 5;       ///< of the processor, all together; the job has twice as long by the clock
   int memory_mb = 1024;  ///< of address space, each process, and of memory, all together
-  int processes = 32;
-  int file_kb = 256;   ///< of each file and stream it writes
-  int scratch_mb = 0;  ///< of scratch(); 0: it can write nothing but its streams
+  int processes = 32;    ///< and threads
+  int file_kb = 256;     ///< of each file and stream it writes
+  int scratch_mb = 0;    ///< of scratch(); 0: it can write nothing but its streams
 };
 
-enum class Ending { normal, too_slow, too_large, too_much_output, crash };
+enum class Ending { normal, too_slow, too_large, too_many_processes, too_much_output, crash };
 
 struct JobEnd {
   Ending ending = Ending::normal;
@@ -40,8 +40,8 @@ struct JobEnd {
 /// Runs jobs so that they reach no file, process or network but their own, within limits.
 ///
 /// bubblewrap keeps them apart. For root they run as a user of this process's own, so that the
-/// limit of processes counts each grading alone. With Isolation::none the limits hold, and nothing
-/// else does.
+/// limit of processes counts each grading alone. With Isolation::none the limits hold, nothing is
+/// left behind, and root's jobs cannot reach each other's folders; nothing else is kept apart.
 class Sandbox {
  public:
   /// `work` is an existing folder for its own files. Tries bubblewrap; throws ToolError where it
@@ -61,7 +61,8 @@ class Sandbox {
   void probe() const;
   std::vector<std::string> command(const Job& job) const;
   std::vector<std::string> walls(const Job& job) const;
-  void end_what_is_left() const;
+  void prepare_scratch() const;
+  void make_reachable() const;
 
   Isolation isolation_;
   std::filesystem::path work_;

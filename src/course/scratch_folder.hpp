@@ -1,42 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdlib.h>
-
-#include <cerrno>
 #include <filesystem>
-#include <string>
-#include <system_error>
-
-#include "literate/error.hpp"
 
 namespace course {
 
-/// A fresh folder of its own, removed with what it holds at the end of its scope. Other users, as
-/// whom submissions run, may reach what they know of in it, but not list it.
+/// A fresh folder of its own, removed with what it holds at the end of its scope; what a killed
+/// process left goes when the next one is made. Other users, as whom submissions run, may reach
+/// what they know of in it, but list neither it nor the folder that all of them are in. Throws
+/// literate::OutputError.
 class ScratchFolder {
  public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "course.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw literate::OutputError("cannot make a scratch folder such as '" + name +
-                                  "': " + std::generic_category().message(errno));
-    }
-    path_ = name;
-    using std::filesystem::perms;
-    std::filesystem::permissions(path_, perms::owner_all | perms::group_exec | perms::others_exec);
-  }
+  ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
+  ~ScratchFolder();
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
+  int lock_ = -1;  ///< on the folder, as long as its owner lives
 };
 
 }  // namespace course

@@ -6,10 +6,14 @@
 #include <map>
 
 #include "course/check_list.hpp"
+#include "course/expected_values.hpp"
 #include "course/grading.hpp"
+#include "course/leaks.hpp"
 #include "course/score.hpp"
 #include "course/scratch_folder.hpp"
 #include "course/variants.hpp"
+#include "course/zip.hpp"
+#include "literate/files.hpp"
 #include "literate/parallel.hpp"
 
 namespace course {
@@ -18,9 +22,8 @@ namespace {
 
 std::vector<Variant> variants_of(const VariantCheckInput& input) {
   std::vector<Variant> variants;
-  for (std::size_t i = 1; i <= input.count; ++i) {
-    variants.push_back(
-        variant_of(input.assignment, fmt::format("student-{}", i), input.seed, input.is_valid));
+  for (const std::string& student : input.students) {
+    variants.push_back(variant_of(input.assignment, student, input.seed, input.is_valid));
   }
   return variants;
 }
@@ -45,28 +48,82 @@ Built in_folder(const Built& built, const fs::path& folder) {
   return linked;
 }
 
+// What a student gets: the project, which is proved elsewhere, their numbers, and a sheet.
+std::vector<std::string> differences_of_folder(const VariantCheckInput& input,
+                                               const Variant& variant, const fs::path& handout) {
+  Files wanted = texts(input.project, Edition::handout);
+  wanted["provided/variant_of_this_handout.hpp"] = variant_header(input.assignment, variant);
+  std::vector<std::string> faults;
+  std::size_t n_found = 0;
+  for (const std::string& file : literate::files_below(handout)) {
+    const auto found = wanted.find(file);
+    if (found != wanted.end()) ++n_found;
+    const bool is_right = found == wanted.end()
+                              ? file == "sheet.pdf"
+                              : literate::read_file(handout / file) == found->second;
+    if (!is_right) faults.push_back(file + " is not what it must be");
+  }
+  if (n_found < wanted.size()) {
+    faults.push_back(fmt::format("{} files are missing", wanted.size() - n_found));
+  }
+  return faults;
+}
+
+std::vector<std::string> faults_of_handout(const VariantCheckInput& input, const Variant& variant,
+                                           const std::vector<double>& expected_values) {
+  const fs::path handout = input.handouts / variant.student;
+  const fs::path zip = handout.string() + ".zip";
+  if (!fs::is_directory(handout) || !fs::is_regular_file(zip)) {
+    return {fmt::format("'{}' or its zip is missing", handout.string())};
+  }
+  std::vector<std::string> faults = differences_of_folder(input, variant, handout);
+  const Secrets secrets =
+      secrets_of(input.assignment, input.project, input.secret_files, expected_values);
+  for (const auto& found : {leaks(secrets, handout), differences_of_zip(zip, handout)}) {
+    faults.insert(faults.end(), found.begin(), found.end());
+  }
+  return faults;
+}
+
+// All that is wrong with one student's variant, and handout if there are any.
+std::vector<std::string> faults_of(const VariantCheckInput& input, const Variant& variant,
+                                   const Built& built) {
+  ExpectedValues expected;
+  const Checks checks =
+      all_checks(input.assignment, input.visible, expected.listening(input.hidden));
+  std::vector<std::string> faults =
+      score_of(input.assignment, built, checks, variant, isolation_of(input.n_jobs)).losses;
+  if (input.handouts.empty()) return faults;
+  const auto found = faults_of_handout(input, variant, expected.values());
+  faults.insert(faults.end(), found.begin(), found.end());
+  return faults;
+}
+
 }  // namespace
 
+std::vector<std::string> invented_students(std::size_t count) {
+  std::vector<std::string> students;
+  for (std::size_t i = 1; i <= count; ++i) students.push_back(fmt::format("student-{}", i));
+  return students;
+}
+
 std::vector<std::string> faults_of_variants(const VariantCheckInput& input) {
-  const Checks checks = all_checks(input.assignment, input.visible, input.hidden);
   const std::vector<Variant> variants = variants_of(input);
   std::vector<std::string> faults = doubled(variants);
 
-  const Isolation isolation = isolation_of(input.n_jobs);
   const ScratchFolder scratch;
   const Files solution = submission(input.assignment, texts(input.project, Edition::solution));
   const Built built =
       build(input.assignment, input.toolkit, solution, scratch.path() / "build", Isolation::none);
-  std::vector<std::vector<std::string>> losses(variants.size());
+  std::vector<std::vector<std::string>> found(variants.size());
   literate::for_each_parallel(variants.size(), input.n_jobs, [&](std::size_t i) {
-    const fs::path folder = scratch.path() / variants[i].student;
-    losses[i] =
-        score_of(input.assignment, in_folder(built, folder), checks, variants[i], isolation).losses;
+    const fs::path folder = scratch.path() / "students" / variants[i].student;
+    found[i] = faults_of(input, variants[i], in_folder(built, folder));
     fs::remove_all(folder);
   });
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    for (const std::string& loss : losses[i]) {
-      faults.push_back(fmt::format("{}: {}", variants[i].student, loss));
+    for (const std::string& fault : found[i]) {
+      faults.push_back(fmt::format("{}: {}", variants[i].student, fault));
     }
   }
   return faults;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "course/student_text.hpp"
+#include "course/submission.hpp"
 #include "literate/error.hpp"
 #include "literate/files.hpp"
 
@@ -28,26 +30,17 @@ bool is_id_character(unsigned char c) {
          c == '_' || c == '-' || c == '@';
 }
 
-// As it can be shown in one line.
-std::string printable(const std::string& text) {
-  std::string shown;
-  for (const char c : text.substr(0, 80)) {
-    const auto byte = static_cast<unsigned char>(c);
-    shown += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return text.size() > 80 ? shown + "…" : shown;
-}
-
 }  // namespace
 
 void require_student_id(const std::string& student) {
   const bool is_plain = std::ranges::all_of(student, is_id_character);
-  const bool is_hidden = student.starts_with('.') || student.starts_with('-');
-  if (!student.empty() && student.size() <= 64 && is_plain && !is_hidden) return;
+  const bool begins_ill = student.find_first_of(".-@") == 0;
+  const bool ends_ill = student.ends_with(".part") || names_archive(student);
+  if (!student.empty() && student.size() <= 64 && is_plain && !begins_ill && !ends_ill) return;
   throw literate::SourceError(fmt::format(
-      "student \"{}\": an id is of 1 to 64 letters, digits, '.', '_', '-' and '@' and does not "
-      "begin with '.' or '-'",
-      printable(student)));
+      "student \"{}\": an id is of 1 to 64 letters, digits, '.', '_', '-' and '@', does not begin "
+      "with '.', '-' or '@' and does not end with .part, .zip or another archive's ending",
+      shown_name(student)));
 }
 
 Variant nominal_variant(const Assignment& assignment) {

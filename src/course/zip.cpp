@@ -3,19 +3,54 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "course/scratch_folder.hpp"
 #include "literate/error.hpp"
+#include "literate/files.hpp"
 #include "literate/process.hpp"
 
 namespace course {
+namespace fs = std::filesystem;
+namespace {
 
-void unpack_zip(const std::filesystem::path& zip, const std::filesystem::path& folder) {
+// A packed project is a folder, or the files as they are.
+fs::path root_of(const fs::path& unpacked) {
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(unpacked)) entries.push_back(entry.path());
+  return entries.size() == 1 && fs::is_directory(entries[0]) ? entries[0] : unpacked;
+}
+
+}  // namespace
+
+void unpack_zip(const fs::path& zip, const fs::path& folder) {
   const literate::ProcessResult result =
       literate::run({.program = "bsdtar",
-                     .arguments = {"-xf", std::filesystem::absolute(zip).string()},
+                     .arguments = {"-xf", fs::absolute(zip).string()},
                      .working_directory = folder});
   if (result.exit_status == 0) return;
   throw literate::ToolError(fmt::format("bsdtar cannot unpack '{}': {}", zip.string(),
                                         result.output.substr(0, result.output.find('\n'))));
+}
+
+std::vector<std::string> differences_of_zip(const fs::path& zip, const fs::path& folder) {
+  const ScratchFolder unpacked;
+  unpack_zip(zip, unpacked.path());
+  const fs::path root = root_of(unpacked.path());
+  const auto packed = literate::files_below(root);
+  const auto loose = literate::files_below(folder);
+  std::vector<std::string> faults;
+  std::vector<std::string> lonely;
+  std::ranges::set_symmetric_difference(packed, loose, std::back_inserter(lonely));
+  for (const std::string& file : lonely) {
+    faults.push_back(fmt::format("zip and folder: {} is in one and not the other", file));
+  }
+  for (const std::string& file : packed) {
+    if (!std::ranges::binary_search(loose, file)) continue;
+    if (literate::read_file(root / file) == literate::read_file(folder / file)) continue;
+    faults.push_back(fmt::format("zip and folder: {} is not the same", file));
+  }
+  return faults;
 }
 
 }  // namespace course

@@ -116,6 +116,19 @@ BOOST_AUTO_TEST_CASE(a_slip_of_the_pen_has_its_place) {
   check_error("[\"course/check.hpp\"", "[\"course/variant.hpp\"", "stands here twice");
 }
 
+BOOST_AUTO_TEST_CASE(an_exercise_has_a_check) {
+  const TemporaryFolder folder;
+  folder.write("template/src/root.cpp", "");
+  folder.write("assignment.toml",
+               "title = \"t\"\ndeadline = 2027-01-15T23:59:00Z\npoints = 1\nfloor = 0\n"
+               "[[exercise]]\nid = \"root\"\ntitle = \"t\"\nfile = \"src/root.cpp\"\ncheck = []\n");
+
+  BOOST_CHECK_EXCEPTION(course::read_assignment(folder.path()), CaseError, [](const CaseError& e) {
+    return std::string(e.what()).ends_with(
+        "assignment.toml:6:6: exercise.id: exercise \"root\" has no [[exercise.check]]");
+  });
+}
+
 BOOST_AUTO_TEST_CASE(code_and_list_have_the_same_checks) {
   const course::Assignment toy = toy::assignment();
   const auto error_of = [&](const course::Checks& visible, const course::Checks& hidden) {

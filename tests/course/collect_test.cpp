@@ -95,13 +95,16 @@ BOOST_AUTO_TEST_CASE(fields_are_quoted_and_are_no_formulas) {
 BOOST_AUTO_TEST_CASE(the_class_is_read_with_its_times) {
   const TemporaryFolder folder;
 
-  const Roster roster = read_roster(folder.write(
-      "class.csv",
-      "name,student,submitted\r\n\"A, B\",alice,2027-01-15T23:59:01+01:00\nC,carol,\n"));
+  const Roster roster = read_roster(
+      folder.write("class.csv",
+                   "name,student,submitted,deadline\r\n\"A, B\",alice,2027-01-15T23:59:01+01:00,\n"
+                   "C,carol,,2027-01-20T12:00:00Z\n"));
 
   BOOST_TEST(roster.size() == 2U);
-  BOOST_TEST((roster.at("alice") == parse_time("2027-01-15T22:59:01Z")));
-  BOOST_TEST(!roster.at("carol").has_value());
+  BOOST_TEST((roster.at("alice").submitted == parse_time("2027-01-15T22:59:01Z")));
+  BOOST_TEST(!roster.at("alice").deadline.has_value());
+  BOOST_TEST(!roster.at("carol").submitted.has_value());
+  BOOST_TEST((roster.at("carol").deadline == parse_time("2027-01-20T12:00:00Z")));
 }
 
 BOOST_AUTO_TEST_CASE(a_class_that_is_wrong_is_told_with_its_line) {
@@ -110,6 +113,9 @@ BOOST_AUTO_TEST_CASE(a_class_that_is_wrong_is_told_with_its_line) {
   BOOST_TEST(source_error("name\n") == "class.csv:1: there is no column 'student'");
   BOOST_TEST(source_error("student\na\na\n") == "class.csv:3: student a is listed twice");
   BOOST_TEST(source_error("student\na,b\n") == "class.csv:2: 2 fields; the header has 1");
+  BOOST_TEST(source_error("student\n@a\n").starts_with("class.csv:2: student \"@a\": an id is"));
+  BOOST_TEST(source_error("student,deadline\na,noon\n") ==
+             "class.csv:2: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
   BOOST_TEST(source_error("student,submitted\na,noon\n") ==
              "class.csv:2: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
 }
@@ -136,6 +142,13 @@ BOOST_AUTO_TEST_CASE(what_is_to_be_graded_is_listed_and_the_rest_told) {
   BOOST_TEST(listing.problems[3] == "'zoe.zip': there is no student zoe in the class");
   BOOST_TEST(listing.problems[4] ==
              "student alice has more than one submission: 'alice' and 'alice.zip'");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_folder_of_submissions_is_an_error) {
+  const TemporaryFolder folder;
+
+  BOOST_CHECK_THROW(list_submissions(folder.write("class.csv", ""), {}), literate::OutputError);
+  BOOST_CHECK_THROW(list_submissions(folder.path() / "nowhere", {}), literate::OutputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_day_begun_is_a_day) {

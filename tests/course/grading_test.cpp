@@ -16,13 +16,11 @@ struct Graded {
   std::vector<CheckResult> results;
 };
 
-Graded grade(const Files& files) {
+Graded grade(const Files& files, const Assignment& assignment = toy::assignment()) {
   const TemporaryFolder scratch;
   Graded graded;
-  graded.built =
-      build(toy::assignment(), toy::toolkit(), files, scratch.path(), Isolation::sandbox);
-  graded.results =
-      evaluate(toy::assignment(), toy::checks(), graded.built, Variant{}, Isolation::sandbox);
+  graded.built = build(assignment, toy::toolkit(), files, scratch.path(), Isolation::sandbox);
+  graded.results = evaluate(assignment, toy::checks(), graded.built, Variant{}, Isolation::sandbox);
   return graded;
 }
 
@@ -65,6 +63,54 @@ BOOST_AUTO_TEST_CASE(what_does_not_link_costs_its_own_exercise) {
   BOOST_TEST(total(graded.results) == 10);
   BOOST_TEST(graded.built.compile_errors.at("sum").find("multiple definition of `main'") !=
              std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_helper_of_the_same_name_in_two_files_costs_the_second_only) {
+  const std::string helper = "#include \"toy.hpp\"\ndouble twice(double x) { return 2 * x; }\n";
+  Files files = toy::solution();
+  for (auto& [file, text] : files) text = helper + text;
+
+  const Graded graded = grade(files);
+
+  BOOST_TEST(total(graded.results) == 10);
+  BOOST_TEST(graded.built.link_error == "");
+  BOOST_TEST(!graded.built.compile_errors.contains("square"));
+  BOOST_TEST(graded.built.compile_errors.at("sum").find("multiple definition of `twice(double)'") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(answers_that_differ_from_run_to_run_are_none) {
+  const Graded graded = grade(with("src/square.cpp",
+                                   "#include <chrono>\n"
+                                   "double square(double x) {\n"
+                                   "  const auto now = std::chrono::steady_clock::now();\n"
+                                   "  return x * x + 1e-12 * now.time_since_epoch().count();\n"
+                                   "}\n"));
+
+  BOOST_TEST(graded.results[0].message ==
+             "the program gives different answers to the same question");
+  BOOST_TEST(total(graded.results) == 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
+  Assignment assignment = toy::assignment();
+  assignment.limits.submission_seconds = 1;
+
+  const Graded graded = grade(with("src/square.cpp",
+                                   "#include <unistd.h>\n"
+                                   "double square(double x) { usleep(400000); return x * x; }\n"),
+                              assignment);
+
+  BOOST_TEST(graded.results[0].message == "the submission took more than 1 s in all");
+  BOOST_TEST(graded.results[3].message == graded.results[0].message);
+  BOOST_TEST(total(graded.results) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_programs_own_status_is_not_told) {
+  const Graded graded = grade(
+      with("src/square.cpp", "#include <cstdlib>\ndouble square(double) { std::exit(42); }\n"));
+
+  BOOST_TEST(graded.results[0].message == "the program ended with a failure");
 }
 
 BOOST_AUTO_TEST_CASE(a_name_that_only_the_precompiled_header_brings_does_no_harm) {

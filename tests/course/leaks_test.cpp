@@ -170,3 +170,27 @@ BOOST_AUTO_TEST_CASE(a_solution_that_was_published_as_a_whole_is_noticed) {
   BOOST_REQUIRE(published().size() == 1);
   BOOST_TEST(published()[0].find("src/mean.cpp:4: all of this region") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_CASE(files_that_the_hidden_checks_compare_with_may_not_be_provided) {
+  const TemporaryFolder folder;
+  const fs::path hidden = folder.write("src/assignment/hidden_checks.cpp",
+                                       "#include <vector>\n#include \"course/check.hpp\"\n"
+                                       "#include \"contact/pressure.hpp\"\n");
+  folder.write("src/contact/pressure.hpp", "");
+  folder.write("src/contact/pressure.cpp",
+               "#include \"numerics/fit.hpp\"\n#include \"elasticity/load.hpp\"\n");
+  folder.write("src/elasticity/load.hpp", "");
+  folder.write("src/numerics/fit.hpp", "#include \"numerics/fit.hpp\"\n");
+  course::Assignment assignment = toy::assignment();
+  assignment.provided = {"numerics/fit.hpp", "elasticity/other.cpp", "contact/pressure.hpp",
+                         "assignment/tasks.hpp", "assignment/hidden_checks.cpp"};
+
+  const auto published = course::published_references(assignment, folder.path(), {hidden});
+
+  BOOST_REQUIRE(published.size() == 3U);
+  BOOST_TEST(
+      published[0].ends_with("assignment.toml: provided: src/elasticity/other.cpp belongs to "
+                             "what the hidden checks compare with"));
+  BOOST_TEST(published[1].find("src/contact/pressure.hpp") != std::string::npos);
+  BOOST_TEST(published[2].find("src/assignment/hidden_checks.cpp") != std::string::npos);
+}

@@ -71,6 +71,7 @@ class Toy {
                                          .zip = zip,
                                          .toolkit = toolkit(),
                                          .secret_files = {toy::folder / "hidden/hidden_checks.hpp"},
+                                         .source = toy::source,
                                          .n_jobs = 2},
                                         [&](const course::ProvedClaim& claim) {
                                           for (const std::string& fault : claim.faults)
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(the_solution_holds_on_every_variant) {
                                         .toolkit = toolkit(),
                                         .is_valid = [](const course::Variant&) { return true; },
                                         .seed = "winter",
-                                        .count = 20,
+                                        .students = course::invented_students(20),
                                         .n_jobs = 3};
 
   BOOST_TEST(course::faults_of_variants(input).empty());
@@ -232,7 +233,7 @@ BOOST_AUTO_TEST_CASE(two_students_with_one_variant_and_lost_points_are_told) {
        .toolkit = toolkit(),
        .is_valid = [](const course::Variant& v) { return v("first") > 4.75 && v("second") < 14; },
        .seed = "winter",
-       .count = 200,
+       .students = course::invented_students(200),
        .n_jobs = 2});
 
   const auto has = [&](const std::string& part) {
@@ -241,4 +242,49 @@ BOOST_AUTO_TEST_CASE(two_students_with_one_variant_and_lost_points_are_told) {
   };
   BOOST_TEST(has("has the same variant as student-"));
   BOOST_TEST(has(": mean-reference: 1.5 of 3 points: differs"));
+}
+
+BOOST_AUTO_TEST_CASE(each_students_handout_is_proved_to_be_theirs) {
+  const auto assignment = toy::assignment();
+  const auto project = toy::project();
+  const TemporaryFolder folder;
+  course::VariantCheckInput input{.assignment = assignment,
+                                  .project = project,
+                                  .visible = toy::public_checks(),
+                                  .hidden = toy::hidden_checks(),
+                                  .toolkit = toolkit(),
+                                  .is_valid = [](const course::Variant&) { return true; },
+                                  .seed = "winter",
+                                  .students = {"ada", "build"},
+                                  .n_jobs = 2,
+                                  .handouts = folder.path(),
+                                  .secret_files = {toy::folder / "hidden/hidden_checks.hpp"}};
+  const auto write = [&](const std::string& student, const std::string& numbers_of) {
+    const auto variant = course::variant_of(assignment, numbers_of, "winter", input.is_valid);
+    course::write_project(project, course::Edition::handout, assignment, variant, {},
+                          folder.path() / student);
+    literate::run({.program = "zip",
+                   .arguments = {"-q", "-r", student + ".zip", student},
+                   .working_directory = folder.path()});
+  };
+  const auto faults = [&] {
+    std::string all;
+    for (const std::string& fault : course::faults_of_variants(input)) all += fault + "\n";
+    return all;
+  };
+
+  write("ada", "ada");
+  check_only(faults(), "build: '" + (folder.path() / "build").string() + "' or its zip is missing");
+  write("build", "build");
+  BOOST_TEST(faults() == "");
+  write("build", "ada");
+  check_only(faults(), "build: provided/variant_of_this_handout.hpp is not what it must be");
+  write("build", "build");
+  folder.write("ada/notes.txt", "mean-reference");
+  const std::string found = faults();
+  BOOST_TEST(found.find("ada: notes.txt is not what it must be") != std::string::npos);
+  BOOST_TEST(found.find("ada: notes.txt holds the id of the hidden check mean-reference") !=
+             std::string::npos);
+  BOOST_TEST(found.find("ada: zip and folder: notes.txt is in one and not the other") !=
+             std::string::npos);
 }

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/sandbox.hpp"
 
-#include <boost/test/unit_test.hpp>
-#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include "course/student_text.hpp"
+#include <algorithm>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include "course/child.hpp"
+#include "course/descendants.hpp"
+#include "course/job_user.hpp"
+#include "course/scratch_folder.hpp"
 #include "literate/error.hpp"
 #include "literate/files.hpp"
 #include "temporary_file.hpp"
@@ -35,6 +48,47 @@ Job shell(const std::string& script) {
   return job;
 }
 
+/// A job without walls.
+JobEnd run_freely(const TemporaryFolder& work, Job job) {
+  const Sandbox sandbox(Isolation::none, work.path());
+  job.output = work.path() / "out";
+  job.errors = work.path() / "err";
+  return sandbox.run(job);
+}
+
+/// What `action` returns in a process of its own; of a user that is not root, if there is a choice.
+bool as_nobody(const TemporaryFolder& work, const std::function<bool()>& action) {
+  constexpr uid_t nobody = 65534;
+  if (::geteuid() == 0) BOOST_REQUIRE(::chown(work.path().c_str(), nobody, nobody) == 0);
+  const pid_t process = ::fork();
+  if (process == 0) {
+    try {
+      if (::geteuid() == 0 && (::setgid(nobody) != 0 || ::setuid(nobody) != 0)) ::_exit(2);
+      ::_exit(action() ? 0 : 1);
+    } catch (...) {
+      ::_exit(3);
+    }
+  }
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// Whether any process of the machine was started as `sleep seconds`.
+bool is_sleeping(const std::string& seconds) {
+  std::string command = "sleep " + seconds + " ";
+  std::ranges::replace(command, ' ', '\0');
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream stream(entry.path() / "cmdline", std::ios::binary);
+    if (std::string(std::istreambuf_iterator<char>(stream), {}) == command) return true;
+  }
+  return false;
+}
+
+const std::string leaves_daemons =
+    "setsid sh -c 'setsid sleep 98761 & setsid sleep 98761' & exit 0";
+const std::string many_processes = "for i in $(seq 40); do sleep 3 & done; sleep 3; wait";
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_job_has_its_streams_and_its_status) {
@@ -63,11 +117,12 @@ BOOST_AUTO_TEST_CASE(a_job_sees_nothing_else) {
   const TemporaryFolder work;
   const fs::path secret = work.write("secret", "hidden\n");
 
-  const Ended ended = run(work, shell("cat '" + secret.string() + "'; ls / /proc/1/root /tmp"));
+  const Ended ended = run(work, shell("cat '" + secret.string() + "'; ls /; ls /tmp"));
 
-  BOOST_TEST(ended.output.find("hidden") == std::string::npos);
-  BOOST_TEST(ended.output.find("root") == ended.output.find("root:"));
-  BOOST_TEST(!shown(ended.errors, 100).empty());
+  BOOST_TEST(ended.output == "bin\ndev\netc\nlib\nlib64\nproc\ntmp\nusr\n");
+  BOOST_TEST(ended.errors.find("secret': No such file") != std::string::npos, ended.errors);
+  BOOST_TEST(run(work, shell("ls -A /usr/local /usr/src | grep -v :")).output == "\n");
+  BOOST_TEST(run(work, shell("ls /proc/1/root/home")).output == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_job_inherits_no_environment) {
@@ -157,6 +212,26 @@ BOOST_AUTO_TEST_CASE(memory_is_that_of_all_processes_together) {
   BOOST_TEST((ended.end.ending == Ending::too_large), ended.end.status << ": " << ended.errors);
 }
 
+BOOST_AUTO_TEST_CASE(the_processors_time_is_that_of_all_processes_together) {
+  const TemporaryFolder work;
+  Job job = shell("for i in 1 2 3 4; do (while :; do :; done) & done; wait");
+  job.seconds = 4;
+
+  const auto begin = std::chrono::steady_clock::now();
+  BOOST_TEST((run(work, job).end.ending == Ending::too_slow));
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  BOOST_TEST_MESSAGE(time.count() << " s");
+
+  const Child child{.command = job.command,
+                    .environment = {"PATH=/usr/bin"},
+                    .folder = work.path(),
+                    .input = "/dev/null",
+                    .output = work.path() / "out",
+                    .errors = work.path() / "err",
+                    .cpu_seconds = 1};
+  BOOST_TEST((run_child(child).excess == Excess::time));
+}
+
 BOOST_AUTO_TEST_CASE(a_program_that_is_not_there_is_no_error_of_the_grader) {
   const TemporaryFolder work;
   Job job;
@@ -184,11 +259,120 @@ BOOST_AUTO_TEST_CASE(without_bubblewrap_nothing_is_graded_and_the_message_names_
 
 BOOST_AUTO_TEST_CASE(without_walls_limits_hold) {
   const TemporaryFolder work;
-  const Sandbox sandbox(Isolation::none, work.path());
   Job job = shell("exec yes");
-  job.output = work.path() / "out";
-  job.errors = work.path() / "err";
   job.file_kb = 8;
 
-  BOOST_TEST((sandbox.run(job).ending == Ending::too_much_output));
+  BOOST_TEST((run_freely(work, job).ending == Ending::too_much_output));
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_nothing_is_left_behind) {
+  const TemporaryFolder work;
+
+  BOOST_TEST((run_freely(work, shell(leaves_daemons)).ending == Ending::normal));
+  BOOST_TEST(!is_sleeping("98761"));
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_and_rights_nothing_is_left_behind_and_processes_are_counted) {
+  const TemporaryFolder work;
+  Job many = shell(many_processes);
+  many.processes = 8;
+
+  BOOST_TEST(as_nobody(
+      work, [&] { return run_freely(work, shell(leaves_daemons)).ending == Ending::normal; }));
+  BOOST_TEST(!is_sleeping("98761"));
+  BOOST_TEST(
+      as_nobody(work, [&] { return run_freely(work, many).ending == Ending::too_many_processes; }));
+}
+
+BOOST_AUTO_TEST_CASE(the_children_of_every_thread_are_found) {
+  const auto before = descendants(::getpid()).size();
+  std::size_t during = 0;
+
+  std::thread([&] {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::pause();
+      ::_exit(0);
+    }
+    during = descendants(::getpid()).size();
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+  }).join();
+
+  BOOST_TEST(during == before + 1);
+}
+
+BOOST_AUTO_TEST_CASE(gradings_at_the_same_time_run_as_different_users) {
+  if (::geteuid() != 0) return;
+  const unsigned user = job_user();
+  BOOST_TEST(job_user() == user);
+  const pid_t process = ::fork();
+  if (process == 0) ::_exit(job_user() == user ? 1 : 0);
+  int status = 1;
+  ::waitpid(process, &status, 0);
+
+  BOOST_TEST(status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_a_job_cannot_reach_the_folder_of_another_grading) {
+  if (::geteuid() != 0) return;
+  const ScratchFolder scratch;
+  const Sandbox sandbox(Isolation::none, scratch.path());
+  std::ofstream(scratch.path() / "secret") << "hidden\n";
+  const TemporaryFolder work;
+  const pid_t other = ::fork();
+  if (other == 0) {
+    const Sandbox own(Isolation::none, work.path());
+    Job job = shell("cat '" + (scratch.path() / "secret").string() + "'; ls '" +
+                    scratch.path().parent_path().string() + "'");
+    job.output = work.path() / "out";
+    job.errors = work.path() / "err";
+    own.run(job);
+    ::_exit(0);
+  }
+  ::waitpid(other, nullptr, 0);
+
+  BOOST_TEST(literate::read_file(work.path() / "out") == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_killed_grading_takes_its_job_along) {
+  const TemporaryFolder work;
+  const pid_t process = ::fork();
+  if (process == 0) {
+    Job job = shell("sleep 98762");
+    job.seconds = 50;
+    run(work, job);
+    ::_exit(0);
+  }
+  for (int i = 0; i < 500 && !is_sleeping("98762"); ++i) ::usleep(10'000);
+  BOOST_TEST(is_sleeping("98762"));
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  for (int i = 0; i < 500 && is_sleeping("98762"); ++i) ::usleep(10'000);
+
+  BOOST_TEST(!is_sleeping("98762"));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_killed_grading_left_goes_at_the_next) {
+  std::array<int, 2> pipe{};
+  BOOST_REQUIRE(::pipe(pipe.data()) == 0);
+  const pid_t process = ::fork();
+  if (process == 0) {
+    const ScratchFolder scratch;
+    const std::string path = scratch.path().string();
+    const auto n = ::write(pipe[1], path.data(), path.size());
+    ::kill(::getpid(), n > 0 ? SIGKILL : SIGTERM);
+  }
+  ::waitpid(process, nullptr, 0);
+  std::string left(200, '\0');
+  left.resize(static_cast<std::size_t>(::read(pipe[0], left.data(), left.size())));
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+  BOOST_TEST_REQUIRE(fs::exists(left));
+
+  const ScratchFolder mine;
+  const ScratchFolder other;
+
+  BOOST_TEST(!fs::exists(left));
+  BOOST_TEST(fs::exists(mine.path()));
 }

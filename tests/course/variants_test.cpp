@@ -90,8 +90,10 @@ BOOST_AUTO_TEST_CASE(an_id_that_could_not_name_a_file_is_refused_by_name) {
   for (const char* id : {"ada", "s1234567", "a.b@uni-x.example", "_", "A-1"}) {
     BOOST_CHECK_NO_THROW(course::require_student_id(id));
   }
-  for (const std::string id : {"", "a b", "a/b", "..", ".hidden", "-f", "\xC3\xA9va", "a\nb",
-                               "quote\"", std::string(65, 'a').c_str()}) {
+  const std::string too_long(65, 'a');
+  for (const std::string& id : std::initializer_list<std::string>{
+           "", "a b", "a/b", "..", ".hidden", "-f", "\xC3\xA9va", "a\nb", "quote\"", "@ada",
+           "ada.part", "ada.zip", "ada.tar.gz", too_long}) {
     BOOST_CHECK_EXCEPTION(
         course::require_student_id(id), literate::SourceError, [](const literate::SourceError& e) {
           const std::string what = e.what();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toy.hpp"
 
-double square(double x) { return x; }
+double square(double x) { return x * x; }
 
-double sum(const std::vector<double>& numbers) { return numbers[0]; }
+double sum(const std::vector<double>& numbers) {
+  double total = 0;
+  for (const double number : numbers) total += number;
+  return total;
+}

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+double square(double x) {
+  sleep(60);
+  return x * x;
+}
