@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -16,31 +17,40 @@ class NoAnswer : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace
-
-course::Numbers answer(const course::Program& program, const std::string& task,
-                       const course::Numbers& inputs, std::size_t count) {
-  course::Numbers numbers = program(task, inputs);
-  std::ostringstream fault;
-  fault << "task " << task << ": ";
-  if (numbers.size() != count) {
-    fault << numbers.size() << " numbers where " << count << " are due";
-    throw NoAnswer(fault.str());
-  }
-  const auto bad = std::find_if_not(numbers.begin(), numbers.end(),
-                                    [](double number) { return std::isfinite(number); });
-  if (bad != numbers.end()) {
-    fault << "number " << bad - numbers.begin() + 1 << " of " << count
-          << " is not a finite number (" << *bad << ")";
-    throw NoAnswer(fault.str());
-  }
-  return numbers;
+bool is_finite(double number) {
+  return std::isfinite(number);
 }
+
+}  // namespace
 
 course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
                                const course::Numbers& inputs, std::size_t count) {
-  course::Numbers numbers = answer(program, task, inputs, count);
+  course::Numbers numbers = program(task, inputs);
+  if (numbers.size() != count) {
+    throw NoAnswer("task " + task + ": " + std::to_string(numbers.size()) + " numbers where " +
+                   std::to_string(count) + " are due");
+  }
+  if (std::none_of(numbers.begin(), numbers.end(), is_finite)) {
+    throw NoAnswer("task " + task + ": no number is finite");
+  }
   if (greatest(numbers) == 0) throw NoAnswer("task " + task + ": all numbers are zero");
+  // No comparison holds for a NaN; for an infinity some do.
+  std::replace_if(
+      numbers.begin(), numbers.end(), [](double number) { return !is_finite(number); },
+      std::numeric_limits<double>::quiet_NaN());
+  return numbers;
+}
+
+course::Numbers finite_answer(const course::Program& program, const std::string& task,
+                              const course::Numbers& inputs, std::size_t count) {
+  course::Numbers numbers = nonzero_answer(program, task, inputs, count);
+  const auto bad = std::find_if_not(numbers.begin(), numbers.end(), is_finite);
+  if (bad != numbers.end()) {
+    std::ostringstream fault;
+    fault << "task " << task << ": number " << bad - numbers.begin() + 1 << " of " << count
+          << " is not a finite number (" << *bad << ")";
+    throw NoAnswer(fault.str());
+  }
   return numbers;
 }
 
@@ -80,12 +90,14 @@ std::string at(const std::string& name, double number) {
 }
 
 bool near(double a, double b, double tolerance) {
-  return std::abs(a - b) <= tolerance;
+  return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) <= tolerance;
 }
 
 double greatest(const course::Numbers& numbers) {
   double found = 0;
-  for (const double number : numbers) found = std::max(found, std::abs(number));
+  for (const double number : numbers) {
+    if (is_finite(number)) found = std::max(found, std::abs(number));
+  }
   return found;
 }
 

@@ -11,16 +11,18 @@
 
 namespace assignment {
 
-/// The answer of a task, with exactly `count` finite numbers.
+/// The answer of a task: exactly `count` numbers, at least one of which is finite and not zero
+/// (zeros have every symmetry there is).
 ///
-/// A wrong count, a NaN or an infinity ends the check: guarded() turns that into share 0 and a
-/// message. What the program itself throws (course::ProgramFailure) goes through.
-course::Numbers answer(const course::Program& program, const std::string& task,
-                       const course::Numbers& inputs, std::size_t count);
-
-/// As above, and at least one of the numbers is not zero: zeros have every symmetry there is.
+/// Anything else ends the check: guarded() turns that into share 0 and a message. A NaN or an
+/// infinity among other numbers is returned as NaN, and no part holds in which it is compared. What
+/// the program itself throws (course::ProgramFailure) goes through.
 course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
                                const course::Numbers& inputs, std::size_t count);
+
+/// As above, and all of the numbers are finite.
+course::Numbers finite_answer(const course::Program& program, const std::string& task,
+                              const course::Numbers& inputs, std::size_t count);
 
 /// The check with share 0 and a message for an answer that is no answer.
 course::Check guarded(course::Check check);
@@ -45,10 +47,10 @@ class Tally {
 /// «name = number» with up to six digits, to say where a part failed.
 std::string at(const std::string& name, double number);
 
-/// |a − b| ≤ tolerance; not for NaN.
+/// |a − b| ≤ tolerance; not for a NaN or an infinity.
 bool near(double a, double b, double tolerance);
 
-/// The greatest magnitude; 0 for none.
+/// The greatest magnitude of those that are finite; 0 for none.
 double greatest(const course::Numbers& numbers);
 
 /// Each number times the factor.

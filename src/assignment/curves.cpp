@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "assignment/answers.hpp"
+#include "assignment/public_contact.hpp"
 #include "assignment/tasks.hpp"
 #include "literate/error.hpp"
 
@@ -39,19 +40,36 @@ Curve disagreement(const Program& program, const Variant& variant) {
   return {"Your eq. (2) minus your eq. (3)", "x/a", "difference", places(), difference};
 }
 
-Curve pressure(const Program& program, const Variant& variant) {
-  const Cylinders cylinders = cylinders_of(variant);
+Curve displacement(const Program& program, const Variant& variant) {
+  const Surface surface = surface_of(variant);
+  return {"Your displacement under the triangle", "x/a", "u_z in m", places(),
+          ask_displacement(program, surface, times(surface.half_width, places()))};
+}
+
+Numbers nodes_of(const Cylinders& cylinders) {
   Numbers x;
   for (int i = 0; i < cylinders.n_nodes; ++i) x.push_back(cylinders.x(i));
-  return {"Your contact pressure", "x in m", "p in Pa", x,
+  return x;
+}
+
+Curve contact_pressure(const Program& program, const Variant& variant) {
+  const Cylinders cylinders = cylinders_of(variant);
+  return {"Your contact pressure", "x in m", "p in Pa", nodes_of(cylinders),
           ask_contact(program, cylinders).pressure};
+}
+
+Curve contact_gap(const Program& program, const Variant& variant) {
+  const Cylinders cylinders = cylinders_of(variant);
+  const ContactAnswer contact = ask_contact(program, cylinders);
+  return {"The gap that your pressure leaves, by your coefficients: eq. (1a), (1b)", "x in m",
+          "gap in m", nodes_of(cylinders), gaps(program, cylinders, contact)};
 }
 
 }  // namespace
 
 std::vector<Curve> curves(const Program& program, const Variant& variant) {
   std::vector<Curve> all;
-  for (const auto curve : {slope, disagreement, pressure}) {
+  for (const auto curve : {slope, disagreement, displacement, contact_pressure, contact_gap}) {
     try {
       all.push_back(curve(program, variant));
     } catch (const literate::ToolError&) {

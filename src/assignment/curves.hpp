@@ -9,8 +9,9 @@
 
 namespace assignment {
 
-/// What the feedback page draws: the student's own slope and contact pressure, and how far their
-/// eqs. (2) and (3) are apart. An exercise without an answer has no curve. Throws ToolError.
+/// What the feedback page draws: the student's own slope, displacement and contact pressure, how
+/// far their eqs. (2) and (3) are apart, and what gap their contact leaves. An exercise without an
+/// answer has no curve. Throws ToolError.
 std::vector<course::Curve> curves(const course::Program& program, const course::Variant& variant);
 
 }  // namespace assignment

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "assignment/answers.hpp"
-#include "assignment/tasks.hpp"
 
 namespace assignment {
 namespace {
@@ -53,23 +52,6 @@ Outcome contact_pressure_has_the_shape(const Program& program, const Variant& va
   tally.part(top > 0 && near(p[n / 2], top, pressure_roundings * top), "is greatest in the middle");
   tally.part(top > 0 && p.front() == 0 && p.back() == 0, "is zero at the ends of the grid");
   return tally.outcome();
-}
-
-// u_z1 + u_z2 + h − δ at each node, with the coefficients that the program gives.
-Numbers gaps(const Program& program, const Cylinders& c, const ContactAnswer& contact) {
-  Numbers k(static_cast<std::size_t>(c.n_nodes));
-  std::iota(k.begin(), k.end(), 0);
-  const Numbers influence = ask_influence(program, c.contact_modulus(), c.spacing, c.datum, k);
-  Numbers gap;
-  for (int i = 0; i < c.n_nodes; ++i) {
-    double sum = c.relative_curvature() * c.x(i) * c.x(i) / 2 - contact.approach;
-    for (int j = 0; j < c.n_nodes; ++j) {
-      sum += influence[static_cast<std::size_t>(std::abs(i - j))] *
-             contact.pressure[static_cast<std::size_t>(j)];
-    }
-    gap.push_back(sum);
-  }
-  return gap;
 }
 
 Outcome contact_closes_the_gap(const Program& program, const Variant& variant) {
@@ -147,6 +129,22 @@ Outcome contact_half_width_converges(const Program& program, const Variant& vari
 }
 
 }  // namespace
+
+Numbers gaps(const Program& program, const Cylinders& c, const ContactAnswer& contact) {
+  Numbers k(static_cast<std::size_t>(c.n_nodes));
+  std::iota(k.begin(), k.end(), 0);
+  const Numbers influence = ask_influence(program, c.contact_modulus(), c.spacing, c.datum, k);
+  Numbers gap;
+  for (int i = 0; i < c.n_nodes; ++i) {
+    double sum = c.relative_curvature() * c.x(i) * c.x(i) / 2 - contact.approach;
+    for (int j = 0; j < c.n_nodes; ++j) {
+      sum += influence[static_cast<std::size_t>(std::abs(i - j))] *
+             contact.pressure[static_cast<std::size_t>(j)];
+    }
+    gap.push_back(sum);
+  }
+  return gap;
+}
 
 course::Checks public_contact_checks() {
   return {{"contact-load", contact_carries_the_load},

@@ -40,8 +40,8 @@ const std::map<std::string, Meaning> meanings = {
     {"line_load", {"$P$", "load that presses the cylinders together"}},
     {"spacing", {"$c$", "spacing of the nodes"}},
     {"nodes", {"$n$", "number of nodes"}},
-    {"peak_pressure", {"$p_0$", "peak of the triangular pressure"}},
-    {"half_width", {"$a$", "half-width of the triangular pressure"}},
+    {"peak_pressure", {"$p_0$", "peak of the triangular pressure, unit of the others"}},
+    {"half_width", {"$a$", "half-width of the pressure"}},
     {"datum", {"$d$", "datum, where the displacement is zero"}},
 };
 
@@ -57,6 +57,8 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.value("limit.compile", Value::integer(assignment.limits.compile_seconds, "s"));
   document.value("limit.run", Value::integer(assignment.limits.run_seconds, "s"));
   document.value("limit.memory", Value::integer(assignment.limits.memory_mb, "MB"));
+  document.value("limit.output", Value::integer(assignment.limits.output_kb, "kB"));
+  document.value("limit.submission", Value::integer(assignment.limits.submission_mb, "MB"));
   document.value("limit.file", Value::integer(assignment.limits.file_kb, "kB"));
 }
 

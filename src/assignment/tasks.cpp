@@ -11,6 +11,14 @@ namespace assignment {
 using course::Numbers;
 using course::Program;
 
+namespace {
+
+double number_of(Shape shape) {
+  return static_cast<double>(shape);
+}
+
+}  // namespace
+
 Surface surface_of(const course::Variant& variant) {
   return {variant("young1"), variant("poisson1"), variant("peak_pressure"), variant("half_width"),
           variant("datum")};
@@ -22,7 +30,8 @@ Numbers ask_gradient(const Program& program, const Surface& s, const Numbers& x)
 }
 
 Quadratures ask_quadrature(const Program& program, const Surface& s, const Numbers& x) {
-  const Numbers inputs = joined({s.young, s.poisson, s.peak_pressure, s.half_width}, x);
+  const Numbers inputs =
+      joined({s.young, s.poisson, number_of(s.shape), s.peak_pressure, s.half_width}, x);
   const Numbers pairs = nonzero_answer(program, "gradient_by_quadrature", inputs, 2 * x.size());
   Quadratures found;
   for (std::size_t i = 0; i < pairs.size(); i += 2) {
@@ -33,7 +42,8 @@ Quadratures ask_quadrature(const Program& program, const Surface& s, const Numbe
 }
 
 Numbers ask_displacement(const Program& program, const Surface& s, const Numbers& x) {
-  const Numbers inputs = joined({s.young, s.poisson, s.peak_pressure, s.half_width, s.datum}, x);
+  const Numbers inputs =
+      joined({s.young, s.poisson, number_of(s.shape), s.peak_pressure, s.half_width, s.datum}, x);
   return nonzero_answer(program, "displacement", inputs, x.size());
 }
 
@@ -61,8 +71,8 @@ ContactAnswer ask_contact(const Program& program, const Cylinders& c) {
                           c.line_load, c.spacing,  static_cast<double>(c.n_nodes),
                           c.datum};
   const std::size_t n_before_pressures = 2;
-  const Numbers numbers = nonzero_answer(program, "contact", inputs,
-                                         n_before_pressures + static_cast<std::size_t>(c.n_nodes));
+  const Numbers numbers = finite_answer(program, "contact", inputs,
+                                        n_before_pressures + static_cast<std::size_t>(c.n_nodes));
   return {
       numbers[0], numbers[1],
       Numbers(numbers.begin() + static_cast<std::ptrdiff_t>(n_before_pressures), numbers.end())};

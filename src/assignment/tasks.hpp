@@ -3,24 +3,26 @@
 // All numbers are in SI units. Part of the handout, so only the standard library is used.
 #pragma once
 
+#include "assignment/shapes.hpp"
 #include "course/check.hpp"
 #include "course/variant.hpp"
 
 namespace assignment {
 
-/// A half-space under the triangular pressure of eq. (4): E, ν, p₀, a, and the x where u_z = 0.
+/// A half-space under a pressure: E, ν, p₀, a, the x where u_z = 0, and the shape of the pressure.
 struct Surface {
   double young;
   double poisson;
   double peak_pressure;
   double half_width;
   double datum;
+  Shape shape = Shape::triangle;
 };
 
 /// The first body of a variant, under the variant's triangle.
 Surface surface_of(const course::Variant& variant);
 
-/// «gradient»: ∂u_z/∂x at each x by eq. (3).
+/// «gradient»: ∂u_z/∂x at each x by eq. (3), which is for the triangle whatever the shape.
 course::Numbers ask_gradient(const course::Program& program, const Surface& surface,
                              const course::Numbers& x);
 

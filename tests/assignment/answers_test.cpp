@@ -15,6 +15,9 @@ using course::Program;
 
 namespace {
 
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 course::Checks all_checks() {
   return course::all_checks(programs::assignment(), assignment::public_checks(),
                             assignment::hidden_checks());
@@ -47,13 +50,41 @@ BOOST_AUTO_TEST_CASE(each_listed_check_has_code_and_each_code_is_listed) {
   BOOST_TEST(all_checks().size() == 26U);
 }
 
-BOOST_AUTO_TEST_CASE(a_nan_counts_nothing) {
-  require_refused(with_first(std::numeric_limits<double>::quiet_NaN()),
-                  "not a finite number (nan)");
+BOOST_AUTO_TEST_CASE(nothing_but_nans_or_infinities_counts_nothing) {
+  for (const double bad : {not_a_number, -infinity}) {
+    require_refused(
+        [=](const std::string& task, const Numbers& in) {
+          return Numbers(programs::right(task, in).size(), bad);
+        },
+        "no number is finite");
+  }
 }
 
-BOOST_AUTO_TEST_CASE(an_infinity_counts_nothing) {
-  require_refused(with_first(-std::numeric_limits<double>::infinity()), "number 1 of ");
+BOOST_AUTO_TEST_CASE(a_nan_or_infinity_at_one_place_costs_at_least_that_place) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    for (const auto& [id, check] : all_checks()) {
+      const Outcome outcome = check(with_first(bad), variant);
+      BOOST_TEST(outcome.share < 1, id << " with " << bad);
+      BOOST_TEST(!outcome.message.empty(), id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_nan_at_one_place_does_not_cost_the_others) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  const course::Checks checks = all_checks();
+  BOOST_TEST(checks.at("gradient-reference")(with_first(not_a_number), variant).share == 0.9);
+  BOOST_TEST(checks.at("influence-reference")(with_first(not_a_number), variant).share == 0.9);
+  BOOST_TEST(checks.at("quadrature-residual")(with_first(not_a_number), variant).share >= 0.8);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_with_a_nan_is_none) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  const Outcome outcome = all_checks().at("contact-load")(with_first(not_a_number), variant);
+  BOOST_TEST(outcome.share == 0);
+  BOOST_TEST(outcome.message.find("number 1 of ") != std::string::npos);
+  BOOST_TEST(outcome.message.find("not a finite number (nan)") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_answer_that_is_too_long_counts_nothing) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "assignment/shapes.hpp"
 #include "assignment/valid_variant.hpp"
 #include "contact/cylinder_pair.hpp"
 #include "contact/element.hpp"
@@ -46,11 +47,19 @@ inline Numbers gradient(const Numbers& in) {
   return out;
 }
 
+/// The load of shape, p₀ and a.
+inline elasticity::Load load_of(double shape, double unit_pressure, double half_width) {
+  const auto pressure = [=](double s) {
+    return assignment::pressure(assignment::shape_of(shape), unit_pressure, half_width, s);
+  };
+  return elasticity::distributed_load(pressure, {}, {-half_width, 0, half_width});
+}
+
 inline Numbers quadrature(const Numbers& in) {
-  const elasticity::SurfaceQuadrature surface({in[0], in[1]},
-                                              elasticity::TriangularLoad(in[2], in[3]), 10 * in[3]);
+  const elasticity::SurfaceQuadrature surface({in[0], in[1]}, load_of(in[2], in[3], in[4]),
+                                              10 * in[4]);
   Numbers out;
-  for (const double x : std::span(in).subspan(4)) {
+  for (const double x : std::span(in).subspan(5)) {
     const numerics::Estimate found = surface.normal_gradient(x);
     out.insert(out.end(), {found.value, found.abs_error});
   }
@@ -58,9 +67,10 @@ inline Numbers quadrature(const Numbers& in) {
 }
 
 inline Numbers displacement(const Numbers& in) {
+  const elasticity::SurfaceQuadrature surface({in[0], in[1]}, load_of(in[2], in[3], in[4]), in[5]);
   Numbers out;
-  for (const double x : std::span(in).subspan(5)) {
-    out.push_back(elasticity::normal_displacement({in[0], in[1]}, {in[2], in[3]}, x, in[4]));
+  for (const double x : std::span(in).subspan(6)) {
+    out.push_back(surface.normal_displacement(x).value);
   }
   return out;
 }

@@ -7,6 +7,7 @@
 
 #include "assignment/programs.hpp"
 #include "course/handout.hpp"
+#include "literate/files.hpp"
 
 namespace {
 
@@ -25,6 +26,28 @@ BOOST_AUTO_TEST_CASE(every_mistake_fits_into_the_solution_and_costs_points) {
   BOOST_TEST(list.size() >= 12U);
   for (const course::WrongSolution& wrong : list) {
     BOOST_TEST(wrong.score < description.points, wrong.id);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(public_checks_alone_give_40_points_at_most) {
+  double of_public = 0;
+  for (const course::Exercise& exercise : description.exercises) {
+    for (const course::CheckEntry& check : exercise.checks) {
+      if (check.visibility == course::Visibility::visible) of_public += check.points;
+    }
+  }
+  BOOST_TEST(of_public <= 0.4 * description.points);
+}
+
+BOOST_AUTO_TEST_CASE(make_check_lists_every_exercise_with_the_title_of_the_sheet) {
+  const std::string program =
+      literate::read_file(description.folder / "template" / "checks" / "main.cpp");
+  int number = 0;
+  for (const course::Exercise& exercise : description.exercises) {
+    const std::string first = exercise.checks.front().id;
+    const std::string line = "{\"" + std::to_string(++number) + ". " + exercise.title + "\", \"" +
+                             first.substr(0, first.find('-')) + "\"}";
+    BOOST_TEST(program.find(line) != std::string::npos, line);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assignment.hpp"
+#include "assignment/shapes.hpp"
 
 namespace {
 
@@ -26,17 +27,28 @@ Numbers gradient(const Numbers& in) {
   });
 }
 
+// The pressure that S p₀ a name.
+exercise::Load load_of(double number, double unit_pressure, double half_width) {
+  const assignment::Shape shape = assignment::shape_of(number);
+  const auto pressure = [=](double s) {
+    return assignment::pressure(shape, unit_pressure, half_width, s);
+  };
+  return {pressure, half_width, unit_pressure};
+}
+
 Numbers gradient_by_quadrature(const Numbers& in) {
-  return for_each_from(4, in, [&](double x, Numbers& out) {
-    const auto found = exercise::normal_gradient_by_quadrature({in[0], in[1]}, {in[2], in[3]}, x);
+  const exercise::Load load = load_of(in[2], in[3], in[4]);
+  return for_each_from(5, in, [&](double x, Numbers& out) {
+    const auto found = exercise::normal_gradient_by_quadrature({in[0], in[1]}, load, x);
     out.push_back(found.value);
     out.push_back(found.abs_error);
   });
 }
 
 Numbers displacement(const Numbers& in) {
-  return for_each_from(5, in, [&](double x, Numbers& out) {
-    out.push_back(exercise::normal_displacement({in[0], in[1]}, {in[2], in[3]}, in[4], x));
+  const exercise::Load load = load_of(in[2], in[3], in[4]);
+  return for_each_from(6, in, [&](double x, Numbers& out) {
+    out.push_back(exercise::normal_displacement({in[0], in[1]}, load, in[5], x));
   });
 }
 
@@ -62,8 +74,8 @@ struct Task {
 };
 
 const std::map<std::string, Task> tasks = {
-    {"gradient", {5, gradient}},         {"gradient_by_quadrature", {5, gradient_by_quadrature}},
-    {"displacement", {6, displacement}}, {"influence", {4, influence}},
+    {"gradient", {5, gradient}},         {"gradient_by_quadrature", {6, gradient_by_quadrature}},
+    {"displacement", {7, displacement}}, {"influence", {4, influence}},
     {"contact", {10, contact}},
 };
 

@@ -3,6 +3,7 @@
 // 2001) and of sheet.pdf. All numbers are in SI units; u_z is positive into the body.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "numerics/estimate.hpp"
@@ -20,6 +21,14 @@ struct TriangularLoad {
   double half_width;     ///< a, m
 };
 
+/// Any pressure p(s) on −a ≤ s ≤ a. It is zero at ±a and outside, has kinks at 0 and ±a at most, is
+/// smooth elsewhere, and need not be symmetric. It is known only by its values.
+struct Load {
+  std::function<double(double)> pressure;  ///< p in Pa at any s in m
+  double half_width;                       ///< a, m
+  double unit_pressure;                    ///< p₀, Pa: the order of p's greatest value
+};
+
 /// ∂u_z/∂x of the surface under a triangular load, the derivative of eq. (3), with ξ = x/a:
 ///
 ///   ∂u_z/∂x = −[2(1−ν²)p₀/(πE)] [(ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln|ξ|].
@@ -28,24 +37,23 @@ struct TriangularLoad {
 /// three terms are large and their sum is small: it must be right to eight digits at 10⁸ a too.
 double normal_gradient(const Material& material, const TriangularLoad& load, double x);
 
-/// The same from eq. (2) by numerical integration,
+/// ∂u_z/∂x under any load from eq. (2), by numerical integration,
 ///
 ///   ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds over −a ≤ s ≤ a,
 ///
 /// a Cauchy principal value where x lies under the load. `value` is to be good to 10⁻⁷ of the
 /// greatest slope, and the truth must lie within `abs_error` of it, also where GSL's own estimate
 /// leaves something out; an error that is zero, or more than 10⁻⁶ of the greatest slope, is no use.
-numerics::Estimate normal_gradient_by_quadrature(const Material& material,
-                                                 const TriangularLoad& load, double x);
+numerics::Estimate normal_gradient_by_quadrature(const Material& material, const Load& load,
+                                                 double x);
 
-/// u_z of the surface under a triangular load, zero at x = datum (and, by symmetry, at −datum):
+/// u_z of the surface under any load, zero at x = datum (and, if p is symmetric, at −datum):
 /// eq. (2) integrated from the datum, or with the order of integration exchanged
 ///
 ///   u_z(x) = −[2(1−ν²)/(πE)] ∫ p(s) ln|(x−s)/(datum−s)| ds over −a ≤ s ≤ a,
 ///
 /// by numerical integration. Good to 10⁻⁸ of p₀a/E. Any x and datum, under the load as well.
-double normal_displacement(const Material& material, const TriangularLoad& load, double datum,
-                           double x);
+double normal_displacement(const Material& material, const Load& load, double datum, double x);
 
 /// The influence coefficient A_k: u_z1 + u_z2 of two surfaces k spacings away from the peak of a
 /// triangle of pressure 1 Pa, whose half-width is the spacing c, zero at the distance datum. By

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exercise 3: the displacement under a triangular load, from the datum.
+// Exercise 3: the displacement under any load, from the datum.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
@@ -15,20 +15,27 @@ namespace exercise {
 namespace {
 
 // BEGIN SOLUTION
-// In units of the half-width: the triangle (1 − |σ|) times ln|ξ − σ|.
+struct Potential {
+  const Load& load;
+  double xi;
+};
+
+// In units of p₀ and the half-width: p times ln|ξ − σ|.
 double weighted_logarithm(double sigma, void* parameters) {
-  const double xi = *static_cast<const double*>(parameters);
+  const auto& [load, xi] = *static_cast<const Potential*>(parameters);
   if (sigma == xi) return 0;
-  return (1 - std::abs(sigma)) * std::log(std::abs(xi - sigma));
+  return load.pressure(sigma * load.half_width) / load.unit_pressure *
+         std::log(std::abs(xi - sigma));
 }
 
-// ∫ (1 − |σ|) ln|ξ − σ| dσ over the load, cut at the peak and where the logarithm is infinite.
-double logarithmic_potential(double xi) {
+// ∫ p/p₀ ln|ξ − σ| dσ over the load, cut at the kink and where the logarithm is infinite.
+double logarithmic_potential(const Load& load, double xi) {
   gsl_set_error_handler_off();
   std::vector<double> points = {-1, 0, 1};
   if (std::abs(xi) < 1 && xi != 0) points.push_back(xi);
   std::sort(points.begin(), points.end());
-  gsl_function integrand{weighted_logarithm, &xi};
+  Potential potential{load, xi};
+  gsl_function integrand{weighted_logarithm, &potential};
   gsl_integration_workspace* workspace = gsl_integration_workspace_alloc(1000);
   double value = 0;
   double abs_error = 0;
@@ -41,13 +48,12 @@ double logarithmic_potential(double xi) {
 
 }  // namespace
 
-double normal_displacement(const Material& material, const TriangularLoad& load, double datum,
-                           double x) {
+double normal_displacement(const Material& material, const Load& load, double datum, double x) {
   // BEGIN SOLUTION
   // STUB: return std::numeric_limits<double>::quiet_NaN();
   const double a = load.half_width;
-  const double rise = logarithmic_potential(x / a) - logarithmic_potential(datum / a);
-  const double line_load = load.peak_pressure * a;
+  const double rise = logarithmic_potential(load, x / a) - logarithmic_potential(load, datum / a);
+  const double line_load = load.unit_pressure * a;
   const double nu = material.poisson;
   return -2 * (1 - nu * nu) * line_load / (std::numbers::pi * material.young) * rise;
   // END SOLUTION

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exercise 2: the slope under a triangular load by numerical integration of eq. (2).
+// Exercise 2: the slope under any load by numerical integration of eq. (2).
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
@@ -16,25 +16,22 @@ namespace {
 
 // BEGIN SOLUTION
 struct Singular {
-  TriangularLoad load;
+  const Load& load;
   double x;
+  double pressure_at_x;
 };
-
-double triangle(const TriangularLoad& load, double s) {
-  return load.peak_pressure * std::max(0.0, 1 - std::abs(s) / load.half_width);
-}
 
 // [p(s) − p(x)]/(x − s), which stays finite at s = x: the slope of p.
 double regular_part(double s, void* parameters) {
-  const auto& [load, x] = *static_cast<const Singular*>(parameters);
-  return s == x ? 0 : (triangle(load, s) - triangle(load, x)) / (x - s);
+  const auto& [load, x, pressure_at_x] = *static_cast<const Singular*>(parameters);
+  return s == x ? 0 : (load.pressure(s) - pressure_at_x) / (x - s);
 }
 
 // PV∫ ds/(x − s) over the load times p(x), which goes to 0 at the ends.
-double singular_part(const TriangularLoad& load, double x) {
+double singular_part(const Load& load, double x) {
   const double a = load.half_width;
   if (std::abs(x) >= a) return 0;
-  return triangle(load, x) * std::log((a + x) / (a - x));
+  return load.pressure(x) * std::log((a + x) / (a - x));
 }
 
 // The ends of the smooth pieces of the integrand, in rising order and each once.
@@ -60,15 +57,15 @@ numerics::Estimate integrate(Singular& singular, double abs_tolerance) {
 
 }  // namespace
 
-numerics::Estimate normal_gradient_by_quadrature(const Material& material,
-                                                 const TriangularLoad& load, double x) {
+numerics::Estimate normal_gradient_by_quadrature(const Material& material, const Load& load,
+                                                 double x) {
   // BEGIN SOLUTION
   // STUB: const double unknown = std::numeric_limits<double>::quiet_NaN();
   // STUB: return {unknown, unknown};
-  Singular singular{load, x};
-  numerics::Estimate integral = integrate(singular, 1e-10 * load.peak_pressure);
+  Singular singular{load, x, load.pressure(x)};
+  numerics::Estimate integral = integrate(singular, 1e-10 * load.unit_pressure);
   integral.value += singular_part(load, x);
-  integral.abs_error += 1e-13 * load.peak_pressure;  // rounding, of which GSL knows nothing
+  integral.abs_error += 1e-13 * load.unit_pressure;  // rounding, of which GSL knows nothing
 
   const double nu = material.poisson;
   const double compliance = 2 * (1 - nu * nu) / (std::numbers::pi * material.young);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pressures of exercises 2 and 3, which the tasks name by number. Part of the handout, so only
+// the standard library is used.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace assignment {
+
+/// How a pressure goes with ξ = s/a; zero for |ξ| > 1.
+enum class Shape {
+  triangle = 0,   ///< p₀(1 − |ξ|), eq. (4)
+  smooth = 1,     ///< p₀(1 − ξ²)²
+  one_sided = 2,  ///< p₀(1 − ξ²)(1 + ξ/2), greater on the right
+};
+
+/// The shape of that number. Throws std::invalid_argument for a number that has none.
+inline Shape shape_of(double number) {
+  for (const Shape shape : {Shape::triangle, Shape::smooth, Shape::one_sided}) {
+    if (number == static_cast<double>(shape)) return shape;
+  }
+  throw std::invalid_argument("there is no pressure number " + std::to_string(number));
+}
+
+/// p(s) in Pa, with p₀ = unit_pressure and a = half_width.
+inline double pressure(Shape shape, double unit_pressure, double half_width, double s) {
+  const double at = s / half_width;
+  if (std::abs(at) >= 1) return 0;
+  const double parabola = (1 - at) * (1 + at);
+  switch (shape) {
+    case Shape::triangle:
+      return unit_pressure * (1 - std::abs(at));
+    case Shape::smooth:
+      return unit_pressure * parabola * parabola;
+    case Shape::one_sided:
+      return unit_pressure * parabola * (1 + at / 2);
+  }
+  return 0;
+}
+
+}  // namespace assignment
