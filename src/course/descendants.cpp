@@ -16,11 +16,13 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-std::string first_line_of(const std::string& file) {
+/// A file of /proc; nothing of a process that has gone. (Read by getline, which takes an error in
+/// the middle for the end; iterators of a stream throw it.)
+std::string text_of(const std::string& file) {
   std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return line;
+  std::string text;
+  std::getline(stream, text, '\0');
+  return text;
 }
 
 /// The entries of a folder in /proc that are numbers.
@@ -37,8 +39,7 @@ std::vector<pid_t> numbers_in(const std::string& folder) {
 
 /// The fields of /proc/PID/stat from the third on; the second, a name, may hold anything.
 std::vector<std::string> statistics_of(pid_t process) {
-  std::ifstream stream(fmt::format("/proc/{}/stat", process));
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string text = text_of(fmt::format("/proc/{}/stat", process));
   const auto end_of_name = text.rfind(')');
   if (end_of_name == text.npos) return {};
   std::istringstream rest(text.substr(end_of_name + 1));
@@ -52,7 +53,7 @@ std::vector<pid_t> descendants(pid_t process) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::string tasks = fmt::format("/proc/{}/task", found[i]);
     for (const pid_t task : numbers_in(tasks)) {
-      std::istringstream children(first_line_of(fmt::format("{}/{}/children", tasks, task)));
+      std::istringstream children(text_of(fmt::format("{}/{}/children", tasks, task)));
       for (pid_t child = 0; children >> child;) found.push_back(child);
     }
   }
