@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "literate/plot.hpp"
+#include "literate/figures/plot.hpp"
 
 namespace figures {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "literate/plot.hpp"
+#include "literate/figures/plot.hpp"
 
 namespace figures {
 

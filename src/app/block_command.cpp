@@ -20,9 +20,9 @@
 #include "block/load_shapes.hpp"
 #include "block/supports.hpp"
 #include "block/vtu.hpp"
-#include "literate/files.hpp"
-#include "numerics/require.hpp"
 #include "parameters/case.hpp"
+#include "system/files.hpp"
+#include "system/require.hpp"
 
 namespace app {
 namespace {
@@ -62,8 +62,8 @@ elasticity::Load load_of(const std::string& shape, double peak, double half_widt
     const double edge_fraction = parse_number("--load linear", shape.substr(prefix.size()));
     return block::linear_fall(peak, edge_fraction, half_width);
   }
-  throw InputError("--load: \"" + shape +
-                   "\" must be triangular, uniform, elliptic or linear:EDGE_FRACTION");
+  throw sys::InputError("--load: \"" + shape +
+                        "\" must be triangular, uniform, elliptic or linear:EDGE_FRACTION");
 }
 
 Support sides_of(const std::string& name, Support from_case) {
@@ -83,7 +83,7 @@ struct Problem {
 
 Problem problem_of(const BlockOptions& options) {
   parameters::Case c = parameters::read_case(options.case_file);
-  if (!c.block) throw InputError(options.case_file + ": has no [block]");
+  if (!c.block) throw sys::InputError(options.case_file + ": has no [block]");
   const parameters::HalfSpaceCase& h = c.half_space;
   block::Discretization discretization = c.block->discretization;
   if (const auto order = options.order.integer()) discretization.order = static_cast<int>(*order);
@@ -101,7 +101,7 @@ void require_folder_of(const std::string& flag, const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::error_code ignored;
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return;
-  throw InputError(fmt::format("{} {}: folder does not exist", flag, file));
+  throw sys::InputError(fmt::format("{} {}: folder does not exist", flag, file));
 }
 
 void write_files(const BlockOptions& options, const Problem& problem,
@@ -111,12 +111,12 @@ void write_files(const BlockOptions& options, const Problem& problem,
     std::ostringstream deck;
     block::write_calculix_deck(deck, block::calculix_mesh(analysis.fine()->mesh(), h.points),
                                h.material, problem.supports, problem.load, h.points);
-    literate::write_file_atomically(options.ccx_file, deck.str());
+    sys::write_file_atomically(options.ccx_file, deck.str());
   }
   if (!options.vtu_file.empty()) {
     std::ostringstream vtu;
     block::write_vtu(vtu, solution.fine());
-    literate::write_file_atomically(options.vtu_file, vtu.str());
+    sys::write_file_atomically(options.vtu_file, vtu.str());
   }
 }
 
@@ -159,15 +159,15 @@ std::string block_csv(const Measures& measures) {
   return text;
 }
 
-std::string unit_of(const std::string& measure, const parameters::UnitSystem& units) {
+std::string unit_of(const std::string& measure, const config::UnitSystem& units) {
   if (measure.starts_with("max_disp") || measure.starts_with("measure")) return units.length;
   if (measure.starts_with("resultant")) return units.line_load;
-  if (measure.starts_with("max_rot")) return units.unit(parameters::Dimension::none);
+  if (measure.starts_with("max_rot")) return units.unit(config::Dimension::none);
   return measure == "strain_energy" ? units.force : units.stress;
 }
 
 std::string block_text(const Measures& measures, const block::SupportedBlock& supported,
-                       const Seconds& seconds, const parameters::UnitSystem& units) {
+                       const Seconds& seconds, const config::UnitSystem& units) {
   std::string text = fmt::format("{:<24}{:>18}  {:>9}  {}\n", "measure", "value", "error", "unit");
   for (const block::MeasureEstimate& m : measures) {
     text += fmt::format("{:<24}{:>18.9e}  {:>9.1e}  {}\n", m.name, m.value.value, m.value.abs_error,
@@ -183,7 +183,7 @@ std::string block_text(const Measures& measures, const block::SupportedBlock& su
 
 ExitCode run(const BlockOptions& options) {
   const Problem problem = problem_of(options);
-  const parameters::UnitSystem units = options.output.units(problem.from_file);
+  const config::UnitSystem units = options.output.units(problem.from_file);
   require_folder_of("--ccx", options.ccx_file);
   require_folder_of("--vtu", options.vtu_file);
   const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,

@@ -9,9 +9,9 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "literate/names.hpp"
-#include "literate/prose_lint.hpp"
-#include "literate/references.hpp"
+#include "literate/document/names.hpp"
+#include "literate/prose/prose_lint.hpp"
+#include "literate/prose/references.hpp"
 
 namespace app {
 namespace {
@@ -36,7 +36,7 @@ ExitCode run(const Options& options) {
   print(typed);
   const ExitCode of_faults = answer_faults(names.faults);
   if (!references.errors.empty()) return ExitCode::bad_input;
-  if (!references.unused.empty() || !typed.empty()) return ExitCode::claim_failed;
+  if (!references.unused.empty() || !typed.empty()) return ExitCode::failed;
   return of_faults;
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "literate/excerpt_hashes.hpp"
+#include "literate/excerpts/excerpt_hashes.hpp"
 
 namespace app {
 

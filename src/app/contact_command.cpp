@@ -23,7 +23,7 @@ ExitCode run(const Options& options) {
   if (!options.contact.case_file().empty()) {
     from_file = parameters::read_case(options.contact.case_file());
   }
-  const parameters::UnitSystem units = options.output.units(from_file);
+  const config::UnitSystem units = options.output.units(from_file);
   const ContactInput input = options.contact.read(from_file);
   const SolvedContact solved = solve(input);
   require_finite(input, solved);

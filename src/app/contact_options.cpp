@@ -15,7 +15,7 @@
 #include "contact/power_law.hpp"
 #include "contact/rounded_punch.hpp"
 #include "contact/wedge.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace app {
 namespace {
@@ -37,7 +37,7 @@ ClosedForm closed_form(std::string name, const Contact& contact, double peak_pre
 // A number that no case file can give.
 double required(const NumberOption& option) {
   const auto number = option.number();
-  if (!number) throw InputError(option.flag() + " is missing");
+  if (!number) throw sys::InputError(option.flag() + " is missing");
   return *number;
 }
 
@@ -110,7 +110,8 @@ void ContactOptions::refuse_flags_of_other_profiles() const {
       {&coefficient_, "power"}};
   for (const auto& [option, profile] : flags) {
     if (!option->text().empty() && profile_ != profile) {
-      throw InputError(fmt::format("{} has no meaning for --profile {}", option->flag(), profile_));
+      throw sys::InputError(
+          fmt::format("{} has no meaning for --profile {}", option->flag(), profile_));
     }
   }
 }
@@ -140,16 +141,16 @@ void ContactOptions::set_profile(ContactInput& input,
                                     std::numeric_limits<double>::infinity());
   } else if (profile_ == "rounded-punch") {
     const double flat = required(flat_);
-    const double radius = numerics::require_positive("edge-radius", required(edge_radius_));
+    const double radius = sys::require_positive("edge-radius", required(edge_radius_));
     profile = contact::Profile::rounded_punch(flat, 1 / radius);
     if (!input.line_load) return;
     const contact::RoundedPunch punch(modulus, flat, 1 / radius, *input.line_load);
     input.closed_form = closed_form("rounded-punch", punch, punch.peak_pressure());
   } else if (profile_ == "power") {
     const auto n = power_.integer();
-    if (!n) throw InputError("--power is missing");
+    if (!n) throw sys::InputError("--power is missing");
     if (*n < 1 || *n > contact::Profile::max_power) {
-      throw InputError(
+      throw sys::InputError(
           fmt::format("--power = {}: must be from 1 to {}", *n, contact::Profile::max_power));
     }
     const double coefficient = required(coefficient_);
@@ -160,7 +161,7 @@ void ContactOptions::set_profile(ContactInput& input,
   } else if (is_file(profile_)) {
     profile = read_profile(profile_.substr(std::string(file_prefix).size()));
   } else {
-    throw InputError(fmt::format(
+    throw sys::InputError(fmt::format(
         "--profile = {}: must be cylinder, wedge, rounded-punch, power or file:PATH", profile_));
   }
 }
@@ -180,7 +181,7 @@ void ContactOptions::set_grid(ContactInput& input, Eigen::Index n_nodes) const {
     grid = is_one_sided ? contact::Grid{n_nodes, around.spacing, 0, true} : around;
     return;
   }
-  if (!width) throw InputError("--domain is missing: with --approach the width must be given");
+  if (!width) throw sys::InputError("--domain is missing: with --approach the width must be given");
   grid = is_one_sided ? contact::one_sided_grid(*width, n_nodes)
                       : contact::grid_of_width(*width, n_nodes, centre);
 }
@@ -197,7 +198,7 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
     if (!n_nodes) n_nodes = from_file->contact.n_nodes;
     if (!datum) datum = from_file->contact.datum;
   }
-  if (!n_nodes) throw InputError("--nodes is missing: give it, or a --case that has it");
+  if (!n_nodes) throw sys::InputError("--nodes is missing: give it, or a --case that has it");
 
   const elasticity::Material material1 = body1_.material(given1);
   const elasticity::Material material2 = body2_.material(given2);
@@ -216,20 +217,22 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
       .tangential = tangential_.number(),
       .closed_form = {},
       .hertz = {}};
-  if (input.approach && load_.number()) throw InputError("--load and --approach: give one of them");
+  if (input.approach && load_.number())
+    throw sys::InputError("--load and --approach: give one of them");
   if (input.approach && !datum)
-    throw InputError("--datum is missing: --approach is relative to it");
+    throw sys::InputError("--datum is missing: --approach is relative to it");
   if (!input.approach) {
-    input.line_load = numerics::require_positive("load", load_.number_or(given_load));
+    input.line_load = sys::require_positive("load", load_.number_or(given_load));
   }
-  if (input.tangential && !input.friction) throw InputError("--tangential-load needs --friction");
+  if (input.tangential && !input.friction)
+    throw sys::InputError("--tangential-load needs --friction");
   if (input.friction && grid_ == "one-sided") {
-    throw InputError("--friction needs --grid symmetric: its shear has no mirror image");
+    throw sys::InputError("--friction needs --grid symmetric: its shear has no mirror image");
   }
   constexpr long quickly_inverted = 1000;
   if (method_.empty()) input.method = *n_nodes <= quickly_inverted ? "matrix-inversion" : "fft";
   if (input.method != "fft" && tolerance_.number()) {
-    throw InputError("--tolerance has no meaning for --method " + input.method);
+    throw sys::InputError("--tolerance has no meaning for --method " + input.method);
   }
   contact::require_tolerance(input.tolerance);
   set_profile(input, from_file);

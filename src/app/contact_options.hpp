@@ -46,7 +46,7 @@ class ContactOptions {
 
   const std::string& case_file() const { return case_file_; }
 
-  /// Flags override what the case file says. Throws InputError or InvalidQuantity for what is
+  /// Flags override what the case file says. Throws sys::InputError or InvalidQuantity for what is
   /// missing, wrong or has no meaning for the profile.
   ContactInput read(const std::optional<parameters::Case>& from_file) const;
 

@@ -57,7 +57,7 @@ nlohmann::ordered_json closed_form_json(const ClosedForm& exact) {
   return json;
 }
 
-std::string regions_text(const contact::Solution& solution, const parameters::UnitSystem& units) {
+std::string regions_text(const contact::Solution& solution, const config::UnitSystem& units) {
   std::string text;
   const auto regions = solution.regions();
   constexpr std::size_t most_shown = 10;
@@ -158,7 +158,7 @@ std::string contact_csv(const ContactInput& input, const SolvedContact& solved) 
 }
 
 std::string contact_text(const ContactInput& input, const SolvedContact& solved,
-                         const parameters::UnitSystem& units) {
+                         const config::UnitSystem& units) {
   const contact::Solution& s = solved.solution;
   std::string text;
   const auto single = [&](const char* name, double value, const std::string& unit) {

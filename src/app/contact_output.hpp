@@ -4,17 +4,17 @@
 #include <string>
 
 #include "app/contact_options.hpp"
-#include "parameters/units.hpp"
+#include "config/units.hpp"
 
 namespace app {
 
-/// Throws InputError if anything that is to be printed is not a finite number.
+/// Throws sys::InputError if anything that is to be printed is not a finite number.
 void require_finite(const ContactInput& input, const SolvedContact& solved);
 
 /// A solved contact as JSON, as a table of its nodes, and as text for people.
 std::string contact_json(const ContactInput& input, const SolvedContact& solved);
 std::string contact_csv(const ContactInput& input, const SolvedContact& solved);
 std::string contact_text(const ContactInput& input, const SolvedContact& solved,
-                         const parameters::UnitSystem& units);
+                         const config::UnitSystem& units);
 
 }  // namespace app

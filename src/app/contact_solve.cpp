@@ -60,7 +60,7 @@ void require_resolved(const contact::Solution& solution) {
     most = std::max(most, is_mirrored ? 2 * region.n_nodes - 1 : region.n_nodes);
   }
   if (most >= enough) return;
-  throw InputError(fmt::format(
+  throw sys::InputError(fmt::format(
       "nodes = {}: contact takes {} of them, which cannot resolve it: more nodes or a narrower "
       "domain",
       solution.grid.n_nodes, solution.n_in_contact()));

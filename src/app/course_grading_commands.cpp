@@ -19,7 +19,7 @@
 #include "course/roster.hpp"
 #include "course/toolkit.hpp"
 #include "course/variants.hpp"
-#include "literate/files.hpp"
+#include "system/files.hpp"
 
 namespace app {
 namespace {
@@ -59,7 +59,7 @@ course::RosterEntry times_of(const GradeOptions& options, const std::string& stu
   if (const std::optional<course::Roster> roster = roster_of(options.roster)) {
     const auto found = roster->find(student);
     if (found == roster->end()) {
-      throw InputError(fmt::format("there is no student {} in '{}'", student, options.roster));
+      throw sys::InputError(fmt::format("there is no student {} in '{}'", student, options.roster));
     }
     times = found->second;
   }
@@ -184,7 +184,7 @@ ExitCode collect(const CollectOptions& options) {
       read_assignment(options), options.grades, roster_of(options.roster),
       options.submissions.empty() ? std::nullopt
                                   : std::optional<std::filesystem::path>(options.submissions));
-  literate::write_file_atomically(options.output, grades.csv);
+  sys::write_file_atomically(options.output, grades.csv);
   return answer_faults(grades.problems);
 }
 

@@ -9,7 +9,7 @@
 #include "assignment/valid_variant.hpp"
 #include "course/check_list.hpp"
 #include "course/variants.hpp"
-#include "literate/files.hpp"
+#include "system/files.hpp"
 
 namespace app {
 
@@ -36,10 +36,10 @@ void add_seed(CLI::App& command, CourseOptions& options) {
 
 std::string seed_of(const CourseOptions& options) {
   if (options.seed_file.empty()) return options.seed;
-  if (!options.seed.empty()) throw InputError("--seed and --seed-file exclude each other");
-  std::string seed = literate::read_file(options.seed_file);
+  if (!options.seed.empty()) throw sys::InputError("--seed and --seed-file exclude each other");
+  std::string seed = sys::read_file(options.seed_file);
   while (seed.ends_with('\n') || seed.ends_with('\r')) seed.pop_back();
-  if (seed.empty()) throw InputError(fmt::format("'{}' holds no seed", options.seed_file));
+  if (seed.empty()) throw sys::InputError(fmt::format("'{}' holds no seed", options.seed_file));
   return seed;
 }
 
@@ -52,7 +52,7 @@ course::Assignment read_assignment(const CourseOptions& options) {
 course::Variant variant_of(const CourseOptions& options, const course::Assignment& assignment) {
   const std::string seed = seed_of(options);
   if (options.student.empty() != seed.empty()) {
-    throw InputError("--student and --seed need each other");
+    throw sys::InputError("--student and --seed need each other");
   }
   if (options.student.empty()) return course::nominal_variant(assignment);
   return course::variant_of(assignment, options.student, seed, assignment::is_valid);

@@ -28,11 +28,11 @@ void add_seed(CLI::App& command, CourseOptions& options);
 course::Assignment read_assignment(const CourseOptions& options);
 
 /// The seed, or that in the seed's file without the line end; empty without either. Throws
-/// InputError if both are given or the file holds none.
+/// sys::InputError if both are given or the file holds none.
 std::string seed_of(const CourseOptions& options);
 
-/// The student's numbers, or the nominal ones where there is no student. Throws InputError where
-/// there is no seed for the student, or no student for the seed.
+/// The student's numbers, or the nominal ones where there is no student. Throws sys::InputError
+/// where there is no seed for the student, or no student for the seed.
 course::Variant variant_of(const CourseOptions& options, const course::Assignment& assignment);
 
 }  // namespace app

@@ -19,7 +19,7 @@
 #include "course/proof.hpp"
 #include "course/roster.hpp"
 #include "course/variant_check.hpp"
-#include "literate/files.hpp"
+#include "system/files.hpp"
 
 namespace app {
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ void add_toolkit(CLI::App& command, Options& options) {
 std::size_t count_of(const NumberOption& option, long otherwise, long most) {
   const long count = option.integer().value_or(otherwise);
   if (count < 1 || count > most) {
-    throw InputError(fmt::format("{}: {} is not from 1 to {}", option.flag(), count, most));
+    throw sys::InputError(fmt::format("{}: {} is not from 1 to {}", option.flag(), count, most));
   }
   return static_cast<std::size_t>(count);
 }
@@ -64,7 +64,7 @@ ExitCode write(const Options& options, course::Edition edition) {
 std::vector<fs::path> secret_files(const std::string& source) {
   const fs::path folder = fs::path(source) / "src/assignment";
   std::vector<fs::path> files;
-  for (const std::string& file : literate::files_below(folder)) {
+  for (const std::string& file : sys::files_below(folder)) {
     if (file.starts_with("hidden_")) files.push_back(folder / file);
   }
   return files;
@@ -90,22 +90,22 @@ ExitCode prove(const Options& options, std::size_t n_jobs) {
     answer_faults(claim.faults);
     stage = Stage("prove");
   });
-  return all_hold ? ExitCode::success : ExitCode::claim_failed;
+  return all_hold ? ExitCode::success : ExitCode::failed;
 }
 
 std::vector<std::string> students_of(const Options& options, const NumberOption& count) {
   constexpr long class_size = 300;
   constexpr long most = 100000;
   if (options.roster.empty()) {
-    if (!options.handouts.empty()) throw InputError("--handouts needs --roster");
+    if (!options.handouts.empty()) throw sys::InputError("--handouts needs --roster");
     return course::invented_students(count_of(count, class_size, most));
   }
-  if (count.integer()) throw InputError("--count and --roster exclude each other");
+  if (count.integer()) throw sys::InputError("--count and --roster exclude each other");
   std::vector<std::string> students;
   for (const auto& [student, entry] : course::read_roster(options.roster)) {
     students.push_back(student);
   }
-  if (students.empty()) throw InputError(fmt::format("'{}' names no student", options.roster));
+  if (students.empty()) throw sys::InputError(fmt::format("'{}' names no student", options.roster));
   return students;
 }
 

@@ -9,7 +9,7 @@
 #include "app/options.hpp"
 #include "app/stage.hpp"
 #include "assignment/sheet.hpp"
-#include "literate/document.hpp"
+#include "literate/document/document.hpp"
 
 namespace app {
 namespace {

@@ -33,7 +33,7 @@ std::string message_of(const std::string& file, const std::string& heading,
 
 CsvColumns read_columns(const std::string& file, const std::string& first,
                         const std::string& second) {
-  if (std::filesystem::is_directory(file)) throw InputError(file + ": is a folder");
+  if (std::filesystem::is_directory(file)) throw sys::InputError(file + ": is a folder");
   CsvColumns columns;
   try {
     Reader reader(file);
@@ -48,7 +48,7 @@ CsvColumns read_columns(const std::string& file, const std::string& first,
       columns.lines.push_back(line);
     }
   } catch (const io::error::base& error) {
-    throw InputError(message_of(file, first + "," + second, error));
+    throw sys::InputError(message_of(file, first + "," + second, error));
   }
   return columns;
 }

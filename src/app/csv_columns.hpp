@@ -15,7 +15,7 @@ struct CsvColumns {
 };
 
 /// Reads a CSV file whose heading names the two columns. Empty lines and lines that begin with #
-/// are passed over. Throws InputError naming file and line for a file that cannot be read, a
+/// are passed over. Throws sys::InputError naming file and line for a file that cannot be read, a
 /// heading or line without both columns, or what is no number.
 CsvColumns read_columns(const std::string& file, const std::string& first,
                         const std::string& second);

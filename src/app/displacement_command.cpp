@@ -14,8 +14,8 @@
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "elasticity/uniform_load.hpp"
-#include "numerics/require.hpp"
 #include "parameters/case.hpp"
+#include "system/require.hpp"
 
 namespace app {
 namespace {
@@ -50,12 +50,12 @@ using OptionalCase = std::optional<parameters::Case>;
 
 std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file) {
   if (!options.x.empty() && !options.x_file.empty()) {
-    throw InputError("--x and --x-file: give one of them");
+    throw sys::InputError("--x and --x-file: give one of them");
   }
   if (!options.x.empty()) return parse_numbers("--x", options.x);
   if (!options.x_file.empty()) return read_numbers(options.x_file);
   if (from_file) return from_file->half_space.points;
-  throw InputError("no points: give --x, --x-file, or a --case that has them");
+  throw sys::InputError("no points: give --x, --x-file, or a --case that has them");
 }
 
 elasticity::Material material_of(const DisplacementOptions& options,
@@ -87,7 +87,7 @@ void require_used(const DisplacementOptions& options) {
   const bool is_concentrated = options.shape == "concentrated";
   const auto refuse = [&](const NumberOption& unused) {
     if (unused.text().empty()) return;
-    throw InputError(unused.flag() + ": not used with --shape " + options.shape);
+    throw sys::InputError(unused.flag() + ": not used with --shape " + options.shape);
   };
   if (!is_concentrated) return refuse(options.line_load);
   refuse(options.peak_pressure);
@@ -105,7 +105,7 @@ std::vector<DisplacementRow> rows_of(const DisplacementOptions& options,
     line_load = from_file->half_space.load.line_load();
     datum = from_file->half_space.datum;
   }
-  const double zero_at = numerics::require_positive("datum", options.datum.number_or(datum));
+  const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
 
   std::vector<DisplacementRow> rows;
   const auto fill = [&](const auto& load, auto&& row) {
@@ -116,7 +116,7 @@ std::vector<DisplacementRow> rows_of(const DisplacementOptions& options,
     return normal_row(material, load, zero_at, surface, x);
   };
   if (options.component == "tangential" && options.shape != "triangular") {
-    throw InputError("--component tangential: closed form for --shape triangular only");
+    throw sys::InputError("--component tangential: closed form for --shape triangular only");
   }
   if (options.shape == "concentrated") {
     fill(elasticity::ConcentratedLoad(options.line_load.number_or(line_load)), normal);
@@ -140,7 +140,7 @@ std::vector<DisplacementRow> rows_of(const DisplacementOptions& options,
 ExitCode run(const DisplacementOptions& options) {
   OptionalCase from_file;
   if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
-  const parameters::UnitSystem units = options.output.units(from_file);
+  const config::UnitSystem units = options.output.units(from_file);
   require_used(options);
   const std::vector<DisplacementRow> rows = rows_of(options, from_file);
   switch (options.output.format()) {

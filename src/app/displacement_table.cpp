@@ -21,7 +21,8 @@ constexpr std::array columns = {"x",
                                 "displacement_abs_error",
                                 "displacement_closed_form"};
 
-// The numbers of a row in the order of the columns; throws InputError for one that is not finite.
+// The numbers of a row in the order of the columns; throws sys::InputError for one that is not
+// finite.
 std::array<double, columns.size()> numbers_of(const DisplacementRow& row) {
   const std::array<double, columns.size()> numbers = {row.x,
                                                       row.gradient_quadrature.value,
@@ -57,7 +58,7 @@ std::string displacement_json(const std::vector<DisplacementRow>& rows) {
 }
 
 std::string displacement_text(const std::vector<DisplacementRow>& rows,
-                              const parameters::UnitSystem& units) {
+                              const config::UnitSystem& units) {
   const auto line = [](auto&&... cells) {
     return fmt::format("{:>12}  {:>20} {:>9} {:>20}  {:>20} {:>9} {:>20}\n", cells...);
   };

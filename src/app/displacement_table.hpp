@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "config/units.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "numerics/estimate.hpp"
-#include "parameters/units.hpp"
 
 namespace app {
 
@@ -22,7 +22,7 @@ struct DisplacementRow {
   double displacement_closed_form;
 };
 
-// All three throw InputError, naming the column and x, for a number that is not finite.
+// All three throw sys::InputError, naming the column and x, for a number that is not finite.
 
 /// A header and a row a point, numbers with the shortest digits that round-trip.
 std::string displacement_csv(const std::vector<DisplacementRow>& rows);
@@ -32,6 +32,6 @@ std::string displacement_json(const std::vector<DisplacementRow>& rows);
 
 /// Aligned columns for reading, 13 significant digits, with units.
 std::string displacement_text(const std::vector<DisplacementRow>& rows,
-                              const parameters::UnitSystem& units);
+                              const config::UnitSystem& units);
 
 }  // namespace app

@@ -21,13 +21,13 @@ double parse_number(const std::string& what, const std::string& text) {
   double number = 0;
   const auto [stop, error] = std::from_chars(begin, end, number);
   if (error == std::errc::result_out_of_range) {
-    throw InputError(fmt::format("{}: \"{}\" is beyond the range of a double", what, text));
+    throw sys::InputError(fmt::format("{}: \"{}\" is beyond the range of a double", what, text));
   }
   if (error != std::errc() || stop != end) {
-    throw InputError(fmt::format("{}: \"{}\" is not a number", what, text));
+    throw sys::InputError(fmt::format("{}: \"{}\" is not a number", what, text));
   }
   if (!std::isfinite(number)) {
-    throw InputError(fmt::format("{} = {}: must be a finite number", what, text));
+    throw sys::InputError(fmt::format("{} = {}: must be a finite number", what, text));
   }
   return number;
 }
@@ -37,7 +37,7 @@ std::vector<double> parse_numbers(const std::string& what, const std::string& te
   for (std::string element : CLI::detail::split(text, ',')) {
     numbers.push_back(parse_number(what, CLI::detail::trim(element)));
   }
-  if (text.empty() || text.back() == ',') throw InputError(what + ": a number is missing");
+  if (text.empty() || text.back() == ',') throw sys::InputError(what + ": a number is missing");
   return numbers;
 }
 
@@ -45,7 +45,7 @@ std::vector<double> read_numbers(const std::string& file) {
   std::ifstream opened;
   if (file != "-") opened.open(file);
   std::istream& stream = file == "-" ? std::cin : opened;
-  if (!stream) throw InputError(file + ": cannot be read");
+  if (!stream) throw sys::InputError(file + ": cannot be read");
   std::vector<double> numbers;
   std::string line;
   for (int n = 1; std::getline(stream, line); ++n) {
@@ -53,14 +53,15 @@ std::vector<double> read_numbers(const std::string& file) {
     if (line.empty() || line.front() == '#') continue;
     numbers.push_back(parse_number(fmt::format("{}:{}", file == "-" ? "<stdin>" : file, n), line));
   }
-  if (stream.bad()) throw InputError(file + ": cannot be read");
-  if (numbers.empty()) throw InputError(file + ": holds no number");
+  if (stream.bad()) throw sys::InputError(file + ": cannot be read");
+  if (numbers.empty()) throw sys::InputError(file + ": holds no number");
   return numbers;
 }
 
 double finite_result(const std::string& what, double result) {
   if (std::isfinite(result)) return result;
-  throw InputError(what + ": not a finite number; the parameters are beyond the range of a double");
+  throw sys::InputError(what +
+                        ": not a finite number; the parameters are beyond the range of a double");
 }
 
 std::string shortest(double number) {

@@ -110,7 +110,7 @@ std::optional<double> NumberOption::number() const {
 double NumberOption::number_or(std::optional<double> from_case) const {
   if (const auto given = number()) return *given;
   if (from_case) return *from_case;
-  throw InputError(flag_ + " is missing: give it, or a --case that has it");
+  throw sys::InputError(flag_ + " is missing: give it, or a --case that has it");
 }
 
 std::optional<long> NumberOption::integer() const {
@@ -119,7 +119,7 @@ std::optional<long> NumberOption::integer() const {
   const char* end = text_.data() + text_.size();
   const auto [stop, error] = std::from_chars(text_.data(), end, number);
   if (error != std::errc() || stop != end) {
-    throw InputError(fmt::format("{}: \"{}\" is not a whole number", flag_, text_));
+    throw sys::InputError(fmt::format("{}: \"{}\" is not a whole number", flag_, text_));
   }
   return number;
 }

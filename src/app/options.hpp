@@ -61,13 +61,13 @@ class NumberOption {
   NumberOption(const NumberOption&) = delete;
   NumberOption& operator=(const NumberOption&) = delete;
 
-  /// The number given, if any; throws InputError if it is none.
+  /// The number given, if any; throws sys::InputError if it is none.
   std::optional<double> number() const;
 
-  /// The number given, or else the case's; throws InputError where there is neither.
+  /// The number given, or else the case's; throws sys::InputError where there is neither.
   double number_or(std::optional<double> from_case) const;
 
-  /// The whole number given, if any; throws InputError if it is none.
+  /// The whole number given, if any; throws sys::InputError if it is none.
   std::optional<long> integer() const;
 
   const std::string& text() const { return text_; }

@@ -17,13 +17,12 @@ OutputFormat OutputOptions::format() const {
   return format_ == "json" ? OutputFormat::json : OutputFormat::table;
 }
 
-parameters::UnitSystem OutputOptions::units(
-    const std::optional<parameters::Case>& from_file) const {
+config::UnitSystem OutputOptions::units(const std::optional<parameters::Case>& from_file) const {
   if (from_file && !units_.empty() && units_ != from_file->units.name) {
-    throw InputError("--units " + units_ + ": the case is in " + from_file->units.name);
+    throw sys::InputError("--units " + units_ + ": the case is in " + from_file->units.name);
   }
   if (from_file) return from_file->units;
-  return units_.empty() ? parameters::unit_systems().front() : parameters::unit_system(units_);
+  return units_.empty() ? config::unit_systems().front() : config::unit_system(units_);
 }
 
 }  // namespace app

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "config/units.hpp"
 #include "parameters/case.hpp"
-#include "parameters/units.hpp"
 
 namespace CLI {
 class App;
@@ -23,7 +23,7 @@ class OutputOptions {
   OutputFormat format() const;
 
   /// The case's units, or those of --units, or the paper's. Throws UnitError for an unknown name.
-  parameters::UnitSystem units(const std::optional<parameters::Case>& from_file) const;
+  config::UnitSystem units(const std::optional<parameters::Case>& from_file) const;
 
  private:
   std::string format_ = "table";

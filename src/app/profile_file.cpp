@@ -13,12 +13,12 @@ contact::Profile read_profile(const std::string& file) {
   const std::vector<double>& x = points.first;
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] > x[i - 1]) continue;
-    throw InputError(fmt::format("{}:{}: x = {}: must be greater than the one before, {}", file,
-                                 points.lines[i], shortest(x[i]), shortest(x[i - 1])));
+    throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the one before, {}",
+                                      file, points.lines[i], shortest(x[i]), shortest(x[i - 1])));
   }
   constexpr std::size_t min_points = 4;
   if (x.size() < min_points) {
-    throw InputError(
+    throw sys::InputError(
         fmt::format("{}: holds {} points, {} or more are needed", file, x.size(), min_points));
   }
   return contact::Profile::tabulated(x, points.second);

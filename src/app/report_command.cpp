@@ -11,11 +11,11 @@
 #include "app/compiled_excerpts.hpp"
 #include "app/options.hpp"
 #include "app/stage.hpp"
-#include "literate/document.hpp"
-#include "literate/excerpt.hpp"
-#include "literate/staging.hpp"
+#include "literate/document/document.hpp"
+#include "literate/excerpts/excerpt.hpp"
 #include "paper/paper.hpp"
 #include "parameters/case.hpp"
+#include "system/staging.hpp"
 
 namespace app {
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ void require_writable(const fs::path& output) {
   fs::path folder = fs::absolute(output / "").lexically_normal().parent_path();
   for (; !fs::exists(folder, ignored) && folder.has_relative_path(); folder = folder.parent_path())
     missing.push_back(folder);
-  { const literate::Staging trial(output); }
+  { const sys::Staging trial(output); }
   for (const fs::path& made : missing) fs::remove(made, ignored);
 }
 

@@ -45,10 +45,10 @@ std::vector<Point> points_of(const Options& options) {
   std::vector<Point> points;
   const bool is_list = !options.x.empty() || !options.z.empty();
   if (is_list == !options.points.empty()) {
-    throw InputError("give either --x and --z, or --points");
+    throw sys::InputError("give either --x and --z, or --points");
   }
   if (is_list && (options.x.empty() || options.z.empty())) {
-    throw InputError(options.x.empty() ? "--x is missing" : "--z is missing");
+    throw sys::InputError(options.x.empty() ? "--x is missing" : "--z is missing");
   }
   if (!options.points.empty()) {
     const CsvColumns columns = read_columns(options.points, "x", "z");
@@ -108,7 +108,7 @@ std::string stress_csv(const std::vector<Point>& points, double poisson) {
 }
 
 std::string stress_text(const std::vector<Point>& points, double poisson,
-                        const parameters::UnitSystem& units) {
+                        const config::UnitSystem& units) {
   const std::string length = fmt::format("[{}]", units.length);
   const std::string stress = fmt::format("[{}]", units.stress);
   const bool has_mcewen = !points.empty() && points.front().mcewen;
@@ -132,7 +132,7 @@ ExitCode run(const Options& options) {
   if (!options.contact.case_file().empty()) {
     from_file = parameters::read_case(options.contact.case_file());
   }
-  const parameters::UnitSystem units = options.output.units(from_file);
+  const config::UnitSystem units = options.output.units(from_file);
   std::vector<Point> points = points_of(options);
   const ContactInput input = options.contact.read(from_file);
   const bool is_second = options.body == "2";

@@ -11,15 +11,15 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/stage.hpp"
-#include "literate/digest.hpp"
-#include "literate/document_files.hpp"
-#include "literate/files.hpp"
-#include "literate/manifest.hpp"
-#include "literate/manifest_comparison.hpp"
-#include "literate/names.hpp"
-#include "literate/references.hpp"
-#include "literate/tool_version.hpp"
-#include "literate/typeset.hpp"
+#include "literate/document/names.hpp"
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/references.hpp"
+#include "literate/provenance/digest.hpp"
+#include "literate/provenance/manifest.hpp"
+#include "literate/provenance/manifest_comparison.hpp"
+#include "literate/typesetting/typeset.hpp"
+#include "system/files.hpp"
+#include "system/tool_version.hpp"
 #include "toolchain/build_info.hpp"
 #include "toolchain/libraries.hpp"
 
@@ -38,7 +38,7 @@ struct Options {
 literate::Manifest::Texts sources_below(const fs::path& source, const std::string& folder,
                                         const std::vector<std::string>& endings) {
   if (!fs::is_directory(source / folder)) return {};
-  std::vector<std::string> files = literate::files_below(source / folder);
+  std::vector<std::string> files = sys::files_below(source / folder);
   std::erase_if(files, [&](const std::string& file) {
     return std::ranges::none_of(endings, [&](const auto& end) { return file.ends_with(end); });
   });
@@ -58,8 +58,7 @@ literate::Manifest::Texts inputs(const Options& options) {
     const fs::path file = fs::weakly_canonical(options.case_file);
     const fs::path relative = file.lexically_relative(root);
     const bool is_inside = !relative.empty() && *relative.begin() != "..";
-    files[(is_inside ? relative : file.filename()).generic_string()] =
-        literate::sha256_of_file(file);
+    files[(is_inside ? relative : file.filename()).generic_string()] = sys::sha256_of_file(file);
   }
   return files;
 }
@@ -80,12 +79,12 @@ literate::Manifest manifest_of(const Options& options, const literate::Names& na
                                           {"processor", toolchain::processor()}}},
                                         {"libraries", toolchain::libraries()},
                                         {"tools",
-                                         {{"gnuplot", literate::tool_version("gnuplot")},
-                                          {"pdfTeX", literate::tool_version("pdflatex")}}}},
+                                         {{"gnuplot", sys::tool_version("gnuplot")},
+                                          {"pdfTeX", sys::tool_version("pdflatex")}}}},
                               .inputs = inputs(options),
                               .outputs = literate::digests(generated, names.files, "generated/"),
                               .numbers = literate::numbers_in(generated / "names.json")};
-  manifest.outputs[pdf.filename().string()] = literate::sha256_of_file(pdf);
+  manifest.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
   return manifest;
 }
 
@@ -103,10 +102,10 @@ ExitCode compare_with(const std::string& file, const literate::Manifest& theirs,
              found.changed_outputs.front());
   for (const std::string& reason : found.reasons) fmt::print("  {}\n", reason);
   for (const std::string& moved : found.moved) fmt::print(stderr, "halfspace: moved: {}\n", moved);
-  if (!found.moved.empty()) return ExitCode::claim_failed;
+  if (!found.moved.empty()) return ExitCode::failed;
   if (found.reasons.empty()) {
     fmt::print(stderr, "halfspace: tools and sources are the same, and so should the bytes be\n");
-    return ExitCode::claim_failed;
+    return ExitCode::failed;
   }
   fmt::print("{} numbers are the same within their errors\n", ours.numbers.size());
   return ExitCode::success;
@@ -141,7 +140,7 @@ ExitCode run(const Options& options) {
 
   const literate::Manifest ours = manifest_of(options, names);
   if (!options.manifest.empty()) {
-    literate::write_if_changed(options.manifest, literate::manifest_json(ours));
+    sys::write_if_changed(options.manifest, literate::manifest_json(ours));
   }
   if (verdict != ExitCode::success || options.against.empty()) return verdict;
   return compare_with(options.against, theirs, ours);

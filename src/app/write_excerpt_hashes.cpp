@@ -5,14 +5,14 @@
 #include <cstdio>
 #include <exception>
 
-#include "literate/excerpt_hashes.hpp"
-#include "literate/files.hpp"
+#include "literate/excerpts/excerpt_hashes.hpp"
+#include "system/files.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   try {
     const auto excerpts = literate::find_excerpts(argv[1], {"src"});
-    literate::write_if_changed(argv[2], literate::excerpt_hashes_source(excerpts, "app"));
+    sys::write_if_changed(argv[2], literate::excerpt_hashes_source(excerpts, "app"));
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;

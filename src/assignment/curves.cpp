@@ -6,7 +6,7 @@
 #include "assignment/answers.hpp"
 #include "assignment/public_contact.hpp"
 #include "assignment/tasks.hpp"
-#include "literate/error.hpp"
+#include "system/error.hpp"
 
 namespace assignment {
 namespace {
@@ -72,7 +72,7 @@ std::vector<Curve> curves(const Program& program, const Variant& variant) {
   for (const auto curve : {slope, disagreement, displacement, contact_pressure, contact_gap}) {
     try {
       all.push_back(curve(program, variant));
-    } catch (const literate::ToolError&) {
+    } catch (const sys::ToolError&) {
       throw;
     } catch (const std::exception&) {
       // No answer, no picture.

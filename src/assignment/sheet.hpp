@@ -3,7 +3,7 @@
 
 #include "course/assignment.hpp"
 #include "course/variant.hpp"
-#include "literate/document.hpp"
+#include "literate/document/document.hpp"
 
 namespace assignment {
 

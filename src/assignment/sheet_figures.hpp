@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "literate/plot.hpp"
+#include "literate/figures/plot.hpp"
 
 namespace assignment {
 

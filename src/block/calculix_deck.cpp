@@ -10,7 +10,7 @@
 #include <string>
 
 #include "block/nodal_forces.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -86,7 +86,7 @@ Mesh calculix_mesh(const Mesh& mesh, const std::vector<double>& points) {
   const double tolerance = same_line * (columns.back() - columns.front());
   for (const double x : points) {
     if (!(x >= columns.front() && x <= columns.back())) {
-      throw numerics::InvalidQuantity("point", x, "on the top of the block");
+      throw sys::InvalidQuantity("point", x, "on the top of the block");
     }
     const auto above = std::lower_bound(columns.begin(), columns.end(), x - tolerance);
     if (std::abs(*above - x) > tolerance) columns.insert(above, x);
@@ -99,14 +99,14 @@ Index calculix_node(const Mesh& quadratic, double x) {
   for (Index node = 0; node < quadratic.n_nodes_along_x(); ++node) {
     if (std::abs(quadratic.position(node).x() - x) <= same_line * width) return node + 1;
   }
-  throw numerics::InvalidQuantity("point", x, "where the deck's mesh has a node");
+  throw sys::InvalidQuantity("point", x, "where the deck's mesh has a node");
 }
 
 void write_calculix_deck(std::ostream& out, const Mesh& quadratic,
                          const elasticity::Material& material, const Supports& supports,
                          const elasticity::Load& load, const std::vector<double>& points) {
   if (quadratic.order() != 2) {
-    throw numerics::InvalidQuantity("order of the deck's mesh", quadratic.order(), "2");
+    throw sys::InvalidQuantity("order of the deck's mesh", quadratic.order(), "2");
   }
   require_no_rigid_motion(supports);
   const Eigen::VectorXd forces = surface_forces(quadratic, LobattoBasis(2), load);

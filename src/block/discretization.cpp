@@ -6,7 +6,7 @@
 
 #include "block/grading.hpp"
 #include "block/nodal_forces.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -39,12 +39,12 @@ std::vector<GradedPoint> graded_columns(const Rectangle& block, const std::vecto
 
 void require_valid(const Discretization& discretization) {
   if (discretization.order < 2 || discretization.order > 10) {
-    throw numerics::InvalidQuantity("order", discretization.order, "2 to 10");
+    throw sys::InvalidQuantity("order", discretization.order, "2 to 10");
   }
   if (discretization.refine < 0 || discretization.refine > 6) {
-    throw numerics::InvalidQuantity("refine", discretization.refine, "0 to 6");
+    throw sys::InvalidQuantity("refine", discretization.refine, "0 to 6");
   }
-  numerics::require_positive("max_megabytes", discretization.max_megabytes);
+  sys::require_positive("max_megabytes", discretization.max_megabytes);
 }
 
 Discretization coarser(const Discretization& discretization) {
@@ -76,8 +76,8 @@ Mesh graded_mesh(const Rectangle& block, const std::vector<elasticity::Load>& lo
   for (const elasticity::Load& load : loads) require_inside(load, block.left(), block.right());
   const std::vector<double> kinks = kinks_of(loads);
   if (kinks.empty()) {
-    throw numerics::InvalidQuantity("number of loads", static_cast<double>(loads.size()),
-                                    "1 or more, with a traction that is not zero");
+    throw sys::InvalidQuantity("number of loads", static_cast<double>(loads.size()),
+                               "1 or more, with a traction that is not zero");
   }
 
   const double fraction = 0.2 * std::pow(0.3, discretization.refine);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdexcept>
+#include "system/error.hpp"
 
 namespace block {
 
 /// A stiffness matrix that could not be factorised or solved with; what() says which and why.
-class FactorizationError : public std::runtime_error {
+class FactorizationError : public sys::ComputationError {
  public:
-  using std::runtime_error::runtime_error;
+  using ComputationError::ComputationError;
 };
 
 }  // namespace block

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -35,12 +35,12 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& ratios) {
 
 Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& observed) {
   if (solutions.empty() || observed.size() < solutions.size()) {
-    throw numerics::InvalidQuantity("number of observed displacements",
-                                    static_cast<double>(observed.size()),
-                                    "no less than the number of loads, which is 1 or more");
+    throw sys::InvalidQuantity("number of observed displacements",
+                               static_cast<double>(observed.size()),
+                               "no less than the number of loads, which is 1 or more");
   }
   for (const SurfaceDisplacement& point : observed) {
-    numerics::require_positive("observed displacement", point.u_z);
+    sys::require_positive("observed displacement", point.u_z);
   }
 
   // Solve the least-squares problem on both meshes
@@ -64,7 +64,7 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
 
 LinearFit fit_linear_load(const SupportedBlock& block, double half_width,
                           const Observed& observed) {
-  const double a = numerics::require_positive("half_width", half_width);
+  const double a = sys::require_positive("half_width", half_width);
   const auto falling = [a](double x) { return 1 - std::abs(x) / a; };
   const auto rising = [a](double x) { return std::abs(x) / a; };
   const std::vector<double> kinks{-a, 0, a};

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "numerics/kernel_integrals.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 elasticity::Load symmetric_load(double peak, double half_width,
                                 const std::vector<double>& breakpoints,
                                 const std::function<double(double)>& shape) {
-  numerics::require_positive("peak", peak);
-  numerics::require_positive("half_width", half_width);
+  sys::require_positive("peak", peak);
+  sys::require_positive("half_width", half_width);
   std::vector<double> ends;
   for (const double fraction : breakpoints) ends.push_back(fraction * half_width);
   return elasticity::distributed_load(
@@ -36,7 +36,7 @@ numerics::PiecewiseFunction scaled(const numerics::PiecewiseFunction& function, 
 
 elasticity::Load linear_fall(double peak, double edge_fraction, double half_width) {
   if (!(std::isfinite(edge_fraction) && edge_fraction >= 0)) {
-    throw numerics::InvalidQuantity("edge_fraction", edge_fraction, "a finite number, 0 or more");
+    throw sys::InvalidQuantity("edge_fraction", edge_fraction, "a finite number, 0 or more");
   }
   return symmetric_load(peak, half_width, {-1, 0, 1},
                         [=](double t) { return (1 - t) + edge_fraction * t; });
@@ -44,7 +44,7 @@ elasticity::Load linear_fall(double peak, double edge_fraction, double half_widt
 
 elasticity::Load trapezoid(double peak, double flat_fraction, double half_width) {
   if (!(flat_fraction > 0 && flat_fraction < 1)) {
-    throw numerics::InvalidQuantity("flat_fraction", flat_fraction, "between 0 and 1");
+    throw sys::InvalidQuantity("flat_fraction", flat_fraction, "between 0 and 1");
   }
   return symmetric_load(peak, half_width, {-1, -flat_fraction, flat_fraction, 1}, [=](double t) {
     return std::min(1.0, std::max(0.0, 1 - t) / (1 - flat_fraction));
@@ -57,7 +57,7 @@ elasticity::Load elliptic(double peak, double half_width) {
 }
 
 elasticity::Load power_fall(double peak, int exponent, double half_width) {
-  if (exponent < 1) throw numerics::InvalidQuantity("exponent", exponent, "1 or more");
+  if (exponent < 1) throw sys::InvalidQuantity("exponent", exponent, "1 or more");
   // An even power is smooth in the middle, an odd one of |x| is not
   const std::vector<double> ends =
       exponent % 2 == 0 ? std::vector<double>{-1, 1} : std::vector<double>{-1, 0, 1};
@@ -66,7 +66,7 @@ elasticity::Load power_fall(double peak, int exponent, double half_width) {
 }
 
 elasticity::Load scaled(const elasticity::Load& load, double factor) {
-  numerics::require_finite("factor", factor);
+  sys::require_finite("factor", factor);
   elasticity::Load result{scaled(load.normal, factor), scaled(load.tangential, factor),
                           load.forces};
   for (elasticity::LineForce& force : result.forces) force.magnitude *= factor;

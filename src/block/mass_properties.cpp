@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/mass_properties.hpp"
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 
 MassProperties mass_properties(const Rectangle& block, double density) {
-  numerics::require_positive("density", density);
+  sys::require_positive("density", density);
   const double mass = density * block.width() * block.height();
   const double centre_y = -block.height() / 2;
   const double ixx = mass * block.height() * block.height() / 12;

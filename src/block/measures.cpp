@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -87,7 +87,7 @@ Maxima maxima_of(const Solution& solution, const MeasureOptions& options) {
 
 std::vector<Measure> measures(const Solution& solution, const MeasureOptions& options) {
   if (options.plotting_grid < 1) {
-    throw numerics::InvalidQuantity("plotting_grid", options.plotting_grid, "1 or more");
+    throw sys::InvalidQuantity("plotting_grid", options.plotting_grid, "1 or more");
   }
   const Maxima maxima = maxima_of(solution, options);
   const Resultant applied = solution.applied();

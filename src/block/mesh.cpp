@@ -5,24 +5,24 @@
 #include <utility>
 
 #include "block/legendre_rule.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
 
 int require_order(int order) {
-  if (order < 1 || order > 12) throw numerics::InvalidQuantity("order", order, "1 to 12");
+  if (order < 1 || order > 12) throw sys::InvalidQuantity("order", order, "1 to 12");
   return order;
 }
 
 void require_rising(const char* quantity, const std::vector<double>& lines) {
   if (lines.size() < 2) {
-    throw numerics::InvalidQuantity(quantity, static_cast<double>(lines.size()), "two or more");
+    throw sys::InvalidQuantity(quantity, static_cast<double>(lines.size()), "two or more");
   }
-  numerics::require_finite(quantity, lines.front());
+  sys::require_finite(quantity, lines.front());
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (!(numerics::require_finite(quantity, lines[i]) > lines[i - 1])) {
-      throw numerics::InvalidQuantity(quantity, lines[i], "greater than the line before");
+    if (!(sys::require_finite(quantity, lines[i]) > lines[i - 1])) {
+      throw sys::InvalidQuantity(quantity, lines[i], "greater than the line before");
     }
   }
 }
@@ -31,7 +31,7 @@ void require_rising(const char* quantity, const std::vector<double>& lines) {
 std::pair<Index, double> locate_between(const char* quantity, const std::vector<double>& lines,
                                         double value) {
   if (!(value >= lines.front() && value <= lines.back())) {
-    throw numerics::InvalidQuantity(quantity, value, "inside the block");
+    throw sys::InvalidQuantity(quantity, value, "inside the block");
   }
   const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, value);
   const double begin = *(above - 1);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 Mesh require_fitting(Mesh mesh, double max_megabytes) {
   const double megabytes = estimated_megabytes(mesh);
   if (!(megabytes <= max_megabytes)) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "estimated memory in megabytes", std::round(megabytes),
         fmt::format("{} or less; lower the order or the refinement", max_megabytes));
   }

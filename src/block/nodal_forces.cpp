@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "block/legendre_rule.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -30,17 +30,17 @@ Eigen::VectorXd edge_forces(const LobattoBasis& basis, const Element& element,
 
 void require_inside(const elasticity::Load& load, double left, double right) {
   if (!load.forces.empty()) {
-    throw numerics::InvalidQuantity("concentrated force", load.forces.front().magnitude,
-                                    "absent: spread it over a width, under it a continuum "
-                                    "displaces infinitely");
+    throw sys::InvalidQuantity("concentrated force", load.forces.front().magnitude,
+                               "absent: spread it over a width, under it a continuum "
+                               "displaces infinitely");
   }
   for (const auto* traction : {&load.normal, &load.tangential}) {
     for (const numerics::Piece& piece : traction->pieces()) {
       if (piece.begin < left) {
-        throw numerics::InvalidQuantity("begin of the load", piece.begin, "on the block");
+        throw sys::InvalidQuantity("begin of the load", piece.begin, "on the block");
       }
       if (piece.end > right) {
-        throw numerics::InvalidQuantity("end of the load", piece.end, "on the block");
+        throw sys::InvalidQuantity("end of the load", piece.end, "on the block");
       }
     }
   }

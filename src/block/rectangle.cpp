@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/rectangle.hpp"
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 
 Rectangle::Rectangle(double width, double height)
-    : width_(numerics::require_positive("width", width)),
-      height_(numerics::require_positive("height", height)) {}
+    : width_(sys::require_positive("width", width)),
+      height_(sys::require_positive("height", height)) {}
 
 }  // namespace block

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/supports.hpp"
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 
@@ -19,8 +19,8 @@ void require_no_rigid_motion(const Supports& supports) {
                        holds(supports.left, supports.right, Support::clamped);
   const int n_prevented = (holds_x ? 1 : 0) + (holds_z ? 1 : 0) + (holds_x || holds_z ? 1 : 0);
   if (n_prevented < 3) {
-    throw numerics::InvalidQuantity("number of rigid motions the supports prevent", n_prevented,
-                                    "3: clamp the bottom or a side");
+    throw sys::InvalidQuantity("number of rigid motions the supports prevent", n_prevented,
+                               "3: clamp the bottom or a side");
   }
 }
 

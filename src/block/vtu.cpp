@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace block {
 namespace {
@@ -71,7 +71,7 @@ void write_cells(std::ostream& out, Index n_elements, Index n_cells) {
 }  // namespace
 
 void write_vtu(std::ostream& out, const Solution& solution, int n_cells) {
-  if (n_cells > 100) throw numerics::InvalidQuantity("n_cells", n_cells, "100 or less");
+  if (n_cells > 100) throw sys::InvalidQuantity("n_cells", n_cells, "100 or less");
   const Mesh& mesh = solution.model().mesh();
   if (n_cells <= 0) n_cells = mesh.order();
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "contact/nested_grids.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -69,7 +69,7 @@ Solution solve_for_approach(const Problem& problem, double approach, double datu
   const double least_gap =
       problem.grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); }).minCoeff();
   if (!(approach > least_gap && approach < largest_length)) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "approach", approach,
         fmt::format("greater than the least gap {}, or there is no contact, and less than {}",
                     least_gap, largest_length));

@@ -6,19 +6,19 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
 
 // |Q|/(μP), with P = π a p₀/2.
 double share_of_sliding(const Hertz& normal, double friction, double tangential_load) {
-  numerics::require_positive("friction", friction);
-  numerics::require_finite("tangential_load", tangential_load);
+  sys::require_positive("friction", friction);
+  sys::require_finite("tangential_load", tangential_load);
   const double limit =
       friction * std::numbers::pi / 2 * normal.half_width() * normal.peak_pressure();
   if (!(std::abs(tangential_load) < limit)) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "tangential_load", tangential_load,
         fmt::format("less in magnitude than friction times load, {}: there sliding begins", limit));
   }

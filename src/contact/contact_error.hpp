@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdexcept>
+#include "system/error.hpp"
 
 namespace contact {
 
 /// A contact that was not solved. what() says why and what would help.
-class ContactError : public std::runtime_error {
+class ContactError : public sys::ComputationError {
  public:
-  using std::runtime_error::runtime_error;
+  using ComputationError::ComputationError;
 };
 
 }  // namespace contact

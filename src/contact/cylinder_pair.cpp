@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
 Radius Radius::of_cylinder(const char* name, double radius) {
   if (!std::isfinite(radius) || radius == 0) {
-    throw numerics::InvalidQuantity(
-        name, radius, "a finite number other than 0 (negative for a hollow), or a plane");
+    throw sys::InvalidQuantity(name, radius,
+                               "a finite number other than 0 (negative for a hollow), or a plane");
   }
   return Radius(1 / radius);
 }
@@ -20,7 +20,7 @@ CylinderPair::CylinderPair(const elasticity::Material& material1, Radius radius1
     : relative_curvature_(radius1.curvature() + radius2.curvature()),
       contact_modulus_(elasticity::contact_modulus(material1, material2)) {
   if (!(relative_curvature_ > 0)) {
-    throw numerics::InvalidQuantity("1/radius1 + 1/radius2", relative_curvature_, "greater than 0");
+    throw sys::InvalidQuantity("1/radius1 + 1/radius2", relative_curvature_, "greater than 0");
   }
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "contact/nested_grids.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
@@ -16,11 +16,11 @@ using Eigen::VectorXd;
 DenseSystem::DenseSystem(const Problem& problem, double line_load)
     : is_one_sided_(problem.grid.is_one_sided) {
   require_valid(problem);
-  numerics::require_positive("load", line_load);
+  sys::require_positive("load", line_load);
   const Grid& grid = problem.grid;
   if (grid.n_nodes > max_dense_nodes) {
     const auto n = static_cast<double>(grid.n_nodes);
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "nodes", n,
         fmt::format("from {} to {} for a dense method (its matrix would take {:.3g} GB); fft takes "
                     "more",

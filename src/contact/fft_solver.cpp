@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "contact/free_ends.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -24,7 +24,7 @@ Problem both_sides(Problem problem) {
 double require_tolerance(double tolerance) {
   constexpr double too_large = 0.01;
   if (!(tolerance >= min_tolerance && tolerance < too_large)) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "tolerance", tolerance,
         fmt::format("from {}, which is rounding, to less than {}", min_tolerance, too_large));
   }
@@ -34,7 +34,7 @@ double require_tolerance(double tolerance) {
 Solution solve_by_fft(const Problem& problem, double line_load, double tolerance,
                       const ProgressReport& report) {
   require_valid(problem);
-  numerics::require_positive("load", line_load);
+  sys::require_positive("load", line_load);
   require_tolerance(tolerance);
   const Problem full = both_sides(problem);
   NestedSolution nested = solve_on_nested_grids(full, line_load, tolerance, report);

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
 FlatPunch::FlatPunch(double contact_modulus, double half_width, double line_load)
-    : contact_modulus_(numerics::require_positive("contact_modulus", contact_modulus)),
-      half_width_(numerics::require_positive("half_width", half_width)),
-      line_load_(numerics::require_positive("load", line_load)) {}
+    : contact_modulus_(sys::require_positive("contact_modulus", contact_modulus)),
+      half_width_(sys::require_positive("half_width", half_width)),
+      line_load_(sys::require_positive("load", line_load)) {}
 
 double FlatPunch::pressure(double x) const {
   const double a = half_width_;

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "contact/nested_grids.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -50,7 +50,7 @@ void require_free_ends(const Problem& problem, const Eigen::VectorXd& pressure, 
   if (grid.is_one_sided) both_sides.grid = grid_of_width(grid.end() - grid.begin(), grid.n_nodes);
   const std::optional<double> needed = domain_needed(both_sides, line_load);
   if (!needed) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "domain", grid.end() - grid.begin(),
         fmt::format("wider than the profile is given, from x = {} to {}: contact reaches its end",
                     problem.profile.begin(), problem.profile.end()));
@@ -59,7 +59,7 @@ void require_free_ends(const Problem& problem, const Eigen::VectorXd& pressure, 
   const auto n = static_cast<double>(grid.is_one_sided ? 2 * grid.n_nodes - 1 : grid.n_nodes);
   const double width = *needed * n / (n - 2);
   const double end = at_begin ? grid.begin() : grid.end();
-  throw numerics::InvalidQuantity(
+  throw sys::InvalidQuantity(
       "domain", grid.end() - grid.begin(),
       fmt::format("at least {:.3g}, or contact reaches its end at x = {}", width, end));
 }

@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "contact/influence_operator.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
 
 double require_coefficient(double friction_coefficient) {
   if (!(std::isfinite(friction_coefficient) && friction_coefficient >= 0)) {
-    throw numerics::InvalidQuantity("friction", friction_coefficient, "0 or greater");
+    throw sys::InvalidQuantity("friction", friction_coefficient, "0 or greater");
   }
   return friction_coefficient;
 }
@@ -30,7 +30,7 @@ Friction partial_slip(const Problem& problem, const Solution& solution, double f
                       double tangential_load, const Method& method) {
   const double limit = require_coefficient(friction_coefficient) * solution.line_load();
   if (!(std::abs(tangential_load) < limit)) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "tangential_load", tangential_load,
         fmt::format("less than friction holds, {}, or the bodies slide", limit));
   }
@@ -45,8 +45,8 @@ Friction partial_slip(const Problem& problem, const Solution& solution, double f
 Slopes surface_slopes(const Problem& problem, const Solution& solution,
                       const Eigen::VectorXd& shear, double beta) {
   if (solution.grid.is_one_sided) {
-    throw numerics::InvalidQuantity("one-sided grid's end", solution.grid.end(),
-                                    "only without friction, which is not symmetric");
+    throw sys::InvalidQuantity("one-sided grid's end", solution.grid.end(),
+                               "only without friction, which is not symmetric");
   }
   // begin excerpt: slopes
   const Eigen::VectorXd phi = solution.pressure / solution.pressure_per_phi;

@@ -9,7 +9,7 @@
 
 #include "contact/contact_error.hpp"
 #include "numerics/dense_lu.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -132,15 +132,15 @@ void require_one_region(const GradedSolution& solution, const Profile& profile, 
 }
 
 void require_valid(double contact_modulus, double line_load, long n_elements, Edges start) {
-  numerics::require_positive("contact_modulus", contact_modulus);
-  numerics::require_positive("load", line_load);
+  sys::require_positive("contact_modulus", contact_modulus);
+  sys::require_positive("load", line_load);
   if (n_elements < min_graded_elements || n_elements > max_graded_elements) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "elements", static_cast<double>(n_elements),
         fmt::format("from {} to {}", min_graded_elements, max_graded_elements));
   }
-  numerics::require_finite("left edge", start.left);
-  numerics::require_finite("right edge", start.right);
+  sys::require_finite("left edge", start.left);
+  sys::require_finite("right edge", start.right);
 }
 
 }  // namespace
@@ -150,8 +150,8 @@ GradedSolution solve_on_graded_grid(const Profile& profile, double contact_modul
   require_valid(contact_modulus, line_load, n_elements, start);
   Edges edges = moved(profile, start, Vector2d::Zero());
   if (!(edges.left < edges.right)) {
-    throw numerics::InvalidQuantity("left edge", start.left,
-                                    fmt::format("less than the right edge {}", start.right));
+    throw sys::InvalidQuantity("left edge", start.left,
+                               fmt::format("less than the right edge {}", start.right));
   }
   const double total = 2 * line_load / (pi * contact_modulus);
   const GivenEdges contact(profile, total, n_elements);

@@ -5,7 +5,7 @@
 
 #include "contact/graded_contact.hpp"
 #include "elasticity/linear_potential.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
@@ -41,7 +41,7 @@ double GradedSolution::line_load() const {
 }
 
 double GradedSolution::approach(double datum) const {
-  numerics::require_finite("datum", datum);
+  sys::require_finite("datum", datum);
   const double a = half_width();
   double sum = 0;
   for (Index e = 0; e < bulge.size(); ++e) {

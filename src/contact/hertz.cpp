@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
 Hertz::Hertz(const CylinderPair& cylinders, double line_load)
     : relative_curvature_(cylinders.relative_curvature()),
       half_width_(std::sqrt(
-          4 * numerics::require_positive("load", line_load) /
+          4 * sys::require_positive("load", line_load) /
           (std::numbers::pi * cylinders.contact_modulus() * cylinders.relative_curvature()))),
       peak_pressure_(2 * line_load / (std::numbers::pi * half_width_)) {}
 

@@ -12,7 +12,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -50,9 +50,9 @@ McEwen::McEwen(const Hertz& hertz)
 // With c = a(z+m)/[(|x|+n)² + (z+m)²], m − z = ac and Johnson's differences become
 //   m² − z² = ac(z+m),  2(m²+n²) − m(z+m) = 2n² + acm.
 elasticity::Stress McEwen::stress(double x, double z) const {
-  numerics::require_finite("x", x);
+  sys::require_finite("x", x);
   if (!(std::isfinite(z) && z >= 0)) {
-    throw numerics::InvalidQuantity("z", z, "a finite depth, 0 or more");
+    throw sys::InvalidQuantity("z", z, "a finite depth, 0 or more");
   }
   const double a = half_width_;
   const auto [m, n, sum_of_squares] = roots(std::abs(x), z, a);

@@ -12,7 +12,7 @@
 #include "contact/contact_error.hpp"
 #include "contact/projected_cg.hpp"
 #include "contact/prolongation.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -152,7 +152,7 @@ std::vector<Grid> nested_grids(const Grid& finest) {
 double total_phi(const Problem& problem, double line_load) {
   const double total = 2 * line_load / (std::numbers::pi * problem.contact_modulus);
   if (!(total < largest_length)) {
-    throw numerics::InvalidQuantity("load", line_load, "less: its square must be a double");
+    throw sys::InvalidQuantity("load", line_load, "less: its square must be a double");
   }
   return total;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -18,7 +18,7 @@ double ratio(int k) {
 
 double checked_coefficient(int n) {
   if (n < 1 || n > Profile::max_power) {
-    throw numerics::InvalidQuantity("n", n, fmt::format("from 1 to {}", Profile::max_power));
+    throw sys::InvalidQuantity("n", n, fmt::format("from 1 to {}", Profile::max_power));
   }
   double c = 1;
   for (int k = 1; k <= n; ++k) c *= ratio(k);
@@ -54,13 +54,13 @@ double sinh_minus_argument(double y) {
 }  // namespace
 
 PowerLaw::PowerLaw(double contact_modulus, double coefficient, int n, double line_load)
-    : contact_modulus_(numerics::require_positive("contact_modulus", contact_modulus)),
-      line_load_(numerics::require_positive("load", line_load)),
+    : contact_modulus_(sys::require_positive("contact_modulus", contact_modulus)),
+      line_load_(sys::require_positive("load", line_load)),
       n_(n),
       load_coefficient_(checked_coefficient(n)),
       half_width_(std::pow(
           line_load / (std::numbers::pi * contact_modulus * n *
-                       numerics::require_positive("coefficient", coefficient) * load_coefficient_),
+                       sys::require_positive("coefficient", coefficient) * load_coefficient_),
           0.5 / n)) {}
 
 double PowerLaw::peak_pressure() const {

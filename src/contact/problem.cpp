@@ -5,30 +5,29 @@
 
 #include <cmath>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
 void require_valid(const Problem& problem) {
-  numerics::require_positive("contact_modulus", problem.contact_modulus);
+  sys::require_positive("contact_modulus", problem.contact_modulus);
   const Grid& grid = problem.grid;
   const Profile& profile = problem.profile;
   if (grid.is_one_sided && !profile.is_symmetric()) {
-    throw numerics::InvalidQuantity("one-sided grid's end", grid.end(),
-                                    "only for a symmetric profile");
+    throw sys::InvalidQuantity("one-sided grid's end", grid.end(), "only for a symmetric profile");
   }
   const double last = grid.x(grid.n_nodes - 1);
   const double first = grid.is_one_sided ? -last : grid.x(0);
   if (first < profile.begin() || last > profile.end()) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "domain", grid.end() - grid.begin(),
         fmt::format("within the profile's points, from {} to {}", profile.begin(), profile.end()));
   }
   for (Eigen::Index i = 0; i < grid.n_nodes; ++i) {
     const double gap = profile.gap(grid.x(i));
     if (std::abs(gap) < largest_length) continue;
-    throw numerics::InvalidQuantity(fmt::format("gap at x = {}", grid.x(i)), gap,
-                                    fmt::format("less than {}", largest_length));
+    throw sys::InvalidQuantity(fmt::format("gap at x = {}", grid.x(i)), gap,
+                               fmt::format("less than {}", largest_length));
   }
 }
 

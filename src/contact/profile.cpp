@@ -8,26 +8,26 @@
 #include <cmath>
 #include <memory>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
 Profile Profile::parabola(double relative_curvature) {
-  const double half = numerics::require_positive("relative_curvature", relative_curvature) / 2;
+  const double half = sys::require_positive("relative_curvature", relative_curvature) / 2;
   return {[half](double x) { return half * x * x; },
           [half](double from, double to) { return half * (to - from) * (to + from); }};
 }
 
 Profile Profile::wedge(double slope) {
-  numerics::require_positive("slope", slope);
+  sys::require_positive("slope", slope);
   return {[slope](double x) { return slope * std::abs(x); },
           [slope](double from, double to) { return slope * (std::abs(to) - std::abs(from)); }};
 }
 
 Profile Profile::rounded_punch(double flat_half_width, double edge_curvature) {
-  const double b = numerics::require_finite("flat_half_width", flat_half_width);
-  if (b < 0) throw numerics::InvalidQuantity("flat_half_width", b, "0 or greater");
-  const double half = numerics::require_positive("edge_curvature", edge_curvature) / 2;
+  const double b = sys::require_finite("flat_half_width", flat_half_width);
+  if (b < 0) throw sys::InvalidQuantity("flat_half_width", b, "0 or greater");
+  const double half = sys::require_positive("edge_curvature", edge_curvature) / 2;
   const auto beyond = [b](double x) { return std::max(0.0, std::abs(x) - b); };
   return {[=](double x) { return half * beyond(x) * beyond(x); },
           [=](double from, double to) {
@@ -39,9 +39,9 @@ Profile Profile::rounded_punch(double flat_half_width, double edge_curvature) {
 }
 
 Profile Profile::power_law(double coefficient, int n) {
-  numerics::require_positive("coefficient", coefficient);
+  sys::require_positive("coefficient", coefficient);
   if (n < 1 || n > max_power) {
-    throw numerics::InvalidQuantity("n", n, fmt::format("from 1 to {}", max_power));
+    throw sys::InvalidQuantity("n", n, fmt::format("from 1 to {}", max_power));
   }
   // tⁿ − fⁿ = (t − f) Σ t^k f^{n−1−k} with t = to², f = from²
   const auto rise = [=](double from, double to) {
@@ -57,15 +57,15 @@ Profile Profile::power_law(double coefficient, int n) {
 Profile Profile::tabulated(const std::vector<double>& x, const std::vector<double>& gap) {
   constexpr std::size_t min_points = 4;
   if (x.size() < min_points || x.size() != gap.size()) {
-    throw numerics::InvalidQuantity("profile points", static_cast<double>(x.size()),
-                                    fmt::format("{} or more", min_points));
+    throw sys::InvalidQuantity("profile points", static_cast<double>(x.size()),
+                               fmt::format("{} or more", min_points));
   }
   for (std::size_t i = 0; i < x.size(); ++i) {
-    numerics::require_finite("profile x", x[i]);
-    numerics::require_finite("profile gap", gap[i]);
+    sys::require_finite("profile x", x[i]);
+    sys::require_finite("profile gap", gap[i]);
     if (i > 0 && !(x[i] > x[i - 1])) {
-      throw numerics::InvalidQuantity("profile x", x[i],
-                                      fmt::format("greater than the one before, {}", x[i - 1]));
+      throw sys::InvalidQuantity("profile x", x[i],
+                                 fmt::format("greater than the one before, {}", x[i - 1]));
     }
   }
   const std::shared_ptr<gsl_spline> spline(gsl_spline_alloc(gsl_interp_steffen, x.size()),

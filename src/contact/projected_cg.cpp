@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
@@ -79,7 +79,7 @@ void ProjectedCg::solve(VectorXd& phi, const ContactMask& in_contact, double tol
     if (error_ <= tolerance) return;
     constexpr int patience = 3;
     if (!std::isfinite(error_) || (error_ > previous / 2 && ++fruitless > patience)) {
-      throw numerics::InvalidQuantity(
+      throw sys::InvalidQuantity(
           "tolerance", tolerance,
           fmt::format("at least {:.1e}, which rounding leaves of the pressure of {} nodes", error_,
                       phi.size()));

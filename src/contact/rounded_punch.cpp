@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -48,8 +48,8 @@ double find_chord(double b, double load) {
 }
 
 double checked_flat(double b) {
-  if (numerics::require_finite("flat_half_width", b) < 0) {
-    throw numerics::InvalidQuantity("flat_half_width", b, "0 or greater");
+  if (sys::require_finite("flat_half_width", b) < 0) {
+    throw sys::InvalidQuantity("flat_half_width", b, "0 or greater");
   }
   return b;
 }
@@ -59,10 +59,10 @@ double checked_flat(double b) {
 RoundedPunch::RoundedPunch(double contact_modulus, double flat_half_width, double edge_curvature,
                            double line_load)
     : flat_half_width_(checked_flat(flat_half_width)),
-      edge_curvature_(numerics::require_positive("edge_curvature", edge_curvature)),
-      line_load_(numerics::require_positive("load", line_load)),
-      pressure_scale_(numerics::require_positive("contact_modulus", contact_modulus) *
-                      edge_curvature / std::numbers::pi),
+      edge_curvature_(sys::require_positive("edge_curvature", edge_curvature)),
+      line_load_(sys::require_positive("load", line_load)),
+      pressure_scale_(sys::require_positive("contact_modulus", contact_modulus) * edge_curvature /
+                      std::numbers::pi),
       chord_(find_chord(flat_half_width, 2 * line_load / (contact_modulus * edge_curvature))),
       half_width_(std::hypot(flat_half_width, chord_)),
       overhang_(chord_ * (chord_ / (half_width_ + flat_half_width))),

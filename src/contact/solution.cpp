@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -91,7 +91,7 @@ double Solution::approach(double datum) const {
   const double end = in_contact.empty() ? 0 : in_contact.back().end;
   const double left = grid.is_one_sided ? -end : begin;
   if (!(std::isfinite(datum) && (datum < left || datum > end))) {
-    throw numerics::InvalidQuantity(
+    throw sys::InvalidQuantity(
         "datum", datum, fmt::format("outside the contact, from {:.6g} to {:.6g}", left, end));
   }
   const auto potential = [&](double x) {

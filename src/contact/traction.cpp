@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contact/contact_error.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 
@@ -12,12 +12,12 @@ elasticity::PiecewiseLinearTraction traction_on(const Solution& solution,
                                                 const Eigen::VectorXd& shear) {
   const Grid& grid = solution.grid;
   if (solution.element != Element::triangular) {
-    throw numerics::InvalidQuantity("elements' width", grid.spacing,
-                                    "of triangular elements: beneath others stress jumps");
+    throw sys::InvalidQuantity("elements' width", grid.spacing,
+                               "of triangular elements: beneath others stress jumps");
   }
   if (grid.is_one_sided && shear.size() > 0) {
-    throw numerics::InvalidQuantity("one-sided grid's end", grid.end(),
-                                    "only without friction, which is not symmetric");
+    throw sys::InvalidQuantity("one-sided grid's end", grid.end(),
+                               "only without friction, which is not symmetric");
   }
   Eigen::Index first = 0;
   Eigen::Index last = grid.n_nodes - 1;

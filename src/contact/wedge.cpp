@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace contact {
 namespace {
@@ -30,10 +30,10 @@ constexpr double near_edge_squared = 0.2;
 }  // namespace
 
 Wedge::Wedge(double contact_modulus, double slope, double line_load)
-    : slope_(numerics::require_positive("slope", slope)),
-      line_load_(numerics::require_positive("load", line_load)),
-      half_width_(line_load /
-                  (numerics::require_positive("contact_modulus", contact_modulus) * slope)) {}
+    : slope_(sys::require_positive("slope", slope)),
+      line_load_(sys::require_positive("load", line_load)),
+      half_width_(line_load / (sys::require_positive("contact_modulus", contact_modulus) * slope)) {
+}
 
 double Wedge::pressure(double x) const {
   const double a = half_width_;

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "course/student_text.hpp"
-#include "literate/lines.hpp"
-#include "literate/process.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -57,7 +57,7 @@ JobEnd Archive::run(const std::vector<std::string>& arguments, int file_kb) cons
   }
   const Readable archive{copy, "/archive"};
   Job job;
-  job.command = {"/usr/bin/env", "LC_ALL=C.UTF-8", literate::find_tool("bsdtar")};
+  job.command = {"/usr/bin/env", "LC_ALL=C.UTF-8", sys::find_tool("bsdtar")};
   job.command.insert(job.command.end(), arguments.begin(), arguments.end());
   job.command.insert(job.command.begin() + 4, sandbox_.place(archive));
   job.readable = {archive};
@@ -84,7 +84,7 @@ void Archive::list() {
     throw std::invalid_argument(fmt::format("the archive cannot be read: {}", why));
   }
   const std::string listing = beginning_of(work_ / "archive.out", listing_kb * 1024);
-  for (const std::string_view line : literate::lines_of(listing)) {
+  for (const std::string_view line : sys::lines_of(listing)) {
     raw_entries_.emplace_back(line);
     entries_.push_back(without_here(std::string(line)));
   }

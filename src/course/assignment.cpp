@@ -10,25 +10,25 @@
 #include <map>
 #include <set>
 
-#include "parameters/case_table.hpp"
+#include "config/table.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
-using parameters::CaseTable;
+using config::Table;
 
 namespace {
 
 // Points and grids are decimal fractions; sums of a few of them are good to far more than this.
 constexpr double rel_rounding = 1e-9;
 
-std::string text(const CaseTable& table, const std::string& key) {
+std::string text(const Table& table, const std::string& key) {
   std::string text = table.text(key);
   if (text.empty()) table.fail(key, "must not be empty");
   if (text.find_first_of("\r\n") != std::string::npos) table.fail(key, "must be one line");
   return text;
 }
 
-double number(const CaseTable& table, const std::string& key, double least, double most) {
+double number(const Table& table, const std::string& key, double least, double most) {
   const double number = table.number(key);
   if (number < least || number > most) {
     table.fail(key, fmt::format("{} is not from {} to {}", number, least, most));
@@ -36,13 +36,13 @@ double number(const CaseTable& table, const std::string& key, double least, doub
   return number;
 }
 
-double positive(const CaseTable& table, const std::string& key) {
+double positive(const Table& table, const std::string& key) {
   const double number = table.number(key);
   if (number <= 0) table.fail(key, fmt::format("{} is not positive", number));
   return number;
 }
 
-int integer(const CaseTable& table, const std::string& key, int least, int most) {
+int integer(const Table& table, const std::string& key, int least, int most) {
   const long integer = table.integer(key);
   if (integer < least || integer > most) {
     table.fail(key, fmt::format("{} is not from {} to {}", integer, least, most));
@@ -51,7 +51,7 @@ int integer(const CaseTable& table, const std::string& key, int least, int most)
 }
 
 // Reads a name that identifies something, and wants it to be new.
-std::string new_id(const CaseTable& table, const std::string& key, std::set<std::string>& known) {
+std::string new_id(const Table& table, const std::string& key, std::set<std::string>& known) {
   const std::string id = text(table, key);
   const bool is_word = std::ranges::all_of(id, [](unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -64,28 +64,28 @@ std::string new_id(const CaseTable& table, const std::string& key, std::set<std:
   return id;
 }
 
-void require_below(const CaseTable& table, const std::string& key, const fs::path& file) {
+void require_below(const Table& table, const std::string& key, const fs::path& file) {
   const bool climbs = std::ranges::find(file, "..") != file.end();
   if (file.empty() || file.is_absolute() || climbs || file != file.lexically_normal()) {
     table.fail(key, fmt::format("\"{}\" is not a plain path to a file below", file.string()));
   }
 }
 
-bool is_empty_list(const CaseTable& table, const std::string& key) {
+bool is_empty_list(const Table& table, const std::string& key) {
   try {
     return table.has(key) && table.texts(key).empty();
-  } catch (const parameters::CaseError&) {
+  } catch (const config::Error&) {
     return false;  // it holds something
   }
 }
 
-LatePolicy read_late(const CaseTable& table) {
+LatePolicy read_late(const Table& table) {
   return {.percent_per_day = number(table, "percent_per_day", 0, 100),
           .days = integer(table, "days", 0, 366)};
 }
 
 // A limit that is not given stays at its default.
-Limits read_limits(const CaseTable& table) {
+Limits read_limits(const Table& table) {
   constexpr int day = 86400;
   constexpr int tebibyte_in_mb = 1 << 20;
   Limits limits;
@@ -103,7 +103,7 @@ Limits read_limits(const CaseTable& table) {
   return limits;
 }
 
-CheckEntry read_check(const CaseTable& table, std::set<std::string>& ids) {
+CheckEntry read_check(const Table& table, std::set<std::string>& ids) {
   CheckEntry check;
   check.id = new_id(table, "id", ids);
   check.place = table.place("id");
@@ -117,7 +117,7 @@ CheckEntry read_check(const CaseTable& table, std::set<std::string>& ids) {
   return check;
 }
 
-Quantity read_quantity(const CaseTable& table, std::set<std::string>& names) {
+Quantity read_quantity(const Table& table, std::set<std::string>& names) {
   Quantity quantity;
   quantity.name = new_id(table, "name", names);
   quantity.unit = table.text("unit");
@@ -140,10 +140,10 @@ Quantity read_quantity(const CaseTable& table, std::set<std::string>& names) {
 /// Reads the exercises; what one says of another is tried when all are known.
 class Exercises {
  public:
-  Exercises(const CaseTable& root, const fs::path& folder) : folder_(folder) {
+  Exercises(const Table& root, const fs::path& folder) : folder_(folder) {
     tables_ = root.tables("exercise");
     if (tables_.empty()) root.fail("exercise", "missing; there must be one at least");
-    for (const CaseTable& table : tables_) exercises_.push_back(read(table));
+    for (const Table& table : tables_) exercises_.push_back(read(table));
     for (std::size_t i = 0; i < tables_.size(); ++i) require_order(i);
   }
 
@@ -156,18 +156,18 @@ class Exercises {
   }
 
  private:
-  Exercise read(const CaseTable& table);
+  Exercise read(const Table& table);
   void require_order(std::size_t index) const;
   bool leads_to(const std::string& from, const std::string& to, std::set<std::string>& seen) const;
   const Exercise* find(const std::string& id) const;
 
   fs::path folder_;
-  std::vector<CaseTable> tables_;
+  std::vector<Table> tables_;
   std::vector<Exercise> exercises_;
   std::set<std::string> ids_, check_ids_, files_;
 };
 
-Exercise Exercises::read(const CaseTable& table) {
+Exercise Exercises::read(const Table& table) {
   Exercise exercise;
   exercise.id = new_id(table, "id", ids_);
   exercise.title = text(table, "title");
@@ -182,11 +182,11 @@ Exercise Exercises::read(const CaseTable& table) {
   if (table.has("builds_on")) exercise.builds_on = table.texts("builds_on");
   // `check = []` is a list of no kind in particular, and has no tables.
   const bool has_none = is_empty_list(table, "check");
-  const auto checks = has_none ? std::vector<CaseTable>{} : table.tables("check");
+  const auto checks = has_none ? std::vector<Table>{} : table.tables("check");
   if (checks.empty()) {
     table.fail("id", fmt::format("exercise \"{}\" has no [[exercise.check]]", exercise.id));
   }
-  for (const CaseTable& check : checks) exercise.checks.push_back(read_check(check, check_ids_));
+  for (const Table& check : checks) exercise.checks.push_back(read_check(check, check_ids_));
   return exercise;
 }
 
@@ -218,7 +218,7 @@ void Exercises::require_order(std::size_t index) const {
   }
 }
 
-std::vector<std::string> read_provided(const CaseTable& root) {
+std::vector<std::string> read_provided(const Table& root) {
   std::vector<std::string> files = root.texts("provided");
   std::set<std::string> known;
   for (const std::string& file : files) {
@@ -238,7 +238,7 @@ double Exercise::points() const {
 }
 
 Assignment read_assignment(const fs::path& folder) {
-  const CaseTable root = CaseTable::parse_file(folder / "assignment.toml");
+  const Table root = Table::parse_file(folder / "assignment.toml");
   Assignment assignment;
   assignment.folder = folder;
   assignment.title = text(root, "title");
@@ -252,7 +252,7 @@ Assignment read_assignment(const fs::path& folder) {
   const double sum = exercises.points();
   assignment.exercises = std::move(exercises).take();
   std::set<std::string> names;
-  for (const CaseTable& table : root.tables("quantity")) {
+  for (const Table& table : root.tables("quantity")) {
     assignment.quantities.push_back(read_quantity(table, names));
   }
   root.reject_unknown_keys();

@@ -72,7 +72,7 @@ struct Assignment {
   std::vector<Quantity> quantities;
 };
 
-/// Reads folder/assignment.toml. Throws parameters::CaseError «file:line:column: …» for what is
+/// Reads folder/assignment.toml. Throws config::Error «file:line:column: …» for what is
 /// malformed or does not fit together.
 Assignment read_assignment(const std::filesystem::path& folder);
 

@@ -9,9 +9,9 @@
 #include "course/sandbox.hpp"
 #include "course/student_text.hpp"
 #include "course/toolkit.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
-#include "literate/lines.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ std::string without(std::string text, const std::string& words, const std::strin
 std::string without_long_chains(const std::string& text) {
   std::string result;
   int n_in_a_row = 0;
-  for (const std::string_view line : literate::lines_of(text)) {
+  for (const std::string_view line : sys::lines_of(text)) {
     n_in_a_row = line.starts_with("                 from ") ? n_in_a_row + 1 : 0;
     if (n_in_a_row > 3) continue;
     result += line;
@@ -64,7 +64,7 @@ class Compiler {
     for (const Exercise& exercise : assignment.exercises) {
       const auto file = files.find(exercise.file);
       if (file == files.end()) continue;
-      literate::write_file_atomically(project_.path / exercise.file, file->second);
+      sys::write_file_atomically(project_.path / exercise.file, file->second);
     }
     make_readable(project_.path);
   }
@@ -99,10 +99,10 @@ class Compiler {
     job.seconds = 60;  // nothing, but on a machine that is busy
     const JobEnd end = sandbox_.run(job);
     if (end.ending != Ending::normal) {
-      throw literate::ToolError("a program that does nothing was ended in the sandbox: too busy?");
+      throw sys::ToolError("a program that does nothing was ended in the sandbox: too busy?");
     }
     if (end.status == 0) return;
-    throw literate::ToolError(fmt::format(
+    throw sys::ToolError(fmt::format(
         "the toolkit '{}' is not readable to other users, as whom submissions are compiled",
         toolkit_.folder.string()));
   }

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "parameters/case_table.hpp"
+#include "config/table.hpp"
 
 namespace course {
 namespace {
@@ -13,7 +13,7 @@ void add(Checks& checks, const CheckEntry& entry, const Checks& visible, const C
   const Checks& code = is_visible ? visible : hidden;
   const auto found = code.find(entry.id);
   if (found == code.end()) {
-    throw parameters::CaseError(
+    throw config::Error(
         fmt::format("{}: exercise.check.id: no {} check of the code has the id "
                     "\"{}\"",
                     entry.place, is_visible ? "public" : "hidden", entry.id));
@@ -31,7 +31,7 @@ Checks all_checks(const Assignment& assignment, const Checks& visible, const Che
   for (const Checks* code : {&visible, &hidden}) {
     for (const auto& [id, check] : *code) {
       if (checks.contains(id)) continue;
-      throw parameters::CaseError(
+      throw config::Error(
           fmt::format("{}: no [[exercise.check]] has the id \"{}\", which the code decides",
                       (assignment.folder / "assignment.toml").string(), id));
     }

@@ -6,7 +6,7 @@
 
 namespace course {
 
-/// The code of every check that the assignment lists. Throws parameters::CaseError with the place
+/// The code of every check that the assignment lists. Throws config::Error with the place
 /// of a listed check that no code of its visibility decides, and for code that is not listed.
 Checks all_checks(const Assignment& assignment, const Checks& visible, const Checks& hidden);
 

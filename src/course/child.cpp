@@ -17,7 +17,7 @@
 #include <thread>
 
 #include "course/descendants.hpp"
-#include "literate/error.hpp"
+#include "system/error.hpp"
 
 namespace course {
 namespace {
@@ -132,8 +132,8 @@ class Attended {
   }
 
   [[noreturn]] static void fail(int error, const Child& child) {
-    throw literate::ToolError(fmt::format("cannot start {}: {}", child.command.front(),
-                                          std::generic_category().message(error)));
+    throw sys::ToolError(fmt::format("cannot start {}: {}", child.command.front(),
+                                     std::generic_category().message(error)));
   }
 
  private:

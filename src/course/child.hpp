@@ -31,7 +31,7 @@ struct ChildEnd {
 };
 
 /// Runs a child to its end, and ends all that it leaves behind, daemons too. Throws
-/// literate::ToolError if it cannot start.
+/// sys::ToolError if it cannot start.
 ChildEnd run_child(const Child& child);
 
 }  // namespace course

@@ -10,8 +10,8 @@
 #include "course/student_text.hpp"
 #include "course/submission.hpp"
 #include "course/variants.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -60,9 +60,9 @@ void read_mark(const Assignment& assignment, const fs::path& folder, Rows& rows,
   const std::string student = folder.filename().string();
   try {
     require_student_id(student);
-    const auto mark = nlohmann::json::parse(literate::read_file(folder / "mark.json"));
+    const auto mark = nlohmann::json::parse(sys::read_file(folder / "mark.json"));
     if (mark.at("student").get<std::string>() != student) {
-      throw literate::OutputError("it is the mark of another student");
+      throw sys::OutputError("it is the mark of another student");
     }
     rows[student] = row_of(assignment, mark);
   } catch (const nlohmann::json::exception&) {
@@ -83,7 +83,7 @@ std::vector<std::string> students_with_submission(const fs::path& submissions) {
     try {
       require_student_id(student);
       students.push_back(student);
-    } catch (const literate::SourceError&) {
+    } catch (const sys::SourceError&) {
       // `course list` says so.
     }
   }
@@ -98,8 +98,7 @@ std::vector<fs::path> folders_in(const fs::path& grades) {
     if (entry.is_directory() && !name.ends_with(".part")) folders.push_back(entry.path());
   }
   if (error) {
-    throw literate::OutputError(
-        fmt::format("cannot list '{}': {}", grades.string(), error.message()));
+    throw sys::OutputError(fmt::format("cannot list '{}': {}", grades.string(), error.message()));
   }
   return folders;
 }

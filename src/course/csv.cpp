@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/csv.hpp"
 
-#include "literate/error.hpp"
+#include "system/error.hpp"
 
 namespace course {
 namespace {
@@ -20,7 +20,7 @@ std::string take_quoted(std::string_view& line) {
       return field;
     }
   }
-  throw literate::SourceError("a quote is not closed, or something follows it");
+  throw sys::SourceError("a quote is not closed, or something follows it");
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::vector<std::string> csv_fields(std::string_view line) {
       fields.push_back(take_quoted(line));
     } else {
       const std::string_view field = line.substr(0, line.find(','));
-      if (field.find('"') != field.npos) throw literate::SourceError("a quote inside a field");
+      if (field.find('"') != field.npos) throw sys::SourceError("a quote inside a field");
       fields.emplace_back(field);
       line.remove_prefix(field.size());
     }

@@ -7,6 +7,7 @@
 
 #include "course/grading.hpp"
 #include "course/program_run.hpp"
+#include "system/require.hpp"
 
 namespace course {
 namespace {
@@ -17,15 +18,21 @@ double points_of(double share, double points) {
   return std::round(std::min(share, 1.0) * points * 100) / 100;
 }
 
+/// The outcome where the program answered numbers that the check did not expect: what the check
+/// says of them is not for the student. Any other error is the grader's own, and costs the student
+/// nothing.
+const Outcome without_judgement{
+    0, "the program's answer cannot be judged: too few numbers, or meaningless ones"};
+
 Outcome outcome_of(const Check& check, const Program& program, const Variant& variant) {
   try {
     return check(program, variant);
   } catch (const ProgramFailure& failure) {
     return {0, failure.what()};
+  } catch (const sys::InvalidQuantity&) {
+    return without_judgement;
   } catch (const std::logic_error&) {
-    // Numbers that the check did not expect; what it says of them is not for the student. What
-    // goes wrong otherwise is the grader's own failure, and costs the student nothing.
-    return {0, "the program's answer cannot be judged: too few numbers, or meaningless ones"};
+    return without_judgement;
   }
 }
 

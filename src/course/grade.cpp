@@ -3,9 +3,9 @@
 
 #include "course/program_run.hpp"
 #include "course/scratch_folder.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
-#include "literate/staging.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/staging.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -26,9 +26,9 @@ std::vector<std::string> pictures_of(const GradingTask& task, ProgramRun& run) {
 
 void write(const Assignment& assignment, const Graded& graded,
            const std::vector<std::string>& pictures, const fs::path& output) {
-  literate::Staging staging(output);
+  sys::Staging staging(output);
   const auto put = [&](const char* name, const std::string& text) {
-    literate::write_file_atomically(staging.path() / name, text);
+    sys::write_file_atomically(staging.path() / name, text);
   };
   put("results.json", gradescope_json(assignment, graded));
   put("junit.xml", junit_xml(assignment, graded));

@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "literate/error.hpp"
-#include "literate/files.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -18,7 +18,7 @@ constexpr fs::perms executable =
 
 // Binary files are copied as they are.
 MarkedText marked(const fs::path& file, const std::string& shown_as) {
-  const std::string text = literate::read_file(file);
+  const std::string text = sys::read_file(file);
   if (text.find('\0') == std::string::npos) return apply_markers(text, shown_as);
   return {.handout = text, .solution = text, .secrets = {}, .hidden_regions = {}};
 }
@@ -46,7 +46,7 @@ void require_replaceable(const fs::path& folder) {
   const bool is_ours = fs::is_directory(status) &&
                        (fs::is_empty(folder) || fs::is_regular_file(folder / variant_file));
   if (is_ours) return;
-  throw literate::OutputError(
+  throw sys::OutputError(
       fmt::format("'{}' is there and was not written by this command; name another folder or "
                   "remove it",
                   folder.string()));
@@ -83,7 +83,7 @@ class Replacement {
 };
 
 void write(const fs::path& file, const std::string& text, fs::perms permissions) {
-  literate::write_file_atomically(file, text);
+  sys::write_file_atomically(file, text);
   if ((permissions & fs::perms::owner_exec) != fs::perms::none) {
     fs::permissions(file, executable, fs::perm_options::add);
   }
@@ -94,14 +94,14 @@ void write(const fs::path& file, const std::string& text, fs::perms permissions)
 Project read_project(const Assignment& assignment, const fs::path& source) {
   const fs::path from = assignment.folder / "template";
   if (fs::exists(from / "build")) {
-    throw literate::SourceError(
+    throw sys::SourceError(
         fmt::format("{}: somebody compiled in the template; remove it", (from / "build").string()));
   }
   Project project;
-  for (const std::string& file : literate::files_below(from)) project[file] = read(from / file);
+  for (const std::string& file : sys::files_below(from)) project[file] = read(from / file);
   for (const std::string& file : assignment.provided) {
     const auto fail = [&](const std::string& what) {
-      throw literate::SourceError(
+      throw sys::SourceError(
           fmt::format("{}: provided: {}", (assignment.folder / "assignment.toml").string(), what));
     };
     const fs::path origin = source / "src" / file;
@@ -110,7 +110,7 @@ Project read_project(const Assignment& assignment, const fs::path& source) {
     if (!is_new) fail(fmt::format("template/provided/{} is there too", file));
   }
   if (project.contains(variant_file) || project.contains("sheet.pdf")) {
-    throw literate::SourceError(
+    throw sys::SourceError(
         fmt::format("{}: {} and sheet.pdf are made for each handout", from.string(), variant_file));
   }
   return project;
@@ -165,11 +165,11 @@ void write_project(const Project& project, Edition edition, const Assignment& as
       write(fresh.path() / name, text, project.at(name).permissions);
     }
     if (!sheet.empty()) {
-      write(fresh.path() / "sheet.pdf", literate::read_file(sheet), fs::perms::none);
+      write(fresh.path() / "sheet.pdf", sys::read_file(sheet), fs::perms::none);
     }
     fresh.replace();
   } catch (const fs::filesystem_error& error) {
-    throw literate::OutputError(
+    throw sys::OutputError(
         fmt::format("cannot write the folder '{}': {}", folder.string(), error.code().message()));
   }
 }

@@ -25,7 +25,7 @@ using Project = std::map<std::string, ProjectFile>;
 enum class Edition { handout, solution };
 
 /// Reads the assignment's template/ and the provided files of source/src, which go to provided/.
-/// Throws literate::SourceError for markers that are wrong, a provided file that there is not or
+/// Throws sys::SourceError for markers that are wrong, a provided file that there is not or
 /// that the template has too, and a template that somebody compiled in.
 Project read_project(const Assignment& assignment, const std::filesystem::path& source);
 
@@ -40,7 +40,7 @@ std::string variant_header(const Assignment& assignment, const Variant& variant)
 
 /// Writes an edition for a variant, with a copy of the file `sheet` as sheet.pdf unless that is
 /// empty. The folder is made anew and replaced as a whole, when all is written; scripts stay
-/// executable. Throws literate::OutputError, too for a folder that holds something else.
+/// executable. Throws sys::OutputError, too for a folder that holds something else.
 void write_project(const Project& project, Edition edition, const Assignment& assignment,
                    const Variant& variant, const std::filesystem::path& sheet,
                    const std::filesystem::path& output);

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "course/private_folder.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -23,7 +23,7 @@ namespace {
 /// The first of the users to choose from: where there are so many, none that a person or a service
 /// has; else, in a container, of those that are seldom given.
 unsigned first_user() {
-  std::istringstream map(literate::read_file("/proc/self/uid_map"));
+  std::istringstream map(sys::read_file("/proc/self/uid_map"));
   unsigned long inside = 0;
   unsigned long outside = 0;
   unsigned long n_users = 0;
@@ -44,8 +44,7 @@ unsigned locked_user() {
     if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return user;
     ::close(lock);
   }
-  throw literate::ToolError(
-      fmt::format("cannot lock a user for submissions in '{}'", locks.string()));
+  throw sys::ToolError(fmt::format("cannot lock a user for submissions in '{}'", locks.string()));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 namespace course {
 
 /// The user as whom root's jobs run: this process's alone, as long as it lives. Throws
-/// literate::ToolError if there is none left or no lock can be made.
+/// sys::ToolError if there is none left or no lock can be made.
 unsigned job_user();
 
 }  // namespace course

@@ -7,14 +7,14 @@
 #include <string_view>
 
 #include "course/student_text.hpp"
-#include "literate/error.hpp"
-#include "literate/pattern.hpp"
+#include "system/error.hpp"
+#include "system/pattern.hpp"
 
 namespace course {
 namespace {
 
-literate::SourceError no_time(const std::string& text) {
-  return literate::SourceError(
+sys::SourceError no_time(const std::string& text) {
+  return sys::SourceError(
       fmt::format("'{}' is no time; write it as 2027-01-15T23:59:00+01:00", shown_name(text)));
 }
 
@@ -24,7 +24,7 @@ Time parse_time(const std::string& text) {
   using std::chrono::hours;
   using std::chrono::minutes;
   using std::chrono::seconds;
-  static const literate::Pattern form(
+  static const sys::Pattern form(
       R"((\d{4})-(\d\d)-(\d\d)[Tt ](\d\d):(\d\d):(\d\d)(?:\.\d{1,9})?(?:[Zz]|([+-])(\d\d):(\d\d)))");
   const auto match = form.match_all_of(text);
   if (!match) throw no_time(text);

@@ -19,7 +19,7 @@ struct Lateness {
 };
 
 /// A time of RFC 3339 such as 2027-01-15T23:59:00+01:00; fractions of a second are dropped. Throws
-/// literate::SourceError for anything else.
+/// sys::SourceError for anything else.
 Time parse_time(const std::string& text);
 
 /// Without a time, a submission is on time.

@@ -8,10 +8,10 @@
 
 #include "course/scratch_folder.hpp"
 #include "course/zip.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
-#include "literate/lines.hpp"
-#include "literate/process.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -72,18 +72,18 @@ std::string without_thin_spaces(std::string_view text) {
   return joined;
 }
 
-std::string output_of(const literate::Command& command, const fs::path& file) {
-  const literate::ProcessResult result = literate::run(command);
+std::string output_of(const sys::Command& command, const fs::path& file) {
+  const sys::ProcessResult result = sys::run(command);
   if (result.exit_status == 0) return result.output;
-  throw literate::ToolError(fmt::format("{} cannot read '{}': {}", command.program, file.string(),
-                                        result.output.substr(0, result.output.find('\n'))));
+  throw sys::ToolError(fmt::format("{} cannot read '{}': {}", command.program, file.string(),
+                                   result.output.substr(0, result.output.find('\n'))));
 }
 
 /// The project's own files that a source includes, "folder/name", headers with their sources.
 std::vector<std::string> included_files(const fs::path& file) {
   std::vector<std::string> included;
-  const std::string text = literate::read_file(file);
-  for (const std::string_view line : literate::lines_of(text)) {
+  const std::string text = sys::read_file(file);
+  for (const std::string_view line : sys::lines_of(text)) {
     constexpr std::string_view include = "#include \"";
     if (!line.starts_with(include)) continue;
     const fs::path name = line.substr(include.size(), line.rfind('"') - include.size());
@@ -120,7 +120,7 @@ class Search {
 
   // Searches all files of a folder, which are shown as `shown` and their path.
   void folder(const fs::path& folder, const std::string& shown) {
-    for (const std::string& name : literate::files_below(folder)) file(folder / name, shown + name);
+    for (const std::string& name : sys::files_below(folder)) file(folder / name, shown + name);
   }
 
   void file(const fs::path& file, const std::string& shown);
@@ -174,7 +174,7 @@ void Search::pdf(const fs::path& file, const std::string& shown) {
 }
 
 void Search::file(const fs::path& file, const std::string& shown) {
-  const std::string bytes = literate::read_file(file);
+  const std::string bytes = sys::read_file(file);
   text(bytes, shown);
   text(shown, shown);
   if (secrets_.numbers.stored_in(bytes)) report(shown, "an expected value as a double's bytes");
@@ -207,9 +207,9 @@ Secrets secrets_of(const Assignment& assignment, const Project& project,
     }
   }
   for (const fs::path& file : files) {
-    const std::string text = literate::read_file(file);
+    const std::string text = sys::read_file(file);
     int number = 0;
-    for (const std::string_view line : literate::lines_of(text)) add_line(file, ++number, line);
+    for (const std::string_view line : sys::lines_of(text)) add_line(file, ++number, line);
     const std::string name = file.stem().string();
     secrets.words.push_back({fmt::format("the name of {}", file.string()), name});
   }

@@ -47,7 +47,7 @@ std::vector<std::string> published_references(const Assignment& assignment,
 
 /// A line for each secret found in a file, or in any file of a folder, its name included. All files
 /// are searched as bytes; PDFs as text too, with their attachments; zips are unpacked; an archive
-/// of another kind is a line by itself. Throws literate::ToolError if pdftotext, pdfdetach or
+/// of another kind is a line by itself. Throws sys::ToolError if pdftotext, pdfdetach or
 /// bsdtar cannot do its work.
 std::vector<std::string> leaks(const Secrets& secrets, const std::filesystem::path& place);
 

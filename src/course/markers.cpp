@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "literate/error.hpp"
-#include "literate/lines.hpp"
-#include "literate/pattern.hpp"
+#include "system/error.hpp"
+#include "system/lines.hpp"
+#include "system/pattern.hpp"
 
 namespace course {
 namespace {
@@ -53,7 +53,7 @@ struct Marker {
 
 // Whether a line has the words of a marker, however spelt: a slip must not give a solution away.
 bool looks_like_marker(std::string_view line) {
-  static const literate::Pattern words(
+  static const sys::Pattern words(
       R"re((^|[^a-z])(begin|end)[ \t_-]+(solutions?|hidden[ \t_-]+tests?)\b)re", true);
   return words.is_in(line);
 }
@@ -85,7 +85,7 @@ class Divider {
 
  private:
   [[noreturn]] void fail(int line, std::string_view message) const {
-    throw literate::SourceError(fmt::format("{}:{}: {}", file_, line, message));
+    throw sys::SourceError(fmt::format("{}:{}: {}", file_, line, message));
   }
   static std::string_view name_of(Kind begin) {
     return begin == Kind::begin_solution ? "BEGIN SOLUTION" : "BEGIN HIDDEN TESTS";
@@ -110,14 +110,14 @@ class Divider {
 };
 
 std::optional<std::string_view> Divider::comment_in(std::string_view line) const {
-  std::string_view rest = literate::stripped(line);
+  std::string_view rest = sys::stripped(line);
   if (!rest.starts_with(comment_.begin)) return {};
   rest.remove_prefix(comment_.begin.size());
   // nbgrader writes ### BEGIN SOLUTION.
   while (comment_.end.empty() && rest.starts_with(comment_.begin.front())) rest.remove_prefix(1);
   if (!comment_.end.empty() && !rest.ends_with(comment_.end)) return {};
   rest.remove_suffix(comment_.end.size());
-  return literate::stripped(rest);
+  return sys::stripped(rest);
 }
 
 std::optional<Marker> Divider::marker_in(std::string_view line) const {
@@ -128,7 +128,7 @@ std::optional<Marker> Divider::marker_in(std::string_view line) const {
   if (*words == "END HIDDEN TESTS") return Marker{Kind::end_hidden, ""};
   if (*words == "BEGIN HIDDEN TESTS") return Marker{Kind::begin_hidden, ""};
   if (words->starts_with("BEGIN HIDDEN TESTS:")) {
-    return Marker{Kind::begin_hidden, std::string(literate::stripped(words->substr(19)))};
+    return Marker{Kind::begin_hidden, std::string(sys::stripped(words->substr(19)))};
   }
   if (words->starts_with("STUB:")) {
     const std::string_view text = words->substr(5);
@@ -191,7 +191,7 @@ void Divider::add(const Line& line) {
   result_.solution.append(line.text).append(line.end);
   if (!region_) {
     result_.handout.append(line.text).append(line.end);
-  } else if (!literate::stripped(line.text).empty()) {
+  } else if (!sys::stripped(line.text).empty()) {
     result_.secrets.push_back({number_, begin_line_, std::string(line.text)});
   }
 }

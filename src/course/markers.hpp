@@ -35,7 +35,7 @@ struct MarkedText {
 ///
 /// In the handout a solution is the comment YOUR SOLUTION HERE and its stub lines, with the
 /// indentation and line end of its BEGIN line; the name of hidden tests may be left out. Throws
-/// literate::SourceError «file:line: …» for a region in another, a marker without its partner, a
+/// sys::SourceError «file:line: …» for a region in another, a marker without its partner, a
 /// stub line anywhere but below BEGIN SOLUTION, and words that were meant as a marker and are none.
 MarkedText apply_markers(std::string_view text, const std::string& file);
 

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "course/student_text.hpp"
-#include "literate/files.hpp"
+#include "system/files.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -71,7 +71,7 @@ JobEnd ProgramRun::run(const std::string& task, const Numbers& inputs) {
   const fs::path folder = program_.parent_path();
   std::string text;
   for (const double number : inputs) text += fmt::format("{}\n", number);
-  literate::write_file_atomically(folder / "input", text);
+  sys::write_file_atomically(folder / "input", text);
 
   const Readable program{program_, "/program"};
   Job job;

@@ -13,8 +13,8 @@
 #include "course/variants.hpp"
 #include "course/wrong_solutions.hpp"
 #include "course/zip.hpp"
-#include "literate/files.hpp"
-#include "literate/parallel.hpp"
+#include "system/files.hpp"
+#include "system/parallel.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -54,7 +54,7 @@ class Prover {
 ProvedClaim Prover::variant() const {
   ProvedClaim claim{.says = "the handout is of this variant", .faults = {}};
   const std::string header = "provided/variant_of_this_handout.hpp";
-  if (literate::read_file(input_.handout / header) !=
+  if (sys::read_file(input_.handout / header) !=
       variant_header(input_.assignment, input_.variant)) {
     claim.faults.push_back(fmt::format("{} has other numbers", (input_.handout / header).string()));
   }
@@ -69,7 +69,7 @@ ProvedClaim Prover::student_build() const {
 ProvedClaim Prover::floor() const {
   Files files;
   for (const Exercise& exercise : input_.assignment.exercises) {
-    files[exercise.file] = literate::read_file(input_.handout / exercise.file);
+    files[exercise.file] = sys::read_file(input_.handout / exercise.file);
   }
   const double points = score(files, checks_, input_.variant).points;
   ProvedClaim claim{.says = fmt::format("as it is, it scores {} of {} points",
@@ -91,7 +91,7 @@ ProvedClaim Prover::wrong_scores() const {
   // The checks are those of the code itself: answers of wrong programs are no expected values.
   const Checks checks = all_checks(input_.assignment, input_.visible, input_.hidden);
   const Variant nominal = nominal_variant(input_.assignment);
-  literate::for_each_parallel(wrong_.size(), input_.n_jobs, [&](std::size_t i) {
+  sys::for_each_parallel(wrong_.size(), input_.n_jobs, [&](std::size_t i) {
     points[i] = score(with_mistake(solution_, wrong_[i]), checks, nominal).points;
   });
   ProvedClaim claim{

@@ -9,9 +9,9 @@
 #include "course/student_text.hpp"
 #include "course/submission.hpp"
 #include "course/variants.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
-#include "literate/lines.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -43,7 +43,7 @@ void add_student(Roster& roster, const std::vector<std::string>& fields, const C
   const RosterEntry entry{.submitted = time_in(fields, columns.submitted),
                           .deadline = time_in(fields, columns.deadline)};
   if (!roster.emplace(student, entry).second) {
-    throw literate::SourceError(fmt::format("student {} is listed twice", student));
+    throw sys::SourceError(fmt::format("student {} is listed twice", student));
   }
 }
 
@@ -58,7 +58,7 @@ std::string refusal(const fs::path& path, const std::optional<Roster>& roster) {
   const std::string student = student_of(path);
   try {
     require_student_id(student);
-  } catch (const literate::SourceError& error) {
+  } catch (const sys::SourceError& error) {
     return fmt::format("'{}' is not named for a student: {}", name, error.what());
   }
   if (roster && !roster->contains(student)) {
@@ -70,10 +70,10 @@ std::string refusal(const fs::path& path, const std::optional<Roster>& roster) {
 }  // namespace
 
 Roster read_roster(const fs::path& file) {
-  const std::string text = literate::read_file(file);
-  const auto lines = literate::lines_of(text);
+  const std::string text = sys::read_file(file);
+  const auto lines = sys::lines_of(text);
   const auto fail = [&](std::size_t line, const std::string& message) {
-    throw literate::SourceError(fmt::format("{}:{}: {}", file.string(), line, message));
+    throw sys::SourceError(fmt::format("{}:{}: {}", file.string(), line, message));
   };
   if (lines.empty()) fail(1, "the class is empty; a header line with 'student' is wanted");
   std::string_view first = lines[0];
@@ -83,14 +83,14 @@ Roster read_roster(const fs::path& file) {
   if (columns.student == header.size()) fail(1, "there is no column 'student'");
   Roster roster;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (literate::stripped(lines[i]).empty()) continue;
+    if (sys::stripped(lines[i]).empty()) continue;
     const std::vector<std::string> fields = csv_fields(lines[i]);
     if (fields.size() != header.size()) {
       fail(i + 1, fmt::format("{} fields; the header has {}", fields.size(), header.size()));
     }
     try {
       add_student(roster, fields, columns);
-    } catch (const literate::SourceError& error) {
+    } catch (const sys::SourceError& error) {
       fail(i + 1, error.what());
     }
   }
@@ -103,8 +103,7 @@ Listing list_submissions(const fs::path& folder, const std::optional<Roster>& ro
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) paths.push_back(entry.path());
   if (error) {
-    throw literate::OutputError(
-        fmt::format("cannot list '{}': {}", folder.string(), error.message()));
+    throw sys::OutputError(fmt::format("cannot list '{}': {}", folder.string(), error.message()));
   }
   std::ranges::sort(paths);
   std::map<std::string, std::vector<fs::path>> by_student;

@@ -21,7 +21,7 @@ struct RosterEntry {
 using Roster = std::map<std::string, RosterEntry>;
 
 /// Reads a CSV file with a header line, whose columns `student` and, where there are such,
-/// `submitted` and `deadline` (RFC 3339; empty for unknown) count. Throws literate::SourceError
+/// `submitted` and `deadline` (RFC 3339; empty for unknown) count. Throws sys::SourceError
 /// «file:line: …» for a student named twice, an id that is none, and a time that is none.
 Roster read_roster(const std::filesystem::path& file);
 

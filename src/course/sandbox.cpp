@@ -12,9 +12,9 @@
 #include "course/descendants.hpp"
 #include "course/job_user.hpp"
 #include "course/syscall_filter.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
-#include "literate/process.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -26,7 +26,7 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
 
 /// Parts of /usr that a distribution's compiler does not need and an instructor may keep things in.
 std::vector<std::string> hidden_folders() {
-  const fs::path compiler = fs::canonical(literate::find_tool("g++"));
+  const fs::path compiler = fs::canonical(sys::find_tool("g++"));
   std::vector<std::string> hidden;
   for (const char* folder : {"/usr/local", "/usr/src"}) {
     const bool has_compiler = compiler.string().starts_with(std::string(folder) + "/");
@@ -102,7 +102,7 @@ void Sandbox::make_reachable() const {
   using fs::perms;
   fs::permissions(work_, perms::owner_all | perms::group_exec);
   if (is_root_ && ::chown(work_.c_str(), 0, user_) != 0) {
-    throw literate::ToolError(fmt::format("cannot give '{}' to another group", work_.string()));
+    throw sys::ToolError(fmt::format("cannot give '{}' to another group", work_.string()));
   }
 }
 
@@ -115,14 +115,9 @@ std::string Sandbox::scratch() const {
 }
 
 std::vector<std::string> Sandbox::walls(const Job& job) const {
-  std::vector<std::string> walls = {literate::find_tool("bwrap"),
-                                    "--unshare-ipc",
-                                    "--unshare-pid",
-                                    "--unshare-net",
-                                    "--unshare-uts",
-                                    "--unshare-cgroup-try",
-                                    "--die-with-parent",
-                                    "--new-session"};
+  std::vector<std::string> walls = {
+      sys::find_tool("bwrap"), "--unshare-ipc",        "--unshare-pid",     "--unshare-net",
+      "--unshare-uts",         "--unshare-cgroup-try", "--die-with-parent", "--new-session"};
   if (is_root_) {
     append(walls,
            {"--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_SETPCAP"});
@@ -219,7 +214,7 @@ JobEnd Sandbox::run(const Job& job) const {
 void Sandbox::prepare_scratch() const {
   fs::create_directories(scratch());
   if (is_root_ && ::chown(scratch().c_str(), user_, user_) != 0) {
-    throw literate::ToolError(fmt::format("cannot give '{}' to another user", scratch()));
+    throw sys::ToolError(fmt::format("cannot give '{}' to another user", scratch()));
   }
 }
 
@@ -232,9 +227,9 @@ void Sandbox::probe() const {
                           .errors = errors,
                           .seconds = 60});  // nothing, but on a machine that is busy
   if (end.ending == Ending::normal && end.status == 0) return;
-  std::string why = literate::read_file(errors);
+  std::string why = sys::read_file(errors);
   why = why.substr(0, why.find('\n'));
-  throw literate::ToolError(
+  throw sys::ToolError(
       isolation_ == Isolation::sandbox
           ? fmt::format("bubblewrap cannot keep submissions apart here: {}; --unsafe grades "
                         "without it, with limits only",

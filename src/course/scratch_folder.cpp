@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "course/private_folder.hpp"
-#include "literate/error.hpp"
+#include "system/error.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -50,8 +50,8 @@ ScratchFolder::ScratchFolder() {
   if (is_made) lock_ = locked(name, LOCK_EX);
   ::close(lock_of_all);
   if (!is_made) {
-    throw literate::OutputError("cannot make a scratch folder such as '" + name +
-                                "': " + std::generic_category().message(error));
+    throw sys::OutputError("cannot make a scratch folder such as '" + name +
+                           "': " + std::generic_category().message(error));
   }
   path_ = name;
   using fs::perms;

@@ -8,7 +8,7 @@ namespace course {
 /// A fresh folder of its own, removed with what it holds at the end of its scope; what a killed
 /// process left goes when the next one is made. Other users, as whom submissions run, may reach
 /// what they know of in it, but list neither it nor the folder that all of them are in. Throws
-/// literate::OutputError.
+/// sys::OutputError.
 class ScratchFolder {
  public:
   ScratchFolder();

@@ -7,27 +7,27 @@
 #include <cctype>
 
 #include "course/scratch_folder.hpp"
-#include "literate/files.hpp"
-#include "literate/lines.hpp"
-#include "literate/process.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
 namespace {
 
 // Without the flags and the job server of a make that started this program.
-literate::ProcessResult run_make(const fs::path& folder, const std::vector<std::string>& targets,
-                                 std::size_t n_jobs) {
-  return literate::run({.program = "make",
-                        .arguments = targets,
-                        .working_directory = folder,
-                        .environment = {{"MAKEFLAGS", ""},
-                                        {"MAKELEVEL", ""},
-                                        {"MFLAGS", ""},
-                                        {"CXXFLAGS", ""},
-                                        {"LDFLAGS", ""},
-                                        {"CMAKE_BUILD_PARALLEL_LEVEL", std::to_string(n_jobs)},
-                                        {"LC_ALL", "C"}}});
+sys::ProcessResult run_make(const fs::path& folder, const std::vector<std::string>& targets,
+                            std::size_t n_jobs) {
+  return sys::run({.program = "make",
+                   .arguments = targets,
+                   .working_directory = folder,
+                   .environment = {{"MAKEFLAGS", ""},
+                                   {"MAKELEVEL", ""},
+                                   {"MFLAGS", ""},
+                                   {"CXXFLAGS", ""},
+                                   {"LDFLAGS", ""},
+                                   {"CMAKE_BUILD_PARALLEL_LEVEL", std::to_string(n_jobs)},
+                                   {"LC_ALL", "C"}}});
 }
 
 bool is_warning(std::string line) {
@@ -37,7 +37,7 @@ bool is_warning(std::string line) {
 
 std::vector<std::string> warnings_in(const std::string& output) {
   std::vector<std::string> warnings;
-  for (const std::string_view line : literate::lines_of(output)) {
+  for (const std::string_view line : sys::lines_of(output)) {
     if (is_warning(std::string(line))) warnings.push_back("make: " + std::string(line));
   }
   return warnings;
@@ -45,7 +45,7 @@ std::vector<std::string> warnings_in(const std::string& output) {
 
 // The first line that tells of an error, or the last one.
 std::string error_in(const std::string& output) {
-  const auto lines = literate::lines_of(output);
+  const auto lines = sys::lines_of(output);
   const auto error = std::ranges::find_if(
       lines, [](std::string_view line) { return line.find("rror") != std::string_view::npos; });
   if (error != lines.end()) return std::string(*error);
@@ -59,17 +59,17 @@ std::vector<std::string> faults_of_student_build(const Assignment& assignment,
   const ScratchFolder scratch;
   const fs::path copy = scratch.path() / "my handout";
   fs::copy(handout, copy, fs::copy_options::recursive);
-  const literate::ProcessResult made = run_make(copy, {}, n_jobs);
+  const sys::ProcessResult made = run_make(copy, {}, n_jobs);
   if (made.exit_status != 0) {
     return {fmt::format("make ends with status {}: {}", made.exit_status, error_in(made.output))};
   }
   // CMake's own output may be put aside.
   std::string output = made.output;
-  if (fs::exists(copy / "build.log")) output += literate::read_file(copy / "build.log");
+  if (fs::exists(copy / "build.log")) output += sys::read_file(copy / "build.log");
   std::vector<std::string> faults = warnings_in(output);
 
   // The checks need not hold yet, but each has to be tried.
-  const literate::ProcessResult checked = run_make(copy, {"check"}, n_jobs);
+  const sys::ProcessResult checked = run_make(copy, {"check"}, n_jobs);
   for (const Exercise& exercise : assignment.exercises) {
     for (const CheckEntry& check : exercise.checks) {
       if (check.visibility == Visibility::hidden) continue;

@@ -11,7 +11,7 @@
 #include "course/archive.hpp"
 #include "course/file_beneath.hpp"
 #include "course/student_text.hpp"
-#include "literate/error.hpp"
+#include "system/error.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -163,7 +163,7 @@ Submission take_submission(const Assignment& assignment, const fs::path& path, c
   const fs::file_status status = fs::symlink_status(path, error);
   const bool is_archive = fs::is_regular_file(status) && names_archive(path);
   if (!is_archive && !fs::is_directory(status)) {
-    throw literate::OutputError(
+    throw sys::OutputError(
         fmt::format("'{}' is neither a folder nor an archive (.zip, .tar, .tar.gz, .tgz, .tar.xz)",
                     shown_name(path.string())));
   }

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <memory>
 
-#include "literate/error.hpp"
+#include "system/error.hpp"
 
 namespace course {
 namespace {
@@ -51,11 +51,11 @@ void add_rules(scmp_filter_ctx filter) {
 void write_syscall_filter(const std::filesystem::path& file) {
   const Filter filter(seccomp_init(SCMP_ACT_ALLOW), &seccomp_release);
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (descriptor < 0 || !filter) throw literate::ToolError("cannot make a filter of system calls");
+  if (descriptor < 0 || !filter) throw sys::ToolError("cannot make a filter of system calls");
   add_rules(filter.get());
   const int error = seccomp_export_bpf(filter.get(), descriptor);
   ::close(descriptor);
-  if (error != 0) throw literate::ToolError("cannot write the filter of system calls");
+  if (error != 0) throw sys::ToolError("cannot write the filter of system calls");
 }
 
 }  // namespace course

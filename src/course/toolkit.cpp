@@ -9,11 +9,11 @@
 #include "course/handout.hpp"
 #include "course/sandbox.hpp"
 #include "course/variants.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
-#include "literate/lines.hpp"
-#include "literate/process.hpp"
-#include "literate/staging.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
+#include "system/staging.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -36,7 +36,7 @@ std::set<std::string> write_project(const Assignment& assignment, const fs::path
       variant_header(assignment, nominal_variant(assignment));
   for (const auto& [file, text] : handout) {
     if (!file.starts_with("src/") && !file.starts_with("provided/")) continue;
-    literate::write_file_atomically(folder / file, text);
+    sys::write_file_atomically(folder / file, text);
     files.insert(file);
   }
   return files;
@@ -49,8 +49,8 @@ std::string header_text(const fs::path& project, const std::set<std::string>& fi
                                    "<limits>",    "<numbers>", "<stdexcept>", "<string>",
                                    "<utility>",   "<vector>"};
   for (const std::string& file : files) {
-    const std::string text = literate::read_file(project / file);
-    for (const std::string_view line : literate::lines_of(text)) {
+    const std::string text = sys::read_file(project / file);
+    for (const std::string_view line : sys::lines_of(text)) {
       constexpr std::string_view include = "#include <";
       if (line.starts_with(include)) {
         headers.emplace(line.substr(include.size() - 1, line.find('>') - include.size() + 2));
@@ -67,16 +67,15 @@ std::string header_text(const fs::path& project, const std::set<std::string>& fi
 void compile(std::vector<std::string> arguments, const fs::path& product) {
   fs::create_directories(product.parent_path());
   arguments.insert(arguments.end(), {"-o", product.string()});
-  const literate::ProcessResult result = literate::run(
+  const sys::ProcessResult result = sys::run(
       {.program = "g++", .arguments = std::move(arguments), .environment = {{"LC_ALL", "C"}}});
   if (result.exit_status != 0) {
-    throw literate::ToolError(
-        fmt::format("the toolkit does not compile: g++ says\n{}", result.output));
+    throw sys::ToolError(fmt::format("the toolkit does not compile: g++ says\n{}", result.output));
   }
 }
 
 void make_header(const fs::path& folder, const std::set<std::string>& files) {
-  literate::write_file_atomically(folder / header, header_text(folder / "project", files));
+  sys::write_file_atomically(folder / header, header_text(folder / "project", files));
   std::vector<std::string> arguments = compile_flags((folder / "project").string());
   arguments.insert(arguments.end(), {"-x", "c++-header", (folder / header).string()});
   compile(arguments, folder / (std::string(header) + ".gch"));
@@ -84,15 +83,14 @@ void make_header(const fs::path& folder, const std::set<std::string>& files) {
 
 /// What is given goes into an archive, but for main(): so a second program among it does no harm.
 void archive(const fs::path& folder) {
-  literate::Command command{.program = "ar",
-                            .arguments = {"rcD", Toolkit{folder}.archive().string()}};
-  for (const std::string& file : literate::files_below(folder / "objects")) {
+  sys::Command command{.program = "ar", .arguments = {"rcD", Toolkit{folder}.archive().string()}};
+  for (const std::string& file : sys::files_below(folder / "objects")) {
     const fs::path object = folder / "objects" / file;
     if (object != Toolkit{folder}.main_object()) command.arguments.push_back(object.string());
   }
-  const literate::ProcessResult result = literate::run(command);
+  const sys::ProcessResult result = sys::run(command);
   if (result.exit_status != 0) {
-    throw literate::ToolError(fmt::format("the toolkit cannot be made: ar says {}", result.output));
+    throw sys::ToolError(fmt::format("the toolkit cannot be made: ar says {}", result.output));
   }
 }
 
@@ -136,18 +134,18 @@ std::vector<std::string> link_flags() {
 void make_toolkit(const Assignment& assignment, const fs::path& source, const fs::path& output) {
   std::vector<std::string> former;
   if (fs::exists(output / list_of_files)) {
-    const std::string list = literate::read_file(output / list_of_files);
-    for (const std::string_view file : literate::lines_of(list)) former.emplace_back(file);
+    const std::string list = sys::read_file(output / list_of_files);
+    for (const std::string_view file : sys::lines_of(list)) former.emplace_back(file);
   } else if (fs::exists(output) && !fs::is_empty(output)) {
-    throw literate::OutputError(fmt::format(
+    throw sys::OutputError(fmt::format(
         "'{}' is no toolkit but holds something; name another folder", output.string()));
   }
-  literate::Staging staging(output);
+  sys::Staging staging(output);
   compile_all(assignment, staging.path(),
               write_project(assignment, source, staging.path() / "project"));
   std::string list;
   for (const std::string& file : staging.files()) list += file + "\n";
-  literate::write_file_atomically(staging.path() / list_of_files, list);
+  sys::write_file_atomically(staging.path() / list_of_files, list);
   make_readable(staging.path());
   staging.publish(former);
   make_readable(output);
@@ -156,12 +154,12 @@ void make_toolkit(const Assignment& assignment, const fs::path& source, const fs
 Toolkit open_toolkit(const Assignment& assignment, const fs::path& folder) {
   Toolkit toolkit{fs::absolute(folder)};
   if (!fs::exists(folder / list_of_files)) {
-    throw literate::OutputError(
+    throw sys::OutputError(
         fmt::format("'{}' is no toolkit; `halfspace course toolkit` makes one", folder.string()));
   }
   for (const Exercise& exercise : assignment.exercises) {
     if (!fs::exists(toolkit.stub_of(exercise))) {
-      throw literate::OutputError(
+      throw sys::OutputError(
           fmt::format("the toolkit '{}' is of another assignment: it has no stub of {}",
                       folder.string(), exercise.file));
     }

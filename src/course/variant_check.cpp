@@ -13,8 +13,8 @@
 #include "course/scratch_folder.hpp"
 #include "course/variants.hpp"
 #include "course/zip.hpp"
-#include "literate/files.hpp"
-#include "literate/parallel.hpp"
+#include "system/files.hpp"
+#include "system/parallel.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -55,12 +55,11 @@ std::vector<std::string> differences_of_folder(const VariantCheckInput& input,
   wanted["provided/variant_of_this_handout.hpp"] = variant_header(input.assignment, variant);
   std::vector<std::string> faults;
   std::size_t n_found = 0;
-  for (const std::string& file : literate::files_below(handout)) {
+  for (const std::string& file : sys::files_below(handout)) {
     const auto found = wanted.find(file);
     if (found != wanted.end()) ++n_found;
-    const bool is_right = found == wanted.end()
-                              ? file == "sheet.pdf"
-                              : literate::read_file(handout / file) == found->second;
+    const bool is_right = found == wanted.end() ? file == "sheet.pdf"
+                                                : sys::read_file(handout / file) == found->second;
     if (!is_right) faults.push_back(file + " is not what it must be");
   }
   if (n_found < wanted.size()) {
@@ -116,7 +115,7 @@ std::vector<std::string> faults_of_variants(const VariantCheckInput& input) {
   const Built built =
       build(input.assignment, input.toolkit, solution, scratch.path() / "build", Isolation::none);
   std::vector<std::vector<std::string>> found(variants.size());
-  literate::for_each_parallel(variants.size(), input.n_jobs, [&](std::size_t i) {
+  sys::for_each_parallel(variants.size(), input.n_jobs, [&](std::size_t i) {
     const fs::path folder = scratch.path() / "students" / variants[i].student;
     found[i] = faults_of(input, variants[i], in_folder(built, folder));
     fs::remove_all(folder);

@@ -8,8 +8,8 @@
 
 #include "course/student_text.hpp"
 #include "course/submission.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace course {
 namespace {
@@ -19,7 +19,7 @@ constexpr int n_attempts = 1000;
 // A number below n. Of 2^64 equally likely ones the remainder is taken; with n ≤ 1e9 no place is
 // likelier than another by more than 1e-10 of it.
 std::uint64_t drawn(const std::string& text, std::uint64_t n) {
-  const std::string hexadecimal = literate::sha256_of_text(text).substr(0, 16);
+  const std::string hexadecimal = sys::sha256_of_text(text).substr(0, 16);
   std::uint64_t number = 0;
   std::from_chars(hexadecimal.data(), hexadecimal.data() + hexadecimal.size(), number, 16);
   return number % n;
@@ -37,7 +37,7 @@ void require_student_id(const std::string& student) {
   const bool begins_ill = student.find_first_of(".-@") == 0;
   const bool ends_ill = student.ends_with(".part") || names_archive(student);
   if (!student.empty() && student.size() <= 64 && is_plain && !begins_ill && !ends_ill) return;
-  throw literate::SourceError(fmt::format(
+  throw sys::SourceError(fmt::format(
       "student \"{}\": an id is of 1 to 64 letters, digits, '.', '_', '-' and '@', does not begin "
       "with '.', '-' or '@' and does not end with .part, .zip or another archive's ending",
       shown_name(student)));
@@ -54,7 +54,7 @@ Variant nominal_variant(const Assignment& assignment) {
 Variant variant_of(const Assignment& assignment, const std::string& student,
                    const std::string& seed, const std::function<bool(const Variant&)>& is_valid) {
   require_student_id(student);
-  if (seed.empty()) throw literate::SourceError("the seed of a variant is empty");
+  if (seed.empty()) throw sys::SourceError("the seed of a variant is empty");
   // Neither id nor name holds a line end, so no two draws share a text.
   Variant variant{.student = student, .quantities = {}};
   for (int attempt = 0; attempt < n_attempts; ++attempt) {
@@ -64,7 +64,7 @@ Variant variant_of(const Assignment& assignment, const std::string& student,
     }
     if (is_valid(variant)) return variant;
   }
-  throw literate::SourceError(
+  throw sys::SourceError(
       fmt::format("student \"{}\": none of {} variants drawn is valid; the quantities' ranges in "
                   "{} are too wide",
                   student, n_attempts, (assignment.folder / "assignment.toml").string()));

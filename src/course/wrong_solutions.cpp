@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "parameters/case_table.hpp"
+#include "config/table.hpp"
 
 namespace course {
 namespace {
@@ -17,8 +17,7 @@ int n_occurrences(const std::string& text, const std::string& part) {
   return n;
 }
 
-void require_once(const parameters::CaseTable& table, const WrongSolution& wrong,
-                  const std::string& text) {
+void require_once(const config::Table& table, const WrongSolution& wrong, const std::string& text) {
   if (wrong.before.empty()) table.fail("before", "must not be empty");
   const int n = n_occurrences(text, wrong.before);
   if (n != 1) {
@@ -28,7 +27,7 @@ void require_once(const parameters::CaseTable& table, const WrongSolution& wrong
   if (wrong.after == wrong.before) table.fail("after", "is the same as before");
 }
 
-WrongSolution read(const parameters::CaseTable& table, const Assignment& assignment,
+WrongSolution read(const config::Table& table, const Assignment& assignment,
                    const Files& solution) {
   WrongSolution wrong{.id = table.text("id"),
                       .says = table.text("says"),
@@ -53,10 +52,10 @@ WrongSolution read(const parameters::CaseTable& table, const Assignment& assignm
 
 std::vector<WrongSolution> read_wrong_solutions(const Assignment& assignment,
                                                 const Files& solution) {
-  const auto root = parameters::CaseTable::parse_file(assignment.folder / "wrong_solutions.toml");
+  const auto root = config::Table::parse_file(assignment.folder / "wrong_solutions.toml");
   std::vector<WrongSolution> list;
   std::set<std::string> ids;
-  for (const parameters::CaseTable& table : root.tables("wrong")) {
+  for (const config::Table& table : root.tables("wrong")) {
     list.push_back(read(table, assignment, solution));
     const std::string& id = list.back().id;
     if (!ids.insert(id).second) table.fail("id", fmt::format("\"{}\" stands here again", id));

@@ -21,7 +21,7 @@ struct WrongSolution {
   double score = 0;
 };
 
-/// Reads the [[wrong]] tables of folder/wrong_solutions.toml. Throws parameters::CaseError
+/// Reads the [[wrong]] tables of folder/wrong_solutions.toml. Throws config::Error
 /// «file:line:column: …», among others for `before` that does not stand exactly once in the
 /// solution.
 std::vector<WrongSolution> read_wrong_solutions(const Assignment& assignment,

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "course/scratch_folder.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
-#include "literate/process.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -24,21 +24,20 @@ fs::path root_of(const fs::path& unpacked) {
 }  // namespace
 
 void unpack_zip(const fs::path& zip, const fs::path& folder) {
-  const literate::ProcessResult result =
-      literate::run({.program = "bsdtar",
-                     .arguments = {"-xf", fs::absolute(zip).string()},
-                     .working_directory = folder});
+  const sys::ProcessResult result = sys::run({.program = "bsdtar",
+                                              .arguments = {"-xf", fs::absolute(zip).string()},
+                                              .working_directory = folder});
   if (result.exit_status == 0) return;
-  throw literate::ToolError(fmt::format("bsdtar cannot unpack '{}': {}", zip.string(),
-                                        result.output.substr(0, result.output.find('\n'))));
+  throw sys::ToolError(fmt::format("bsdtar cannot unpack '{}': {}", zip.string(),
+                                   result.output.substr(0, result.output.find('\n'))));
 }
 
 std::vector<std::string> differences_of_zip(const fs::path& zip, const fs::path& folder) {
   const ScratchFolder unpacked;
   unpack_zip(zip, unpacked.path());
   const fs::path root = root_of(unpacked.path());
-  const auto packed = literate::files_below(root);
-  const auto loose = literate::files_below(folder);
+  const auto packed = sys::files_below(root);
+  const auto loose = sys::files_below(folder);
   std::vector<std::string> faults;
   std::vector<std::string> lonely;
   std::ranges::set_symmetric_difference(packed, loose, std::back_inserter(lonely));
@@ -47,7 +46,7 @@ std::vector<std::string> differences_of_zip(const fs::path& zip, const fs::path&
   }
   for (const std::string& file : packed) {
     if (!std::ranges::binary_search(loose, file)) continue;
-    if (literate::read_file(root / file) == literate::read_file(folder / file)) continue;
+    if (sys::read_file(root / file) == sys::read_file(folder / file)) continue;
     faults.push_back(fmt::format("zip and folder: {} is not the same", file));
   }
   return faults;

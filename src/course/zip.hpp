@@ -7,7 +7,7 @@
 
 namespace course {
 
-/// Unpacks a zip of the project's own making into an existing folder. Throws literate::ToolError if
+/// Unpacks a zip of the project's own making into an existing folder. Throws sys::ToolError if
 /// bsdtar is missing or cannot read it.
 void unpack_zip(const std::filesystem::path& zip, const std::filesystem::path& folder);
 

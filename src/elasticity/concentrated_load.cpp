@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 namespace {
 
 double off_the_force(const char* quantity, double x) {
-  if (numerics::require_finite(quantity, x) == 0) {
-    throw numerics::InvalidQuantity(quantity, x, "off the concentrated force");
+  if (sys::require_finite(quantity, x) == 0) {
+    throw sys::InvalidQuantity(quantity, x, "off the concentrated force");
   }
   return x;
 }
@@ -18,7 +18,7 @@ double off_the_force(const char* quantity, double x) {
 }  // namespace
 
 ConcentratedLoad::ConcentratedLoad(double line_load)
-    : line_load_(numerics::require_positive("line_load", line_load)) {}
+    : line_load_(sys::require_positive("line_load", line_load)) {}
 
 ConcentratedLoad::operator Load() const {
   Load load;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 namespace {
@@ -125,23 +125,23 @@ class Sum {
 };
 
 void require_inside(double x, double z) {
-  numerics::require_finite("x", x);
+  sys::require_finite("x", x);
   if (!(std::isfinite(z) && z >= 0)) {
-    throw numerics::InvalidQuantity("z", z, "a finite depth, 0 or more");
+    throw sys::InvalidQuantity("z", z, "a finite depth, 0 or more");
   }
 }
 
 // An end of a load is a jump unless both tractions vanish there.
 void refuse_jump(double x, double z, double end, double p, double q) {
   if (z == 0 && x == end && (p != 0 || q != 0)) {
-    throw numerics::InvalidQuantity("x", x, "off a jump of the traction on the surface");
+    throw sys::InvalidQuantity("x", x, "off a jump of the traction on the surface");
   }
 }
 
 void require_rising(double before, double after) {
-  numerics::require_finite("node", before);
-  if (!(numerics::require_finite("node", after) > before)) {
-    throw numerics::InvalidQuantity("node", after, "greater than the node before it");
+  sys::require_finite("node", before);
+  if (!(sys::require_finite("node", after) > before)) {
+    throw sys::InvalidQuantity("node", after, "greater than the node before it");
   }
 }
 
@@ -150,10 +150,10 @@ std::vector<double> at_nodes(std::string_view name, std::span<const double> valu
                              std::size_t n_nodes) {
   if (values.empty()) return std::vector<double>(n_nodes);
   if (values.size() != n_nodes) {
-    throw numerics::InvalidQuantity(name, static_cast<double>(values.size()),
-                                    "as many values as nodes, or none");
+    throw sys::InvalidQuantity(name, static_cast<double>(values.size()),
+                               "as many values as nodes, or none");
   }
-  for (const double value : values) numerics::require_finite(name, value);
+  for (const double value : values) sys::require_finite(name, value);
   return {values.begin(), values.end()};
 }
 
@@ -168,8 +168,8 @@ double linear(double x, double x1, double x2, double v1, double v2) {
 Stress stress_under(const LinearSegment& segment, double x, double z) {
   const auto& [x1, x2, p1, p2, q1, q2] = segment;
   require_rising(x1, x2);
-  for (const double p : {p1, p2}) numerics::require_finite("pressure", p);
-  for (const double q : {q1, q2}) numerics::require_finite("shear", q);
+  for (const double p : {p1, p2}) sys::require_finite("pressure", p);
+  for (const double q : {q1, q2}) sys::require_finite("shear", q);
   require_inside(x, z);
   refuse_jump(x, z, x1, p1, q1);
   refuse_jump(x, z, x2, p2, q2);
@@ -204,7 +204,7 @@ PiecewiseLinearTraction::PiecewiseLinearTraction(std::span<const double> nodes,
       pressure_(at_nodes("pressure", pressure, nodes.size())),
       shear_(at_nodes("shear", shear, nodes.size())) {
   if (nodes.size() < 2) {
-    throw numerics::InvalidQuantity("nodes", static_cast<double>(nodes.size()), "two or more");
+    throw sys::InvalidQuantity("nodes", static_cast<double>(nodes.size()), "two or more");
   }
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) require_rising(nodes[i], nodes[i + 1]);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticity/load.hpp"
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 namespace {
@@ -21,8 +21,8 @@ Load distributed_load(const std::function<double(double)>& pressure,
                       const std::function<double(double)>& shear,
                       const std::vector<double>& breakpoints) {
   if (breakpoints.size() < 2) {
-    throw numerics::InvalidQuantity("number of breakpoints",
-                                    static_cast<double>(breakpoints.size()), "2 or more");
+    throw sys::InvalidQuantity("number of breakpoints", static_cast<double>(breakpoints.size()),
+                               "2 or more");
   }
   return {split_at(breakpoints, pressure), split_at(breakpoints, shear), {}};
 }

@@ -3,14 +3,14 @@
 
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 
 Material::Material(double young, double poisson)
-    : young_(numerics::require_positive("young", young)), poisson_(poisson) {
+    : young_(sys::require_positive("young", young)), poisson_(poisson) {
   if (!(poisson > -1 && poisson < 0.5)) {
-    throw numerics::InvalidQuantity("poisson", poisson, "between -1 and 0.5, both excluded");
+    throw sys::InvalidQuantity("poisson", poisson, "between -1 and 0.5, both excluded");
   }
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 
@@ -27,7 +27,7 @@ PrincipalStresses Stress::principal() const {
 
 double Stress::von_mises(double nu) const {
   if (!(nu > -1 && nu <= 0.5)) {
-    throw numerics::InvalidQuantity("poisson", nu, "greater than -1 and at most 1/2");
+    throw sys::InvalidQuantity("poisson", nu, "greater than -1 and at most 1/2");
   }
   return std::hypot(std::numbers::sqrt3 * max_shear(), (1 - 2 * nu) * (xx + zz) / 2);
 }

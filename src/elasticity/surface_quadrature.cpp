@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 
@@ -16,7 +16,7 @@ namespace {
 
 double distance_to_force(const LineForce& force, double x) {
   if (x == force.position) {
-    throw numerics::InvalidQuantity("x", x, "off the concentrated force");
+    throw sys::InvalidQuantity("x", x, "off the concentrated force");
   }
   return x - force.position;
 }
@@ -41,7 +41,7 @@ std::vector<double> kinks_between(const Load& load, double low, double high) {
 SurfaceQuadrature::SurfaceQuadrature(const Material& material, const Load& load, double datum)
     : material_(material),
       load_(load),
-      datum_(numerics::require_finite("datum", datum)),
+      datum_(sys::require_finite("datum", datum)),
       normal_(load.normal),
       tangential_(load.tangential),
       constant_(-1.0 * displacement_without_constant(datum)) {}
@@ -103,7 +103,7 @@ Estimate SurfaceQuadrature::local_part(const KernelIntegrals& traction, double x
 }
 
 Estimate SurfaceQuadrature::normal_displacement_from_gradient(double x) const {
-  const auto [low, high] = std::minmax({numerics::require_finite("x", x), datum_});
+  const auto [low, high] = std::minmax({sys::require_finite("x", x), datum_});
   for (const LineForce& force : load_.forces) {
     if (force.position >= low && force.position <= high) distance_to_force(force, force.position);
   }

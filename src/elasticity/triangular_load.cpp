@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 namespace {
@@ -63,8 +63,8 @@ double displacement_bracket(double x, double a) {
 }  // namespace
 
 TriangularLoad::TriangularLoad(double peak_pressure, double half_width)
-    : peak_pressure_(numerics::require_positive("peak_pressure", peak_pressure)),
-      half_width_(numerics::require_positive("half_width", half_width)) {}
+    : peak_pressure_(sys::require_positive("peak_pressure", peak_pressure)),
+      half_width_(sys::require_positive("half_width", half_width)) {}
 
 TriangularLoad::operator Load() const {
   const double p0 = peak_pressure_;
@@ -80,7 +80,7 @@ TriangularLoad::operator Load() const {
 }
 
 double normal_gradient(const Material& material, const TriangularLoad& load, double x) {
-  numerics::require_finite("x", x);
+  sys::require_finite("x", x);
   const double scale = material.integral_compliance() * load.peak_pressure();  // K/a
   const double bracket = gradient_bracket(std::abs(x), load.half_width());
   return x > 0 ? -scale * bracket : scale * bracket;
@@ -90,20 +90,20 @@ double normal_displacement(const Material& material, const TriangularLoad& load,
                            double datum) {
   const double a = load.half_width();
   const double scale = material.integral_compliance() * load.line_load();  // K
-  const double here = displacement_bracket(std::abs(numerics::require_finite("x", x)), a);
-  const double there = displacement_bracket(std::abs(numerics::require_finite("datum", datum)), a);
+  const double here = displacement_bracket(std::abs(sys::require_finite("x", x)), a);
+  const double there = displacement_bracket(std::abs(sys::require_finite("datum", datum)), a);
   return -scale / 2 * (here - there);
 }
 
 double tangential_gradient(const Material& material, const TriangularLoad& load, double x) {
   const double a = load.half_width();
-  const double inside = std::max(0.0, a - std::abs(numerics::require_finite("x", x)));
+  const double inside = std::max(0.0, a - std::abs(sys::require_finite("x", x)));
   return -material.local_compliance() * load.peak_pressure() * inside / a;
 }
 
 double tangential_displacement(const Material& material, const TriangularLoad& load, double x) {
   // The resultant between −|x| and |x| is P (2ξ − ξ²) with ξ = |x|/a, all of P outside.
-  const double xi = std::min(1.0, std::abs(numerics::require_finite("x", x)) / load.half_width());
+  const double xi = std::min(1.0, std::abs(sys::require_finite("x", x)) / load.half_width());
   const double between = load.line_load() * xi * (2 - xi);
   const double magnitude = material.local_compliance() / 2 * between;
   return x > 0 ? -magnitude : magnitude;

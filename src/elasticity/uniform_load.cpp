@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace elasticity {
 namespace {
@@ -21,8 +21,8 @@ double edge_logarithms(double x, double a) {
 }  // namespace
 
 UniformLoad::UniformLoad(double pressure, double half_width)
-    : pressure_(numerics::require_positive("pressure", pressure)),
-      half_width_(numerics::require_positive("half_width", half_width)) {}
+    : pressure_(sys::require_positive("pressure", pressure)),
+      half_width_(sys::require_positive("half_width", half_width)) {}
 
 UniformLoad::operator Load() const {
   Load load;
@@ -33,10 +33,9 @@ UniformLoad::operator Load() const {
 
 double normal_gradient(const Material& material, const UniformLoad& load, double x) {
   const double a = load.half_width();
-  const double distance = std::abs(numerics::require_finite("x", x));
+  const double distance = std::abs(sys::require_finite("x", x));
   if (distance == a) {
-    throw numerics::InvalidQuantity("x", x,
-                                    "off the edge of the load, where the gradient is infinite");
+    throw sys::InvalidQuantity("x", x, "off the edge of the load, where the gradient is infinite");
   }
   // ln|(x+a)/(x−a)| = 2 atanh of the smaller of x/a and a/x; near the edge the plain form is exact.
   const double ratio = distance < a ? distance / a : a / distance;
@@ -50,8 +49,8 @@ double normal_displacement(const Material& material, const UniformLoad& load, do
                            double datum) {
   const double a = load.half_width();
   const double scale = material.integral_compliance() * load.pressure() * a;
-  const double here = edge_logarithms(std::abs(numerics::require_finite("x", x)), a);
-  const double there = edge_logarithms(std::abs(numerics::require_finite("datum", datum)), a);
+  const double here = edge_logarithms(std::abs(sys::require_finite("x", x)), a);
+  const double there = edge_logarithms(std::abs(sys::require_finite("datum", datum)), a);
   return -scale * (here - there);
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace numerics {
 namespace {
@@ -44,7 +44,8 @@ class EndLogarithms {
   Estimate sum() const {
     constexpr double rounding_of_density = 16 * epsilon;
     if (std::abs(factor_at_x_) > rounding_of_density * scale_) {
-      throw InvalidQuantity("x", x_, "off the jump of the load, where the gradient is infinite");
+      throw sys::InvalidQuantity("x", x_,
+                                 "off the jump of the load, where the gradient is infinite");
     }
     return with_rounding(sum_, magnitude_);
   }
@@ -68,11 +69,11 @@ double relative_position(const Piece& piece, double x) {
 
 KernelIntegrals::KernelIntegrals(PiecewiseFunction density, double rel_tolerance)
     : density_(std::move(density)),
-      rel_tolerance_(require_positive("rel_tolerance", rel_tolerance)) {}
+      rel_tolerance_(sys::require_positive("rel_tolerance", rel_tolerance)) {}
 
 // begin excerpt: cauchy-integral
 Estimate KernelIntegrals::cauchy(double x) const {
-  require_finite("x", x);
+  sys::require_finite("x", x);
   Estimate sum;
   if (density_.is_zero()) return sum;
   const double length = density_.pieces().back().end - density_.pieces().front().begin;
@@ -128,8 +129,8 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
 
 // begin excerpt: logarithmic-integral
 Estimate KernelIntegrals::logarithmic(double x, double length) const {
-  require_finite("x", x);
-  require_positive("length", length);
+  sys::require_finite("x", x);
+  sys::require_positive("length", length);
   Estimate sum;
   for (const Piece& piece : density_.pieces()) {
     if (x <= piece.begin) {

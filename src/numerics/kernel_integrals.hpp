@@ -26,7 +26,8 @@ class KernelIntegrals {
   /// On each piece p's value c at the point nearest to x is split off, for which the integral is
   /// c·ln|(x − begin)/(x − end)|; QAWC takes the rest. So the logarithms that two neighbouring
   /// pieces have in common at a kink cancel before any rounding, and x may lie at a kink or as near
-  /// to it as one likes. Throws InvalidQuantity at a jump of p, where the integral is infinite.
+  /// to it as one likes. Throws sys::InvalidQuantity at a jump of p, where the integral is
+  /// infinite.
   Estimate cauchy(double x) const;
 
   /// ∫ p(s) ln(|x − s|/length) ds, length > 0 in the unit of s; any finite x.

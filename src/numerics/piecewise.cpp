@@ -5,26 +5,26 @@
 #include <cmath>
 #include <utility>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace numerics {
 
 PiecewiseFunction::PiecewiseFunction(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
   double previous_end = -HUGE_VAL;
   for (const Piece& piece : pieces_) {
-    require_finite("begin of a piece", piece.begin);
-    require_finite("end of a piece", piece.end);
+    sys::require_finite("begin of a piece", piece.begin);
+    sys::require_finite("end of a piece", piece.end);
     if (piece.begin < previous_end) {
-      throw InvalidQuantity("begin of a piece", piece.begin,
-                            "at or beyond the end of the last one");
+      throw sys::InvalidQuantity("begin of a piece", piece.begin,
+                                 "at or beyond the end of the last one");
     }
     if (!(piece.begin < piece.end)) {
-      throw InvalidQuantity("end of a piece", piece.end, "greater than its begin");
+      throw sys::InvalidQuantity("end of a piece", piece.end, "greater than its begin");
     }
     previous_end = piece.end;
     const double middle = piece.begin + (piece.end - piece.begin) / 2;
     for (const double s : {piece.begin, middle, piece.end}) {
-      scale_ = std::max(scale_, std::abs(require_finite("value of a piece", piece.value(s))));
+      scale_ = std::max(scale_, std::abs(sys::require_finite("value of a piece", piece.value(s))));
     }
   }
 }

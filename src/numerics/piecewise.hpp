@@ -23,7 +23,7 @@ class PiecewiseFunction {
   /// The function that is zero everywhere.
   PiecewiseFunction() = default;
 
-  /// Pieces in rising order that may touch but not overlap; throws InvalidQuantity otherwise.
+  /// Pieces in rising order that may touch but not overlap; throws sys::InvalidQuantity otherwise.
   explicit PiecewiseFunction(std::vector<Piece> pieces);
 
   const std::vector<Piece>& pieces() const { return pieces_; }

@@ -12,14 +12,15 @@
 #include <type_traits>
 
 #include "numerics/estimate.hpp"
+#include "system/error.hpp"
 
 namespace numerics {
 
 /// A quadrature that did not reach its tolerance. what() names the integral, where, and GSL's
 /// reason.
-class QuadratureError : public std::runtime_error {
+class QuadratureError : public sys::ComputationError {
  public:
-  using std::runtime_error::runtime_error;
+  using ComputationError::ComputationError;
 };
 
 /// What an error message calls an integral: its name and the point it was wanted at.

@@ -13,12 +13,12 @@ namespace paper {
 namespace {
 
 using block::MeasureEstimate;
+using config::PrintedNumber;
 using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
 using parameters::Case;
-using parameters::PrintedNumber;
 
 Estimate named(const std::vector<MeasureEstimate>& measures, const std::string& name) {
   return std::ranges::find(measures, name, &MeasureEstimate::name)->value;

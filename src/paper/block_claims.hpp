@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "block/analysis.hpp"
-#include "literate/document.hpp"
+#include "literate/document/document.hpp"
 #include "paper/block_study.hpp"
 #include "parameters/case.hpp"
 

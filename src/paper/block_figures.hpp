@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "literate/document.hpp"
+#include "literate/document/document.hpp"
 #include "paper/block_study.hpp"
 #include "parameters/case.hpp"
 

@@ -18,11 +18,11 @@ namespace paper {
 namespace {
 
 using block::MeasureEstimate;
+using config::PrintedNumber;
 using literate::Cell;
 using literate::Column;
 using literate::Value;
 using numerics::Estimate;
-using parameters::PrintedNumber;
 
 // Names of measures hold underscores, which LaTeX would take for subscripts.
 std::string escaped(const std::string& name) {

@@ -73,8 +73,8 @@ class BlockStudy {
   double misfit_error_ = 0;
 };
 
-/// Mass, centre and moments of inertia of the case's block, named and ordered as in the printed
-/// summary.
+/// Mass, centre and moments of inertia of a case's block, which it must have, named and ordered as
+/// in the printed summary; in the units of the case, for unit thickness.
 std::vector<std::pair<std::string, double>> mass_by_name(const parameters::Case& from_file);
 
 /// "clamped", "roller" or "free".

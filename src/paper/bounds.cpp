@@ -40,7 +40,7 @@ Estimate magnitude(Estimate a) {
   return {std::abs(a.value), a.abs_error};
 }
 
-Estimate as_estimate(const parameters::PrintedNumber& number) {
+Estimate as_estimate(const config::PrintedNumber& number) {
   return {number.value(), number.last_place() / 2};
 }
 

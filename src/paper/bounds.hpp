@@ -26,7 +26,7 @@ numerics::Estimate quotient(numerics::Estimate a, numerics::Estimate b);
 numerics::Estimate magnitude(numerics::Estimate a);
 
 /// A printed number: half a unit of its last place.
-numerics::Estimate as_estimate(const parameters::PrintedNumber& number);
+numerics::Estimate as_estimate(const config::PrintedNumber& number);
 
 /// u_z by eq. (3) and its derivative, with the accuracy that elasticity/triangular_load.hpp states.
 numerics::Estimate displacement(const parameters::HalfSpaceCase& c, double x);

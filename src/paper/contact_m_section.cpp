@@ -140,7 +140,7 @@ constexpr double of_system = 1e-10;
 // What the listing says, and what it computes as it stands.
 void describe_listing(literate::Document& document, const parameters::Case& from_file,
                       const ContactMInput& input, const ContactM& program, const Hertz& hertz) {
-  const parameters::UnitSystem& units = from_file.units;
+  const config::UnitSystem& units = from_file.units;
   const double load = from_file.contact.line_load;
   const auto weight = static_cast<double>(input.zero_node - 2);
   document.value("contact-m.spacing", Value::exact(input.spacing, units.length));
@@ -242,7 +242,7 @@ const char* const reason = "1 %, far below what the element width of the listing
 // The program's pressures, its area and its edge.
 void claim_program(literate::Document& document, const parameters::Case& from_file,
                    const ContactMInput& input, const std::vector<Row>& rows, const Hertz& hertz) {
-  const parameters::UnitSystem& units = from_file.units;
+  const config::UnitSystem& units = from_file.units;
   const double load = from_file.contact.line_load;
   const double carried = rows[printed].program.line_load;
   document.claim("contact-m-load",
@@ -293,7 +293,7 @@ void claim_program(literate::Document& document, const parameters::Case& from_fi
        .found = confirmed_if(std::abs(own_half_width / hertz.half_width() - 1) < of_program)});
 }
 
-void claim_mended(literate::Document& document, const parameters::UnitSystem& units,
+void claim_mended(literate::Document& document, const config::UnitSystem& units,
                   const std::vector<Row>& rows, const Hertz& hertz) {
   const double own_peak = rows[printed].program.hertz_peak_pressure;
   document.claim(

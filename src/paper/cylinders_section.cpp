@@ -44,7 +44,7 @@ figures::CylinderPressure pressure_figure(const Solution& solution, const Hertz&
 }
 
 literate::Table comparison_table(const Solution& solution, const Hertz& hertz,
-                                 const parameters::UnitSystem& units) {
+                                 const config::UnitSystem& units) {
   literate::Table table({Column::text("quantity"), Column::text("unit"),
                          Column::scientific("elements", "", 8), Column::scientific("Hertz", "", 8),
                          Column::scientific("relative difference", "", 2)});
@@ -86,7 +86,7 @@ literate::Table refinement_table(const parameters::ContactCase& c, const Hertz& 
 }
 
 void register_residuals(literate::Document& document, const Solution& solution, const Hertz& hertz,
-                        const parameters::ContactCase& c, const parameters::UnitSystem& units) {
+                        const parameters::ContactCase& c, const config::UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
   document.value("cylinders.residual.contact", Value::scientific_bound(r.gap, 1, units.length));
@@ -156,7 +156,7 @@ Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
 
 void compute_cylinders(literate::Document& document, const parameters::Case& from_file) {
   const parameters::ContactCase& c = from_file.contact;
-  const parameters::UnitSystem& units = from_file.units;
+  const config::UnitSystem& units = from_file.units;
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
 

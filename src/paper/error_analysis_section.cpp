@@ -141,7 +141,7 @@ void claim_tangential(literate::Document& document, const parameters::Case& from
 }
 
 // √(magnitude² − z²) of two printed numbers, as far as their last places leave it open.
-Estimate leg(const parameters::PrintedNumber& magnitude, const parameters::PrintedNumber& z) {
+Estimate leg(const config::PrintedNumber& magnitude, const config::PrintedNumber& z) {
   const auto root = [](double difference, double sum) {
     return std::sqrt(std::max(0.0, difference) * sum);
   };
@@ -177,7 +177,7 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
       "tangential.at-zero",
       Value::scientific(leg(printed.fea_magnitude.front(), printed.fea_z.front()), 2, unit));
   document.value("tangential.largest-share", Value::percent(largest_share, 0));
-  const parameters::PrintedNumber& largest = from_file.printed->appendix2.measures.at("max_disp_x");
+  const config::PrintedNumber& largest = from_file.printed->appendix2.measures.at("max_disp_x");
   const Estimate half_space =
       closed_form(std::abs(tangential_displacement(c.material, c.load, c.points.back())));
   document.value("tangential.max-disp-x", Value::scientific(as_estimate(largest), 4, unit));
@@ -189,7 +189,7 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
 void claim_resultants(literate::Document& document, const parameters::Case& from_file,
                       Estimate least, Estimate most) {
   const double stated = from_file.half_space.load.line_load();
-  const parameters::PrintedNumber& summary =
+  const config::PrintedNumber& summary =
       from_file.printed->appendix2.measures.at("resultant_load_y");
   const std::string& unit = from_file.units.line_load;
   // The slopes of the pairs of points differ by this much, of which their digits are the lesser
@@ -232,7 +232,7 @@ void compare_resultants(literate::Document& document, const parameters::Case& fr
   const parameters::PrintedData& printed = *from_file.printed;
   const Estimate resultant =
       magnitude(as_estimate(printed.appendix2.measures.at("resultant_load_y")));
-  const auto slope = [&](const std::vector<parameters::PrintedNumber>& column, std::size_t i) {
+  const auto slope = [&](const std::vector<config::PrintedNumber>& column, std::size_t i) {
     return 1 / (c.points[i] - c.points[i - 1]) *
            (as_estimate(column[i]) - as_estimate(column[i - 1]));
   };

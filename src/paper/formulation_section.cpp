@@ -25,7 +25,7 @@ using literate::Verdict;
 
 void register_parameters(literate::Document& document, const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& half_space = from_file.half_space;
-  const parameters::UnitSystem& units = from_file.units;
+  const config::UnitSystem& units = from_file.units;
   document.value("units.length", Value::text(units.length));
   document.value("units.force", Value::text(units.force));
   document.value("units.stress", Value::text(units.stress));

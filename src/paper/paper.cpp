@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/paper.hpp"
 
-#include "literate/parallel.hpp"
 #include "paper/sections.hpp"
+#include "system/parallel.hpp"
 
 namespace paper {
 namespace {
@@ -26,8 +26,8 @@ void compute(literate::Document& document, const parameters::Case& from_file) {
   document.flag("printed", from_file.printed.has_value());
   const std::vector<Section> sections = sections_for(from_file);
   std::vector<literate::Document> parts(sections.size());
-  literate::for_each_parallel(sections.size(), 0,
-                              [&](std::size_t i) { sections[i](parts[i], from_file); });
+  sys::for_each_parallel(sections.size(), 0,
+                         [&](std::size_t i) { sections[i](parts[i], from_file); });
   for (literate::Document& part : parts) document.append(std::move(part));
 }
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "literate/document.hpp"
-#include "literate/excerpt.hpp"
+#include "literate/document/document.hpp"
+#include "literate/excerpts/excerpt.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {

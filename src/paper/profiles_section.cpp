@@ -218,7 +218,7 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
 }
 
 void register_profiles(literate::Document& document, const ContactCase& c, const Hertz& hertz,
-                       const parameters::UnitSystem& units) {
+                       const config::UnitSystem& units) {
   literate::Table table({Column::text("profile"), Column::fixed("peak$/p_0$", "", 4),
                          Column::scientific("peak", "", 1), Column::scientific("half-width", "", 1),
                          Column::scientific("$p$, inside", "", 1), Column::fixed("order", "", 1),

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "literate/excerpt_coverage.hpp"
+#include "literate/excerpts/excerpt_coverage.hpp"
 #include "paper/paper.hpp"
 
 namespace paper {

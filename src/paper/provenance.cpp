@@ -2,9 +2,9 @@
 #include <string>
 #include <utility>
 
-#include "literate/files.hpp"
-#include "literate/tool_version.hpp"
 #include "paper/sections.hpp"
+#include "system/files.hpp"
+#include "system/tool_version.hpp"
 #include "toolchain/build_info.hpp"
 #include "toolchain/libraries.hpp"
 
@@ -20,7 +20,7 @@ void describe_provenance(literate::Document& document, const parameters::Case& f
   document.value("provenance.commit", Value::text(toolchain::commit));
   document.flag("provenance.modified", toolchain::modified);
   document.value("provenance.case", Value::text(from_file.file.filename().string()));
-  document.value("provenance.case-sha256", Value::text(literate::sha256_of_file(from_file.file)));
+  document.value("provenance.case-sha256", Value::text(sys::sha256_of_file(from_file.file)));
   document.value("provenance.compiler", Value::text(toolchain::compiler));
   document.value("provenance.flags", Value::text(toolchain::flags));
   const auto libraries = toolchain::libraries();
@@ -28,8 +28,8 @@ void describe_provenance(literate::Document& document, const parameters::Case& f
        {std::pair{"gsl", "GSL"}, {"eigen", "Eigen"}, {"boost", "Boost"}, {"fmt", "fmt"}}) {
     document.value(std::string("provenance.") + key, Value::text(libraries.at(name)));
   }
-  document.value("provenance.gnuplot", Value::text(literate::tool_version("gnuplot")));
-  document.value("provenance.tex", Value::text(literate::tool_version("pdflatex")));
+  document.value("provenance.gnuplot", Value::text(sys::tool_version("gnuplot")));
+  document.value("provenance.tex", Value::text(sys::tool_version("pdflatex")));
   document.value("case.title", Value::text(from_file.title));
   document.value("case.file", Value::text(from_file.file.filename().string()));
 }

@@ -84,7 +84,7 @@ std::vector<double> wide_points(double half_width) {
 }
 
 literate::Table comparison_table(const Comparisons& gradients, const Comparisons& displacements,
-                                 int n_decimals, const parameters::UnitSystem& units) {
+                                 int n_decimals, const config::UnitSystem& units) {
   literate::Table table({Column::fixed("$x$", units.length, n_decimals),
                          Column::common_exponent("eq.~(2)", "", 10),
                          Column::common_exponent("difference", "", 2),

@@ -3,19 +3,19 @@
 
 #include <string>
 
-#include "literate/table.hpp"
-#include "literate/value.hpp"
-#include "parameters/printed_number.hpp"
+#include "config/printed_number.hpp"
+#include "literate/tables/table.hpp"
+#include "literate/values/value.hpp"
 
 namespace paper {
 
 /// A table cell that shows a printed number with its own digits, no more and no fewer.
-inline literate::Cell quoted(const parameters::PrintedNumber& number) {
+inline literate::Cell quoted(const config::PrintedNumber& number) {
   return literate::Cell::to_place(number.value(), number.place());
 }
 
 /// The same as a value, with an exponent if it was printed with one.
-inline literate::Value quoted_value(const parameters::PrintedNumber& number,
+inline literate::Value quoted_value(const config::PrintedNumber& number,
                                     const std::string& unit = "") {
   const bool has_exponent = number.text().find_first_of("eE") != std::string::npos;
   if (has_exponent) return literate::Value::scientific(number.value(), number.n_digits(), unit);

@@ -171,7 +171,7 @@ Estimate refined_approach(const Solution& solution, const ContactCase& c, Proble
 
 // Load → approach → load.
 void register_round_trip(literate::Document& document, const ContactCase& c, const Hertz& hertz,
-                         const WavyCylinders& wavy, const parameters::UnitSystem& units) {
+                         const WavyCylinders& wavy, const config::UnitSystem& units) {
   const auto method = [](const Problem& problem, double load) {
     constexpr double tolerance = 1e-12;
     return contact::solve_by_fft(problem, load, tolerance);

@@ -15,11 +15,11 @@
 namespace paper {
 namespace {
 
+using config::PrintedNumber;
 using literate::Column;
 using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
-using parameters::PrintedNumber;
 
 double analytical(const parameters::HalfSpaceCase& c, double x) {
   return normal_displacement(c.material, c.load, x, c.datum);

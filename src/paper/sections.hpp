@@ -3,7 +3,7 @@
 // computed at the same time, each into a document of its own, and so share nothing.
 #pragma once
 
-#include "literate/document.hpp"
+#include "literate/document/document.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {

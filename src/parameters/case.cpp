@@ -5,18 +5,18 @@
 
 #include <cmath>
 
+#include "config/table.hpp"
 #include "contact/grid.hpp"
 #include "contact/hertz.hpp"
-#include "numerics/require.hpp"
-#include "parameters/case_table.hpp"
+#include "system/require.hpp"
 
 namespace parameters {
 namespace {
 
-using numerics::require_positive;
+using sys::require_positive;
 
-double positive(const CaseTable& table, const std::string& key, Dimension dimension,
-                const UnitSystem& units) {
+double positive(const config::Table& table, const std::string& key, config::Dimension dimension,
+                const config::UnitSystem& units) {
   const double value = table.quantity(key, dimension, units);
   if (!(value > 0)) {
     table.fail(key, fmt::format("{} {}: must be greater than 0", value, units.unit(dimension)));
@@ -24,16 +24,16 @@ double positive(const CaseTable& table, const std::string& key, Dimension dimens
   return value;
 }
 
-elasticity::Material read_material(const CaseTable& table, const UnitSystem& units) {
-  const double young = positive(table, "young", Dimension::stress, units);
+elasticity::Material read_material(const config::Table& table, const config::UnitSystem& units) {
+  const double young = positive(table, "young", config::Dimension::stress, units);
   const double poisson = table.number("poisson");
   return table.at("poisson", [&] { return elasticity::Material(young, poisson); });
 }
 
 // first, first + step, …, `count` of them; each product rounded once, so that 3·0.005 is 0.015.
-std::vector<double> read_points(const CaseTable& table, const UnitSystem& units) {
-  const double first = table.quantity("first", Dimension::length, units);
-  const double step = positive(table, "step", Dimension::length, units);
+std::vector<double> read_points(const config::Table& table, const config::UnitSystem& units) {
+  const double first = table.quantity("first", config::Dimension::length, units);
+  const double step = positive(table, "step", config::Dimension::length, units);
   const long count = table.integer("count");
   if (count < 2 || count > 1000) {
     table.fail("count", fmt::format("{}: must be from 2 to 1000", count));
@@ -43,27 +43,28 @@ std::vector<double> read_points(const CaseTable& table, const UnitSystem& units)
   return points;
 }
 
-HalfSpaceCase read_half_space(const CaseTable& table, const UnitSystem& units) {
-  const CaseTable load = table.table("load");
-  return {read_material(table.table("material"), units),
-          elasticity::TriangularLoad(positive(load, "peak_pressure", Dimension::stress, units),
-                                     positive(load, "half_width", Dimension::length, units)),
-          positive(table, "datum", Dimension::length, units),
-          read_points(table.table("points"), units)};
+HalfSpaceCase read_half_space(const config::Table& table, const config::UnitSystem& units) {
+  const config::Table load = table.table("load");
+  return {
+      read_material(table.table("material"), units),
+      elasticity::TriangularLoad(positive(load, "peak_pressure", config::Dimension::stress, units),
+                                 positive(load, "half_width", config::Dimension::length, units)),
+      positive(table, "datum", config::Dimension::length, units),
+      read_points(table.table("points"), units)};
 }
 
-CylinderCase read_body(const CaseTable& table, const UnitSystem& units) {
+CylinderCase read_body(const config::Table& table, const config::UnitSystem& units) {
   const elasticity::Material material = read_material(table.table("material"), units);
   if (table.is_text("radius", "plane")) {
     table.text("radius");
     return {material, contact::Radius::of_plane()};
   }
-  const double radius = table.quantity("radius", Dimension::length, units);
+  const double radius = table.quantity("radius", config::Dimension::length, units);
   return {material,
           table.at("radius", [&] { return contact::Radius::of_cylinder("radius", radius); })};
 }
 
-ContactCase read_contact(const CaseTable& table, const UnitSystem& units) {
+ContactCase read_contact(const config::Table& table, const config::UnitSystem& units) {
   const CylinderCase body1 = read_body(table.table("body1"), units);
   const CylinderCase body2 = read_body(table.table("body2"), units);
   const auto cylinders = table.at("body2", [&] {
@@ -71,8 +72,8 @@ ContactCase read_contact(const CaseTable& table, const UnitSystem& units) {
   });
   const long n_nodes = table.integer("nodes");
   table.at("nodes", [&] { return contact::grid_around(1, n_nodes); });
-  const double line_load = positive(table, "load", Dimension::line_load, units);
-  const double datum = positive(table, "datum", Dimension::length, units);
+  const double line_load = positive(table, "load", config::Dimension::line_load, units);
+  const double datum = positive(table, "datum", config::Dimension::length, units);
   const contact::Grid grid =
       contact::grid_around(contact::Hertz(cylinders, line_load).half_width(), n_nodes);
   const double end = grid.x(grid.n_nodes - 1);
@@ -83,7 +84,7 @@ ContactCase read_contact(const CaseTable& table, const UnitSystem& units) {
   return {body1, body2, cylinders, line_load, datum, n_nodes};
 }
 
-block::Support read_sides(const CaseTable& table) {
+block::Support read_sides(const config::Table& table) {
   const std::string sides = table.text("sides");
   if (sides == "clamped") return block::Support::clamped;
   if (sides == "roller") return block::Support::roller;
@@ -91,10 +92,10 @@ block::Support read_sides(const CaseTable& table) {
   table.fail("sides", fmt::format("\"{}\": must be clamped, roller or free", sides));
 }
 
-BlockCase read_block(const CaseTable& table, const HalfSpaceCase& half_space,
-                     const UnitSystem& units) {
-  const block::Rectangle rectangle(positive(table, "width", Dimension::length, units),
-                                   positive(table, "height", Dimension::length, units));
+BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space,
+                     const config::UnitSystem& units) {
+  const block::Rectangle rectangle(positive(table, "width", config::Dimension::length, units),
+                                   positive(table, "height", config::Dimension::length, units));
   if (half_space.load.half_width() >= rectangle.right()) {
     table.fail("width",
                fmt::format("{} {}: must hold the load, which is {} {} wide", rectangle.width(),
@@ -110,11 +111,11 @@ BlockCase read_block(const CaseTable& table, const HalfSpaceCase& half_space,
   discretization.order = static_cast<int>(table.integer("order"));
   discretization.refine = static_cast<int>(table.integer("refine"));
   table.at("order", [&] { return block::require_valid(discretization); });
-  return {rectangle, read_sides(table), positive(table, "density", Dimension::density, units),
-          discretization};
+  return {rectangle, read_sides(table),
+          positive(table, "density", config::Dimension::density, units), discretization};
 }
 
-PrintedFigure5 read_figure5(const CaseTable& table, std::size_t n_points) {
+PrintedFigure5 read_figure5(const config::Table& table, std::size_t n_points) {
   PrintedFigure5 figure{table.text("source"),
                         table.printed_numbers("x"),
                         table.printed_numbers("fea_magnitude"),
@@ -128,7 +129,7 @@ PrintedFigure5 read_figure5(const CaseTable& table, std::size_t n_points) {
   return figure;
 }
 
-PrintedTriDist read_tri_dist(const CaseTable& table, std::size_t n_points) {
+PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
   PrintedTriDist printed{table.text("source"), table.printed_numbers("displacement"),
                          table.printed_number("step")};
   if (printed.displacement.size() != n_points) {
@@ -138,22 +139,22 @@ PrintedTriDist read_tri_dist(const CaseTable& table, std::size_t n_points) {
   return printed;
 }
 
-std::map<std::string, PrintedNumber> read_numbers(const CaseTable& table) {
-  std::map<std::string, PrintedNumber> numbers;
+std::map<std::string, config::PrintedNumber> read_numbers(const config::Table& table) {
+  std::map<std::string, config::PrintedNumber> numbers;
   for (const std::string& key : table.keys()) numbers.emplace(key, table.printed_number(key));
   return numbers;
 }
 
 // Reads numbers under any names, of which some are needed.
-std::map<std::string, PrintedNumber> read_numbers(const CaseTable& table,
-                                                  const std::vector<std::string>& needed) {
+std::map<std::string, config::PrintedNumber> read_numbers(const config::Table& table,
+                                                          const std::vector<std::string>& needed) {
   for (const std::string& key : needed) {
     if (!table.has(key)) table.fail(key, "missing");
   }
   return read_numbers(table);
 }
 
-PrintedAppendix2 read_appendix2(const CaseTable& table) {
+PrintedAppendix2 read_appendix2(const config::Table& table) {
   return {
       table.text("source"),
       read_numbers(table.table("measures"), {"resultant_load_y", "max_disp_x", "max_stress_vm",
@@ -164,7 +165,7 @@ PrintedAppendix2 read_appendix2(const CaseTable& table) {
                     "ixx_about_centre", "iyy_about_centre", "izz_about_centre"})};
 }
 
-PrintedContactM read_contact_m(const CaseTable& table) {
+PrintedContactM read_contact_m(const config::Table& table) {
   PrintedContactM printed{table.text("source"), table.printed_number("spacing"),
                           table.printed_number("n_nodes"), table.printed_number("zero_node")};
   const double n_nodes = printed.n_nodes.value();
@@ -179,7 +180,8 @@ PrintedContactM read_contact_m(const CaseTable& table) {
   return printed;
 }
 
-PrintedData read_printed(const CaseTable& table, std::size_t n_points, const UnitSystem& units) {
+PrintedData read_printed(const config::Table& table, std::size_t n_points,
+                         const config::UnitSystem& units) {
   if (!table.is_text("units", units.name)) {
     table.fail("units", fmt::format("\"{}\": printed data in other units than the case's {} cannot "
                                     "be compared; leave [printed] out",
@@ -194,9 +196,10 @@ PrintedData read_printed(const CaseTable& table, std::size_t n_points, const Uni
 }  // namespace
 
 Case read_case(const std::filesystem::path& file) {
-  const CaseTable root = CaseTable::parse_file(file);
+  const config::Table root = config::Table::parse_file(file);
   const std::string title = root.text("title");
-  const UnitSystem units = root.at("units", [&] { return unit_system(root.text("units")); });
+  const config::UnitSystem units =
+      root.at("units", [&] { return config::unit_system(root.text("units")); });
   const HalfSpaceCase half_space = read_half_space(root.table("half_space"), units);
   const ContactCase contact = read_contact(root.table("contact"), units);
   std::optional<BlockCase> block;

@@ -10,11 +10,11 @@
 #include "block/discretization.hpp"
 #include "block/rectangle.hpp"
 #include "block/supports.hpp"
+#include "config/printed_number.hpp"
+#include "config/units.hpp"
 #include "contact/cylinder_pair.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "parameters/printed_number.hpp"
-#include "parameters/units.hpp"
 
 namespace parameters {
 
@@ -54,25 +54,26 @@ struct BlockCase {
 /// A column or table that the paper prints, with its place in the paper.
 struct PrintedFigure5 {
   std::string source;
-  std::vector<PrintedNumber> x, fea_magnitude, fea_z, analytical, error;
+  std::vector<config::PrintedNumber> x, fea_magnitude, fea_z, analytical, error;
 };
 struct PrintedTriDist {
   std::string source;
-  std::vector<PrintedNumber> displacement;
-  PrintedNumber step;  ///< how far the program steps off a singular point
+  std::vector<config::PrintedNumber> displacement;
+  config::PrintedNumber step;  ///< how far the program steps off a singular point
 };
 struct PrintedAppendix2 {
   std::string source;
-  std::map<std::string, PrintedNumber> measures;         ///< by their printed names
-  std::map<std::string, PrintedNumber> convergence;      ///< of those, in percent
-  std::map<std::string, PrintedNumber> mass_properties;  ///< mass, centre_y, ixx_about_origin, …
+  std::map<std::string, config::PrintedNumber> measures;     ///< by their printed names
+  std::map<std::string, config::PrintedNumber> convergence;  ///< of those, in percent
+  std::map<std::string, config::PrintedNumber>
+      mass_properties;  ///< mass, centre_y, ixx_about_origin, …
 };
 
 struct PrintedContactM {
   std::string source;
-  PrintedNumber spacing;    ///< c
-  PrintedNumber n_nodes;    ///< n
-  PrintedNumber zero_node;  ///< aa: «node where p becomes zero»
+  config::PrintedNumber spacing;    ///< c
+  config::PrintedNumber n_nodes;    ///< n
+  config::PrintedNumber zero_node;  ///< aa: «node where p becomes zero»
 };
 
 /// What the paper prints about its own case. It is compared with, never computed from.
@@ -87,7 +88,7 @@ struct PrintedData {
 struct Case {
   std::filesystem::path file;
   std::string title;
-  UnitSystem units;
+  config::UnitSystem units;
   HalfSpaceCase half_space;
   ContactCase contact;
   std::optional<BlockCase> block;
@@ -95,7 +96,7 @@ struct Case {
 };
 
 /// Reads a case file (TOML). Every quantity carries its unit and is converted to the case's system.
-/// Throws CaseError naming file, line, column, key, value and what is allowed.
+/// Throws config::Error naming file, line, column, key, value and what is allowed.
 Case read_case(const std::filesystem::path& file);
 
 }  // namespace parameters

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(no_points_give_a_header_and_an_empty_array) {
 
 BOOST_AUTO_TEST_CASE(the_table_is_aligned_and_names_the_units) {
   const std::vector<std::string> lines =
-      lines_of(app::displacement_text(rows, parameters::unit_system("mm-N")));
+      lines_of(app::displacement_text(rows, config::unit_system("mm-N")));
 
   BOOST_TEST_REQUIRE(lines.size() == 3 + rows.size());
   for (const std::string& line : lines) BOOST_TEST(line.size() == lines[0].size());
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(the_table_is_aligned_and_names_the_units) {
 }
 
 BOOST_AUTO_TEST_CASE(the_table_shows_thirteen_digits_and_the_size_of_the_error) {
-  const std::string text = app::displacement_text(rows, parameters::unit_systems().front());
+  const std::string text = app::displacement_text(rows, config::unit_systems().front());
 
   BOOST_TEST(text.find(" 1.623604774879e-06 ") != std::string::npos);
   BOOST_TEST(text.find(" 3.0e-18 ") != std::string::npos);
@@ -123,14 +123,14 @@ BOOST_AUTO_TEST_CASE(the_table_shows_thirteen_digits_and_the_size_of_the_error) 
 BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
   std::vector<DisplacementRow> wrong = rows;
   wrong[1].displacement_closed_form = std::numeric_limits<double>::infinity();
-  const auto names_it = [](const app::InputError& error) {
+  const auto names_it = [](const sys::InputError& error) {
     return std::string(error.what()) ==
            "displacement_closed_form at x = 0.005: not a finite number; the parameters are beyond "
            "the range of a double";
   };
 
-  BOOST_CHECK_EXCEPTION(app::displacement_csv(wrong), app::InputError, names_it);
-  BOOST_CHECK_EXCEPTION(app::displacement_json(wrong), app::InputError, names_it);
-  BOOST_CHECK_EXCEPTION(app::displacement_text(wrong, parameters::unit_systems().front()),
-                        app::InputError, names_it);
+  BOOST_CHECK_EXCEPTION(app::displacement_csv(wrong), sys::InputError, names_it);
+  BOOST_CHECK_EXCEPTION(app::displacement_json(wrong), sys::InputError, names_it);
+  BOOST_CHECK_EXCEPTION(app::displacement_text(wrong, config::unit_systems().front()),
+                        sys::InputError, names_it);
 }

@@ -6,11 +6,11 @@
 
 #include "app/number_text.hpp"
 #include "block/factorization_error.hpp"
+#include "config/table.hpp"
 #include "contact/contact_error.hpp"
-#include "literate/error.hpp"
 #include "numerics/quadrature.hpp"
-#include "numerics/require.hpp"
-#include "parameters/case_table.hpp"
+#include "system/error.hpp"
+#include "system/require.hpp"
 
 using app::ExitCode;
 
@@ -25,20 +25,20 @@ int code_of(const Error& error) {
 
 BOOST_AUTO_TEST_CASE(a_command_that_returns_decides_itself) {
   BOOST_TEST((app::run_guarded([] { return ExitCode::success; }) == ExitCode::success));
-  BOOST_TEST((app::run_guarded([] { return ExitCode::claim_failed; }) == ExitCode::claim_failed));
+  BOOST_TEST((app::run_guarded([] { return ExitCode::failed; }) == ExitCode::failed));
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_of_any_kind_is_two) {
-  BOOST_TEST(code_of(numerics::InvalidQuantity("young", -1, "greater than 0")) == 2);
-  BOOST_TEST(code_of(parameters::CaseError("case.toml:1:1: wrong")) == 2);
-  BOOST_TEST(code_of(parameters::UnitError("unknown unit")) == 2);
-  BOOST_TEST(code_of(app::InputError("--x")) == 2);
-  BOOST_TEST(code_of(literate::OutputError("cannot write")) == 2);
-  BOOST_TEST(code_of(literate::SourceError("file:1: no end")) == 2);
+  BOOST_TEST(code_of(sys::InvalidQuantity("young", -1, "greater than 0")) == 2);
+  BOOST_TEST(code_of(config::Error("case.toml:1:1: wrong")) == 2);
+  BOOST_TEST(code_of(config::UnitError("unknown unit")) == 2);
+  BOOST_TEST(code_of(sys::InputError("--x")) == 2);
+  BOOST_TEST(code_of(sys::OutputError("cannot write")) == 2);
+  BOOST_TEST(code_of(sys::SourceError("file:1: no end")) == 2);
 }
 
 BOOST_AUTO_TEST_CASE(a_tool_that_is_missing_or_fails_is_three) {
-  BOOST_TEST(code_of(literate::ToolError("gnuplot is not installed")) == 3);
+  BOOST_TEST(code_of(sys::ToolError("gnuplot is not installed")) == 3);
 }
 
 BOOST_AUTO_TEST_CASE(a_computation_that_does_not_hold_is_one) {

@@ -102,6 +102,6 @@ BOOST_AUTO_TEST_CASE(whatever_is_nested_reads_back_the_same) {
 BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused) {
   using limits = std::numeric_limits<double>;
   for (const double number : {limits::infinity(), -limits::infinity(), limits::quiet_NaN()}) {
-    BOOST_CHECK_THROW(json_text({{"x", {1.5, number}}}), app::InputError);
+    BOOST_CHECK_THROW(json_text({{"x", {1.5, number}}}), sys::InputError);
   }
 }

@@ -12,11 +12,11 @@
 #include "random_inputs.hpp"
 #include "temporary_file.hpp"
 
-using app::InputError;
 using app::parse_number;
 using app::parse_numbers;
 using app::read_numbers;
 using app::shortest;
+using sys::InputError;
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "assignment/programs.hpp"
-#include "literate/names.hpp"
-#include "literate/references.hpp"
+#include "literate/document/names.hpp"
+#include "literate/prose/references.hpp"
 #include "temporary_file.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "assignment/programs.hpp"
 #include "course/handout.hpp"
-#include "literate/files.hpp"
+#include "system/files.hpp"
 
 namespace {
 
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(public_checks_alone_give_40_points_at_most) {
 
 BOOST_AUTO_TEST_CASE(make_check_lists_every_exercise_with_the_title_of_the_sheet) {
   const std::string program =
-      literate::read_file(description.folder / "template" / "checks" / "main.cpp");
+      sys::read_file(description.folder / "template" / "checks" / "main.cpp");
   int number = 0;
   for (const course::Exercise& exercise : description.exercises) {
     const std::string first = exercise.checks.front().id;

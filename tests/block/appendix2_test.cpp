@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "tests/block/paper_block.hpp"
+#include "block/paper_block.hpp"
 
 using block::Support;
 using paper_block::measure;

@@ -12,8 +12,8 @@
 #include <string>
 
 #include "block/calculix_deck.hpp"
-#include "numerics/require.hpp"
-#include "tests/block/paper_block.hpp"
+#include "block/paper_block.hpp"
+#include "system/require.hpp"
 
 namespace {
 
@@ -122,11 +122,11 @@ BOOST_AUTO_TEST_CASE(decks_that_cannot_be_written_are_refused) {
   const block::Mesh quadratic = block::calculix_mesh(graded, {});
   std::ostringstream deck;
 
-  BOOST_CHECK_THROW(block::calculix_mesh(graded, {1.5}), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(block::calculix_mesh(graded, {1.5}), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::write_calculix_deck(deck, graded, paper_block::material, {}, load, {}),
-                    numerics::InvalidQuantity);
+                    sys::InvalidQuantity);
   BOOST_CHECK_THROW(
       block::write_calculix_deck(deck, quadratic, paper_block::material, {}, load, {0.01234}),
-      numerics::InvalidQuantity);
+      sys::InvalidQuantity);
   BOOST_TEST(deck.str().find("*STEP") == std::string::npos);
 }

@@ -3,8 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "numerics/require.hpp"
-#include "tests/block/paper_block.hpp"
+#include "block/paper_block.hpp"
+#include "system/require.hpp"
 
 namespace {
 
@@ -91,12 +91,11 @@ BOOST_AUTO_TEST_CASE(too_few_or_senseless_observations_are_refused) {
   const double a = paper_block::half_width;
   const auto clamped = clamped_block({block::linear_fall(1, 0, a)});
 
-  BOOST_CHECK_THROW(block::fit_linear_load(clamped, a, {{0, 1e-6}}), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(block::fit_linear_load(clamped, a, {{0, 1e-6}}), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::fit_linear_load(clamped, a, {{0, 1e-6}, {0.01, 0}}),
-                    numerics::InvalidQuantity);
+                    sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::fit_linear_load(clamped, a, {{0, 1e-6}, {1.5, 1e-6}}),
-                    numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::fit_linear_load(clamped, 0, paper_block::printed),
-                    numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::fit_loads({}, paper_block::printed), numerics::InvalidQuantity);
+                    sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::fit_linear_load(clamped, 0, paper_block::printed), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::fit_loads({}, paper_block::printed), sys::InvalidQuantity);
 }

@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "block/paper_block.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "tests/block/paper_block.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 namespace {
 
@@ -46,11 +46,10 @@ BOOST_AUTO_TEST_CASE(scaling_multiplies_all_that_acts) {
 }
 
 BOOST_AUTO_TEST_CASE(shapes_out_of_range_are_refused) {
-  BOOST_CHECK_THROW(block::linear_fall(0, 0.6, a), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::linear_fall(peak, -0.1, a), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::linear_fall(peak, 0.6, -a), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::trapezoid(peak, 1, a), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::power_fall(peak, 0, a), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::scaled(block::elliptic(peak, a), std::nan("")),
-                    numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(block::linear_fall(0, 0.6, a), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::linear_fall(peak, -0.1, a), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::linear_fall(peak, 0.6, -a), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::trapezoid(peak, 1, a), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::power_fall(peak, 0, a), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::scaled(block::elliptic(peak, a), std::nan("")), sys::InvalidQuantity);
 }

@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 BOOST_AUTO_TEST_CASE(block_of_2_by_1_inches_has_the_printed_mass_properties) {
   // Ruggiero (2001), Appendix 2: six and seven digits
@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(block_of_2_by_1_inches_has_the_printed_mass_properties) {
 }
 
 BOOST_AUTO_TEST_CASE(density_and_sizes_must_be_positive) {
-  BOOST_CHECK_THROW(block::mass_properties({2, 1}, 0), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Rectangle(0, 1), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Rectangle(2, -1), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(block::mass_properties({2, 1}, 0), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::Rectangle(0, 1), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::Rectangle(2, -1), sys::InvalidQuantity);
 }

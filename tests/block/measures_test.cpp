@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "tests/block/paper_block.hpp"
+#include "block/paper_block.hpp"
 
 using block::Support;
 using paper_block::measure;

@@ -8,7 +8,7 @@
 #include "block/discretization.hpp"
 #include "block/grading.hpp"
 #include "block/load_shapes.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 BOOST_AUTO_TEST_CASE(graded_lines_reach_the_smallest_size_and_grow_by_the_ratio_at_most) {
   const auto lines = block::graded_lines({{-1, 0.2}, {0.1, 0.003}, {0.7, 0.05}}, 0.3);
@@ -83,10 +83,10 @@ BOOST_AUTO_TEST_CASE(locate_finds_the_element_of_every_node) {
 BOOST_AUTO_TEST_CASE(points_outside_and_lines_out_of_order_are_refused) {
   const block::Mesh mesh(2, {-1, 1}, {0, 1});
 
-  BOOST_CHECK_THROW(mesh.locate(1.0001, 0.5), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(mesh.locate(0, -0.0001), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(mesh.locate(std::nan(""), 0), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Mesh(0, {-1, 1}, {0, 1}), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Mesh(2, {-1}, {0, 1}), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Mesh(2, {-1, 1}, {0, 1, 1}), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(mesh.locate(1.0001, 0.5), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(mesh.locate(0, -0.0001), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(mesh.locate(std::nan(""), 0), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::Mesh(0, {-1, 1}, {0, 1}), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::Mesh(2, {-1}, {0, 1}), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(block::Mesh(2, {-1, 1}, {0, 1, 1}), sys::InvalidQuantity);
 }

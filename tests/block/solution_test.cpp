@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "numerics/require.hpp"
-#include "tests/block/paper_block.hpp"
+#include "block/paper_block.hpp"
+#include "system/require.hpp"
 
 using block::Support;
 
@@ -140,6 +140,6 @@ BOOST_AUTO_TEST_CASE(estimates_are_the_finer_value_and_its_distance_from_the_coa
 BOOST_AUTO_TEST_CASE(points_outside_the_block_are_refused) {
   const block::Solution solution = solve(block::linear_fall(1000, 0.6, 0.01), Support::clamped);
 
-  BOOST_CHECK_THROW(solution.displacement(1.001, 0), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(solution.at(0, 1.001), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(solution.displacement(1.001, 0), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(solution.at(0, 1.001), sys::InvalidQuantity);
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "numerics/require.hpp"
-#include "tests/block/paper_block.hpp"
+#include "block/paper_block.hpp"
+#include "system/require.hpp"
 
 namespace {
 
@@ -95,5 +95,5 @@ BOOST_AUTO_TEST_CASE(points_carry_the_solution_with_y_up) {
 BOOST_AUTO_TEST_CASE(too_many_cells_are_refused) {
   std::ostringstream file;
 
-  BOOST_CHECK_THROW(block::write_vtu(file, solve(), 101), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(block::write_vtu(file, solve(), 101), sys::InvalidQuantity);
 }

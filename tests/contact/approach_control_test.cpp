@@ -9,7 +9,7 @@
 #include "contact/fft_solver.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::Element;
@@ -20,7 +20,7 @@ using contact::Problem;
 using contact::Profile;
 using contact::Solution;
 using contact::solve_for_approach;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -8,16 +8,16 @@
 #include <numbers>
 #include <string>
 
-#include "numerics/require.hpp"
-#include "tests/contact/cauchy_integral.hpp"
+#include "contact/cauchy_integral.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::CattaneoMindlin;
 using contact::CylinderPair;
 using contact::Hertz;
 using contact::Radius;
-using numerics::InvalidQuantity;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::CylinderPair;
 using contact::Radius;
 using elasticity::Material;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

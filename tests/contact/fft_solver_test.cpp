@@ -14,7 +14,7 @@
 #include "contact/rounded_punch.hpp"
 #include "contact/variational.hpp"
 #include "contact/wedge.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::Element;
@@ -31,7 +31,7 @@ using contact::solve_by_matrix_inversion;
 using contact::solve_by_variational_method;
 using Eigen::Index;
 using Eigen::VectorXd;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {
@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(what_no_double_can_hold_is_refused) {
   const auto solve = [](const Profile& profile, double width) {
     return solve_by_fft({profile, 1.65e7, contact::grid_of_width(width, 300)}, 2500);
   };
-  BOOST_CHECK_THROW(solve(Profile::wedge(1e308), 1), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(solve(Profile::power_law(1, 20), 1e8), numerics::InvalidQuantity);
-  BOOST_CHECK_THROW(solve(Profile::parabola(1), 1e150), numerics::InvalidQuantity);
+  BOOST_CHECK_THROW(solve(Profile::wedge(1e308), 1), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(solve(Profile::power_law(1, 20), 1e8), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(solve(Profile::parabola(1), 1e150), sys::InvalidQuantity);
 }

@@ -8,13 +8,13 @@
 #include <limits>
 #include <numbers>
 
-#include "numerics/require.hpp"
-#include "tests/contact/cauchy_integral.hpp"
+#include "contact/cauchy_integral.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::FlatPunch;
-using numerics::InvalidQuantity;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/matrix_inversion.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 using contact::Grid;
 using contact::grid_of_width;
@@ -18,7 +18,7 @@ using contact::Profile;
 using contact::require_free_ends;
 using contact::solve_by_matrix_inversion;
 using Eigen::VectorXd;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::Element;
@@ -33,7 +33,7 @@ using Eigen::VectorXd;
 using elasticity::distributed_load;
 using elasticity::Material;
 using elasticity::SurfaceQuadrature;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

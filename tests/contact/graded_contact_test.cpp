@@ -12,8 +12,8 @@
 
 #include "contact/contact_error.hpp"
 #include "numerics/kernel_integrals.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::ContactError;
@@ -21,8 +21,8 @@ using contact::Edges;
 using contact::GradedSolution;
 using contact::Profile;
 using contact::solve_on_graded_grid;
-using numerics::InvalidQuantity;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::Grid;
@@ -13,7 +13,7 @@ using contact::grid_around;
 using contact::grid_of_width;
 using contact::one_sided_grid;
 using Eigen::Index;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 BOOST_AUTO_TEST_CASE(nodes_lie_symmetrically_about_the_point_of_first_contact) {

@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "elasticity/surface_quadrature.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::CylinderPair;
 using contact::Hertz;
 using contact::Radius;
 using elasticity::Material;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include "contact/dense_system.hpp"
 #include "contact/hertz.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::CylinderPair;
@@ -26,7 +26,7 @@ using contact::Residuals;
 using contact::Solution;
 using contact::solve_by_matrix_inversion;
 using elasticity::Material;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -11,8 +11,8 @@
 
 #include "elasticity/interior_stress.hpp"
 #include "numerics/quadrature.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::CylinderPair;
@@ -21,9 +21,9 @@ using contact::McEwen;
 using contact::Radius;
 using elasticity::Material;
 using elasticity::Stress;
-using numerics::InvalidQuantity;
 using std::numbers::phi;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/matrix_inversion.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::Element;
@@ -25,7 +25,7 @@ using contact::solve_on_nested_grids;
 using contact::total_phi;
 using Eigen::Index;
 using Eigen::VectorXd;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -8,14 +8,14 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/cauchy_integral.hpp"
 #include "contact/hertz.hpp"
-#include "numerics/require.hpp"
-#include "tests/contact/cauchy_integral.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::PowerLaw;
-using numerics::InvalidQuantity;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 using contact::Element;
 using contact::grid_of_width;
@@ -13,7 +13,7 @@ using contact::one_sided_grid;
 using contact::Problem;
 using contact::Profile;
 using contact::require_valid;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "contact/profile.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::ContactMask;
@@ -20,7 +20,7 @@ using contact::ProjectedCg;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "contact/cauchy_integral.hpp"
 #include "contact/flat_punch.hpp"
 #include "contact/hertz.hpp"
-#include "numerics/require.hpp"
-#include "tests/contact/cauchy_integral.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::RoundedPunch;
-using numerics::InvalidQuantity;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::Element;
@@ -21,7 +21,7 @@ using contact::Profile;
 using contact::Region;
 using contact::Solution;
 using Eigen::VectorXd;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -7,7 +7,7 @@
 #include "contact/friction.hpp"
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::CylinderPair;
@@ -20,7 +20,7 @@ using contact::traction_on;
 using elasticity::Material;
 using elasticity::PiecewiseLinearTraction;
 using elasticity::Stress;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -9,8 +9,8 @@
 
 #include "contact/dense_system.hpp"
 #include "contact/matrix_inversion.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using contact::Element;
@@ -25,7 +25,7 @@ using contact::solve_by_matrix_inversion;
 using contact::solve_by_variational_method;
 using Eigen::Index;
 using Eigen::VectorXd;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

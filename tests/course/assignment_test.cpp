@@ -5,17 +5,17 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "config/table.hpp"
 #include "course/check_list.hpp"
-#include "literate/files.hpp"
-#include "parameters/case_table.hpp"
+#include "system/files.hpp"
 #include "temporary_file.hpp"
 #include "toy.hpp"
 
-using parameters::CaseError;
+using config::Error;
 
 namespace {
 
-const std::string toy_text = literate::read_file(toy::folder / "assignment.toml");
+const std::string toy_text = sys::read_file(toy::folder / "assignment.toml");
 
 // Reads the toy's assignment with `before`, which stands there, replaced.
 course::Assignment read_with(const std::string& before, const std::string& after,
@@ -37,12 +37,13 @@ void check_error(const std::string& before, const std::string& after, const std:
   const auto line = std::count(toy_text.begin(), end, '\n') + 1 + n_below;
   const std::string place =
       (folder.path() / "assignment.toml").string() + ":" + std::to_string(line) + ":";
-  BOOST_CHECK_EXCEPTION(read_with(before, after, folder), CaseError, [&](const CaseError& e) {
-    const std::string what = e.what();
-    BOOST_TEST_MESSAGE(what);
-    BOOST_TEST(what.find('\n') == std::string::npos);
-    return what.starts_with(place) && what.find(expected) != std::string::npos;
-  });
+  BOOST_CHECK_EXCEPTION(
+      read_with(before, after, folder), config::Error, [&](const config::Error& e) {
+        const std::string what = e.what();
+        BOOST_TEST_MESSAGE(what);
+        BOOST_TEST(what.find('\n') == std::string::npos);
+        return what.starts_with(place) && what.find(expected) != std::string::npos;
+      });
 }
 
 }  // namespace
@@ -123,10 +124,11 @@ BOOST_AUTO_TEST_CASE(an_exercise_has_a_check) {
                "title = \"t\"\ndeadline = 2027-01-15T23:59:00Z\npoints = 1\nfloor = 0\n"
                "[[exercise]]\nid = \"root\"\ntitle = \"t\"\nfile = \"src/root.cpp\"\ncheck = []\n");
 
-  BOOST_CHECK_EXCEPTION(course::read_assignment(folder.path()), CaseError, [](const CaseError& e) {
-    return std::string(e.what()).ends_with(
-        "assignment.toml:6:6: exercise.id: exercise \"root\" has no [[exercise.check]]");
-  });
+  BOOST_CHECK_EXCEPTION(
+      course::read_assignment(folder.path()), config::Error, [](const config::Error& e) {
+        return std::string(e.what()).ends_with(
+            "assignment.toml:6:6: exercise.id: exercise \"root\" has no [[exercise.check]]");
+      });
 }
 
 BOOST_AUTO_TEST_CASE(code_and_list_have_the_same_checks) {
@@ -135,7 +137,7 @@ BOOST_AUTO_TEST_CASE(code_and_list_have_the_same_checks) {
     try {
       course::all_checks(toy, visible, hidden);
       return std::string("none");
-    } catch (const CaseError& e) {
+    } catch (const config::Error& e) {
       return std::string(e.what());
     }
   };

@@ -5,7 +5,7 @@
 
 #include "course/csv.hpp"
 #include "course/mark.hpp"
-#include "literate/error.hpp"
+#include "system/error.hpp"
 #include "toy_grading.hpp"
 
 using namespace course;
@@ -33,7 +33,7 @@ std::string source_error(const std::string& roster) {
   const fs::path file = folder.write("class.csv", roster);
   try {
     read_roster(file);
-  } catch (const literate::SourceError& error) {
+  } catch (const sys::SourceError& error) {
     return std::string(error.what()).substr(folder.path().string().size() + 1);
   }
   return "";
@@ -88,8 +88,8 @@ BOOST_AUTO_TEST_CASE(fields_are_quoted_and_are_no_formulas) {
   BOOST_TEST(csv_field("@cmd,x") == "\"'@cmd,x\"");
   BOOST_TEST(csv_fields("a,\"b,\"\"c\"\"\",") == (std::vector<std::string>{"a", "b,\"c\"", ""}),
              per_element());
-  BOOST_CHECK_THROW(csv_fields("\"open"), literate::SourceError);
-  BOOST_CHECK_THROW(csv_fields("\"a\"b"), literate::SourceError);
+  BOOST_CHECK_THROW(csv_fields("\"open"), sys::SourceError);
+  BOOST_CHECK_THROW(csv_fields("\"a\"b"), sys::SourceError);
 }
 
 BOOST_AUTO_TEST_CASE(the_class_is_read_with_its_times) {
@@ -147,8 +147,8 @@ BOOST_AUTO_TEST_CASE(what_is_to_be_graded_is_listed_and_the_rest_told) {
 BOOST_AUTO_TEST_CASE(what_is_no_folder_of_submissions_is_an_error) {
   const TemporaryFolder folder;
 
-  BOOST_CHECK_THROW(list_submissions(folder.write("class.csv", ""), {}), literate::OutputError);
-  BOOST_CHECK_THROW(list_submissions(folder.path() / "nowhere", {}), literate::OutputError);
+  BOOST_CHECK_THROW(list_submissions(folder.write("class.csv", ""), {}), sys::OutputError);
+  BOOST_CHECK_THROW(list_submissions(folder.path() / "nowhere", {}), sys::OutputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_day_begun_is_a_day) {
@@ -173,6 +173,6 @@ BOOST_AUTO_TEST_CASE(times_are_those_of_rfc_3339) {
   BOOST_TEST((parse_time("2026-12-31T23:30:00-01:00") == parse_time("2027-01-01T00:30:00.25Z")));
   for (const char* text : {"", "2027-01-15", "2027-01-15T23:59:00", "2027-02-29T00:00:00Z",
                            "2027-01-15T24:00:00Z", "2027-01-15T23:59:00+1:00"}) {
-    BOOST_CHECK_THROW(parse_time(text), literate::SourceError);
+    BOOST_CHECK_THROW(parse_time(text), sys::SourceError);
   }
 }

@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 
-#include "literate/error.hpp"
+#include "system/error.hpp"
 #include "toy_grading.hpp"
 
 using namespace course;
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_no_toolkit_is_named) {
 
   BOOST_CHECK_EXCEPTION(
       build(toy::assignment(), scratch.path(), {}, scratch.path() / "work", Isolation::sandbox),
-      literate::OutputError, [](const auto& error) {
+      sys::OutputError, [](const auto& error) {
         return std::string(error.what())
             .ends_with("is no toolkit; `halfspace course toolkit` makes one");
       });
@@ -158,15 +158,15 @@ BOOST_AUTO_TEST_CASE(a_toolkit_replaces_a_toolkit_and_nothing_else) {
   folder.write("letters/one.txt", "mine\n");
   BOOST_CHECK_THROW(
       make_toolkit(toy::assignment(), HALFSPACE_SOURCE_DIR, folder.path() / "letters"),
-      literate::OutputError);
+      sys::OutputError);
   Assignment other = toy::assignment();
   other.exercises[0].file = "src/cube.cpp";
-  BOOST_CHECK_THROW(open_toolkit(other, output), literate::OutputError);
+  BOOST_CHECK_THROW(open_toolkit(other, output), sys::OutputError);
 }
 
 BOOST_AUTO_TEST_CASE(no_solution_is_in_the_toolkit) {
-  for (const std::string& file : literate::files_below(toy::toolkit())) {
-    const std::string text = literate::read_file(toy::toolkit() / file);
+  for (const std::string& file : sys::files_below(toy::toolkit())) {
+    const std::string text = sys::read_file(toy::toolkit() / file);
     BOOST_TEST(text.find("total += number") == text.npos, file);
   }
 }

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "course/variants.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
 #include "temporary_file.hpp"
 #include "toy.hpp"
 
@@ -38,15 +38,15 @@ BOOST_AUTO_TEST_CASE(a_handout_is_the_template_without_what_students_must_find) 
 
   write(Edition::handout, handout);
 
-  const auto root = literate::read_file(handout / "src/root.cpp");
+  const auto root = sys::read_file(handout / "src/root.cpp");
   BOOST_TEST(root.find("  // YOUR SOLUTION HERE\n  (void)x;\n  return -1;\n}") !=
              std::string::npos);
   BOOST_TEST(root.find("guess") == std::string::npos);
-  BOOST_TEST(literate::read_file(handout / "checks/main.cpp").find("HIDDEN") == std::string::npos);
-  BOOST_TEST(literate::read_file(handout / "provided/course/check.hpp") ==
-             literate::read_file(toy::source / "src/course/check.hpp"));
+  BOOST_TEST(sys::read_file(handout / "checks/main.cpp").find("HIDDEN") == std::string::npos);
+  BOOST_TEST(sys::read_file(handout / "provided/course/check.hpp") ==
+             sys::read_file(toy::source / "src/course/check.hpp"));
   BOOST_TEST(!fs::exists(handout / "sheet.pdf"));
-  BOOST_TEST(literate::files_below(folder.path()).size() == literate::files_below(handout).size());
+  BOOST_TEST(sys::files_below(folder.path()).size() == sys::files_below(handout).size());
 }
 
 BOOST_AUTO_TEST_CASE(the_solution_is_the_template_without_markers) {
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(the_solution_is_the_template_without_markers) {
 
   write(Edition::solution, folder.path() / "solution");
 
-  const auto root = literate::read_file(folder.path() / "solution/src/root.cpp");
+  const auto root = sys::read_file(folder.path() / "solution/src/root.cpp");
   BOOST_TEST(root.find("return guess;") != std::string::npos);
   BOOST_TEST(root.find("SOLUTION") == std::string::npos);
   BOOST_TEST(root.find("STUB") == std::string::npos);
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(the_sheet_goes_along) {
 
   write(Edition::handout, folder.path() / "h", sheet);
 
-  BOOST_TEST(literate::read_file(folder.path() / "h/sheet.pdf") == "%PDF");
+  BOOST_TEST(sys::read_file(folder.path() / "h/sheet.pdf") == "%PDF");
 }
 
 BOOST_AUTO_TEST_CASE(a_handout_is_replaced_as_a_whole) {
@@ -108,21 +108,21 @@ BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_handout) {
   const TemporaryFolder folder;
   const fs::path handout = folder.path() / "h";
   write(Edition::handout, handout);
-  const auto before = literate::files_below(folder.path());
+  const auto before = sys::files_below(folder.path());
 
-  check_error<literate::OutputError>([&] { write(Edition::handout, handout, "no such sheet.pdf"); },
-                                     "'no such sheet.pdf'");
+  check_error<sys::OutputError>([&] { write(Edition::handout, handout, "no such sheet.pdf"); },
+                                "'no such sheet.pdf'");
 
-  BOOST_CHECK(literate::files_below(folder.path()) == before);
+  BOOST_CHECK(sys::files_below(folder.path()) == before);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_of_somebody_elses_is_left_alone) {
   const TemporaryFolder folder;
   folder.write("thesis/chapter.tex", "");
 
-  check_error<literate::OutputError>([&] { write(Edition::handout, folder.path() / "thesis"); },
-                                     "was not written by this command");
-  check_error<literate::OutputError>(
+  check_error<sys::OutputError>([&] { write(Edition::handout, folder.path() / "thesis"); },
+                                "was not written by this command");
+  check_error<sys::OutputError>(
       [&] { write(Edition::handout, folder.path() / "thesis/chapter.tex"); }, "chapter.tex'");
 
   BOOST_TEST(fs::exists(folder.path() / "thesis/chapter.tex"));
@@ -135,18 +135,18 @@ BOOST_AUTO_TEST_CASE(a_template_that_cannot_be_right_is_refused) {
   const auto read = [&] { course::read_project(assignment, toy::source); };
 
   assignment.provided = {"course/no_such.hpp"};
-  check_error<literate::SourceError>(read, "assignment.toml: provided: there is no src/course/no");
+  check_error<sys::SourceError>(read, "assignment.toml: provided: there is no src/course/no");
   assignment.provided = {"course/check.hpp"};
   folder.write("toy/template/provided/course/check.hpp", "");
-  check_error<literate::SourceError>(read, "template/provided/course/check.hpp is there too");
+  check_error<sys::SourceError>(read, "template/provided/course/check.hpp is there too");
   assignment.provided = {};
   folder.write("toy/template/src/root.cpp", "// BEGIN SOLUTION\n");
-  check_error<literate::SourceError>(read, "root.cpp:1: BEGIN SOLUTION has no END");
+  check_error<sys::SourceError>(read, "root.cpp:1: BEGIN SOLUTION has no END");
   folder.write("toy/template/src/root.cpp", "");
   folder.write("toy/template/sheet.pdf", "");
-  check_error<literate::SourceError>(read, "are made for each handout");
+  check_error<sys::SourceError>(read, "are made for each handout");
   folder.write("toy/template/build/root.o", "");
-  check_error<literate::SourceError>(read, "somebody compiled in the template");
+  check_error<sys::SourceError>(read, "somebody compiled in the template");
 }
 
 BOOST_AUTO_TEST_CASE(binary_files_are_copied_as_they_are) {

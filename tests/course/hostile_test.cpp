@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "course/grade.hpp"
-#include "literate/files.hpp"
-#include "literate/parallel.hpp"
-#include "literate/process.hpp"
+#include "system/files.hpp"
+#include "system/parallel.hpp"
+#include "system/process.hpp"
 #include "toy_grading.hpp"
 
 using namespace course;
@@ -117,8 +117,8 @@ Assignment hostile_assignment() {
 
 void tar(const fs::path& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"--format=pax"});
-  const literate::ProcessResult result =
-      literate::run({.program = "bsdtar", .arguments = arguments, .working_directory = folder});
+  const sys::ProcessResult result =
+      sys::run({.program = "bsdtar", .arguments = arguments, .working_directory = folder});
   BOOST_REQUIRE_MESSAGE(result.exit_status == 0, result.output);
 }
 
@@ -235,7 +235,7 @@ class Class {
   void grade(const fs::path& grades, std::size_t n_jobs, bool is_backwards) const {
     const std::size_t n = submissions_.size();
     std::vector<char> has_worked(n);
-    literate::for_each_parallel(n, n_jobs, [&](std::size_t i) {
+    sys::for_each_parallel(n, n_jobs, [&](std::size_t i) {
       const std::size_t which = is_backwards ? n - 1 - i : i;
       has_worked[which] = grade_apart(submissions_[which], grades);
     });
@@ -254,7 +254,7 @@ class Class {
 BOOST_AUTO_TEST_CASE(no_hostile_submission_gains_a_point_does_harm_or_hinders_the_others) {
   const Class students;
   const TemporaryFolder grades;
-  const auto files_before = literate::files_below(students.made());
+  const auto files_before = sys::files_below(students.made());
 
   const auto begin = std::chrono::steady_clock::now();
   students.grade(grades.path() / "forwards", 2, false);
@@ -264,22 +264,22 @@ BOOST_AUTO_TEST_CASE(no_hostile_submission_gains_a_point_does_harm_or_hinders_th
   BOOST_TEST_MESSAGE(students.submissions().size() << " submissions in " << time.count() << " s");
   for (const fs::path& submission : students.submissions()) {
     const std::string name = student_of(submission);
-    const std::string log = literate::read_file(grades.path() / "forwards" / name / "log.txt");
+    const std::string log = sys::read_file(grades.path() / "forwards" / name / "log.txt");
     BOOST_REQUIRE_MESSAGE(reasons.contains(name), name << " has no reason");
     const std::string sum = name == "honest" ? ": 20 of 20 points" : ": 0 of 20 points";
     BOOST_TEST(log.find(name + sum) != log.npos, log);
     BOOST_TEST(log.find(reasons.at(name)) != log.npos, reasons.at(name) << " is not in\n" << log);
     for (const char* file :
          {"results.json", "junit.xml", "feedback.html", "mark.json", "log.txt"}) {
-      const std::string forwards = literate::read_file(grades.path() / "forwards" / name / file);
-      const std::string backwards = literate::read_file(grades.path() / "backwards" / name / file);
+      const std::string forwards = sys::read_file(grades.path() / "forwards" / name / file);
+      const std::string backwards = sys::read_file(grades.path() / "backwards" / name / file);
       BOOST_TEST(forwards == backwards, name << "/" << file << " depends on order or parallelism");
       BOOST_TEST(forwards.find("/tmp/") == forwards.find("/tmp/results.json"),
                  name << "/" << file << " names a scratch folder:\n"
                       << forwards);
     }
   }
-  BOOST_TEST(literate::files_below(students.made()) == files_before);
+  BOOST_TEST(sys::files_below(students.made()) == files_before);
   for (const char* written : {"/tmp/fill", "/tmp/0", "/tmp/results.json", "/tmp/made-by-makefile",
                               "/autograder/results/results.json", "/results.json"}) {
     BOOST_TEST(!fs::exists(written), written);

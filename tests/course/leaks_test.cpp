@@ -6,9 +6,9 @@
 
 #include "course/expected_values.hpp"
 #include "course/secret_numbers.hpp"
-#include "literate/error.hpp"
-#include "literate/process.hpp"
 #include "small_pdf.hpp"
+#include "system/error.hpp"
+#include "system/process.hpp"
 #include "temporary_file.hpp"
 #include "toy.hpp"
 
@@ -142,16 +142,16 @@ BOOST_AUTO_TEST_CASE(what_is_attached_to_a_pdf_is_read_too) {
 BOOST_AUTO_TEST_CASE(a_zip_is_unpacked_and_other_archives_are_refused) {
   const TemporaryFolder folder;
   folder.write("src/a b.txt", solution_line);
-  literate::run({.program = "zip",
-                 .arguments = {"-q", "x.zip", "src/a b.txt"},
-                 .working_directory = folder.path()});
+  sys::run({.program = "zip",
+            .arguments = {"-q", "x.zip", "src/a b.txt"},
+            .working_directory = folder.path()});
 
   const auto found = course::leaks(secrets(), folder.path() / "x.zip");
 
   BOOST_REQUIRE(found.size() == 1);
   BOOST_TEST(found[0].starts_with("x.zip: src/a b.txt holds the line "));
   check_leak("a.tar.gz", "", "what cannot be looked into");
-  BOOST_CHECK_THROW(leaks_in("broken.pdf", "%PDF-1.4"), literate::ToolError);
+  BOOST_CHECK_THROW(leaks_in("broken.pdf", "%PDF-1.4"), sys::ToolError);
 }
 
 BOOST_AUTO_TEST_CASE(a_solution_that_was_published_as_a_whole_is_noticed) {

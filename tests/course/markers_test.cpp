@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
-#include "literate/error.hpp"
+#include "system/error.hpp"
 
 using course::apply_markers;
 
@@ -12,8 +12,8 @@ namespace {
 
 void check_error(const std::string& text, const std::string& expected,
                  const std::string& file = "a b.cpp") {
-  BOOST_CHECK_EXCEPTION(apply_markers(text, file), literate::SourceError,
-                        [&](const literate::SourceError& e) {
+  BOOST_CHECK_EXCEPTION(apply_markers(text, file), sys::SourceError,
+                        [&](const sys::SourceError& e) {
                           BOOST_TEST_MESSAGE(e.what());
                           return std::string(e.what()).starts_with(file + ":" + expected);
                         });

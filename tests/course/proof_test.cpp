@@ -5,14 +5,14 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "config/table.hpp"
 #include "course/sandbox.hpp"
 #include "course/toolkit.hpp"
 #include "course/variant_check.hpp"
 #include "course/variants.hpp"
 #include "course/wrong_solutions.hpp"
-#include "literate/files.hpp"
-#include "literate/process.hpp"
-#include "parameters/case_table.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
 #include "temporary_file.hpp"
 #include "toy.hpp"
 
@@ -36,7 +36,7 @@ class Toy {
   Toy() { fs::copy(toy::folder, folder_.path() / "toy", fs::copy_options::recursive); }
 
   void replace(const std::string& file, const std::string& before, const std::string& after) const {
-    std::string text = literate::read_file(folder_.path() / file);
+    std::string text = sys::read_file(folder_.path() / file);
     BOOST_REQUIRE(text.find(before) != std::string::npos);
     text.replace(text.find(before), before.size(), after);
     folder_.write(file, text);
@@ -49,9 +49,9 @@ class Toy {
   fs::path write_handout(const course::Variant& variant) const {
     course::write_project(project(), course::Edition::handout, assignment(), variant, {},
                           folder_.path() / "handout");
-    literate::run({.program = "zip",
-                   .arguments = {"-q", "-r", "handout.zip", "handout"},
-                   .working_directory = folder_.path()});
+    sys::run({.program = "zip",
+              .arguments = {"-q", "-r", "handout.zip", "handout"},
+              .working_directory = folder_.path()});
     return folder_.path() / "handout";
   }
 
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_solution_must_change_one_place) {
       course::read_wrong_solutions(changed.assignment(),
                                    course::texts(changed.project(), course::Edition::solution));
       return std::string("none");
-    } catch (const parameters::CaseError& e) {
+    } catch (const config::Error& e) {
       BOOST_TEST_MESSAGE(e.what());
       return std::string(e.what());
     }
@@ -263,9 +263,9 @@ BOOST_AUTO_TEST_CASE(each_students_handout_is_proved_to_be_theirs) {
     const auto variant = course::variant_of(assignment, numbers_of, "winter", input.is_valid);
     course::write_project(project, course::Edition::handout, assignment, variant, {},
                           folder.path() / student);
-    literate::run({.program = "zip",
-                   .arguments = {"-q", "-r", student + ".zip", student},
-                   .working_directory = folder.path()});
+    sys::run({.program = "zip",
+              .arguments = {"-q", "-r", student + ".zip", student},
+              .working_directory = folder.path()});
   };
   const auto faults = [&] {
     std::string all;

@@ -5,8 +5,8 @@
 
 #include "course/feedback.hpp"
 #include "course/grade.hpp"
-#include "literate/error.hpp"
-#include "literate/process.hpp"
+#include "system/error.hpp"
+#include "system/process.hpp"
 #include "toy_grading.hpp"
 
 using namespace course;
@@ -102,12 +102,12 @@ BOOST_AUTO_TEST_CASE(a_submission_becomes_a_folder_and_regrading_changes_no_byte
   grade_submission(toy::assignment(), task, folder.path() / "second");
 
   BOOST_TEST(mark_of(first) == 18);
-  const auto files = literate::files_below(folder.path() / "first");
+  const auto files = sys::files_below(folder.path() / "first");
   BOOST_TEST(files == (std::vector<std::string>{"feedback.html", "junit.xml", "log.txt",
                                                 "mark.json", "results.json"}),
              boost::test_tools::per_element());
   for (const std::string& file : files) {
-    BOOST_TEST(literate::read_file(folder.path() / "first" / file) ==
-               literate::read_file(folder.path() / "second" / file));
+    BOOST_TEST(sys::read_file(folder.path() / "first" / file) ==
+               sys::read_file(folder.path() / "second" / file));
   }
 }

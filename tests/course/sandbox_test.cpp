@@ -18,8 +18,8 @@
 #include "course/descendants.hpp"
 #include "course/job_user.hpp"
 #include "course/scratch_folder.hpp"
-#include "literate/error.hpp"
-#include "literate/files.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
 #include "temporary_file.hpp"
 
 using namespace course;
@@ -37,7 +37,7 @@ Ended run(const TemporaryFolder& work, Job job) {
   job.output = work.path() / "out";
   job.errors = work.path() / "err";
   const JobEnd end = sandbox.run(job);
-  return {end, literate::read_file(job.output), literate::read_file(job.errors)};
+  return {end, sys::read_file(job.output), sys::read_file(job.errors)};
 }
 
 Job shell(const std::string& script) {
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(without_bubblewrap_nothing_is_graded_and_the_message_names_
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", ((work.path() / "bin").string() + ":" + path).c_str(), 1);
 
-  BOOST_CHECK_EXCEPTION(Sandbox(Isolation::sandbox, work.path()), literate::ToolError,
+  BOOST_CHECK_EXCEPTION(Sandbox(Isolation::sandbox, work.path()), sys::ToolError,
                         [](const auto& error) {
                           return std::string(error.what()) ==
                                  "bubblewrap cannot keep submissions apart here: no permission; "
@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(without_walls_a_job_cannot_reach_the_folder_of_another_grad
   }
   ::waitpid(other, nullptr, 0);
 
-  BOOST_TEST(literate::read_file(work.path() / "out") == "");
+  BOOST_TEST(sys::read_file(work.path() / "out") == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_killed_grading_takes_its_job_along) {

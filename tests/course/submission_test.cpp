@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "course/student_text.hpp"
-#include "literate/error.hpp"
-#include "literate/process.hpp"
+#include "system/error.hpp"
+#include "system/process.hpp"
 #include "toy_grading.hpp"
 
 using namespace course;
@@ -21,9 +21,9 @@ Submission take(const fs::path& path) {
 
 fs::path packed(const TemporaryFolder& folder, const std::string& name, const fs::path& what) {
   const fs::path archive = folder.path() / name;
-  const auto result = literate::run({.program = "bsdtar",
-                                     .arguments = {"-caf", archive.string(), what.string()},
-                                     .working_directory = folder.path()});
+  const auto result = sys::run({.program = "bsdtar",
+                                .arguments = {"-caf", archive.string(), what.string()},
+                                .working_directory = folder.path()});
   BOOST_REQUIRE_MESSAGE(result.exit_status == 0, result.output);
   return archive;
 }
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(what_is_neither_folder_nor_archive_is_refused) {
   const TemporaryFolder folder;
 
   for (const fs::path& path : {folder.write("notes\n'1'.txt", "x"), folder.path() / "nothing"}) {
-    BOOST_CHECK_THROW(take(path), literate::OutputError);
+    BOOST_CHECK_THROW(take(path), sys::OutputError);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "course/markers.hpp"
 #include "course/sandbox.hpp"
 #include "course/toolkit.hpp"
-#include "literate/files.hpp"
+#include "system/files.hpp"
 #include "temporary_file.hpp"
 
 /// An assignment of two exercises that compiles in no time: `square` and `sum`, ten points each.
@@ -95,8 +95,7 @@ inline course::Checks checks() {
 inline course::Files solution() {
   course::Files files;
   for (const char* file : {"src/square.cpp", "src/sum.cpp"}) {
-    files[file] =
-        course::apply_markers(literate::read_file(folder / "template" / file), file).solution;
+    files[file] = course::apply_markers(sys::read_file(folder / "template" / file), file).solution;
   }
   return files;
 }

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "literate/error.hpp"
+#include "system/error.hpp"
 #include "toy.hpp"
 
 using course::Variant;
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(ranges_without_a_valid_variant_are_told) {
   const auto never = [](const Variant&) { return false; };
 
   BOOST_CHECK_EXCEPTION(course::variant_of(toy::assignment(), "ada", "winter", never),
-                        literate::SourceError, [](const literate::SourceError& e) {
+                        sys::SourceError, [](const sys::SourceError& e) {
                           return std::string(e.what()).find("\"ada\": none of 1000") !=
                                  std::string::npos;
                         });
@@ -95,11 +95,11 @@ BOOST_AUTO_TEST_CASE(an_id_that_could_not_name_a_file_is_refused_by_name) {
            "", "a b", "a/b", "..", ".hidden", "-f", "\xC3\xA9va", "a\nb", "quote\"", "@ada",
            "ada.part", "ada.zip", "ada.tar.gz", too_long}) {
     BOOST_CHECK_EXCEPTION(
-        course::require_student_id(id), literate::SourceError, [](const literate::SourceError& e) {
+        course::require_student_id(id), sys::SourceError, [](const sys::SourceError& e) {
           const std::string what = e.what();
           BOOST_TEST_MESSAGE(what);
           return what.starts_with("student \"") && what.find('\n') == std::string::npos;
         });
   }
-  BOOST_CHECK_THROW(variant("ada", ""), literate::SourceError);
+  BOOST_CHECK_THROW(variant("ada", ""), sys::SourceError);
 }

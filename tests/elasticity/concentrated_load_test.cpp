@@ -4,14 +4,14 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using elasticity::ConcentratedLoad;
 using elasticity::Material;
 using elasticity::normal_displacement;
 using elasticity::normal_gradient;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include "numerics/kernel_integrals.hpp"
 #include "numerics/quadrature.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using elasticity::LinearSegment;
@@ -20,8 +20,8 @@ using elasticity::PiecewiseLinearTraction;
 using elasticity::Stress;
 using elasticity::stress_under;
 using elasticity::TriangularLoad;
-using numerics::InvalidQuantity;
 using std::numbers::inv_pi;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -4,11 +4,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
 using elasticity::distributed_load;
 using elasticity::Load;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <limits>
 #include <numbers>
 
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using elasticity::Material;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 BOOST_AUTO_TEST_CASE(compliances_are_those_of_equation_2) {

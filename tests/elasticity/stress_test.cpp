@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using elasticity::Stress;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

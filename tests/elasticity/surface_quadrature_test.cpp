@@ -9,8 +9,8 @@
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "elasticity/uniform_load.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using elasticity::Load;
@@ -19,8 +19,8 @@ using elasticity::SurfaceQuadrature;
 using elasticity::TriangularLoad;
 using elasticity::UniformLoad;
 using numerics::Estimate;
-using numerics::InvalidQuantity;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 
 namespace {
 

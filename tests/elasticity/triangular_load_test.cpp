@@ -8,8 +8,8 @@
 
 #include "elasticity/concentrated_load.hpp"
 #include "multiprecision.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using elasticity::Load;
@@ -17,7 +17,7 @@ using elasticity::Material;
 using elasticity::normal_displacement;
 using elasticity::normal_gradient;
 using elasticity::TriangularLoad;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {

@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "multiprecision.hpp"
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using elasticity::Material;
 using elasticity::normal_displacement;
 using elasticity::normal_gradient;
 using elasticity::UniformLoad;
-using numerics::InvalidQuantity;
+using sys::InvalidQuantity;
 
 namespace {
 

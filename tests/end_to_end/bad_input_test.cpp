@@ -50,7 +50,7 @@ void check_contact(const std::string& flag, const std::string& value, const Word
 // The paper's case with one change is refused, at its place in the file, and nothing is written.
 void check_case(const std::string& before, const std::string& after, const Words& parts) {
   const TemporaryFolder folder;
-  const std::string text = with(literate::read_file(papers_case), before, after);
+  const std::string text = with(sys::read_file(papers_case), before, after);
   const fs::path file = folder.write("my case.toml", text);
   const fs::path output = folder.path() / "out";
 
@@ -68,7 +68,7 @@ void check_case(const std::string& before, const std::string& after, const Words
 
 // «:line:column: » of the first place of a text in the paper's case.
 std::string place_of(const std::string& text) {
-  const std::string all = literate::read_file(papers_case);
+  const std::string all = sys::read_file(papers_case);
   const auto at = all.find(text);
   BOOST_TEST_REQUIRE((at != std::string::npos));
   const auto line =
@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(results_that_are_not_finite_are_refused_by_column_and_place
         {"approach: not a finite number", "range of a double"});
   }
   const TemporaryFolder folder;
-  const std::string text = with(literate::read_file(papers_case), "value = 1000", "value = 1e200");
+  const std::string text = with(sys::read_file(papers_case), "value = 1000", "value = 1e200");
   const std::string file = folder.write("strong.toml", text).string();
   for (const char* format : {"table", "csv", "json"}) {
     check_refused(2, {"block", "--case", file, "--order", "2", "--refine", "0", "--format", format},
@@ -309,7 +309,7 @@ BOOST_AUTO_TEST_CASE(a_file_of_the_block_in_a_folder_that_is_not_there_is_refuse
   for (const char* flag : {"--ccx", "--vtu"}) {
     check_refused(2, coarse_block + Words{flag, file}, {flag, file, "folder does not exist"});
   }
-  BOOST_TEST(literate::files_below(folder.path()).empty());
+  BOOST_TEST(sys::files_below(folder.path()).empty());
   BOOST_TEST(!fs::exists(folder.path() / "none"));
 }
 
@@ -326,9 +326,8 @@ BOOST_AUTO_TEST_CASE(an_output_folder_that_cannot_be_made_is_refused_and_nothing
     // Nothing on standard output: it is refused before the computation, which prints its time.
     check_refused(2, report_to(output), {output.string()});
   }
-  BOOST_TEST(literate::read_file(file) == "mine");
-  BOOST_TEST(literate::files_below(folder.path()) == Words{"a file"},
-             boost::test_tools::per_element());
+  BOOST_TEST(sys::read_file(file) == "mine");
+  BOOST_TEST(sys::files_below(folder.path()) == Words{"a file"}, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_source_folder_without_the_sources_is_refused) {
@@ -355,15 +354,14 @@ BOOST_AUTO_TEST_CASE(a_document_or_generated_folder_that_is_not_there_is_refused
                  (folder.path() / "out.pdf").string()};
   };
   check_refused(2, typeset(source_dir / "report", folder.path()), {"names.json"});
-  BOOST_TEST(literate::files_below(folder.path()).empty());
+  BOOST_TEST(sys::files_below(folder.path()).empty());
 }
 
 BOOST_AUTO_TEST_CASE(output_that_is_lost_is_not_a_success) {
   if (!fs::exists("/dev/full")) return;
-  const auto result =
-      literate::run({.program = "sh",
-                     .arguments = {"-c", R"("$1" displacement --case "$2" >/dev/full)", "sh",
-                                   HALFSPACE_PROGRAM, papers_case.string()}});
+  const auto result = sys::run({.program = "sh",
+                                .arguments = {"-c", R"("$1" displacement --case "$2" >/dev/full)",
+                                              "sh", HALFSPACE_PROGRAM, papers_case.string()}});
 
   BOOST_TEST(result.exit_status == 2);
   BOOST_TEST(result.output == "halfspace: standard output cannot be written\n");

@@ -12,7 +12,7 @@ namespace {
 
 // One printed digit altered: the greatest magnitude of the summary is then no less than the others.
 std::string altered_case() {
-  return with(literate::read_file(papers_case), "max_disp_mag = \"1.594637e-06\"",
+  return with(sys::read_file(papers_case), "max_disp_mag = \"1.594637e-06\"",
               "max_disp_mag = \"1.594647e-06\"");
 }
 
@@ -41,7 +41,7 @@ struct AlteredReport {
   // The text of the PDF, a page an entry.
   Words pages() const {
     const auto read =
-        literate::run({.program = "pdftotext", .arguments = {"-layout", pdf.string(), "-"}});
+        sys::run({.program = "pdftotext", .arguments = {"-layout", pdf.string(), "-"}});
     BOOST_TEST_REQUIRE(read.exit_status == 0, read.output);
     Words pages;
     std::string text = read.output;

@@ -50,7 +50,7 @@ std::vector<std::string> cells_of(std::string_view line) {
 // The rows of a csv under their header, as numbers.
 std::vector<std::vector<double>> numbers_in(const std::string& text) {
   std::vector<std::vector<double>> rows;
-  for (const std::string_view line : literate::lines_of(text)) {
+  for (const std::string_view line : sys::lines_of(text)) {
     rows.emplace_back();
     if (rows.size() == 1) continue;
     for (const std::string& cell : cells_of(line)) rows.back().push_back(number_of(cell));
@@ -63,7 +63,7 @@ std::vector<std::vector<double>> numbers_in(const std::string& text) {
 
 BOOST_AUTO_TEST_CASE(displacement_prints_the_promised_header_and_a_row_a_point) {
   const std::string text = output_of(displacement + Words{"--x", "0,0.005,0.01"} + csv);
-  const auto lines = literate::lines_of(text);
+  const auto lines = sys::lines_of(text);
 
   BOOST_TEST_REQUIRE(lines.size() == 4U);
   BOOST_TEST(lines[0] ==
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(quadrature_and_closed_form_differ_by_less_than_the_printed_
 BOOST_AUTO_TEST_CASE(csv_and_json_carry_the_same_doubles) {
   const std::string csv_text = output_of(displacement + papers_points + csv);
   const json rows = json::parse(output_of(displacement + papers_points + as_json));
-  const auto names = cells_of(literate::lines_of(csv_text).front());
+  const auto names = cells_of(sys::lines_of(csv_text).front());
   const auto numbers = numbers_in(csv_text);
 
   BOOST_TEST_REQUIRE(rows.size() == numbers.size());
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(csv_and_json_carry_the_same_doubles) {
 
 BOOST_AUTO_TEST_CASE(every_number_of_the_csv_has_the_fewest_digits) {
   const std::string text = output_of(displacement + papers_points + csv);
-  const auto lines = literate::lines_of(text);
+  const auto lines = sys::lines_of(text);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     for (const std::string& cell : cells_of(lines[i])) {
       BOOST_TEST(cell == fmt::format("{}", number_of(cell)));
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(every_number_of_the_csv_has_the_fewest_digits) {
 
 BOOST_AUTO_TEST_CASE(the_table_is_the_default_aligned_and_has_units) {
   const std::string text = output_of(displacement + papers_points);
-  const auto lines = literate::lines_of(text);
+  const auto lines = sys::lines_of(text);
 
   BOOST_TEST_REQUIRE(lines.size() == 3U + 11U);
   for (const auto line : lines) BOOST_TEST(line.size() == lines[0].size());
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(flags_override_the_case) {
 BOOST_AUTO_TEST_CASE(a_case_in_other_units_prints_in_them) {
   const std::string table = output_of({"displacement", "--case", steel_case.string()});
   BOOST_TEST(table.find("[mm]") != std::string::npos);
-  BOOST_TEST(literate::lines_of(table).size() == 3U + 9U);
+  BOOST_TEST(sys::lines_of(table).size() == 3U + 9U);
 
   const std::string contact_table = output_of({"contact", "--case", steel_case.string()});
   for (const char* unit : {" mm", " MPa", " N/mm"}) {
@@ -271,7 +271,7 @@ BOOST_AUTO_TEST_CASE(contact_takes_planes_hollows_and_a_case) {
 BOOST_AUTO_TEST_CASE(block_prints_units_and_the_seconds_it_took) {
   const std::string text =
       output_of({"block", "--case", papers_case.string(), "--order", "2", "--refine", "0"});
-  const auto lines = literate::lines_of(text);
+  const auto lines = sys::lines_of(text);
   const auto ends = [&](std::string_view measure, std::string_view unit) {
     for (const std::string_view line : lines) {
       if (line.starts_with(measure)) return line.ends_with(unit);

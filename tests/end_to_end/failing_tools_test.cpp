@@ -19,7 +19,7 @@ class Tools {
   explicit Tools(const Words& programs) {
     fs::create_directory(folder_.path() / "bin");
     for (const std::string& program : programs) {
-      fs::create_symlink(literate::find_tool(program), folder_.path() / "bin" / program);
+      fs::create_symlink(sys::find_tool(program), folder_.path() / "bin" / program);
     }
   }
   // Adds a shell script under a program's name.
@@ -65,12 +65,12 @@ class Workplace {
     fs::remove_all(document());
     fs::copy(source_dir / "report", document(), fs::copy_options::recursive);
     const fs::path changed = document() / "sections/introduction.tex";
-    literate::write_file_atomically(changed, first_line + "\n" + literate::read_file(changed));
+    sys::write_file_atomically(changed, first_line + "\n" + sys::read_file(changed));
   }
 
   // That a report that failed left the output folder as it was, and no other beside it.
   void check_untouched() const {
-    BOOST_TEST(literate::files_below(generated()) == Words{"former.txt"},
+    BOOST_TEST(sys::files_below(generated()) == Words{"former.txt"},
                boost::test_tools::per_element());
     BOOST_TEST(!fs::exists(generated().string() + ".part"));
   }
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_figure_that_gnuplot_refuses_is_named_with_its_line) {
   const Workplace workplace;
   Tools tools({"sh", "pdflatex", "latexmk"});
   tools.fake("gnuplot", "if [ \"$1\" != --version ]; then echo 'plott x' >>\"$2\"; fi\nexec '" +
-                            literate::find_tool("gnuplot").string() + "' \"$@\"\n");
+                            sys::find_tool("gnuplot").string() + "' \"$@\"\n");
 
   check_tool_failed(workplace.report(), {"contact-geometry", "\"contact-geometry.gp\" line "},
                     tools.surroundings());

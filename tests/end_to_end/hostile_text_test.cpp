@@ -5,7 +5,7 @@
 #include <regex>
 #include <string>
 
-#include "literate/document.hpp"
+#include "literate/document/document.hpp"
 #include "program.hpp"
 
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ std::string without_blanks(const std::string& text) {
 
 // The PDF as text, without blanks, since lines may break anywhere.
 std::string text_of(const fs::path& pdf) {
-  const auto read = literate::run({.program = "pdftotext", .arguments = {pdf.string(), "-"}});
+  const auto read = sys::run({.program = "pdftotext", .arguments = {pdf.string(), "-"}});
   BOOST_TEST_REQUIRE(read.exit_status == 0, read.output);
   return without_blanks(read.output);
 }
@@ -50,7 +50,7 @@ std::string text_of(const fs::path& pdf) {
 
 BOOST_AUTO_TEST_CASE(a_title_full_of_tex_is_printed_and_not_run) {
   const Workplace workplace;
-  const std::string others = literate::read_file(steel_case);
+  const std::string others = sys::read_file(steel_case);
   workplace.folder.write("secret.tex", "REVEALED");
   // Each would change what follows, read a file or start a shell, were it not plain text.
   for (const std::string title :
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(a_title_full_of_tex_is_printed_and_not_run) {
     BOOST_TEST(printed.find(without_blanks(title)) != std::string::npos, title);
     BOOST_TEST(printed.find("my_case%#1$x$.toml") != std::string::npos);
     BOOST_TEST(printed.find("REVEALED") == std::string::npos);
-    for (const std::string& made : literate::files_below(workplace.folder.path())) {
+    for (const std::string& made : sys::files_below(workplace.folder.path())) {
       BOOST_TEST(fs::path(made).filename() != "ran");
     }
   }
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(a_title_full_of_tex_is_printed_and_not_run) {
 BOOST_AUTO_TEST_CASE(a_source_full_of_tex_does_not_stop_the_report) {
   const Workplace workplace;
   const std::string text =
-      with(literate::read_file(papers_case), "Fig. 5, p. 9", R"(\\input{x} 5% #1 \\write18{ls}_)");
+      with(sys::read_file(papers_case), "Fig. 5, p. 9", R"(\\input{x} 5% #1 \\write18{ls}_)");
   const fs::path file = workplace.folder.write("case.toml", text);
 
   output_of(workplace.report(file));
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(a_source_full_of_tex_does_not_stop_the_report) {
 BOOST_AUTO_TEST_CASE(a_unit_full_of_tex_is_refused) {
   const Workplace workplace;
   for (const char* unit : {R"(in\\input{x})", "%", "in_2", R"(\\write18{ls})", "in#1"}) {
-    const std::string text = with(literate::read_file(papers_case), "value = 10, unit = \"in\"",
+    const std::string text = with(sys::read_file(papers_case), "value = 10, unit = \"in\"",
                                   "value = 10, unit = \"" + std::string(unit) + "\"");
     check_refused(2, workplace.report(workplace.folder.write("case.toml", text)),
                   {"case.toml:", "unit"});

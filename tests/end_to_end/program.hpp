@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "literate/files.hpp"
-#include "literate/lines.hpp"
-#include "literate/process.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
 #include "temporary_file.hpp"
 
 inline const std::filesystem::path source_dir = HALFSPACE_SOURCE_DIR;
@@ -43,11 +43,11 @@ inline Outcome run_program(const Words& words, const Surroundings& surroundings 
                   input,  output,
                   errors, HALFSPACE_PROGRAM};
   arguments.insert(arguments.end(), words.begin(), words.end());
-  const auto result = literate::run({.program = "sh",
-                                     .arguments = arguments,
-                                     .working_directory = surroundings.folder,
-                                     .environment = surroundings.environment});
-  return {result.exit_status, literate::read_file(output), literate::read_file(errors)};
+  const auto result = sys::run({.program = "sh",
+                                .arguments = arguments,
+                                .working_directory = surroundings.folder,
+                                .environment = surroundings.environment});
+  return {result.exit_status, sys::read_file(output), sys::read_file(errors)};
 }
 
 /// The output of a run that must succeed without a word on standard error.
@@ -69,7 +69,7 @@ inline void check_refused(int status, const Words& words, const Words& parts,
     BOOST_TEST(outcome.status == status);
     BOOST_TEST(outcome.output == "");
     BOOST_TEST(outcome.errors.starts_with("halfspace: "));
-    if (status == 2) BOOST_TEST(literate::lines_of(outcome.errors).size() == 1U);
+    if (status == 2) BOOST_TEST(sys::lines_of(outcome.errors).size() == 1U);
     for (const std::string& part : parts) {
       BOOST_TEST(outcome.errors.find(part) != std::string::npos,
                  "\"" << part << "\" is not in: " << outcome.errors);

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "literate/document.hpp"
+#include "literate/document/document.hpp"
 #include "program.hpp"
 
 namespace fs = std::filesystem;
@@ -73,8 +73,7 @@ BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
   fs::copy(source_dir / "src", checkout.path() / "src", fs::copy_options::recursive);
   const fs::path source = checkout.path() / "src/contact/matrix_inversion.cpp";
   const std::string marker = "// begin excerpt: matrix-inversion\n";
-  literate::write_file_atomically(source,
-                                  with(literate::read_file(source), marker, marker + "//\n"));
+  sys::write_file_atomically(source, with(sys::read_file(source), marker, marker + "//\n"));
   const fs::path output = checkout.path() / "out";
 
   check_refused(2,

@@ -43,7 +43,7 @@ struct Report {
                            more,
                        surroundings);
   }
-  std::string manifest() const { return literate::read_file(folder / "manifest.json"); }
+  std::string manifest() const { return sys::read_file(folder / "manifest.json"); }
 
   void make(const Surroundings& surroundings = {}) const {
     const Outcome computed = run_program({"report", "--case", case_file.string(), "--output",
@@ -59,7 +59,7 @@ struct Report {
   // The PDF as text, words and numbers with one plain blank between.
   std::string text() const {
     const auto read =
-        literate::run({.program = "pdftotext", .arguments = {"-layout", pdf().string(), "-"}});
+        sys::run({.program = "pdftotext", .arguments = {"-layout", pdf().string(), "-"}});
     BOOST_TEST_REQUIRE(read.exit_status == 0, read.output);
     std::string text = read.output;
     for (const auto& [special, plain] :
@@ -71,7 +71,7 @@ struct Report {
 
   // What the prose prints for a value.
   std::string printed(const std::string& key) const {
-    const auto names = nlohmann::json::parse(literate::read_file(generated() / "names.json"));
+    const auto names = nlohmann::json::parse(sys::read_file(generated() / "names.json"));
     return names.at("values").at(key).at("printed");
   }
 };
@@ -101,11 +101,10 @@ const Report& steel_report() {
 }
 
 void check_same_files(const fs::path& one, const fs::path& other) {
-  const Words files = literate::files_below(one);
-  BOOST_TEST(files == literate::files_below(other), boost::test_tools::per_element());
+  const Words files = sys::files_below(one);
+  BOOST_TEST(files == sys::files_below(other), boost::test_tools::per_element());
   for (const std::string& file : files) {
-    BOOST_TEST((literate::read_file(one / file) == literate::read_file(other / file)),
-               file << " differs");
+    BOOST_TEST((sys::read_file(one / file) == sys::read_file(other / file)), file << " differs");
   }
 }
 
@@ -143,9 +142,9 @@ BOOST_AUTO_TEST_CASE(a_report_in_other_units_has_no_trace_of_the_papers) {
     BOOST_TEST(holds_number(text, report.printed(key)), key << " = " << report.printed(key));
   }
   // Nothing of the figures and tables either: their labels and headings are generated.
-  for (const std::string& file : literate::files_below(report.generated())) {
+  for (const std::string& file : sys::files_below(report.generated())) {
     if (!file.ends_with(".tex") || file.starts_with("excerpts/")) continue;
-    const std::string made = literate::read_file(report.generated() / file);
+    const std::string made = sys::read_file(report.generated() / file);
     for (const char* unit : {"psi", "lbf", "{in}"}) BOOST_TEST(!holds(made, unit), file);
   }
 }
@@ -154,7 +153,7 @@ BOOST_AUTO_TEST_CASE(two_runs_anywhere_give_the_same_bytes) {
   const Report& first = steel_report();
   const TemporaryFolder elsewhere;
   const fs::path copied_case =
-      elsewhere.write("my cases/steel_mm.toml", literate::read_file(steel_case));
+      elsewhere.write("my cases/steel_mm.toml", sys::read_file(steel_case));
   fs::create_directories(elsewhere.path() / "my copy");
   fs::copy(source_dir / "report", elsewhere.path() / "my copy/report", fs::copy_options::recursive);
   const Report second{copied_case, elsewhere.path() / "my output",
@@ -170,22 +169,22 @@ BOOST_AUTO_TEST_CASE(two_runs_anywhere_give_the_same_bytes) {
                .umask = "077"});
 
   check_same_files(first.generated(), second.generated());
-  BOOST_TEST((literate::read_file(first.pdf()) == literate::read_file(second.pdf())));
+  BOOST_TEST((sys::read_file(first.pdf()) == sys::read_file(second.pdf())));
 }
 
 BOOST_AUTO_TEST_CASE(a_comma_decimal_locale_changes_nothing) {
   const TemporaryFolder locales;
-  const auto made = literate::run({.program = "sh",
-                                   .arguments = {"-c", "localedef -i de_DE -f UTF-8 \"$1\"", "sh",
-                                                 (locales.path() / "de_DE.UTF-8").string()}});
+  const auto made = sys::run({.program = "sh",
+                              .arguments = {"-c", "localedef -i de_DE -f UTF-8 \"$1\"", "sh",
+                                            (locales.path() / "de_DE.UTF-8").string()}});
   if (made.exit_status != 0) {
     BOOST_TEST_MESSAGE("skipped: no German locale can be made here");
     return;
   }
   const std::map<std::string, std::string> german = {
       {"LOCPATH", locales.path().string()}, {"LC_ALL", "de_DE.UTF-8"}, {"LANGUAGE", "de"}};
-  const auto comma = literate::run(
-      {.program = "sh", .arguments = {"-c", "printf '%.1f' 0,5"}, .environment = german});
+  const auto comma =
+      sys::run({.program = "sh", .arguments = {"-c", "printf '%.1f' 0,5"}, .environment = german});
   BOOST_TEST_MESSAGE("a German shell prints one half as " << comma.output);
   const Report& in_plain = steel_report();
   const TemporaryFolder folder;
@@ -194,14 +193,14 @@ BOOST_AUTO_TEST_CASE(a_comma_decimal_locale_changes_nothing) {
   in_german.make({.environment = german});
 
   check_same_files(in_plain.generated(), in_german.generated());
-  BOOST_TEST((literate::read_file(in_plain.pdf()) == literate::read_file(in_german.pdf())));
+  BOOST_TEST((sys::read_file(in_plain.pdf()) == sys::read_file(in_german.pdf())));
 }
 
 BOOST_AUTO_TEST_CASE(a_second_run_leaves_every_time_stamp) {
   const Report& report = steel_report();
   const auto old = fs::file_time_type::clock::now() - std::chrono::hours(24 * 365);
   std::vector<fs::path> made = {report.pdf()};
-  for (const std::string& file : literate::files_below(report.generated())) {
+  for (const std::string& file : sys::files_below(report.generated())) {
     made.push_back(report.generated() / file);
   }
   for (const fs::path& file : made) fs::last_write_time(file, old);
@@ -225,13 +224,13 @@ BOOST_AUTO_TEST_CASE(another_case_changes_what_it_must_and_removes_what_is_no_mo
 
   BOOST_TEST(!fs::exists(steel.generated() / "tables/tri-dist.tex"));
   check_same_files(steel.generated(), fresh.generated());
-  BOOST_TEST((literate::read_file(steel.pdf()) == literate::read_file(fresh.pdf())));
+  BOOST_TEST((sys::read_file(steel.pdf()) == sys::read_file(fresh.pdf())));
 }
 
 BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
   const Report& report = steel_report();
   const TemporaryFolder elsewhere;
-  const Report second{elsewhere.write("other cases/steel_mm.toml", literate::read_file(steel_case)),
+  const Report second{elsewhere.write("other cases/steel_mm.toml", sys::read_file(steel_case)),
                       elsewhere.path() / "my output"};
   fs::create_directory(second.folder);
   second.make();
@@ -245,7 +244,7 @@ BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
   BOOST_TEST(!holds(report.manifest(), report.folder.string()));
   BOOST_TEST(!holds(report.manifest(), source_dir.string()));
   for (const char* file : {"report/report.tex", "report/sections/results.tex",
-                           "src/literate/literate.sty", "figures/style.cpp"}) {
+                           "src/literate/document/literate.sty", "figures/style.cpp"}) {
     BOOST_TEST(first["inputs"].contains(file), file);
   }
   for (const char* file :
@@ -295,7 +294,7 @@ BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_is_refused_by_name) {
   const TemporaryFolder folder;
   const Report report{steel_case, folder.path()};
   fs::copy(made.folder, report.folder, fs::copy_options::recursive);
-  const auto digest = literate::run(
+  const auto digest = sys::run(
       {.program = "sh",
        .arguments = {"-c", "find . -type f -printf '%P\\n' | xargs -d '\\n' sha256sum >../digest"},
        .working_directory = report.generated()});
@@ -303,9 +302,9 @@ BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_is_refused_by_name) {
   const Words words = report.typesetting() + Words{"--digest", (folder.path() / "digest").string()};
   BOOST_TEST(run_program(words).status == 0);
 
-  literate::write_file_atomically(report.generated() / "tables/cylinders.tex", "42");
+  sys::write_file_atomically(report.generated() / "tables/cylinders.tex", "42");
   check_refused(2, words, {"tables/cylinders.tex", "was changed after it was made"});
-  literate::write_file_atomically(report.generated() / "mine.sty", "");
+  sys::write_file_atomically(report.generated() / "mine.sty", "");
   check_refused(2, words, {"mine.sty", "was not made by the program"});
 }
 
@@ -315,7 +314,7 @@ BOOST_AUTO_TEST_CASE(an_error_in_a_generated_table_is_told_where_the_report_uses
   const Report report{steel_case, folder.path()};
   fs::copy(made.folder, report.folder, fs::copy_options::recursive);
   const fs::path table = report.generated() / "tables/cylinders.tex";
-  literate::write_file_atomically(table, literate::read_file(table) + "\n\\nosuchmacro\n");
+  sys::write_file_atomically(table, sys::read_file(table) + "\n\\nosuchmacro\n");
 
   const Outcome outcome = run_program(report.typesetting());
 

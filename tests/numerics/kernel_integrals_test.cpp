@@ -7,15 +7,15 @@
 #include <functional>
 #include <numbers>
 
-#include "numerics/require.hpp"
 #include "random_inputs.hpp"
+#include "system/require.hpp"
 #include "tolerances.hpp"
 
 using numerics::Estimate;
-using numerics::InvalidQuantity;
 using numerics::KernelIntegrals;
 using numerics::PiecewiseFunction;
 using std::numbers::pi;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -4,11 +4,11 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
-#include "numerics/require.hpp"
+#include "system/require.hpp"
 
-using numerics::InvalidQuantity;
 using numerics::Piece;
 using numerics::PiecewiseFunction;
+using sys::InvalidQuantity;
 
 namespace {
 

@@ -17,10 +17,10 @@
 #include "contact/variational.hpp"
 #include "paper/convergence.hpp"
 
+using config::PrintedNumber;
 using contact::Solution;
 using elasticity::Material;
 using numerics::Estimate;
-using parameters::PrintedNumber;
 
 namespace {
 

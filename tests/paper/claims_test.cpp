@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-#include "literate/document.hpp"
-#include "literate/files.hpp"
+#include "literate/document/document.hpp"
 #include "paper/paper.hpp"
+#include "system/files.hpp"
 
 using literate::Claim;
 using literate::Document;
@@ -96,8 +96,8 @@ BOOST_AUTO_TEST_CASE(claims_about_print_need_print_and_claims_of_theory_do_not) 
 
 BOOST_AUTO_TEST_CASE(every_claim_is_set_in_the_prose_once_or_more) {
   std::string prose;
-  for (const std::string& file : literate::files_below(source_dir + "/report/sections")) {
-    prose += literate::read_file(source_dir + "/report/sections/" + file);
+  for (const std::string& file : sys::files_below(source_dir + "/report/sections")) {
+    prose += sys::read_file(source_dir + "/report/sections/" + file);
   }
   for (const auto& [id, claim] : papers().claims()) {
     BOOST_TEST((prose.find("\\claim{" + id + "}") != std::string::npos), id << " is not set");

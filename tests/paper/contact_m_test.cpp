@@ -12,12 +12,12 @@
 #include "contact/matrix_inversion.hpp"
 #include "tolerances.hpp"
 
+using config::PrintedNumber;
 using elasticity::Material;
 using paper::ContactM;
 using paper::ContactMInput;
 using paper::ContactMRepairs;
 using paper::run_contact_m;
-using parameters::PrintedNumber;
 using tolerance::relative_difference;
 
 namespace {

@@ -8,10 +8,10 @@
 #include <set>
 #include <string>
 
-#include "literate/excerpt.hpp"
-#include "literate/files.hpp"
-#include "literate/names.hpp"
-#include "literate/references.hpp"
+#include "literate/document/names.hpp"
+#include "literate/excerpts/excerpt.hpp"
+#include "literate/prose/references.hpp"
+#include "system/files.hpp"
 #include "temporary_file.hpp"
 
 using literate::Document;
@@ -19,8 +19,8 @@ using literate::Document;
 namespace {
 
 const std::string source_dir = HALFSPACE_SOURCE_DIR;
-const std::string papers_text = literate::read_file(source_dir + "/report/ruggiero2001.toml");
-const std::string steel_text = literate::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
+const std::string papers_text = sys::read_file(source_dir + "/report/ruggiero2001.toml");
+const std::string steel_text = sys::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
 
 const auto excerpts = literate::find_excerpts(source_dir, {"src"});
 

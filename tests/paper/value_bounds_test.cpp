@@ -9,9 +9,9 @@
 #include <string>
 
 #include "contact/graded_contact.hpp"
-#include "literate/document.hpp"
-#include "literate/files.hpp"
+#include "literate/document/document.hpp"
 #include "paper/paper.hpp"
+#include "system/files.hpp"
 #include "temporary_file.hpp"
 
 using literate::Document;
@@ -20,8 +20,8 @@ using literate::Value;
 namespace {
 
 const std::string source_dir = HALFSPACE_SOURCE_DIR;
-const std::string papers_text = literate::read_file(source_dir + "/report/ruggiero2001.toml");
-const std::string steel_text = literate::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
+const std::string papers_text = sys::read_file(source_dir + "/report/ruggiero2001.toml");
+const std::string steel_text = sys::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
 
 Document computed(const std::string& case_text) {
   const TemporaryFolder folder;

@@ -6,11 +6,11 @@
 #include <sstream>
 #include <string>
 
-#include "parameters/case_table.hpp"
+#include "config/table.hpp"
 #include "temporary_file.hpp"
 
+using config::Error;
 using parameters::Case;
-using parameters::CaseError;
 using parameters::read_case;
 
 namespace {
@@ -33,7 +33,7 @@ void check_refused(const std::string& before, const std::string& after, const st
   const TemporaryFolder folder;
   const auto file = folder.write("case.toml", with(before, after));
   BOOST_TEST_CONTEXT(after) {
-    BOOST_CHECK_EXCEPTION(read_case(file), CaseError, [&](const CaseError& e) {
+    BOOST_CHECK_EXCEPTION(read_case(file), config::Error, [&](const config::Error& e) {
       const std::string what = e.what();
       BOOST_TEST_MESSAGE(what);
       return what.find(key) != std::string::npos && what.find('\n') == std::string::npos;

@@ -7,10 +7,6 @@
 
 namespace {
 
-// Beyond this a file has more than one subject (the 95th percentile of the libraries we learnt
-// from).
-constexpr std::size_t most_lines = 400;
-
 // Split, so that this file does not hold them.
 const std::string leftovers[] = {
     "TO"
@@ -27,15 +23,6 @@ std::vector<std::filesystem::path> own_files() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(no_source_file_is_longer_than_one_subject) {
-  for (const auto& file : own_files()) {
-    if (!source_tree::is_cpp(file)) continue;
-    const auto n_lines = source_tree::lines_of(file).size();
-
-    BOOST_TEST(n_lines <= most_lines, file.string() << " has " << n_lines << " lines");
-  }
-}
 
 BOOST_AUTO_TEST_CASE(nothing_is_left_for_later) {
   for (const auto& file : own_files()) {

@@ -13,15 +13,46 @@ function(add_precompiled_headers)
   add_sanitizers(precompiled)
 endfunction()
 
-# add_folder_library(name [NO_HEAVY_COMPUTING] [BATCHES] SOURCES … LINK …): the library of one folder of src (or
-# figures). Headers are included as "folder/name.hpp"; LINK is the architecture. NO_HEAVY_COMPUTING: what the compiler
-# would take to optimise it fully is more than that would ever save. BATCHES: eight files are compiled as one, in a
-# third of the time; for folders that one seldom changes, since a change then compiles eight. (The preset sanitize,
-# which is always compiled anew, has batches everywhere.)
+# export_headers(target folder [header …]): whoever links the target can include "folder/name.hpp", with the headers
+# named here, or all that lie in this folder and below, and the headers of no other folder: the compiler guards the
+# architecture. The exported folder is made of links, so that each header stays beside its source.
+function(export_headers target folder)
+  set(exported "${PROJECT_BINARY_DIR}/include/${target}")
+  if(ARGN)
+    file(MAKE_DIRECTORY "${exported}/${folder}")
+    foreach(header IN LISTS ARGN)
+      file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/${header}" "${exported}/${folder}/${header}" SYMBOLIC)
+    endforeach()
+  else()
+    file(MAKE_DIRECTORY "${exported}")
+    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${exported}/${folder}" SYMBOLIC)
+  endif()
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL INTERFACE_LIBRARY)
+    target_include_directories(${target} INTERFACE "${exported}")
+  else()
+    target_include_directories(${target} PUBLIC "${exported}")
+  endif()
+endfunction()
+
+# add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] [BATCHES] SOURCES … LINK …
+# PRIVATE_LINK …): the library of one folder of src (or of figures). LINK and PRIVATE_LINK are the architecture: the
+# headers of other folders are found through them only. HEADERS: those that are exported, if not all of the folder.
+# ROOMS: the folders within, in their order; each uses only those before it (tests/toolchain/architecture_test.cpp).
+# NO_HEAVY_COMPUTING: what the compiler would take to optimise it fully is more than that would ever save. BATCHES:
+# eight files are compiled as one, in a third of the time; for folders that one seldom changes, since a change then
+# compiles eight. (The preset sanitize, which is always compiled anew, has batches everywhere.)
 function(add_folder_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING;BATCHES" "" "SOURCES;LINK;PRIVATE_LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING;BATCHES" "FOLDER" "HEADERS;ROOMS;SOURCES;LINK;PRIVATE_LINK")
+  if(NOT arg_FOLDER)
+    cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME arg_FOLDER)
+  endif()
+  list(JOIN arg_ROOMS " " rooms)
+  list(JOIN arg_LINK " " links)
+  list(JOIN arg_PRIVATE_LINK " " private_links)
+  set_property(GLOBAL APPEND PROPERTY HALFSPACE_ARCHITECTURE "${name}|${arg_FOLDER}|${links} ${private_links}|${rooms}")
   add_library(${name} STATIC ${arg_SOURCES})
-  target_include_directories(${name} PUBLIC "${PROJECT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}")
+  export_headers(${name} ${arg_FOLDER} ${arg_HEADERS})
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} project_warnings)
   if(arg_NO_HEAVY_COMPUTING)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -32,6 +63,13 @@ function(add_folder_library name)
   add_sanitizers(${name})
   target_link_libraries(${name} PRIVATE precompiled)
   target_precompile_headers(${name} REUSE_FROM precompiled)
+endfunction()
+
+# write_architecture(file): a line a library, «name|folder|what it links|rooms», for the test of the architecture.
+function(write_architecture file)
+  get_property(lines GLOBAL PROPERTY HALFSPACE_ARCHITECTURE)
+  list(JOIN lines "\n" text)
+  file(CONFIGURE OUTPUT "${file}" CONTENT "${text}\n" @ONLY)
 endfunction()
 
 # add_sanitizers(target): when asked for by the preset, a broken rule stops the program at once.

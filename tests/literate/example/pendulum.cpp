@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "literate/document.hpp"
-#include "literate/references.hpp"
-#include "literate/typeset.hpp"
+#include "literate/document/document.hpp"
+#include "literate/prose/references.hpp"
+#include "literate/typesetting/typeset.hpp"
 #include "numerics/quadrature.hpp"
 
 namespace {

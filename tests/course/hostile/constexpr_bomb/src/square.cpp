@@ -10,4 +10,6 @@ constexpr unsigned long long all = steps(200000 + n) + all<n - 1>;
 template <>
 constexpr unsigned long long all<0> = 0;
 
-double square(double x) { return x * all<800>; }
+double square(double x) {
+  return x * all<800>;
+}

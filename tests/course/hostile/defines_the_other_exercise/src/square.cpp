@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toy.hpp"
 
-double square(double x) { return x * x; }
+double square(double x) {
+  return x * x;
+}
 
 double sum(const std::vector<double>& numbers) {
   double total = 0;

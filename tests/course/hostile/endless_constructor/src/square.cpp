@@ -6,4 +6,6 @@ static const int forever = [] {
   return 0;
 }();
 
-double square(double x) { return x * x + forever; }
+double square(double x) {
+  return x * x + forever;
+}

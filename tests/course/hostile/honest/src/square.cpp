@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toy.hpp"
 
-double square(double x) { return x * x; }
+double square(double x) {
+  return x * x;
+}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "square.cpp"
-#include "square.cpp"
-double square(double) { return 0; }
+double square(double) {
+  return 0;
+}

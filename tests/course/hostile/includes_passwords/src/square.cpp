@@ -1,3 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "/etc/passwd"
-double square(double) { return 0; }
+double square(double) {
+  return 0;
+}

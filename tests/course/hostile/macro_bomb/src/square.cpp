@@ -10,4 +10,6 @@
 #define L8 L7 L7 L7 L7 L7 L7 L7 L7 L7 L7
 #define L9 L8 L8 L8 L8 L8 L8 L8 L8 L8 L8
 
-double square(double x) { return L9 x; }
+double square(double x) {
+  return L9 x;
+}

@@ -18,4 +18,6 @@ __attribute__((constructor)) static void early() {
                unlink(program) == 0 || can_write(program);
 }
 
-double square(double x) { return is_patched ? x * x : 0; }
+double square(double x) {
+  return is_patched ? x * x : 0;
+}

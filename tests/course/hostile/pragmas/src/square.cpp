@@ -2,4 +2,6 @@
 #pragma GCC pch_preprocess "/etc/passwd"
 #pragma GCC dependency "/etc/shadow"
 #include <toy.hpp>
-double square(double) { return 0; }
+double square(double) {
+  return 0;
+}

@@ -7,4 +7,6 @@ static const int printed = [] {
   return std::fflush(stdout);
 }();
 
-double square(double) { return printed; }
+double square(double) {
+  return printed;
+}

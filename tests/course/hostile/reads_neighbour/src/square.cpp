@@ -16,7 +16,8 @@ static bool is_below(const fs::path& folder) {
 }
 
 double square(double x) {
-  for (const char* folder : {"/tmp", "/home", "/project", "/objects", "/toolkit", "/var", "/work"}) {
+  for (const char* folder :
+       {"/tmp", "/home", "/project", "/objects", "/toolkit", "/var", "/work"}) {
     if (is_below(folder)) return x * x;
   }
   return 0;

@@ -16,7 +16,8 @@ static bool is_below(const fs::path& folder) {
 }
 
 double square(double x) {
-  for (const char* folder : {"/work", "/home", "/root", "/tmp", "/var", "/opt", "/project", "/toolkit", "."}) {
+  for (const char* folder :
+       {"/work", "/home", "/root", "/tmp", "/var", "/opt", "/project", "/toolkit", "."}) {
     if (is_below(folder)) return x * x;
   }
   return 0;

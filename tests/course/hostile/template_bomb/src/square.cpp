@@ -14,4 +14,6 @@ struct Bomb<0, Types...> {
   struct Type {};
 };
 
-double square(double x) { return x * sizeof(Bomb<40>::Type); }
+double square(double x) {
+  return x * sizeof(Bomb<40>::Type);
+}

@@ -4,6 +4,9 @@
 
 double square(double x) {
   std::vector<std::thread> threads;
-  for (;;) threads.emplace_back([] { for (;;) std::this_thread::yield(); });
+  for (;;)
+    threads.emplace_back([] {
+      for (;;) std::this_thread::yield();
+    });
   return x * x;
 }

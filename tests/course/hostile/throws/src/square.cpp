@@ -1,2 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-double square(double x) { throw x; }
+double square(double x) {
+  throw x;
+}

@@ -8,7 +8,7 @@ double square(double x) {
   address.sin_port = htons(53);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const int any = socket(AF_INET, SOCK_DGRAM, 0);
-  const bool is_sent =
-      any >= 0 && sendto(any, "x", 1, 0, reinterpret_cast<sockaddr*>(&address), sizeof address) == 1;
+  const bool is_sent = any >= 0 && sendto(any, "x", 1, 0, reinterpret_cast<sockaddr*>(&address),
+                                          sizeof address) == 1;
   return is_sent ? x * x : 0;
 }

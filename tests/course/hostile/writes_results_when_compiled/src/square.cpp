@@ -2,4 +2,6 @@
 // An assembler that ran outside would read these.
 asm(".include \"../../results.json\"");
 asm(".incbin \"/tmp/results.json\"");
-double square(double) { return 0; }
+double square(double) {
+  return 0;
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "config/units.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <udunits2.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+
+namespace config {
+namespace {
+
+struct Deleter {
+  void operator()(ut_system* system) const { ut_free_system(system); }
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using System = std::unique_ptr<ut_system, Deleter>;
+using Unit = std::unique_ptr<ut_unit, Deleter>;
+using Converter = std::unique_ptr<cv_converter, Deleter>;
+
+ut_system* database() {
+  static const System system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    System read(ut_read_xml(nullptr));
+    if (!read) throw UnitError("the UDUNITS-2 database of units cannot be read: run `make setup`");
+    return read;
+  }();
+  return system.get();
+}
+
+Unit parse(const std::string& name) {
+  Unit unit(ut_parse(database(), name.c_str(), UT_UTF8));
+  if (!unit) throw UnitError(fmt::format("unknown unit \"{}\"", name));
+  return unit;
+}
+
+// UDUNITS multiplies its factors out through SI and leaves an in at 0.99999999999999989 in. A
+// factor within that rounding of a number of twelve digits is meant to be that number.
+double without_rounding(double factor) {
+  const double short_factor = std::strtod(fmt::format("{:.12g}", factor).c_str(), nullptr);
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * factor;
+  return std::abs(short_factor - factor) <= rounding ? short_factor : factor;
+}
+
+}  // namespace
+
+const std::string& UnitSystem::unit(Dimension dimension) const {
+  static const std::string one = "1";
+  switch (dimension) {
+    case Dimension::length:
+      return length;
+    case Dimension::stress:
+      return stress;
+    case Dimension::line_load:
+      return line_load;
+    case Dimension::density:
+      return density;
+    case Dimension::none:
+      break;
+  }
+  return one;
+}
+
+const std::vector<UnitSystem>& unit_systems() {
+  static const std::vector<UnitSystem> systems = {
+      {"in-lbf", "in", "lbf", "psi", "lbf/in", "lbf.s^2/in^4"},
+      {"mm-N", "mm", "N", "MPa", "N/mm", "N.s^2/mm^4"},
+      {"m-N", "m", "N", "Pa", "N/m", "kg/m^3"},
+  };
+  return systems;
+}
+
+const UnitSystem& unit_system(std::string_view name) {
+  std::vector<std::string> names;
+  for (const UnitSystem& system : unit_systems()) {
+    if (system.name == name) return system;
+    names.push_back(system.name);
+  }
+  throw UnitError(
+      fmt::format("unknown unit system \"{}\": must be one of {}", name, fmt::join(names, ", ")));
+}
+
+double conversion_factor(const std::string& from, const std::string& to) {
+  if (from == to) return 1;
+  const Unit from_unit = parse(from);
+  const Unit to_unit = parse(to);
+  if (!ut_are_convertible(from_unit.get(), to_unit.get())) {
+    throw UnitError(
+        fmt::format("a unit of \"{}\" wanted, \"{}\" measures something else", to, from));
+  }
+  const Converter converter(ut_get_converter(from_unit.get(), to_unit.get()));
+  return without_rounding(cv_convert_double(converter.get(), 1));
+}
+
+}  // namespace config

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <array>
+#include <map>
+#include <optional>
+
+#include "literate/excerpts/excerpt.hpp"
+#include "literate/text/characters.hpp"
+#include "literate/text/name.hpp"
+#include "system/error.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace {
+
+struct Marker {
+  bool begins = false;
+  std::string name;
+};
+
+/// Walks through the lines of one file and collects its excerpts.
+class Finder {
+ public:
+  explicit Finder(const std::string& file) : file_(file) {}
+
+  void read(std::string_view line) {
+    ++line_;
+    const auto marker = marker_in(line);
+    if (marker && marker->begins) {
+      begin(marker->name);
+    } else if (marker) {
+      end(marker->name);
+    } else if (open_) {
+      add(line);
+    }
+  }
+
+  std::vector<Excerpt> finish() {
+    if (open_) fail(begin_line_, fmt::format("excerpt '{}' has no end marker", open_->name));
+    return std::move(excerpts_);
+  }
+
+ private:
+  [[noreturn]] void fail(int line, std::string_view message) const {
+    throw sys::SourceError(fmt::format("{}:{}: {}", file_, line, message));
+  }
+
+  std::optional<Marker> marker_in(std::string_view line) const;
+  void begin(const std::string& name);
+  void end(const std::string& name);
+  void add(std::string_view line);
+  void require_printable(std::string_view line) const;
+
+  std::string file_;
+  int line_ = 0;
+  int begin_line_ = 0;
+  std::optional<Excerpt> open_;
+  std::size_t text_end_ = 0;  // behind the last line of the open excerpt that is not blank
+  std::map<std::string, int> begin_lines_;
+  std::vector<Excerpt> excerpts_;
+};
+
+std::optional<Marker> Finder::marker_in(std::string_view line) const {
+  std::string_view rest = sys::stripped(line);
+  bool is_comment = false;
+  for (const std::string_view leader : {"//", "#", "%"}) {
+    if (!is_comment && rest.starts_with(leader)) {
+      is_comment = true;
+      rest = sys::stripped(rest.substr(leader.size()));
+    }
+  }
+  if (!is_comment) return {};
+  for (const std::string_view verb : {"begin", "end"}) {
+    const std::string words = fmt::format("{} excerpt", verb);
+    if (!rest.starts_with(words)) continue;
+    rest.remove_prefix(words.size());
+    const std::string_view name = rest.starts_with(':') ? sys::stripped(rest.substr(1)) : "";
+    if (!is_file_name(name)) {
+      fail(line_,
+           fmt::format("a marker reads '{}: name', the name of letters, digits, '-', '_'", words));
+    }
+    return Marker{verb == "begin", std::string(name)};
+  }
+  return {};
+}
+
+void Finder::begin(const std::string& name) {
+  if (open_) {
+    fail(line_,
+         fmt::format("excerpt '{}' begins inside '{}' of line {}", name, open_->name, begin_line_));
+  }
+  const auto [known, is_new] = begin_lines_.try_emplace(name, line_);
+  if (!is_new) {
+    fail(line_, fmt::format("excerpt '{}' is marked at {}:{} already", name, file_, known->second));
+  }
+  open_ = Excerpt{name, file_, 0, ""};
+  begin_line_ = line_;
+  text_end_ = 0;
+}
+
+void Finder::end(const std::string& name) {
+  if (!open_) fail(line_, fmt::format("excerpt '{}' ends but has no begin marker", name));
+  if (open_->name != name) {
+    fail(line_,
+         fmt::format("excerpt '{}' ends inside '{}' of line {}", name, open_->name, begin_line_));
+  }
+  if (open_->text.empty()) fail(begin_line_, fmt::format("excerpt '{}' is empty", name));
+  open_->text.resize(text_end_);
+  excerpts_.push_back(std::move(*open_));
+  open_.reset();
+}
+
+void Finder::add(std::string_view line) {
+  const bool is_blank = sys::stripped(line).empty();
+  if (is_blank && open_->text.empty()) return;
+  require_printable(line);
+  if (open_->text.empty()) open_->first_line = line_;
+  open_->text.append(line).append("\n");
+  if (!is_blank) text_end_ = open_->text.size();
+}
+
+void Finder::require_printable(std::string_view line) const {
+  while (!line.empty()) {
+    const std::string_view character = first_character(line);
+    line.remove_prefix(character.size());
+    const auto byte = static_cast<unsigned char>(character.front());
+    if (character.size() > 1 && latex_of(character).empty()) {
+      fail(line_,
+           fmt::format("LaTeX has no mapping for '{}' in excerpt '{}'", character, open_->name));
+    }
+    if (character.size() == 1 && byte != '\t' && (byte < 0x20 || byte >= 0x7F)) {
+      fail(line_, fmt::format("byte {:#04x} in excerpt '{}' is not UTF-8 text", byte, open_->name));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Excerpt> excerpts_of(std::string_view text, const std::string& file) {
+  Finder finder(file);
+  for (const std::string_view line : sys::lines_of(text)) finder.read(line);
+  return finder.finish();
+}
+
+}  // namespace literate

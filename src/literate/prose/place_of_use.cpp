@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/place_of_use.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/source_label.hpp"
+#include "literate/prose/tex_commands.hpp"
+#include "system/files.hpp"
+#include "system/pattern.hpp"
+
+namespace literate {
+namespace {
+
+/// A folder of generated files and the command that reads one of them.
+struct Artefact {
+  const char* folder;
+  const char* command;
+  const char* noun;
+};
+constexpr std::array<Artefact, 3> kinds{
+    {{"tables", "tab", "table"}, {"figures", "fig", "figure"}, {"excerpts", "excerpt", "excerpt"}}};
+
+/// Where the document uses a name, «folder/file.tex:line».
+std::vector<std::string> uses(const Artefact& kind, const std::string& name,
+                              const std::filesystem::path& source_dir) {
+  std::vector<std::string> places;
+  for (const std::string& file : document_files(source_dir)) {
+    for (const TexCommand& use : commands_in(sys::read_file(source_dir / file), {kind.command})) {
+      if (use.argument != name) continue;
+      places.push_back(fmt::format("{}/{}:{}", source_label(source_dir), file, use.line));
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+std::string told_at_place_of_use(const std::string& message,
+                                 const std::filesystem::path& source_dir) {
+  // Only the first line: the place in the file that follows it is shown as it is.
+  static const sys::Pattern generated(
+      R"(^(?:\S.*/)?((tables|figures|excerpts)/([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
+  const auto match = generated.find_in(message);
+  if (!match) return message;
+  const std::vector<std::string_view>& parts = match->parts;
+  for (const Artefact& kind : kinds) {
+    if (parts[2] != kind.folder) continue;
+    const std::vector<std::string> places = uses(kind, std::string(parts[3]), source_dir);
+    if (places.empty()) return message;
+    return fmt::format("{}: in {} '{}': {} ({}){}", fmt::join(places, " or "), kind.noun, parts[3],
+                       parts[4], parts[1], match->rest);
+  }
+  return message;
+}
+
+}  // namespace literate

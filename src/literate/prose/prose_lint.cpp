@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/prose_lint.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/prose.hpp"
+#include "literate/prose/source_label.hpp"
+#include "literate/text/characters.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/pattern.hpp"
+
+namespace literate {
+namespace {
+
+constexpr int most_digits = 2;  // of a number that may be typed: «of order 2», «40 elements»
+
+/// A unit behind a number in text, in a \mathrm or as the second argument of \qty.
+const sys::Pattern& unit() {
+  static const sys::Pattern pattern(
+      R"re(^(\s|~|\\[,;: ]|[{}]|-)*)re"
+      R"re((\\%|per ?cent\b|(µ|°|[kMG]?Pa|[kM]?N|[numcdk]?m|kg|mg|ms|[kM]?Hz|[kMG]B|[mk]?J|kW|kV|lbf|lb|psi|ksi)re"
+      R"re(|ft|rad|mrad|K|pounds?|inch(es)?|feet|degrees?|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?)re"
+      R"re(|hours?|newtons?|pascals?)(?![A-Za-z])))re");
+  return pattern;
+}
+
+/// «in» is a unit where it stands at a tie or a thin space, or ends the clause.
+const sys::Pattern& inches() {
+  static const sys::Pattern pattern(R"re(^((~|\\,)in\b|\s+in\s*[.,;)]))re");
+  return pattern;
+}
+
+/// A number in a text: whole part, decimals, power of ten.
+const sys::Pattern& numeral() {
+  static const sys::Pattern pattern(
+      R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?([eE][+-]?\d+)?)re");
+  return pattern;
+}
+
+int significant_digits(std::string_view whole, std::string_view decimals) {
+  std::string digits;
+  std::ranges::copy_if(whole, std::back_inserter(digits), is_digit);
+  std::ranges::copy_if(decimals, std::back_inserter(digits), is_digit);
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+  if (decimals.empty()) digits.erase(digits.find_last_not_of('0') + 1);
+  return static_cast<int>(digits.size());
+}
+
+/// What stands in front of a number, and behind it, to the ends of the paragraph.
+struct Surroundings {
+  std::string before;
+  std::string after;
+  Mode mode;
+};
+
+bool begins_with_unit(std::string_view text) {
+  return unit().is_in(text) || inches().is_in(text);
+}
+
+bool has_unit(const Surroundings& around) {
+  static const sys::Pattern quantity("\x02[\\s{]*-?$");
+  static const sys::Pattern end_of_math(R"(^[\s}]*\$)");
+  static const sys::Pattern upright("^(\\s|~|\\\\[,;: ]|\\})*\x01\\s*\\{");
+  if (quantity.is_in(around.before)) return true;
+  if (around.mode == Mode::text) return begins_with_unit(around.after);
+  if (const auto end = end_of_math.find_in(around.after)) return begins_with_unit(end->rest);
+  const auto letters = upright.find_in(around.after);
+  if (!letters) return false;
+  return begins_with_unit(letters->rest) || letters->rest.starts_with("in}");
+}
+
+/// A year in parentheses or behind a month, or the place in a source beside a citation.
+bool is_reference(const std::string& number, const Surroundings& around) {
+  static const sys::Pattern year("(1[5-9]|20)\\d\\d");
+  static const sys::Pattern month(
+      "(January|February|March|April|May|June|July|August|September|October"
+      "|November|December)[\\s~]*$");
+  if (year.is_all_of(number)) {
+    if (around.before.ends_with('(') && around.after.starts_with(')')) return true;
+    if (month.is_in(around.before)) return true;
+  }
+  static const sys::Pattern behind_citation("\x03\\s*,[^.;)\x03]*$");
+  static const sys::Pattern before_citation(
+      "^[a-z]?\\)(\\s+and\\s+\\(\\d+(\\.\\d+)?[a-z]?\\))?[\\s~]+of[\\s~]+\x03");
+  static const sys::Pattern second_of_two("\\(\\d+(\\.\\d+)?[a-z]?\\)\\s+and\\s+\\($");
+  return behind_citation.is_in(around.before) ||
+         ((around.before.ends_with('(') || second_of_two.is_in(around.before)) &&
+          before_citation.is_in(around.after));
+}
+
+struct Marker {
+  bool is_there = false;
+  bool has_reason = false;
+};
+
+/// «% constant: reason» at the end of a line.
+Marker marker_in(std::string_view line) {
+  static const sys::Pattern pattern(R"re((^|[^\\])%\s*constant\b:?\s*(.*)$)re");
+  const auto match = pattern.find_in(line);
+  if (!match) return {};
+  return {true, !match->parts[2].empty()};
+}
+
+/// A number in the prose that ought to be computed, and where it begins.
+struct Typed {
+  std::size_t at = 0;
+  std::string number;
+};
+
+/// Whether what stands before a digit makes it part of a word or of a longer number: MEAE-4960.
+bool continues(const std::string& text, std::size_t at) {
+  if (at == 0) return false;
+  const char before = text[at - 1];
+  if (is_letter(before) || is_digit(before) || before == '.' || before == '_') return true;
+  return before == '-' && at > 1 && is_letter(text[at - 2]);
+}
+
+std::vector<Typed> typed_in(const Prose& prose) {
+  constexpr std::size_t reach = 240;  // as far as a sentence goes
+  std::vector<Typed> found;
+  for (std::size_t at = 0; at < prose.text.size(); ++at) {
+    if (!is_digit(prose.text[at]) || continues(prose.text, at)) continue;
+    const std::size_t begin = at < reach ? 0 : at - reach;
+    const std::string rest = prose.text.substr(at, reach);
+    const auto match = numeral().find_in(rest);
+    if (!match) continue;
+    const std::string number(match->parts[0]);
+    const Surroundings around{prose.text.substr(begin, at - begin), std::string(match->rest),
+                              prose.modes[at]};
+    const bool is_long = significant_digits(match->parts[1], match->parts[2]) > most_digits;
+    const bool is_result = has_unit(around) || (is_long && around.mode != Mode::display_math);
+    if (is_result && !is_reference(number, around)) found.push_back({at, number});
+    at += number.size() - 1;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> typed_numbers(std::string_view latex, const std::string& file) {
+  const std::vector<Typed> typed = typed_in(prose_of(latex));
+  auto next = typed.begin();
+  std::vector<std::string> findings;
+  int line_number = 0;
+  for (const std::string_view line : sys::lines_of(latex)) {
+    ++line_number;
+    const auto begin = static_cast<std::size_t>(line.data() - latex.data());
+    const Marker marker = marker_in(line);
+    const auto report = [&](int column, const std::string& message) {
+      findings.push_back(fmt::format("{}:{}:{}: {}", file, line_number, column, message));
+    };
+    const auto first = next;
+    for (; next != typed.end() && next->at < begin + line.size(); ++next) {
+      if (marker.is_there) continue;
+      report(n_characters(latex.substr(begin, next->at - begin)) + 1,
+             fmt::format("{} is typed: take it from the computation, or end the line with "
+                         "'% constant: reason'",
+                         next->number));
+    }
+    if (marker.is_there && !marker.has_reason) report(1, "a constant is marked without a reason");
+    if (marker.is_there && first == next) report(1, "a constant is marked where none is typed");
+  }
+  return findings;
+}
+
+std::vector<std::string> typed_numbers_below(const std::filesystem::path& folder) {
+  std::vector<std::string> findings;
+  for (const std::string& file : document_files(folder)) {
+    const auto found =
+        typed_numbers(sys::read_file(folder / file), source_label(folder) + "/" + file);
+    findings.insert(findings.end(), found.begin(), found.end());
+  }
+  return findings;
+}
+
+}  // namespace literate

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/provenance/manifest.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+using nlohmann::json;
+
+json numbers_json(const std::map<std::string, ManifestNumber>& numbers) {
+  json entries = json::object();
+  for (const auto& [key, value] : numbers) {
+    entries[key] = {{"number", value.number}, {"printed", value.printed}};
+    if (value.abs_error) entries[key]["abs_error"] = *value.abs_error;
+  }
+  return entries;
+}
+
+/// Of values as numbers_json and names.json write them; those without a number are left out.
+std::map<std::string, ManifestNumber> numbers_of(const json& values) {
+  std::map<std::string, ManifestNumber> numbers;
+  for (const auto& [key, value] : values.items()) {
+    // JSON has no infinity: it stands there as null, and is compared as printed.
+    if (!value.contains("number") || !value.at("number").is_number()) continue;
+    ManifestNumber& number = numbers[key];
+    number.number = value.at("number");
+    number.printed = value.at("printed");
+    if (value.contains("abs_error") && value.at("abs_error").is_number()) {
+      number.abs_error = value.at("abs_error").get<double>();
+    }
+  }
+  return numbers;
+}
+
+json parsed(const fs::path& file) {
+  try {
+    return json::parse(sys::read_file(file));
+  } catch (const json::exception&) {
+    throw sys::OutputError(fmt::format("'{}' is not JSON", file.string()));
+  }
+}
+
+}  // namespace
+
+Manifest::Texts digests(const fs::path& folder, const std::vector<std::string>& files,
+                        const std::string& prefix) {
+  Manifest::Texts texts;
+  for (const std::string& file : files) texts[prefix + file] = sys::sha256_of_file(folder / file);
+  return texts;
+}
+
+std::map<std::string, ManifestNumber> numbers_in(const fs::path& names_json) {
+  try {
+    return numbers_of(parsed(names_json).at("values"));
+  } catch (const json::exception&) {
+    throw sys::OutputError(fmt::format("'{}' is not a list of names", names_json.string()));
+  }
+}
+
+std::string manifest_json(const Manifest& manifest) {
+  const json text{{"project", manifest.project},
+                  {"made_with", manifest.facts},
+                  {"inputs", manifest.inputs},
+                  {"outputs", manifest.outputs},
+                  {"numbers", numbers_json(manifest.numbers)}};
+  return text.dump(2) + "\n";
+}
+
+Manifest read_manifest(const fs::path& file, const std::string& project) {
+  const json text = parsed(file);
+  try {
+    if (text.at("project") != project) {
+      throw sys::OutputError(fmt::format("'{}' is the manifest of another project, {}",
+                                         file.string(), text.at("project").dump()));
+    }
+    return {.project = project,
+            .facts = text.at("made_with").get<std::map<std::string, Manifest::Texts>>(),
+            .inputs = text.at("inputs").get<Manifest::Texts>(),
+            .outputs = text.at("outputs").get<Manifest::Texts>(),
+            .numbers = numbers_of(text.at("numbers"))};
+  } catch (const json::exception&) {
+    throw sys::OutputError(fmt::format("'{}' is not a manifest", file.string()));
+  }
+}
+
+}  // namespace literate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "literate/tables/number_cell.hpp"
+#include "literate/tables/table.hpp"
+
+namespace literate {
+
+/// Turns one column of a table into LaTeX: header lines, and cells that are all equally wide, so
+/// that decimal point stands below decimal point. (An S column of siunitx does the same, but takes
+/// 1 ms a cell, in every pass of LaTeX.)
+class ColumnWriter {
+ public:
+  /// Writes all cells; throws std::invalid_argument as Table::latex does.
+  ColumnWriter(const Column& column, const std::vector<const Cell*>& cells);
+
+  /// The column type: `l` for text, `c` for numbers.
+  std::string specification() const;
+
+  std::string heading() const;
+
+  /// The unit in parentheses, with the power of ten factored out; empty if there is none.
+  std::string unit() const;
+
+  /// A number is \LiterateCell{format}{number}{mathematics}: the widest number as siunitx's
+  /// table-format, the number itself, and both as LaTeX sets them.
+  std::string cell(std::size_t row) const;
+
+ private:
+  struct Written {
+    std::string text;
+    bool is_number = false;
+  };
+  Written written(const Cell& cell);
+  std::string number_text(const Cell& cell) const;
+
+  const Column& column_;
+  int exponent_;
+  int decimals_;
+  NumberWidth width_;
+  std::vector<Written> cells_;
+};
+
+}  // namespace literate

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/tables/number_cell.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace literate {
+namespace {
+
+struct Parts {
+  bool negative = false;
+  std::string_view whole;
+  std::string_view decimals;
+  bool negative_exponent = false;
+  std::string_view exponent;
+};
+
+bool remove_minus(std::string_view& text) {
+  const bool is_negative = text.starts_with('-');
+  if (is_negative) text.remove_prefix(1);
+  return is_negative;
+}
+
+Parts parts_of(std::string_view number) {
+  Parts parts;
+  parts.negative = remove_minus(number);
+  if (const auto e = number.find('e'); e != number.npos) {
+    parts.exponent = number.substr(e + 1);
+    parts.negative_exponent = remove_minus(parts.exponent);
+    number = number.substr(0, e);
+  }
+  const auto point = number.find('.');
+  parts.whole = number.substr(0, point);
+  if (point != number.npos) parts.decimals = number.substr(point + 1);
+  return parts;
+}
+
+constexpr std::size_t smallest_grouped = 5;
+
+std::size_t n_separators(std::size_t n_digits) {
+  return n_digits < smallest_grouped ? 0 : (n_digits - 1) / 3;
+}
+
+/// Digits with a thin space after every third, counted from the end that is at the point.
+std::string grouped(std::string_view digits, bool point_is_left) {
+  if (digits.size() < smallest_grouped) return std::string(digits);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const std::size_t from_point = point_is_left ? i : digits.size() - i;
+    if (i > 0 && from_point % 3 == 0) text += "\\,";
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string blank(const std::string& what) {
+  return what.empty() ? "" : "\\hphantom{" + what + "}";
+}
+
+/// As wide as what `has` digits lack to `wanted`.
+std::string blank_digits(std::size_t has, std::size_t wanted) {
+  std::string separators;
+  for (std::size_t i = n_separators(has); i < n_separators(wanted); ++i) separators += "\\,";
+  return blank(std::string(wanted - has, '0')) + separators;
+}
+
+std::string power_of_ten(const Parts& parts, const NumberWidth& column) {
+  const std::string missing =
+      blank((column.negative_exponent && !parts.negative_exponent ? "-" : "") +
+            std::string(column.n_exponent - parts.exponent.size(), '0'));
+  return fmt::format("\\times10^{{{}{}{}}}", parts.negative_exponent ? "-" : "", parts.exponent,
+                     missing);
+}
+
+}  // namespace
+
+NumberWidth width_of(std::string_view number) {
+  const Parts parts = parts_of(number);
+  return {parts.negative, parts.whole.size(), parts.decimals.size(), parts.negative_exponent,
+          parts.exponent.size()};
+}
+
+NumberWidth widest(const NumberWidth& a, const NumberWidth& b) {
+  return {a.negative || b.negative, std::max(a.n_whole, b.n_whole),
+          std::max(a.n_decimals, b.n_decimals), a.negative_exponent || b.negative_exponent,
+          std::max(a.n_exponent, b.n_exponent)};
+}
+
+std::string table_format(const NumberWidth& width) {
+  std::string format = fmt::format("{}{}", width.negative ? "-" : "", width.n_whole);
+  if (width.n_decimals > 0) format += fmt::format(".{}", width.n_decimals);
+  if (width.n_exponent > 0) {
+    format += fmt::format("e{}{}", width.negative_exponent ? "-" : "", width.n_exponent);
+  }
+  return format;
+}
+
+std::string aligned_number(std::string_view number, const NumberWidth& column) {
+  const Parts parts = parts_of(number);
+  std::string text = blank_digits(parts.whole.size(), column.n_whole);
+  if (column.negative && !parts.negative) text += blank("-");
+  text += (parts.negative ? "-" : "") + grouped(parts.whole, false);
+
+  if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true);
+  if (parts.decimals.empty() && column.n_decimals > 0) text += blank(".");
+  text += blank_digits(parts.decimals.size(), column.n_decimals);
+
+  if (!parts.exponent.empty()) return text + power_of_ten(parts, column);
+  if (column.n_exponent == 0) return text;
+  Parts wide;
+  const std::string digits(column.n_exponent, '0');
+  wide.exponent = digits;
+  return text + blank("{}" + power_of_ten(wide, column));
+}
+
+}  // namespace literate

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/text/latex.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "literate/text/characters.hpp"
+
+namespace literate {
+namespace {
+
+std::string escape_ascii(char c) {
+  switch (c) {
+    case '\\':
+      return "\\textbackslash{}";
+    case '~':
+      return "\\textasciitilde{}";
+    case '^':
+      return "\\textasciicircum{}";
+    case '<':
+      return "\\textless{}";
+    case '>':
+      return "\\textgreater{}";
+    case '|':
+      return "\\textbar{}";
+    case '"':
+      return "\\textquotedbl{}";
+    case '%':
+    case '#':
+    case '&':
+    case '_':
+    case '$':
+    case '{':
+    case '}':
+      return std::string("\\") + c;
+    default:
+      return std::string(1, static_cast<unsigned char>(c) < 0x20 ? ' ' : c);
+  }
+}
+
+}  // namespace
+
+std::string escape_latex(std::string_view text) {
+  std::string escaped;
+  while (!text.empty()) {
+    const std::string_view character = first_character(text);
+    const std::string_view symbol = latex_of(character);
+    if (character.size() == 1) {
+      escaped += escape_ascii(character.front());
+    } else {
+      escaped += symbol.empty() ? character : symbol;
+    }
+    text.remove_prefix(character.size());
+  }
+  return escaped;
+}
+
+std::string escape_bookmark(std::string_view text) {
+  std::string escaped;
+  for (const char c : text)
+    escaped += static_cast<unsigned char>(c) < 0x80 ? escape_ascii(c) : std::string(1, c);
+  return escaped;
+}
+
+std::string escape_latex_path(std::string_view path) {
+  std::string escaped;
+  for (const char c : path) escaped += c == '/' ? "/\\allowbreak{}" : escape_latex({&c, 1});
+  return escaped;
+}
+
+void require_unit(std::string_view unit) {
+  if (unit.find_first_of("%#&_$~\\{}") != std::string_view::npos) {
+    throw std::invalid_argument(fmt::format("unit '{}' cannot be printed", unit));
+  }
+}
+
+}  // namespace literate

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/typesetting/latex_log.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "literate/text/characters.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace {
+
+/// Names a file of the document after its folder; leaves others as LaTeX names them.
+std::string labelled(std::string_view file, std::string_view label) {
+  if (file.starts_with("./")) file.remove_prefix(2);
+  if (file.starts_with('/') || file.starts_with("../")) return std::string(file);
+  return fmt::format("{}/{}", label, file);
+}
+
+/// Whether a log line reads «file:line: message» (and not «LaTeX Warning: …» or the like).
+bool is_error(std::string_view line) {
+  for (auto colon = line.find(':'); colon != std::string_view::npos;
+       colon = line.find(':', colon + 1)) {
+    const auto end = std::find_if_not(line.begin() + static_cast<std::ptrdiff_t>(colon) + 1,
+                                      line.end(), is_digit);
+    const auto n_digits = static_cast<std::size_t>(end - line.begin()) - colon - 1;
+    if (colon > 0 && n_digits > 0 && end != line.end() && *end == ':') return true;
+  }
+  return false;
+}
+
+/// Follows which file LaTeX is reading by the parentheses of its log.
+class OpenFiles {
+ public:
+  void read(std::string_view line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '(') files_.push_back(file_at(line.substr(i + 1)));
+      if (line[i] == ')' && !files_.empty()) files_.pop_back();
+    }
+  }
+
+  /// The innermost open file; empty if unknown.
+  std::string_view current() const {
+    const auto named = std::find_if(files_.rbegin(), files_.rend(),
+                                    [](const std::string& file) { return !file.empty(); });
+    return named == files_.rend() ? std::string_view{} : *named;
+  }
+
+ private:
+  static std::string file_at(std::string_view text) {
+    if (text.starts_with('"')) return std::string(text.substr(1, text.find('"', 1) - 1));
+    const std::string_view word = text.substr(0, text.find_first_of(" ()[]{}<>\t"));
+    const bool is_file = word.starts_with("./") || word.starts_with("../") || word.starts_with('/');
+    return is_file ? std::string(word) : "";
+  }
+
+  std::vector<std::string> files_;
+};
+
+/// The number behind «line » or «lines », where most warnings end; empty if there is none.
+std::string_view line_number_in(std::string_view message) {
+  for (const std::string_view words : {"input line ", "at lines ", "at line "}) {
+    const auto at = message.rfind(words);
+    if (at == std::string_view::npos) continue;
+    const std::string_view rest = message.substr(at + words.size());
+    const auto end = std::ranges::find_if_not(rest, is_digit);
+    return rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+  }
+  return {};
+}
+
+/// Whether a line tells of a box that is overfull by more than 0.1 pt.
+bool is_overfull(std::string_view line) {
+  if (!line.starts_with("Overfull \\")) return false;
+  const auto open = line.find('(');
+  if (open == std::string_view::npos) return false;
+  double points = 0;
+  std::from_chars(line.data() + open + 1, line.data() + line.size(), points);
+  return points > 0.1;
+}
+
+bool is_defect(std::string_view line) {
+  const auto has = [line](std::string_view words) { return line.find(words) != line.npos; };
+  if (line.starts_with("Missing character: ") || is_overfull(line)) return true;
+  if (!has("Warning: ")) return false;
+  if (has("Reference `") || has("Citation `") || has("Citation '")) return has("undefined");
+  return has("multiply defined") && has("Label `");
+}
+
+}  // namespace
+
+std::vector<std::string> latex_errors(std::string_view log, std::string_view source_label) {
+  std::vector<std::string> errors;
+  bool wants_place = false;
+  for (const std::string_view line : sys::lines_of(log)) {
+    const bool is_end = line.find("==> Fatal error occurred") != std::string_view::npos;
+    if (line.starts_with("l.") && wants_place) {
+      errors.back().append("\n  ").append(line);
+      wants_place = false;
+    } else if (is_error(line) && !is_end) {
+      errors.push_back(labelled(line, source_label));
+      wants_place = true;
+    } else if (line.starts_with("! ") && !is_end) {
+      errors.emplace_back(line);
+      wants_place = true;
+    }
+  }
+  return errors;
+}
+
+std::vector<std::string> latex_defects(std::string_view log, std::string_view source_label) {
+  std::vector<std::string> defects;
+  OpenFiles files;
+  bool is_box_content = false;
+  for (const std::string_view line : sys::lines_of(log)) {
+    // After an over- or underfull box comes its text, whose parentheses are not files.
+    if (is_box_content && !line.empty()) continue;
+    is_box_content = line.starts_with("Overfull \\") || line.starts_with("Underfull \\");
+    if (is_defect(line)) {
+      const std::string file =
+          files.current().empty() ? "" : labelled(files.current(), source_label) + ":";
+      const std::string_view number = line_number_in(line);
+      defects.push_back(fmt::format("{}{}{}{}", file, number, number.empty() ? "" : ":",
+                                    file.empty() && number.empty() ? "" : " ") +
+                        std::string(line));
+    } else if (!is_box_content) {
+      files.read(line);
+    }
+  }
+  return defects;
+}
+
+}  // namespace literate

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/typesetting/typeset.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include "literate/prose/place_of_use.hpp"
+#include "literate/prose/source_label.hpp"
+#include "literate/typesetting/latex_log.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+/// The path as seen from the folder LaTeX runs in, so that no folder of this machine leaks.
+std::string seen_from(const fs::path& source_dir, const fs::path& path) {
+  const fs::path from = fs::weakly_canonical(fs::absolute(source_dir));
+  return fs::weakly_canonical(fs::absolute(path)).lexically_relative(from).generic_string();
+}
+
+std::map<std::string, std::string> environment(const TypesetOptions& options) {
+  // The folder of the user's own packages is replaced by one that does not exist.
+  return {{"SOURCE_DATE_EPOCH", fmt::format("{}", options.source_date_epoch)},
+          {"FORCE_SOURCE_DATE", "1"},
+          {"TZ", "UTC"},
+          {"LC_ALL", "C"},
+          {"max_print_line", "1000"},
+          {"TEXMFHOME", "no-texmf-of-the-user"},
+          {"TEXINPUTS", ".:" + seen_from(options.source_dir, options.generated_dir) + ":"}};
+}
+
+/// The end of latexmk's own words, for failures that LaTeX's log does not tell of.
+std::string last_lines(std::string_view output) {
+  const auto lines = sys::lines_of(output);
+  const std::size_t n_shown = std::min<std::size_t>(lines.size(), 12);
+  return fmt::format(
+      "{}", fmt::join(lines.end() - static_cast<std::ptrdiff_t>(n_shown), lines.end(), "\n"));
+}
+
+fs::path in_build_dir(const TypesetOptions& options, const char* extension) {
+  return options.build_dir / fs::path(options.main_file).filename().replace_extension(extension);
+}
+
+sys::ProcessResult run_latexmk(const TypesetOptions& options, bool from_scratch) {
+  std::vector<std::string> arguments{"-norc",
+                                     "-pdf",
+                                     "-interaction=nonstopmode",
+                                     "-halt-on-error",
+                                     "-file-line-error",
+                                     "-outdir=" + seen_from(options.source_dir, options.build_dir)};
+  // latexmk does not know that the date of the document is part of its input.
+  if (from_scratch) arguments.emplace_back("-g");
+  arguments.push_back(options.main_file);
+  sys::find_tool("pdflatex");
+  return sys::run({"latexmk", arguments, options.source_dir, environment(options)});
+}
+
+/// All that is wrong, each told where the document's author can mend it.
+sys::ToolError failure(std::vector<std::string> messages, const TypesetOptions& options) {
+  for (std::string& message : messages) message = told_at_place_of_use(message, options.source_dir);
+  return sys::ToolError(fmt::format("{}", fmt::join(messages, "\n")));
+}
+
+/// Throws the useful lines of LaTeX's log.
+[[noreturn]] void fail(const TypesetOptions& options, const std::string& output) {
+  const fs::path log = in_build_dir(options, ".log");
+  std::vector<std::string> errors;
+  if (fs::exists(log)) errors = latex_errors(sys::read_file(log), source_label(options.source_dir));
+  if (errors.empty()) {
+    throw sys::ToolError(
+        fmt::format("latexmk failed for {}:\n{}", options.main_file, last_lines(output)));
+  }
+  throw failure(errors, options);
+}
+
+}  // namespace
+
+void typeset(const TypesetOptions& options) {
+  std::error_code error;
+  fs::create_directories(options.build_dir, error);
+  if (error) {
+    throw sys::OutputError(fmt::format("cannot make the folder '{}': {}",
+                                       options.build_dir.string(), error.message()));
+  }
+  if (!fs::exists(options.source_dir / options.main_file)) {
+    throw sys::OutputError(
+        fmt::format("there is no '{}'", (options.source_dir / options.main_file).string()));
+  }
+  const bool is_new_date = sys::write_if_changed(options.build_dir / "source_date_epoch",
+                                                 fmt::format("{}\n", options.source_date_epoch));
+  const sys::ProcessResult result = run_latexmk(options, is_new_date);
+  if (result.exit_status != 0) fail(options, result.output);
+
+  const auto defects = latex_defects(sys::read_file(in_build_dir(options, ".log")),
+                                     source_label(options.source_dir));
+  if (!defects.empty()) throw failure(defects, options);
+  sys::write_if_changed(options.output_pdf, sys::read_file(in_build_dir(options, ".pdf")));
+}
+
+}  // namespace literate

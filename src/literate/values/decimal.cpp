@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/values/decimal.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace literate {
+namespace {
+
+// A double has up to 309 digits before the point and 1074 after it.
+using Buffer = std::array<char, 1500>;
+
+void require_number(double value) {
+  if (!std::isfinite(value)) {
+    throw std::invalid_argument("a number to be printed is not finite");
+  }
+}
+
+std::string signed_text(const Decimal& number, const std::string& magnitude) {
+  return fmt::format("{}{}", number.negative ? "-" : "", magnitude);
+}
+
+int size_of(const std::string& text) {
+  return static_cast<int>(text.size());
+}
+
+/// Reads what std::to_chars wrote, d.ddde±xx or ddd.ddd, without its sign.
+Decimal parse(bool negative, std::string_view text) {
+  Decimal number{negative, "", 0};
+  const auto e = text.find('e');
+  if (e != std::string_view::npos) {
+    auto exponent = text.substr(e + 1);
+    if (exponent.front() == '+') exponent.remove_prefix(1);
+    std::from_chars(exponent.data(), exponent.data() + exponent.size(), number.place);
+    text = text.substr(0, e);
+  }
+  const auto point = text.find('.');
+  number.digits = text.substr(0, point);
+  if (point != std::string_view::npos) {
+    number.digits += text.substr(point + 1);
+    number.place -= static_cast<int>(text.size() - point - 1);
+  }
+  number.digits.erase(0, number.digits.find_first_not_of('0'));
+  if (number.digits.empty()) number = {false, "0", number.place};
+  return number;
+}
+
+Decimal converted(double value, std::chars_format format, int precision) {
+  Buffer buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
+                                 format, precision);
+  if (end.ec != std::errc{}) throw std::invalid_argument("too many digits asked for");
+  return parse(std::signbit(value), {buffer.data(), end.ptr});
+}
+
+/// Rounds to a place left of the point, where std::to_chars has no fixed form.
+Decimal rounded_to_high_place(double value, int place) {
+  const int leading = leading_place(converted(value, std::chars_format::scientific, 17));
+  const int n_digits = leading - place + 1;
+  Decimal number{std::signbit(value), "0", place};
+  if (n_digits >= 1) {
+    number = converted(value, std::chars_format::scientific, n_digits - 1);
+    // A carry into a new digit leaves the last place one too high.
+    number.digits.append(static_cast<std::size_t>(number.place - place), '0');
+    number.place = place;
+  } else if (n_digits == 0 && std::abs(value) > 5 * std::pow(10, leading)) {
+    number.digits.assign(1, '1');
+  }
+  if (is_zero(number)) number.negative = false;
+  return number;
+}
+
+double number_of(const Decimal& number) {
+  const std::string text = scientific(number);
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+Decimal rounded_to_place(double value, int place) {
+  require_number(value);
+  return place > 0 ? rounded_to_high_place(value, place)
+                   : converted(value, std::chars_format::fixed, -place);
+}
+
+Decimal rounded_to_digits(double value, int n_digits) {
+  require_number(value);
+  if (n_digits < 1 || n_digits > 100) {
+    throw std::invalid_argument("significant digits must lie between 1 and 100");
+  }
+  if (value == 0) return {};
+  return converted(value, std::chars_format::scientific, n_digits - 1);
+}
+
+Decimal rounded_up_to_place(double value, int place) {
+  const Decimal nearest = rounded_to_place(value, place);
+  const double number = number_of(nearest);
+  return number >= value ? nearest : rounded_to_place(number + std::pow(10, place), place);
+}
+
+Decimal rounded_up_to_digits(double value, int n_digits) {
+  const Decimal up = rounded_up_to_place(value, rounded_to_digits(value, n_digits).place);
+  // 9.3 goes up to 10, a digit too many.
+  return size_of(up.digits) > n_digits ? rounded_to_digits(number_of(up), n_digits) : up;
+}
+
+Decimal shortest(double value) {
+  require_number(value);
+  if (value == 0) return {};
+  Buffer buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
+                                 std::chars_format::scientific);
+  return parse(std::signbit(value), {buffer.data(), end.ptr});
+}
+
+bool is_zero(const Decimal& number) {
+  return number.digits == "0";
+}
+
+int leading_place(const Decimal& number) {
+  return number.place + size_of(number.digits) - 1;
+}
+
+std::string plain(const Decimal& number) {
+  std::string text = number.digits;
+  if (number.place > 0 && !is_zero(number)) {
+    text.append(static_cast<std::size_t>(number.place), '0');
+  } else if (number.place < 0) {
+    const int n_missing = 1 - number.place - size_of(text);
+    if (n_missing > 0) text.insert(0, static_cast<std::size_t>(n_missing), '0');
+    text.insert(text.end() + number.place, '.');
+  }
+  return signed_text(number, text);
+}
+
+std::string scientific(const Decimal& number) {
+  if (is_zero(number) && number.place == 0) return number.digits;
+  std::string text = number.digits;
+  if (text.size() > 1) text.insert(1, 1, '.');
+  text += fmt::format("e{}", leading_place(number));
+  return signed_text(number, text);
+}
+
+std::string plain_or_scientific(const Decimal& number) {
+  const int leading = leading_place(number);
+  const bool is_plain =
+      is_zero(number) ? number.place >= -6 && number.place <= 0 : leading >= -3 && leading < 6;
+  return is_plain ? plain(number) : scientific(number);
+}
+
+std::string round_trip(double value) {
+  if (std::isnan(value)) return "nan";
+  Buffer buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end.ptr};
+}
+
+}  // namespace literate

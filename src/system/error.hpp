@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace sys {
+
+/// What a program answers to the shell.
+enum class ExitCode : int {
+  success = 0,
+  failed = 1,       ///< a check, a claim, a lint or a computation did not hold
+  bad_input = 2,    ///< a flag, a case file, a document or an output folder
+  tool_failed = 3,  ///< gnuplot, LaTeX or another outside tool is missing or failed
+};
+
+/// An error that a user can do something about. what() is the message for standard error, without
+/// the program's name; exit_code() is how the program ends when nothing handles it.
+class Error : public std::runtime_error {
+ public:
+  Error(ExitCode exit_code, const std::string& message)
+      : std::runtime_error(message), exit_code_(exit_code) {}
+
+  ExitCode exit_code() const { return exit_code_; }
+
+ private:
+  ExitCode exit_code_;
+};
+
+/// Something that the user gave is not right.
+class InputError : public Error {
+ public:
+  explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
+};
+
+/// A source file is not marked as it must be; what() is «file:line: message».
+class SourceError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// A file or folder cannot be read or written; what() names it.
+class OutputError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// An outside tool (gnuplot, latexmk, pdflatex) is missing or failed. what() carries the tool's own
+/// message with its file and line.
+class ToolError : public Error {
+ public:
+  explicit ToolError(const std::string& message) : Error(ExitCode::tool_failed, message) {}
+};
+
+/// A computation did not reach its result, though its input was allowed.
+class ComputationError : public Error {
+ public:
+  explicit ComputationError(const std::string& reason)
+      : Error(ExitCode::failed, "the computation failed: " + reason) {}
+};
+
+}  // namespace sys

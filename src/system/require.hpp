@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "system/error.hpp"
+
+namespace sys {
+
+/// An input outside what the formula or method allows.
+///
+/// what() is one line: «quantity = value: allowed».
+class InvalidQuantity : public InputError {
+ public:
+  InvalidQuantity(std::string_view quantity, double value, std::string_view allowed);
+
+  const std::string& quantity() const { return quantity_; }
+  const std::string& allowed() const { return allowed_; }
+
+ private:
+  std::string quantity_;
+  std::string allowed_;
+};
+
+/// Returns `value` if it is a finite number; throws InvalidQuantity otherwise.
+double require_finite(std::string_view quantity, double value);
+
+/// Returns `value` if it is finite and > 0; throws InvalidQuantity otherwise.
+double require_positive(std::string_view quantity, double value);
+
+}  // namespace sys

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/staging.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+namespace sys {
+namespace fs = std::filesystem;
+namespace {
+
+// Tells a folder that a broken run left from one that is somebody's own.
+constexpr const char* marker = ".literate-staging";
+
+fs::path without_trailing_slash(const fs::path& folder) {
+  const fs::path normal = folder.lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+void require_writable(const fs::path& output_dir) {
+  std::error_code error;
+  fs::create_directories(output_dir, error);
+  if (error || !fs::is_directory(output_dir) || ::access(output_dir.c_str(), W_OK | X_OK) != 0) {
+    throw OutputError(fmt::format("cannot write to the output folder '{}'", output_dir.string()));
+  }
+}
+
+void remove_stale(const fs::path& folder) {
+  if (!fs::exists(fs::symlink_status(folder))) return;
+  const bool is_folder = fs::is_directory(fs::symlink_status(folder));
+  if (!is_folder || !(fs::is_empty(folder) || fs::exists(folder / marker))) {
+    throw OutputError(
+        fmt::format("'{}' is needed as a staging folder but holds something else; move it away",
+                    folder.string()));
+  }
+  fs::remove_all(folder);
+}
+
+bool is_below(const fs::path& file) {
+  const fs::path normal = file.lexically_normal();
+  return !normal.empty() && normal.is_relative() && *normal.begin() != "..";
+}
+
+}  // namespace
+
+Staging::Staging(const fs::path& output_dir)
+    : output_dir_(without_trailing_slash(output_dir)), path_(output_dir_) {
+  path_ += ".part";
+  try {
+    require_writable(output_dir_);
+    remove_stale(path_);
+    fs::create_directory(path_);
+    write_file_atomically(path_ / marker, "");
+  } catch (const fs::filesystem_error& error) {
+    throw OutputError(fmt::format("cannot make the staging folder '{}': {}", path_.string(),
+                                  error.code().message()));
+  }
+}
+
+Staging::~Staging() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> Staging::files() const {
+  std::vector<std::string> files = files_below(path_);
+  std::erase(files, marker);
+  return files;
+}
+
+void Staging::publish(const std::vector<std::string>& former_files) {
+  const std::vector<std::string> made = files();
+  try {
+    // Find all that will change before the first change.
+    std::vector<std::string> changed;
+    for (const std::string& file : made) {
+      const fs::path place = output_dir_ / file;
+      if (!fs::is_regular_file(place) || read_file(place) != read_file(path_ / file)) {
+        changed.push_back(file);
+      }
+    }
+    for (const std::string& file : changed) {
+      fs::create_directories((output_dir_ / file).parent_path());
+      fs::rename(path_ / file, output_dir_ / file);
+    }
+    for (const std::string& file : former_files) {
+      if (is_below(file) && !std::ranges::binary_search(made, file)) fs::remove(output_dir_ / file);
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw OutputError(fmt::format("cannot write to the output folder '{}': {}: {}",
+                                  output_dir_.string(), error.path2().string(),
+                                  error.code().message()));
+  }
+}
+
+}  // namespace sys

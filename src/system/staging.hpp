@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sys {
+
+/// A fresh folder beside an output folder, in which the output is made before it is moved in place.
+///
+/// It is named as the output folder with ".part" added and removed when it goes out of scope, so
+/// a failure leaves the output folder as it was.
+class Staging {
+ public:
+  /// Makes the folder, after removing one that a broken run left. Throws OutputError if it or the
+  /// output folder cannot be written, or if something else bears its name.
+  explicit Staging(const std::filesystem::path& output_dir);
+  ~Staging();
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// All files made so far, sorted, relative to path().
+  std::vector<std::string> files() const;
+
+  /// Moves all files in place by renaming, leaves those whose content is the same untouched, and
+  /// removes those of `former_files` that were not made again. Throws OutputError.
+  void publish(const std::vector<std::string>& former_files);
+
+ private:
+  std::filesystem::path output_dir_;
+  std::filesystem::path path_;
+};
+
+}  // namespace sys

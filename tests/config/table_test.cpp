@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "config/table.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "temporary_file.hpp"
+
+using config::Dimension;
+using config::Error;
+using config::Table;
+using config::unit_system;
+
+namespace {
+
+// Parses the text, reads from it, and wants an error at «line:column: what».
+void check_error(const std::string& text, const std::function<void(const Table&)>& read,
+                 const std::string& expected) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("some case.toml", text);
+  BOOST_CHECK_EXCEPTION(read(Table::parse_file(file)), Error, [&](const Error& e) {
+    const std::string what = e.what();
+    BOOST_TEST_MESSAGE(what);
+    BOOST_TEST(what.find('\n') == std::string::npos);
+    return what.find(file.string() + ":" + expected) == 0;
+  });
+}
+
+void read_length(const Table& table) {
+  table.quantity("width", Dimension::length, unit_system("mm-N"));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_quantity_is_converted_to_the_systems_unit) {
+  const TemporaryFolder folder;
+  const auto table = Table::parse_file(folder.write(
+      "case.toml", "width = {value = 2, unit = \"in\"}\nyoung = {value = 210, unit = \"GPa\"}\n"));
+
+  BOOST_TEST(table.quantity("width", Dimension::length, unit_system("mm-N")) == 50.8);
+  BOOST_TEST(table.quantity("young", Dimension::stress, unit_system("mm-N")) == 210e3);
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_of_the_wrong_kind_is_shown_with_its_place) {
+  check_error("\nwidth = {value = 2, unit = \"psi\"}\n", read_length, "2:28: width.unit: ");
+  check_error("width = {value = 2, unit = \"furlongz\"}\n", read_length,
+              "1:28: width.unit: unknown unit \"furlongz\"");
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_key_is_named) {
+  check_error(
+      "a = 1\n", [](const Table& t) { t.number("b"); }, "1:1: b: missing");
+  check_error("width = {value = 2}\n", read_length, "1:9: width.unit: missing");
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_type_says_what_is_wanted_and_what_stands_there) {
+  check_error("width = 2\n", read_length, "1:9: width: must be a quantity");
+  check_error("width = {value = \"2\", unit = \"mm\"}\n", read_length,
+              "1:18: width.value: must be a number, not a string");
+  check_error(
+      "n = 1.5\n", [](const Table& t) { t.integer("n"); },
+      "1:5: n: must be an integer, not a number");
+  check_error(
+      "t = 3\n", [](const Table& t) { t.table("t"); }, "1:5: t: must be a table");
+  check_error(
+      "p = [1.5]\n", [](const Table& t) { t.printed_numbers("p"); }, "1:5: p: must be");
+  check_error(
+      "p = [\n  \"1.5\",\n  \"one\"]\n", [](const Table& t) { t.printed_numbers("p"); },
+      "3:3: p: \"one\" is not");
+}
+
+BOOST_AUTO_TEST_CASE(nan_and_infinity_are_no_numbers_here) {
+  check_error(
+      "a = nan\n", [](const Table& t) { t.number("a"); }, "1:5: a: nan");
+  check_error(
+      "a = -inf\n", [](const Table& t) { t.number("a"); }, "1:5: a: -inf");
+}
+
+BOOST_AUTO_TEST_CASE(a_doubled_key_is_an_error_at_the_second) {
+  check_error(
+      "a = 1\na = 2\n", [](const Table&) {}, "2:");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_toml_is_an_error_with_its_place) {
+  check_error(
+      "a = 1\nb = \n", [](const Table&) {}, "2:");
+}
+
+BOOST_AUTO_TEST_CASE(a_key_that_nobody_asked_for_is_an_error) {
+  const auto read = [](const Table& t) {
+    t.number("a");
+    t.table("t").number("b");
+    t.reject_unknown_keys();
+  };
+
+  check_error("a = 1\nyuong = 2\n[t]\nb = 3\n", read, "2:1: yuong: unknown key");
+  check_error("a = 1\n[t]\nb = 3\nc = 4\n", read, "4:1: t.c: unknown key");
+}
+
+BOOST_AUTO_TEST_CASE(an_array_of_tables_is_read_in_its_order) {
+  const TemporaryFolder folder;
+  const auto table =
+      Table::parse_file(folder.write("case.toml", "[[t]]\nn = 1\n[[t]]\nn = 2\n[[t.u]]\nm = 3\n"));
+
+  const auto tables = table.tables("t");
+
+  BOOST_REQUIRE(tables.size() == 2);
+  BOOST_TEST(tables[1].integer("n") == 2);
+  BOOST_REQUIRE(tables[1].tables("u").size() == 1);
+  BOOST_TEST(tables[1].tables("u")[0].integer("m") == 3);
+  BOOST_TEST(tables[0].tables("u").empty());
+}
+
+BOOST_AUTO_TEST_CASE(errors_within_an_array_of_tables_have_their_place) {
+  const auto read = [](const Table& table) {
+    for (const Table& t : table.tables("t")) {
+      t.integer("n");
+      for (const Table& u : t.tables("u")) u.integer("m");
+    }
+    table.reject_unknown_keys();
+  };
+
+  check_error("[[t]]\nn = 1\n[[t]]\nn = 'x'\n", read, "4:5: t.n: must be an integer");
+  check_error("[[t]]\nn = 1\n[[t]]\n", read, "3:1: t.n: missing");
+  check_error("[[t]]\nn = 1\nk = 2\n", read, "3:1: t.k: unknown key");
+  check_error("[[t]]\nn = 1\n[[t.u]]\nm = 1\nk = 2\n", read, "5:1: t.u.k: unknown key");
+  check_error("[[v]]\nn = 1\n", read, "1:3: v: unknown key");
+  check_error("t = [1]\n", read, "1:5: t: must be an array of tables");
+  check_error("t = 1\n", read, "1:5: t: must be an array of tables, not an integer");
+}
+
+BOOST_AUTO_TEST_CASE(an_array_of_strings_names_the_element_that_is_none) {
+  const TemporaryFolder folder;
+  const auto table = Table::parse_file(folder.write("case.toml", "s = ['a', \"b\"]\n"));
+  const auto read = [](const Table& t) { t.texts("s"); };
+
+  BOOST_TEST((table.texts("s") == std::vector<std::string>{"a", "b"}));
+  check_error("s = ['a',\n  2]\n", read, "2:3: s: must be a string, not an integer");
+  check_error("s = 'a'\n", read, "1:5: s: must be an array of strings, not a string");
+}
+
+BOOST_AUTO_TEST_CASE(an_instant_counts_its_offset) {
+  const TemporaryFolder folder;
+  const auto table = Table::parse_file(
+      folder.write("case.toml", "utc = 2027-01-15T22:59:01Z\nlocal = 2027-01-15T23:59:01+01:00\n"));
+
+  BOOST_TEST(table.instant("utc").time_since_epoch().count() == 1800053941);
+  BOOST_CHECK(table.instant("utc") == table.instant("local"));
+}
+
+BOOST_AUTO_TEST_CASE(an_instant_without_offset_is_none) {
+  const auto read = [](const Table& t) { t.instant("d"); };
+
+  check_error("d = 2027-01-15T23:59:00\n", read, "1:5: d: must be a date and time with offset");
+  check_error("d = 2027-01-15\n", read, "1:5: d: must be a date and time with offset");
+  check_error("d = 'now'\n", read, "1:5: d: must be a date and time with offset");
+}
+
+BOOST_AUTO_TEST_CASE(a_place_is_that_of_the_value) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.toml", "\na = 1\n");
+
+  BOOST_TEST(Table::parse_file(file).place("a") == file.string() + ":2:5");
+}
+
+BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
+  BOOST_CHECK_EXCEPTION(Table::parse_file("no such file.toml"), Error, [](const Error& e) {
+    return std::string(e.what()) == "no such file.toml: cannot be read";
+  });
+  BOOST_CHECK_THROW(Table::parse_file(TemporaryFolder().path()), Error);
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "config/units.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using config::conversion_factor;
+using config::Dimension;
+using config::unit_system;
+using config::UnitError;
+
+BOOST_AUTO_TEST_CASE(conversions_are_exact_where_the_definitions_are) {
+  BOOST_TEST(conversion_factor("GPa", "MPa") == 1000);
+  BOOST_TEST(conversion_factor("in", "mm") == 25.4);
+  BOOST_TEST(conversion_factor("ksi", "psi") == 1000);
+  BOOST_TEST(conversion_factor("inch", "in") == 1);
+  BOOST_TEST(conversion_factor("kN/m", "N/mm") == 1);
+  BOOST_TEST(conversion_factor("lbf/in^2", "psi") == 1);
+}
+
+BOOST_AUTO_TEST_CASE(psi_and_pascal_differ_by_the_pound_and_the_inch) {
+  // 0.45359237 kg · 9.80665 m/s² / (0.0254 m)², all exact by definition.
+  BOOST_TEST(conversion_factor("psi", "Pa") == 0.45359237 * 9.80665 / (0.0254 * 0.0254),
+             boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(every_system_is_coherent) {
+  for (const auto& system : config::unit_systems()) {
+    BOOST_TEST(conversion_factor(system.force + "/" + system.length + "2", system.stress) == 1);
+    BOOST_TEST(conversion_factor(system.force + "/" + system.length, system.line_load) == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_of_something_else_is_refused) {
+  BOOST_CHECK_THROW(conversion_factor("mm", "MPa"), UnitError);
+  BOOST_CHECK_THROW(conversion_factor("lbf", "lbf/in"), UnitError);
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_unit_or_system_is_refused_by_its_name) {
+  BOOST_CHECK_EXCEPTION(conversion_factor("pis", "psi"), UnitError, [](const UnitError& e) {
+    return std::string(e.what()).find("\"pis\"") != std::string::npos;
+  });
+  BOOST_CHECK_THROW(unit_system("cgs"), UnitError);
+}
+
+BOOST_AUTO_TEST_CASE(each_dimension_has_its_unit) {
+  const auto& metric = unit_system("mm-N");
+
+  BOOST_TEST(metric.unit(Dimension::length) == "mm");
+  BOOST_TEST(metric.unit(Dimension::stress) == "MPa");
+  BOOST_TEST(metric.unit(Dimension::line_load) == "N/mm");
+  BOOST_TEST(metric.unit(Dimension::none) == "1");
+}

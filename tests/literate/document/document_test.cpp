@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/document/document.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <stdexcept>
+
+#include "literate/document/names.hpp"
+#include "scratch_folder.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+using namespace literate;
+namespace fs = std::filesystem;
+
+namespace {
+
+Document document_with(int load) {
+  Document document;
+  document.value("load", Value::integer(load, "psi"));
+  document.value("modulus", Value::exact(30e6, "psi"));
+  document.flag("converged", true);
+  document.table("results", Table({Column::integer("$n$")}).add_row({3}));
+  return document;
+}
+
+void age(const fs::path& file) {
+  fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(5));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_doubled_or_malformed_key_is_a_logic_error_naming_it) {
+  Document document = document_with(1);
+
+  const std::string message =
+      message_of<std::logic_error>([&] { document.value("load", Value::integer(2)); });
+  BOOST_TEST(message.find("tests/literate/document/document_test.cpp:") == 0U);
+  BOOST_TEST(message.find(": value 'load' is registered twice, first at tests/literate/") !=
+             std::string::npos);
+  BOOST_CHECK_THROW(document.flag("converged", false), std::logic_error);
+  BOOST_CHECK_THROW(document.table("results", Table({Column::text("x")})), std::logic_error);
+  BOOST_CHECK_THROW(document.value("a b", Value::integer(2)), std::logic_error);
+  BOOST_CHECK_THROW(document.table("../x", Table({Column::text("x")})), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(failed_checks_are_told_apart) {
+  Document document;
+  document.check("balance", true, "the forces balance");
+  document.check("sign", false, "the pressure is positive");
+
+  BOOST_REQUIRE(document.failed_checks().size() == 1U);
+  BOOST_TEST(document.failed_checks()[0].statement == "the pressure is positive");
+  BOOST_CHECK_THROW(document.check("sign", true, ""), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without_doubles) {
+  Document document = document_with(1);
+  document.check("first", true, "1");
+  Document part;
+  part.check("second", true, "2");
+  part.value("radius", Value::integer(3));
+  const auto line = part.place("value", "radius").line;
+
+  document.append(part);
+
+  BOOST_TEST(document.values().at("radius").printed() == "3");
+  BOOST_TEST(document.place("value", "radius").line == line);
+  BOOST_REQUIRE(document.checks().size() == 2U);
+  BOOST_TEST(document.checks()[1].id == "second");
+  const std::string message = message_of<std::logic_error>([&] { document.append(part); });
+  BOOST_TEST(message.find("check 'second' is registered twice") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_names_read_back) {
+  const ScratchFolder scratch;
+  document_with(1).write(scratch / "out", {{"x", "a.cpp", 3, "a\n"}});
+
+  const Names names = read_names(scratch / "out/names.json");
+
+  BOOST_TEST(names.values.contains("modulus"));
+  BOOST_TEST(names.flags.contains("converged"));
+  BOOST_TEST(names.tables.contains("results"));
+  BOOST_TEST(names.excerpts.contains("x"));
+  BOOST_TEST(names.files == sys::files_below(scratch / "out"), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(unchanged_files_keep_their_time_stamps_and_changed_ones_do_not) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  document_with(1).write(out);
+  for (const auto& file : sys::files_below(out)) age(out / file);
+  const auto table_stamp = fs::last_write_time(out / "tables/results.tex");
+  const auto values_stamp = fs::last_write_time(out / "values.tex");
+
+  document_with(2).write(out);
+
+  BOOST_CHECK(fs::last_write_time(out / "tables/results.tex") == table_stamp);
+  BOOST_CHECK(fs::last_write_time(out / "values.tex") > values_stamp);
+  BOOST_TEST(!fs::exists(scratch / "out.part"));
+}
+
+BOOST_AUTO_TEST_CASE(files_no_longer_made_are_removed_and_foreign_ones_stay) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  document_with(1).write(out);
+  sys::write_file_atomically(out / "mine.txt", "mine");
+
+  Document().write(out);
+
+  BOOST_TEST(!fs::exists(out / "tables/results.tex"));
+  BOOST_TEST(fs::exists(out / "mine.txt"));
+}
+
+BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_output_untouched) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  document_with(1).write(out);
+  const std::string before = sys::read_file(out / "values.tex");
+  Document failing = document_with(2);
+  failing.figure("f", 5, 5, [](Plot&) { throw std::runtime_error("no data"); });
+
+  BOOST_CHECK_THROW(failing.write(out), std::runtime_error);
+
+  BOOST_TEST(sys::read_file(out / "values.tex") == before);
+  BOOST_TEST(!fs::exists(scratch / "out.part"));
+}
+
+BOOST_AUTO_TEST_CASE(a_stale_staging_folder_is_removed_and_a_foreign_one_is_refused) {
+  const ScratchFolder scratch;
+  sys::write_file_atomically(scratch / "out.part/.literate-staging", "");
+  sys::write_file_atomically(scratch / "out.part/old.tex", "old");
+  document_with(1).write((scratch / "out").string() + "/");
+  BOOST_TEST(!fs::exists(scratch / "out/old.tex"));
+  sys::write_file_atomically(scratch / "out.part/thesis.tex", "years of work");
+
+  BOOST_CHECK_THROW(document_with(1).write(scratch / "out"), sys::OutputError);
+
+  BOOST_TEST(sys::read_file(scratch / "out.part/thesis.tex") == "years of work");
+}
+
+BOOST_AUTO_TEST_CASE(an_output_that_is_no_folder_is_an_output_error_naming_it) {
+  const ScratchFolder scratch;
+  sys::write_file_atomically(scratch / "out", "a file");
+
+  const std::string message =
+      message_of<sys::OutputError>([&] { document_with(1).write(scratch / "out"); });
+
+  BOOST_TEST(message.find((scratch / "out").string()) != std::string::npos);
+  BOOST_TEST(sys::read_file(scratch / "out") == "a file");
+}

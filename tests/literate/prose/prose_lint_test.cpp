@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/prose_lint.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "scratch_folder.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+using namespace literate;
+
+namespace {
+
+// The numbers that the lint finds in a text, a blank behind each.
+std::string found_in(const std::string& latex) {
+  std::string numbers;
+  for (const std::string& finding : typed_numbers(latex, "a.tex")) {
+    const auto begin = finding.find(": ") + 2;
+    numbers += finding.substr(begin, finding.find(' ', begin) - begin) + " ";
+  }
+  return numbers;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_typed_result_has_file_line_column_and_what_to_do) {
+  BOOST_TEST(typed_numbers("one\né the peak is 1.234 high\n", "s/a.tex") ==
+                 (std::vector<std::string>{
+                     "s/a.tex:2:15: 1.234 is typed: take it from the computation, or end the line "
+                     "with '% constant: reason'"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(more_than_two_significant_digits_are_a_result) {
+  BOOST_TEST(found_in("123, 1.50, 0.00123, 1.23e-6, 12,345 and 1\\,234 and 1{,}234") ==
+             "123 1.50 0.00123 1.23e-6 12,345 1\\,234 1{,}234 ");
+  BOOST_TEST(found_in("12 and 0.05, 1000, 2.5e-6, $10^{-4}$, $\\tfrac32$, $\\num{0.9}a$") == "");
+  BOOST_TEST(found_in("$x = 1.234$ and \\num{1.234}") == "1.234 1.234 ");
+}
+
+BOOST_AUTO_TEST_CASE(a_number_with_a_unit_is_a_result_however_short) {
+  BOOST_TEST(found_in("2 mm, 3~psi, 4\\,N, 5\\%, 6 per cent, 7 pounds/inch, 8-inch, 9 in.") ==
+             "2 3 4 5 6 7 8 9 ");
+  BOOST_TEST(found_in("\\qty{2}{mm}, $2\\,\\mathrm{MPa}$, $3$ mm, $-4~\\text{in}$") == "2 2 3 4 ");
+  BOOST_TEST(found_in("row 2 in the table, 3 Kings, 2 nodes, 4 nothing, $2\\,m$, 5 minus 3") == "");
+}
+
+BOOST_AUTO_TEST_CASE(equations_keep_their_constants_but_not_their_units) {
+  BOOST_TEST(found_in("\\[ x = 1.234 y \\] $$2.345$$ \\begin{align*}3.456\\end{align*}") == "");
+  BOOST_TEST(found_in("\\begin{equation}x = 1.5\\,\\mathrm{mm}\\end{equation} 1.234") ==
+             "1.5 1.234 ");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_prose_is_not_read) {
+  BOOST_TEST(found_in("% 1.234\n\\val{a.1234}\\label{tab:1234}\\cref{eq:123,eq:456}\\verb|1.234|\n"
+                      "\\begin{verbatim}\n1.234 mm\n\\end{verbatim}\n") == "");
+  BOOST_TEST(found_in("\\setlength{\\tabcolsep}{2.5pt}\\vspace*{12mm}\\\\[1.25cm]"
+                      "\\includegraphics[width=123mm]{a}\\begin{tabular}{p{123mm}}") == "");
+  BOOST_TEST(found_in("\\newcommand{\\x}{1.234}\\begin{document}1.235\\end{document}") == "1.235 ");
+  BOOST_TEST(found_in("\\begin{thebibliography}{99}1.234\\end{thebibliography}") == "");
+  BOOST_TEST(found_in("MEAE-4960, SHA-256, a1234, x_123, \\code{Fig123}") == "");
+}
+
+BOOST_AUTO_TEST_CASE(years_and_places_in_sources_are_no_results) {
+  BOOST_TEST(found_in("Ruggiero (2001), 23 April 2001") == "");
+  BOOST_TEST(found_in("(\\cite{a}, 13.12; \\cite{b}, chapter 1.23)") == "");
+  BOOST_TEST(found_in("(2.25b) and (2.25a) of \\cite{a}, and (4.49) of~\\cite{a}") == "");
+  BOOST_TEST(found_in("2001 points (2.25) by \\cite{a}: 1.234") == "2001 2.25 1.234 ");
+}
+
+BOOST_AUTO_TEST_CASE(a_marked_line_is_exempt_if_its_mark_has_a_reason) {
+  BOOST_TEST(found_in("a ``1000 pound/inch load'' % constant: the paper's words\n") == "");
+  BOOST_TEST(typed_numbers("1.234 % constant:\n1.234 50\\% constant\n", "a").size() == 3U);
+  BOOST_TEST(typed_numbers("no number % constant: old\n", "a").front() ==
+             "a:1:1: a constant is marked where none is typed");
+}
+
+BOOST_AUTO_TEST_CASE(all_tex_files_below_a_folder_are_read) {
+  const ScratchFolder scratch;
+  sys::write_file_atomically(scratch / "report/b.tex", "1.234");
+  sys::write_file_atomically(scratch / "report/a/c.tex", "\n 2 mm");
+  sys::write_file_atomically(scratch / "report/a/c.txt", "2 mm");
+
+  const auto findings = typed_numbers_below(scratch / "report");
+
+  BOOST_REQUIRE(findings.size() == 2U);
+  BOOST_TEST(findings[0].starts_with("report/a/c.tex:2:2: 2 is typed"));
+  BOOST_TEST(findings[1].starts_with("report/b.tex:1:1: 1.234 is typed"));
+  BOOST_CHECK_THROW(typed_numbers_below(scratch / "none"), sys::OutputError);
+}

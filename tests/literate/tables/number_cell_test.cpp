@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/tables/number_cell.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <string>
+#include <vector>
+
+using literate::aligned_number;
+using literate::NumberWidth;
+using literate::table_format;
+using literate::widest;
+using literate::width_of;
+
+namespace {
+
+NumberWidth of_all(const std::vector<std::string>& numbers) {
+  NumberWidth width = width_of(numbers.front());
+  for (const std::string& number : numbers) width = widest(width, width_of(number));
+  return width;
+}
+
+// Digits, blanks for digits, separators and the rest, counted: what makes a cell as wide as it is.
+std::string without_blanks(std::string text) {
+  for (const std::string blank : {"\\hphantom{", "}"}) {
+    for (auto at = text.find(blank); at != text.npos; at = text.find(blank)) {
+      text.erase(at, blank.size());
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_format_holds_the_widest_number_of_each_kind) {
+  BOOST_TEST(table_format(of_all({"-1.5", "12345.678"})) == "-5.3");
+  BOOST_TEST(table_format(of_all({"1.5e-6", "-2.39e12", "0"})) == "-1.2e-2");
+  BOOST_TEST(table_format(of_all({"7", "100"})) == "3");
+}
+
+BOOST_AUTO_TEST_CASE(thin_spaces_group_from_five_digits_on_away_from_the_point) {
+  const auto alone = [](const std::string& number) {
+    return aligned_number(number, width_of(number));
+  };
+  BOOST_TEST(alone("1234.5678") == "1234.5678");
+  BOOST_TEST(alone("12345.67891") == "12\\,345.678\\,91");
+  BOOST_TEST(alone("-1234567e-10") == "-1\\,234\\,567\\times10^{-10}");
+}
+
+BOOST_AUTO_TEST_CASE(cells_of_a_column_are_equally_wide) {
+  const std::vector<std::string> numbers{"0.5",       "-12.25",      "1234567.1",     "3",
+                                         "-8.125e-7", "4.0000001e3", "99999.99999e12"};
+  const NumberWidth column = of_all(numbers);
+  for (const std::string& number : numbers) {
+    const std::string text = without_blanks(aligned_number(number, column));
+    BOOST_TEST_CONTEXT(number << " as " << text) {
+      const auto count = [&text](const std::string& characters) {
+        return std::count_if(text.begin(), text.end(),
+                             [&](char c) { return characters.find(c) != std::string::npos; });
+      };
+      BOOST_TEST(count("0123456789") == 7 + 7 + 2 + 2);
+      BOOST_TEST(count(",") == 2 + 2);
+      BOOST_TEST(count(".") == 1);
+      BOOST_TEST(count("-") == 2);
+      BOOST_TEST(count("^") == 1);
+    }
+  }
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/typesetting/latex_log.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "literate/prose/place_of_use.hpp"
+#include "scratch_folder.hpp"
+#include "system/files.hpp"
+
+using namespace literate;
+using Lines = std::vector<std::string>;
+
+BOOST_AUTO_TEST_CASE(an_error_comes_with_file_line_and_place) {
+  const auto errors = latex_errors(
+      "(./main.tex\n./part/a.tex:12: Undefined control sequence.\nl.12 \\foo\n          bar\n"
+      "./part/a.tex:12:  ==> Fatal error occurred, no output PDF file produced!\n",
+      "report");
+
+  BOOST_TEST(errors == (Lines{"report/part/a.tex:12: Undefined control sequence.\n  l.12 \\foo"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(defects_come_with_the_file_that_was_open) {
+  const std::string log =
+      "(./main.tex (/usr/share/x.sty) (./a.tex\n"
+      "LaTeX Warning: Reference `fig:x' on page 1 undefined on input line 7.\n"
+      "\n"
+      "Overfull \\hbox (0.05pt too wide) in paragraph at lines 1--2\n[] text :-) (\n\n"
+      ")\n"
+      "Overfull \\hbox (12.5pt too wide) in paragraph at lines 8--9\n[] text ) (./z.tex\n\n"
+      "LaTeX Warning: Label `a' multiply defined.\n"
+      "Missing character: There is no x in font cmr10!\n"
+      "LaTeX Warning: There were undefined references.\n"
+      "Package biblatex Warning: Something (1) else.\n";
+
+  BOOST_TEST(
+      latex_defects(log, "report") ==
+          (Lines{"report/a.tex:7: LaTeX Warning: Reference `fig:x' on page 1 undefined on input "
+                 "line 7.",
+                 "report/main.tex:8: Overfull \\hbox (12.5pt too wide) in paragraph at lines 8--9",
+                 "report/main.tex: LaTeX Warning: Label `a' multiply defined.",
+                 "report/main.tex: Missing character: There is no x in font cmr10!"}),
+      boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(boxes_are_reported_from_a_tenth_of_a_point_on) {
+  const auto overfull = [](const std::string& points) {
+    return latex_defects(
+        "(./a.tex\nOverfull \\vbox (" + points + "pt too high) detected at line 3\n", "report");
+  };
+
+  BOOST_TEST(overfull("0.1").empty());
+  BOOST_TEST(overfull("0.10001") ==
+                 (Lines{"report/a.tex:3: Overfull \\vbox (0.10001pt too high) detected at line 3"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_undefined_citation_is_a_defect) {
+  BOOST_TEST(latex_defects("(./a.tex\nLaTeX Warning: Citation `none' on page 2 undefined on input "
+                           "line 12.\n",
+                           "report") ==
+                 (Lines{"report/a.tex:12: LaTeX Warning: Citation `none' on page 2 undefined on "
+                        "input line 12."}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_generated_file_is_told_where_the_document_uses_it) {
+  const ScratchFolder scratch;
+  const auto report = scratch / "report";
+  sys::write_file_atomically(report / "main.tex", "\\input{part/a}\n\n% \\tab{t}\n\\fig{f}\n");
+  sys::write_file_atomically(report / "part/a.tex", "\n Text \\tab{t} and \\fig{f}\n");
+  const auto told = [&](const std::string& message) {
+    return told_at_place_of_use(message, report);
+  };
+
+  BOOST_TEST(told("../my build/generated/tables/t.tex:7: Misplaced \\noalign.\n  l.7 x") ==
+             "report/part/a.tex:2: in table 't': Misplaced \\noalign. (tables/t.tex:7)\n  l.7 x");
+  BOOST_TEST(told("../generated/figures/f.tex: Undefined") ==
+             "report/main.tex:4 or report/part/a.tex:2: in figure 'f': Undefined (figures/f.tex)");
+  BOOST_TEST(told("../generated/tables/none.tex:7: Bad") == "../generated/tables/none.tex:7: Bad");
+  BOOST_TEST(told("report/part/a.tex:7: Bad") == "report/part/a.tex:7: Bad");
+}

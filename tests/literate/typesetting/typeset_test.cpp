@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/typesetting/typeset.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+
+#include "literate/document/document.hpp"
+#include "scratch_folder.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+using namespace literate;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A small document in folders with spaces in their names.
+class Paper {
+ public:
+  explicit Paper(const std::string& body) {
+    Document document;
+    document.value("load_1.a-b", Value::estimate({1.6236054e-6, 3e-10}, "in^2"));
+    document.flag("ok", true);
+    document.table("t", Table({Column::scaled("$v$", "in", -6, 3)}).add_row({-1.5e-6}));
+    document.figure("f", 5, 4, [](Plot& plot) { plot << "plot sin(x) title '$\\nu$'\n"; });
+    document.write(options.generated_dir,
+                   {{"x", "src/a_b.cpp", 3, "// 2πx ≤ ∫ σν² → √, E* − 1\nreturn x;\n"}});
+    write(body);
+  }
+
+  void write(const std::string& body) const {
+    sys::write_file_atomically(options.source_dir / "main.tex",
+                               "\\pdfinfoomitdate=1 \\pdftrailerid{} \\pdfsuppressptexinfo=-1\n"
+                               "\\documentclass{article}\n\\usepackage{literate}\n"
+                               "\\usepackage{hyperref}\n\\begin{document}\n" +
+                                   body + "\n\\end{document}\n");
+  }
+
+  std::string error() const {
+    return message_of<sys::ToolError>([this] { typeset(options); });
+  }
+
+ private:
+  ScratchFolder scratch_;
+
+ public:
+  TypesetOptions options{.source_dir = scratch_ / "my report",
+                         .main_file = "main.tex",
+                         .generated_dir = scratch_ / "out put/generated",
+                         .build_dir = scratch_ / "out put/tex",
+                         .output_pdf = scratch_ / "out put/report.pdf",
+                         .source_date_epoch = 1000000000};
+};
+
+const char* const full_body =
+    "\\begin{abstract}\\val{load_1.a-b}\\end{abstract}\\tableofcontents\n"
+    "\\section{Load \\val{load_1.a-b} \\ifflag{ok}{yes}{no}}\n"
+    "$a=\\val{load_1.a-b}$ \\today\n"
+    "\\begin{table}\\caption{\\val{load_1.a-b}}\\tab{t}\\end{table}\n"
+    "\\begin{figure}\\fig{f}\\caption{\\ifflag{ok}{yes}{no}}\\end{figure}\n"
+    "\\excerpt{x} See listing~\\ref{lst:x}.";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_whole_document_has_the_same_bytes_in_another_folder) {
+  const Paper paper(full_body);
+  const Paper other(full_body);
+
+  typeset(paper.options);
+  typeset(other.options);
+
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) ==
+             sys::sha256_of_file(other.options.output_pdf));
+}
+
+BOOST_AUTO_TEST_CASE(a_new_date_of_the_document_is_part_of_its_input) {
+  Paper paper("\\today");
+  typeset(paper.options);
+  const std::string before = sys::sha256_of_file(paper.options.output_pdf);
+  paper.options.source_date_epoch += 86400;
+
+  typeset(paper.options);
+
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) != before);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_of_tex_has_file_and_line_and_leaves_the_old_pdf) {
+  const Paper paper("Text.");
+  typeset(paper.options);
+  const std::string before = sys::sha256_of_file(paper.options.output_pdf);
+  paper.write("Text.\n\n\\nonsense here");
+
+  BOOST_TEST(paper.error() ==
+             "my report/main.tex:8: Undefined control sequence.\n  l.8 \\nonsense");
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) == before);
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_key_stops_latex_too) {
+  BOOST_TEST(
+      Paper("\\val{none}")
+          .error()
+          .starts_with("my report/main.tex:6: Package literate Error: unknown value 'none'."));
+  BOOST_TEST(Paper("\\fig{none}").error().find("unknown figure 'none'") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_undefined_reference_is_an_error_with_file_and_line) {
+  BOOST_TEST(Paper("\n\\ref{fig:x}")
+                 .error()
+                 .starts_with("my report/main.tex:7: LaTeX Warning: Reference `fig:x'"));
+}
+
+BOOST_AUTO_TEST_CASE(an_overfull_box_is_an_error_with_file_and_line) {
+  BOOST_TEST(Paper("\\noindent\\mbox{\\rule{20cm}{1pt}}\n")
+                 .error()
+                 .starts_with("my report/main.tex:6: Overfull \\hbox ("));
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_tool_or_file_is_told_by_name) {
+  Paper paper("Text.");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  const std::string message = paper.error();
+  setenv("PATH", path.c_str(), 1);
+
+  BOOST_TEST(message == "pdflatex is not installed; 'make setup' installs it");
+  paper.options.main_file = "none.tex";
+  BOOST_CHECK_THROW(typeset(paper.options), sys::OutputError);
+}

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/values/value.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <charconv>
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+using literate::Value;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A locale with a decimal comma and grouped digits that needs no installed language.
+struct CommaLocale : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+std::string estimated(double value, double abs_error, int max_digits = 12) {
+  return Value::estimate({value, abs_error}, "", max_digits).printed();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rounding_up_to_a_new_digit_keeps_the_decimals) {
+  BOOST_TEST(Value::fixed(9.996, 2).printed() == "10.00");
+  BOOST_TEST(Value::significant(9.996, 3).printed() == "10.0");
+  BOOST_TEST(Value::scientific(9.996e-5, 3).printed() == "1.00e-4");
+  BOOST_TEST(estimated(9.996, 0.004) == "10.00");
+  BOOST_TEST(Value::significant(999999.7, 6).printed() == "1.00000e6");
+}
+
+BOOST_AUTO_TEST_CASE(rounding_goes_by_the_exact_binary_value) {
+  BOOST_TEST(Value::fixed(1.005, 2).printed() == "1.00");  // 1.00499999999999989…
+  BOOST_TEST(Value::fixed(0.125, 2).printed() == "0.12");  // an exact tie goes to even
+  BOOST_TEST(Value::fixed(0.375, 2).printed() == "0.38");
+  BOOST_TEST(Value::fixed(2.5, 0).printed() == "2");
+  BOOST_TEST(Value::fixed(0.1, 20).printed() == "0.10000000000000000555");
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_rounds_to_zero_has_no_sign) {
+  BOOST_TEST(Value::fixed(-0.0, 2).printed() == "0.00");
+  BOOST_TEST(Value::fixed(-0.004, 2).printed() == "0.00");
+  BOOST_TEST(Value::significant(-0.0, 3).printed() == "0");
+  BOOST_TEST(Value::scientific(0, 3).printed() == "0");
+  BOOST_TEST(Value::exact(-0.0).printed() == "0");
+  BOOST_TEST(Value::fixed(-0.006, 2).printed() == "-0.01");
+}
+
+BOOST_AUTO_TEST_CASE(significant_digits_are_plain_between_a_thousandth_and_a_million) {
+  BOOST_TEST(Value::significant(0.00123456, 3).printed() == "0.00123");
+  BOOST_TEST(Value::significant(0.000123456, 3).printed() == "1.23e-4");
+  BOOST_TEST(Value::significant(-45478.2, 3).printed() == "-45500");
+  BOOST_TEST(Value::significant(1234567.0, 3).printed() == "1.23e6");
+  BOOST_TEST(Value::significant(0.5, 4).printed() == "0.5000");
+}
+
+BOOST_AUTO_TEST_CASE(an_estimate_prints_the_digits_its_error_supports) {
+  BOOST_TEST(estimated(1.6236054e-6, 3e-10) == "1.624e-6");
+  BOOST_TEST(estimated(2.3851, 0.5e-2) == "2.39");
+  BOOST_TEST(estimated(2.3851, 0.6e-2) == "2.4");
+  BOOST_TEST(estimated(-123456, 400) == "-1.23e5");
+  BOOST_TEST(estimated(0.0001, 0.004) == "0.00");
+  BOOST_TEST(estimated(1e-18, 1e-16) == "0e-15");
+  BOOST_TEST(estimated(7, 40) == "0e2");
+  BOOST_TEST(estimated(70, 40) == "1e2");
+  BOOST_TEST(estimated(1.0 / 3, 1e-16) == "0.333333333333");
+  BOOST_TEST(estimated(1.0 / 3, 1e-16, 4) == "0.3333");
+  BOOST_TEST(estimated(2.5, 0) == "2.5");
+  BOOST_TEST(estimated(0.1 + 0.2, 0) == "0.300000000000");
+  BOOST_TEST(*Value::estimate({2.5, 0.125}).abs_error() == 0.125);
+}
+
+BOOST_AUTO_TEST_CASE(exact_numbers_print_the_fewest_digits) {
+  BOOST_TEST(Value::exact(30e6, "psi").latex() == "\\qty{3e7}{psi}");
+  BOOST_TEST(Value::exact(0.3).latex() == "\\num{0.3}");
+  BOOST_TEST(Value::exact(-1234.5, "lbf/in").latex() == "\\qty{-1234.5}{lbf/in}");
+  BOOST_TEST(Value::exact(2.5e-4).printed() == "2.5e-4");
+}
+
+BOOST_AUTO_TEST_CASE(percent_moves_the_point_and_rounds_once) {
+  BOOST_TEST(Value::percent(0.125, 1).latex() == "\\qty{12.5}{\\percent}");
+  BOOST_TEST(Value::percent(0.00125, 1).printed() ==
+             "0.1 %");  // 0.00125000000000000002…: not a tie
+  BOOST_TEST(Value::percent(-1.5, 0).printed() == "-150 %");
+  BOOST_TEST(*Value::percent(0.07, 0).number() == 0.07);
+}
+
+BOOST_AUTO_TEST_CASE(integers_and_text) {
+  BOOST_TEST(Value::integer(-12000, "in").latex() == "\\qty{-12000}{in}");
+  BOOST_TEST(Value::text("50 % of a_1 ≤ ν").latex() ==
+             "50 \\% of a\\_1 \\ensuremath{\\leq} \\ensuremath{\\nu}");
+  BOOST_TEST(!Value::text("x").number());
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_refused) {
+  using std::invalid_argument;
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    BOOST_CHECK_THROW(Value::fixed(bad, 2), invalid_argument);
+    BOOST_CHECK_THROW(Value::significant(bad, 2), invalid_argument);
+    BOOST_CHECK_THROW(Value::scientific(bad, 2), invalid_argument);
+    BOOST_CHECK_THROW(Value::exact(bad), invalid_argument);
+    BOOST_CHECK_THROW(Value::percent(bad, 1), invalid_argument);
+    BOOST_CHECK_THROW(Value::estimate({bad, 1}), invalid_argument);
+    BOOST_CHECK_THROW(Value::estimate({1, bad}), invalid_argument);
+  }
+  BOOST_CHECK_THROW(Value::estimate({1, -1}), invalid_argument);
+  BOOST_CHECK_THROW(Value::significant(1, 0), invalid_argument);
+  BOOST_CHECK_THROW(Value::fixed(1, -1), invalid_argument);
+  BOOST_CHECK_THROW(Value::fixed(1, 1, "%"), invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_decimal_comma_in_the_locale_changes_nothing) {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new CommaLocale));
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
+    BOOST_TEST_MESSAGE("de_DE.UTF-8 is not installed: only the C++ locale is tried");
+  }
+
+  const std::string fixed = Value::fixed(12345.678, 2).printed();
+  const std::string integer = Value::integer(1234567).printed();
+  const std::string exponent = Value::scientific(1.5e-12, 2).printed();
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(before);
+
+  BOOST_TEST(fixed == "12345.68");
+  BOOST_TEST(integer == "1234567");
+  BOOST_TEST(exponent == "1.5e-12");
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_is_never_printed_below_its_number) {
+  BOOST_TEST(Value::percent_bound(0.0131, 0).printed() == "2 %");
+  BOOST_TEST(Value::percent_bound(0.01, 0).printed() == "1 %");
+  BOOST_TEST(Value::percent_bound(0.000737, 2).printed() == "0.08 %");
+  BOOST_TEST(Value::scientific_bound(2.1e-15, 1).printed() == "3e-15");
+  BOOST_TEST(Value::scientific_bound(9.3e-7, 1, "in").printed() == "1e-6 in");
+  BOOST_TEST(Value::scientific_bound(3e-15, 1).printed() == "3e-15");
+  BOOST_TEST(Value::scientific_bound(0, 1).printed() == "0");
+  BOOST_CHECK_THROW(Value::percent_bound(-0.1, 1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(an_uncertainty_stands_in_units_of_the_last_digit_and_is_rounded_up) {
+  const auto printed = [](double value, double abs_error) {
+    return Value::with_uncertainty({value, abs_error}).printed();
+  };
+  BOOST_TEST(printed(0.786151378, 1.11e-7) == "0.78615138(12)");
+  BOOST_TEST(printed(-2.3851, 0.5e-2) == "-2.3851(50)");
+  BOOST_TEST(printed(123456, 400) == "1.2346(40)e5");
+  BOOST_TEST(printed(1.6236054e-6, 3e-10) == "1.62361(30)e-6");
+  BOOST_TEST(printed(0.0001, 0.4) == "0.00(40)");
+  BOOST_TEST(printed(2.5, 0) == "2.5");
+  BOOST_CHECK_THROW(printed(1, -1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_printed_always_contains_the_computed_value) {
+  // Parsed back, the print is within its own error of the value, for any value and error.
+  std::mt19937_64 random(20011);
+  std::uniform_real_distribution<double> exponent(-12, 12);
+  for (int i = 0; i < 2000; ++i) {
+    const double value = (i % 2 == 0 ? 1 : -1) * std::pow(10, exponent(random)) * 2.385;
+    const double error = std::abs(value) * std::pow(10, -std::abs(exponent(random)) / 1.2 + 0.5);
+    const auto parse = [](const std::string& text) {
+      double number = 0;
+      std::from_chars(text.data(), text.data() + text.size(), number);
+      return number;
+    };
+    const double shown = parse(Value::estimate({value, error}).printed());
+    BOOST_TEST(std::abs(shown - value) <= std::max(10 * error, 1e-11 * std::abs(value)));
+
+    std::string text = Value::with_uncertainty({value, error}).printed();
+    const std::size_t open = text.find('(');
+    const std::size_t close = text.find(')');
+    const double digits = parse(text.substr(open + 1, close - open - 1));
+    const std::size_t point = text.find('.');
+    const double decimals = point == std::string::npos ? 0 : static_cast<double>(open - point - 1);
+    const double power = close + 1 < text.size() ? parse(text.substr(close + 2)) : 0;
+    const double bound = digits * std::pow(10, power - decimals);
+    text.erase(open, close - open + 1);
+    BOOST_TEST(bound >= error * (1 - 1e-12));
+    BOOST_TEST(bound <= 1.11 * error);
+    BOOST_TEST(std::abs(parse(text) - value) <= 0.06 * bound + 1e-15 * std::abs(value));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_makes_no_other_print) {
+  const auto same = [](const Value& value, double abs_error) {
+    const Value bounded = value.within(abs_error);
+    BOOST_TEST(bounded.printed() == value.printed());
+    BOOST_TEST(bounded.latex() == value.latex());
+    BOOST_TEST(*bounded.number() == *value.number());
+    BOOST_TEST(*bounded.abs_error() == abs_error);
+  };
+  same(Value::significant(2.3851, 3, "in"), 0.01);
+  same(Value::fixed(2.3851, 0), 1);
+  same(Value::scientific(2.3851e-7, 3), 1e-9);
+  same(Value::percent(0.0131, 1), 1e-3);
+  same(Value::percent_bound(0.0131, 0), 1e-2);
+  same(Value::scientific_bound(2.1e-15, 1), 1e-15);
+  same(Value::exact(0.25), 0.01);
+  same(Value::fixed(2, 1), 0);
+}
+
+BOOST_AUTO_TEST_CASE(digits_that_are_not_earned_are_refused_by_name) {
+  const auto refused = [](const Value& value, double abs_error) {
+    BOOST_CHECK_THROW(value.within(abs_error), std::invalid_argument);
+  };
+  refused(Value::significant(2.3851, 3), 0.0101);
+  refused(Value::significant(123456, 4), 101);
+  refused(Value::fixed(2.3851, 0), 1.1);
+  refused(Value::scientific(2.3851e-7, 3), 1.1e-9);
+  refused(Value::percent(0.0131, 1), 1.1e-3);
+  refused(Value::exact(0.25), 0.011);
+  refused(Value::text("0.25"), 0);
+  refused(Value::estimate({1, 0.1}), 0);
+  refused(Value::with_uncertainty({1, 0.1}), 0);
+  refused(Value::fixed(1, 2), -1e-9);
+  refused(Value::fixed(1, 2), not_a_number);
+  refused(Value::fixed(1, 2), infinity);
+
+  BOOST_CHECK_EXCEPTION(
+      Value::fixed(2.3851, 2, "in").within(0.02), std::invalid_argument, [](const auto& error) {
+        return std::string(error.what()) ==
+               "2.3851 is printed as '2.39 in', more digits than an error of 0.02 supports";
+      });
+}
+
+BOOST_AUTO_TEST_CASE(with_an_error_fewer_digits_are_printed_than_allowed_if_it_wants_so) {
+  BOOST_TEST(Value::significant({2.3851, 1e-9}, 3, "in").printed() == "2.39 in");
+  BOOST_TEST(Value::significant({2.3851, 0.02}, 3).printed() == "2.4");
+  BOOST_TEST(Value::significant({123456, 400}, 6).printed() == "1.23e5");
+  BOOST_TEST(Value::significant({0, 0.02}, 2).printed() == "0.0");
+  BOOST_TEST(Value::significant({0, 0}, 2).printed() == "0");
+  BOOST_TEST(Value::fixed({2.3851, 1e-9}, 3).printed() == "2.385");
+  BOOST_TEST(Value::fixed({2.3851, 0.1}, 3).printed() == "2.4");
+  BOOST_TEST(Value::fixed({238.51, 40}, 3).printed() == "2e2");
+  BOOST_TEST(Value::scientific({2.3851e-7, 0}, 3).printed() == "2.39e-7");
+  BOOST_TEST(Value::scientific({3.09e-9, 5.1e-10}, 2, "in").printed() == "3e-9 in");
+  BOOST_TEST(Value::percent({0.01314, 1e-4}, 2).printed() == "1.31 %");
+  BOOST_TEST(Value::percent({0.01314, 2e-3}, 2).printed() == "1 %");
+  BOOST_TEST(Value::percent({1.314, 0.2}, 2).printed() == "1e2 %");
+  BOOST_TEST(*Value::percent({0.01314, 2e-3}, 2).abs_error() == 2e-3);
+  BOOST_TEST(*Value::percent({0.01314, 2e-3}, 2).number() == 0.01314);
+  BOOST_CHECK_THROW(Value::fixed({1, -1}, 2), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::percent({1, infinity}, 2), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::significant({1, not_a_number}, 2), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::scientific({1, -1}, 2), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_exceeded_is_not_exceeded_by_number_and_error_together) {
+  BOOST_TEST(Value::scientific_bound({2.9e-15, 2e-16}, 1, "in").printed() == "4e-15 in");
+  BOOST_TEST(Value::percent_bound({0.000737, 6e-5}, 2).printed() == "0.08 %");
+  BOOST_TEST(Value::percent_bound({0.000737, 7e-5}, 2).printed() == "0.09 %");
+  BOOST_TEST(Value::percent_bound({0.00885, 5.6e-4}, 2).printed() == "1.0 %");
+  BOOST_TEST(Value::percent_bound({0.3, 2}, 2).printed() == "1e3 %");
+  BOOST_TEST(Value::scientific_bound({3.294e-10, 3e-12}, 3).printed() == "3.4e-10");
+  BOOST_TEST(Value::scientific_bound({3e-12, 3e-10}, 3).printed() == "1e-9");
+  BOOST_TEST(Value::scientific_bound({0, 0}, 3).printed() == "0");
+  BOOST_TEST(*Value::percent_bound({0.000737, 7e-5}, 2).number() == 0.000737);
+  BOOST_TEST(*Value::scientific_bound({2.9e-15, 2e-16}, 1).abs_error() == 2e-16);
+  BOOST_CHECK_THROW(Value::scientific_bound({1, -0.1}, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::scientific_bound({-1, 0.1}, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(Value::percent_bound({1, not_a_number}, 1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(fewer_digits_are_printed_just_when_those_asked_for_are_not_earned) {
+  const auto earns = [](const Value& value, double error) {
+    try {
+      value.within(error);
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  };
+  std::mt19937_64 random(20012);
+  std::uniform_real_distribution<double> exponent(-9, 9);
+  for (int i = 0; i < 1000; ++i) {
+    const double number = std::pow(10, exponent(random)) * 1.7;
+    const double error = std::pow(10, exponent(random)) * 2.3;
+    for (const int n : {1, 3, 6}) {
+      BOOST_TEST(earns(Value::scientific(number, n), error) ==
+                 (Value::scientific({number, error}, n).printed() ==
+                  Value::scientific(number, n).printed()));
+      BOOST_TEST(
+          earns(Value::percent(number, n), error) ==
+          (Value::percent({number, error}, n).printed() == Value::percent(number, n).printed()));
+    }
+  }
+}

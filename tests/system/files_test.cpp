@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/files.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "scratch_folder.hpp"
+#include "system/error.hpp"
+
+using namespace sys;
+namespace fs = std::filesystem;
+
+BOOST_AUTO_TEST_CASE(the_same_text_leaves_the_time_stamp) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch / "a folder/file.txt";
+  BOOST_TEST(write_if_changed(file, "text"));
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(5);
+  fs::last_write_time(file, long_ago);
+  const auto stamp = fs::last_write_time(file);
+
+  BOOST_TEST(!write_if_changed(file, "text"));
+
+  BOOST_CHECK(fs::last_write_time(file) == stamp);
+  BOOST_TEST(write_if_changed(file, "other"));
+  BOOST_TEST(read_file(file) == "other");
+  BOOST_TEST(files_below(scratch.path()).size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(sha256_is_that_of_the_standard) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "abc", "abc");
+
+  // FIPS 180-2, appendix B.1
+  BOOST_TEST(sha256_of_file(scratch / "abc") ==
+             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_the_file) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "file", "");
+  const std::string missing = (scratch / "none").string();
+
+  BOOST_TEST(message_of<OutputError>([&] { read_file(missing); }).find(missing) !=
+             std::string::npos);
+  BOOST_CHECK_THROW(read_file(scratch.path()), OutputError);
+  BOOST_CHECK_THROW(sha256_of_file(missing), OutputError);
+  BOOST_CHECK_THROW(files_below(missing), OutputError);
+  BOOST_CHECK_THROW(write_file_atomically(scratch / "file/below", ""), OutputError);
+}
