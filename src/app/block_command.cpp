@@ -13,7 +13,7 @@
 
 #include "app/commands.hpp"
 #include "app/json_text.hpp"
-#include "app/options.hpp"
+#include "command_line/options.hpp"
 #include "app/output_format.hpp"
 #include "block/analysis.hpp"
 #include "block/calculix_deck.hpp"

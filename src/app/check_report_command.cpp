@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/options.hpp"
+#include "command_line/options.hpp"
 #include "literate/document/names.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/references.hpp"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/exit_codes.hpp"
+#include "command_line/exit_codes.hpp"
 
 namespace CLI {
 class App;
 }
 
 namespace app {
+using namespace command_line;  // of which the commands are made
 
 /// Each adds a subcommand with its flags to the program; parsing the command line runs the chosen
 /// one, which stores its answer in `exit_code`.
@@ -18,6 +19,5 @@ void add_stress_command(CLI::App& program, ExitCode& exit_code);
 void add_report_command(CLI::App& program, ExitCode& exit_code);
 void add_typeset_command(CLI::App& program, ExitCode& exit_code);
 void add_check_report_command(CLI::App& program, ExitCode& exit_code);
-void add_course_command(CLI::App& program, ExitCode& exit_code);
 
 }  // namespace app

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/options.hpp"
+#include "command_line/options.hpp"
 #include "contact/friction.hpp"
 #include "contact/hertz.hpp"
 #include "contact/problem.hpp"
@@ -13,6 +13,7 @@
 #include "parameters/case.hpp"
 
 namespace app {
+using namespace command_line;
 
 /// A contact that has a closed form, to compare with.
 struct ClosedForm {

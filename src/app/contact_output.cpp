@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/json_text.hpp"
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 namespace app {
 namespace {
@@ -76,27 +76,29 @@ std::string regions_text(const contact::Solution& solution, const config::UnitSy
 void require_finite(const ContactInput& input, const SolvedContact& solved) {
   const contact::Solution& s = solved.solution;
   if (solved.friction) {
-    finite_result("shear", solved.friction->shear.sum());
-    finite_result("slope_of_pressure", solved.slopes->of_pressure.sum());
-    finite_result("slope_of_shear", solved.slopes->of_shear.sum());
+    command_line::finite_result("shear", solved.friction->shear.sum());
+    command_line::finite_result("slope_of_pressure", solved.slopes->of_pressure.sum());
+    command_line::finite_result("slope_of_shear", solved.slopes->of_shear.sum());
   }
-  finite_result("half_width", half_width_of(input, s));
-  finite_result("peak_pressure", s.peak_pressure());
-  finite_result("load", s.line_load());
-  finite_result("approach", solved.approach.value_or(0));
+  command_line::finite_result("half_width", half_width_of(input, s));
+  command_line::finite_result("peak_pressure", s.peak_pressure());
+  command_line::finite_result("load", s.line_load());
+  command_line::finite_result("approach", solved.approach.value_or(0));
   for (const double residual :
        {s.residuals.gap, s.residuals.separation, s.residuals.pressure, s.residuals.load}) {
-    finite_result("residuals", residual);
+    command_line::finite_result("residuals", residual);
   }
   if (input.closed_form) {
-    finite_result("half_width / exact", s.half_width() / input.closed_form->half_width);
-    finite_result("peak_pressure / exact", s.peak_pressure() / input.closed_form->peak_pressure);
+    command_line::finite_result("half_width / exact",
+                                s.half_width() / input.closed_form->half_width);
+    command_line::finite_result("peak_pressure / exact",
+                                s.peak_pressure() / input.closed_form->peak_pressure);
   }
   for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
     if (std::isfinite(s.pressure[i]) && std::isfinite(s.gap[i])) continue;
     const double x = s.grid.x(i);
-    finite_result(fmt::format("pressure at x = {}", x), s.pressure[i]);
-    finite_result(fmt::format("gap at x = {}", x), s.gap[i]);
+    command_line::finite_result(fmt::format("pressure at x = {}", x), s.pressure[i]);
+    command_line::finite_result(fmt::format("gap at x = {}", x), s.gap[i]);
   }
 }
 

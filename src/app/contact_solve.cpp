@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "app/contact_options.hpp"
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 #include "contact/approach_control.hpp"
 #include "contact/dense_system.hpp"
 #include "contact/fft_solver.hpp"

@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 namespace app {
 namespace {
@@ -43,8 +43,8 @@ CsvColumns read_columns(const std::string& file, const std::string& first,
     while (reader.read_row(first_text, second_text)) {
       const unsigned line = reader.get_file_line();
       const std::string place = fmt::format("{}:{}: ", file, line);
-      columns.first.push_back(parse_number(place + first, first_text));
-      columns.second.push_back(parse_number(place + second, second_text));
+      columns.first.push_back(command_line::parse_number(place + first, first_text));
+      columns.second.push_back(command_line::parse_number(place + second, second_text));
       columns.lines.push_back(line);
     }
   } catch (const io::error::base& error) {

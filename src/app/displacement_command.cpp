@@ -8,7 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/displacement_table.hpp"
-#include "app/options.hpp"
+#include "command_line/options.hpp"
 #include "app/output_format.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/surface_quadrature.hpp"

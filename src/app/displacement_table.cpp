@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/json_text.hpp"
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 namespace app {
 namespace {
@@ -32,7 +32,7 @@ std::array<double, columns.size()> numbers_of(const DisplacementRow& row) {
                                                       row.displacement_quadrature.abs_error,
                                                       row.displacement_closed_form};
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    finite_result(fmt::format("{} at x = {}", columns[i], row.x), numbers[i]);
+    command_line::finite_result(fmt::format("{} at x = {}", columns[i], row.x), numbers[i]);
   }
   return numbers;
 }
@@ -72,8 +72,8 @@ std::string displacement_text(const std::vector<DisplacementRow>& rows,
     const auto digits = [](double number) { return fmt::format("{:.12e}", number); };
     const auto rough = [](double number) { return fmt::format("{:.1e}", number); };
     const auto n = numbers_of(row);
-    text += line(shortest(n[0]), digits(n[1]), rough(n[2]), digits(n[3]), digits(n[4]), rough(n[5]),
-                 digits(n[6]));
+    text += line(command_line::shortest(n[0]), digits(n[1]), rough(n[2]), digits(n[3]),
+                 digits(n[4]), rough(n[5]), digits(n[6]));
   }
   return text;
 }

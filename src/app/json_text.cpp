@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 namespace app {
 namespace {
@@ -21,7 +21,8 @@ bool is_flat(const ordered_json& value) {
 
 std::string text_of(const ordered_json& value, const std::string& indent) {
   if (value.is_number_float()) {
-    return shortest(finite_result("a number of the JSON", value.get<double>()));
+    return command_line::shortest(
+        command_line::finite_result("a number of the JSON", value.get<double>()));
   }
   if (!value.is_structured()) return value.dump();
   const bool on_one_line = value.is_array() && is_flat(value);

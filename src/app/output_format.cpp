@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output_format.hpp"
 
-#include "app/options.hpp"
+#include "command_line/options.hpp"
 
 namespace app {
 
 void OutputOptions::add_to(CLI::App& command) {
-  add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
-  add_text(
+  command_line::add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
+  command_line::add_text(
       command, "--units", units_, "NAME",
       "Units of the numbers given, for the headings of a table: in-lbf (default), mm-N or m-N");
 }

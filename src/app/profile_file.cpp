@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "app/csv_columns.hpp"
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 namespace app {
 
@@ -14,7 +14,8 @@ contact::Profile read_profile(const std::string& file) {
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] > x[i - 1]) continue;
     throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the one before, {}",
-                                      file, points.lines[i], shortest(x[i]), shortest(x[i - 1])));
+                                      file, points.lines[i], command_line::shortest(x[i]),
+                                      command_line::shortest(x[i - 1])));
   }
   constexpr std::size_t min_points = 4;
   if (x.size() < min_points) {

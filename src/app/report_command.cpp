@@ -9,8 +9,8 @@
 
 #include "app/commands.hpp"
 #include "app/compiled_excerpts.hpp"
-#include "app/options.hpp"
-#include "app/stage.hpp"
+#include "command_line/options.hpp"
+#include "command_line/stage.hpp"
 #include "literate/document/document.hpp"
 #include "literate/excerpts/excerpt.hpp"
 #include "paper/paper.hpp"

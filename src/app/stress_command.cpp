@@ -11,7 +11,7 @@
 #include "app/contact_options.hpp"
 #include "app/csv_columns.hpp"
 #include "app/json_text.hpp"
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 #include "app/output_format.hpp"
 #include "contact/mcewen.hpp"
 #include "contact/traction.hpp"

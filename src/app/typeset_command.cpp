@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/options.hpp"
-#include "app/stage.hpp"
+#include "command_line/options.hpp"
+#include "command_line/stage.hpp"
 #include "literate/document/names.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/references.hpp"

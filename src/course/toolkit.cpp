@@ -155,7 +155,7 @@ Toolkit open_toolkit(const Assignment& assignment, const fs::path& folder) {
   Toolkit toolkit{fs::absolute(folder)};
   if (!fs::exists(folder / list_of_files)) {
     throw sys::OutputError(
-        fmt::format("'{}' is no toolkit; `halfspace course toolkit` makes one", folder.string()));
+        fmt::format("'{}' is no toolkit; `halfspace-course toolkit` makes one", folder.string()));
   }
   for (const Exercise& exercise : assignment.exercises) {
     if (!fs::exists(toolkit.stub_of(exercise))) {

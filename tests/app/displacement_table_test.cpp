@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 using app::DisplacementRow;
 

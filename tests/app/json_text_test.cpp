@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 #include "random_inputs.hpp"
 
 using app::json_text;

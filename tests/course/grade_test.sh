@@ -1,13 +1,13 @@
 #!/bin/sh
-# grade_test.sh HALFSPACE SOURCE: a small class through `make grade`'s script, with the real assignment.
-halfspace=$1
+# grade_test.sh PROGRAM SOURCE: a small class through `make grade`'s script, with the real assignment.
+course=$1
 shift
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/../toolchain/shell_test.sh"
 
 submissions="$scratch/sub missions"
 mkdir "$submissions" "$scratch/one" "$scratch/two"
-"$halfspace" course solution --assignment "$source_dir/report/assignment" --source "$source_dir" \
+"$course" solution --assignment "$source_dir/report/assignment" --source "$source_dir" \
   --output "$submissions/alice" >/dev/null
 cp -R "$submissions/alice" "$submissions/bob"
 echo 'int x = nothing;' >>"$submissions/bob/src/influence.cpp"
@@ -24,7 +24,7 @@ printf '%s\n' alice,2027-01-15T23:59:00Z, bob,, carol,2027-01-16T23:59:00Z, dave
 
 # grade WORK JOBS [SUBMISSIONS [ROSTER]]: by the script.
 grade() {
-  runs env SUBMISSIONS="${3:-sub missions}" ROSTER="${4:-class.csv}" J="$2" HALFSPACE="${program:-$halfspace}" WORK="$scratch/$1" \
+  runs env SUBMISSIONS="${3:-sub missions}" ROSTER="${4:-class.csv}" J="$2" HALFSPACE_COURSE="${program:-$course}" WORK="$scratch/$1" \
     CALLER="$scratch" bash "$source_dir/src/toolchain/course/grade"
 }
 
@@ -45,8 +45,8 @@ claim 'marks do not depend on how many are graded at a time' \
 program="$scratch/failing"
 cat >"$program" <<EOF
 #!/bin/sh
-case "\$2 \$3" in 'grade '*/bob) echo 'halfspace: broken' >&2; exit 3 ;; esac
-exec '$halfspace' "\$@"
+case "\$1 \$2" in 'grade '*/bob) echo 'halfspace-course: broken' >&2; exit 3 ;; esac
+exec '$course' "\$@"
 EOF
 chmod +x "$program"
 grade two 2
@@ -79,21 +79,21 @@ grade one 1
 unchanged 'while another grades'
 exec 8>&-
 
-runs env HALFSPACE="$halfspace" bash "$source_dir/src/toolchain/course/grade-one" "$scratch/one/grades" \
+runs env HALFSPACE_COURSE="$course" bash "$source_dir/src/toolchain/course/grade-one" "$scratch/one/grades" \
   "$submissions/bob/" --assignment "$source_dir/report/assignment" --toolkit "$scratch/one/course/toolkit"
 claim 'a slash after the name does no harm' "$status $(says 'bob: 60 of 100 points')" = '0 yes'
-runs env HALFSPACE="$halfspace" bash "$source_dir/src/toolchain/course/grade-one" "$scratch/one/grades" "$submissions/.."
+runs env HALFSPACE_COURSE="$course" bash "$source_dir/src/toolchain/course/grade-one" "$scratch/one/grades" "$submissions/.."
 claim 'nor does a name that is none' "$status $(says 'an id is of')" = '2 yes'
 
-runs env SUBMISSIONS=nowhere HALFSPACE="$halfspace" WORK="$scratch/one" bash "$source_dir/src/toolchain/course/grade"
+runs env SUBMISSIONS=nowhere HALFSPACE_COURSE="$course" WORK="$scratch/one" bash "$source_dir/src/toolchain/course/grade"
 claim 'a folder that there is not is named' "$(says 'SUBMISSIONS: there is no nowhere')" = yes
 
 # A Slurm array's second task.
 mkdir -p "$scratch/slurm/build/course" "$scratch/slurm/src/toolchain"
 ln -s "$source_dir/src/toolchain/course" "$scratch/slurm/src/toolchain/course"
 ln -s "$scratch/one/course/toolkit" "$scratch/slurm/build/course/toolkit"
-"$halfspace" course list "$submissions" --null >"$scratch/slurm/build/course/submissions" 2>/dev/null
-runs env SLURM_SUBMIT_DIR="$scratch/slurm" SLURM_ARRAY_TASK_ID=2 HALFSPACE="$halfspace" \
+"$course" list "$submissions" --null >"$scratch/slurm/build/course/submissions" 2>/dev/null
+runs env SLURM_SUBMIT_DIR="$scratch/slurm" SLURM_ARRAY_TASK_ID=2 HALFSPACE_COURSE="$course" \
   bash "$source_dir/src/toolchain/course/class.slurm" --assignment "$source_dir/report/assignment"
 claim 'an array task grades its own submission' "$(says 'bob: 60 of 100 points')" = yes
 finish

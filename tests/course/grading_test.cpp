@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_no_toolkit_is_named) {
       build(toy::assignment(), scratch.path(), {}, scratch.path() / "work", Isolation::sandbox),
       sys::OutputError, [](const auto& error) {
         return std::string(error.what())
-            .ends_with("is no toolkit; `halfspace course toolkit` makes one");
+            .ends_with("is no toolkit; `halfspace-course toolkit` makes one");
       });
 }
 

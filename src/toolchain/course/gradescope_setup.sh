@@ -15,8 +15,8 @@ if [[ -z ${IS_SET_UP:-} ]]; then
     bubblewrap libarchive-tools libpugixml-dev libseccomp-dev gnuplot-nox python3
 fi
 cmake -S halfspace -B halfspace/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release
-ninja -C halfspace/build/release halfspace
-halfspace/build/release/halfspace course toolkit --assignment halfspace/report/assignment --source halfspace \
+ninja -C halfspace/build/release halfspace-course
+halfspace/build/release/halfspace-course toolkit --assignment halfspace/report/assignment --source halfspace \
   --output "$autograder/toolkit"
 
 # Submissions run as another user, who finds the toolkit and neither the checks nor the seed.

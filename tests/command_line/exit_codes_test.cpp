@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exit_codes.hpp"
+#include "command_line/exit_codes.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "app/number_text.hpp"
 #include "block/factorization_error.hpp"
+#include "command_line/number_text.hpp"
 #include "config/table.hpp"
 #include "contact/contact_error.hpp"
 #include "numerics/quadrature.hpp"
 #include "system/error.hpp"
 #include "system/require.hpp"
 
-using app::ExitCode;
+using command_line::ExitCode;
 
 namespace {
 
 template <class Error>
 int code_of(const Error& error) {
-  return static_cast<int>(app::run_guarded([&]() -> ExitCode { throw error; }));
+  return static_cast<int>(command_line::run_guarded([&]() -> ExitCode { throw error; }));
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_command_that_returns_decides_itself) {
-  BOOST_TEST((app::run_guarded([] { return ExitCode::success; }) == ExitCode::success));
-  BOOST_TEST((app::run_guarded([] { return ExitCode::failed; }) == ExitCode::failed));
+  BOOST_TEST((command_line::run_guarded([] { return ExitCode::success; }) == ExitCode::success));
+  BOOST_TEST((command_line::run_guarded([] { return ExitCode::failed; }) == ExitCode::failed));
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_of_any_kind_is_two) {

@@ -8,22 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "app/exit_codes.hpp"
-#include "app/number_text.hpp"
+#include "command_line/exit_codes.hpp"
+#include "command_line/number_text.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace app {
-
-struct ProgramText {
-  std::string name, description, version;
-};
+namespace command_line {
 
 /// Runs the subcommand that the command line names, of those that `add_commands` add, and returns
 /// the exit code for the shell; a wrong command line or output that cannot be written is bad input.
-int run_program(const ProgramText& text,
+int run_program(const std::string& description,
                 const std::vector<void (*)(CLI::App& program, ExitCode& exit_code)>& add_commands,
                 int argc, char** argv);
 
@@ -32,10 +28,6 @@ int run_program(const ProgramText& text,
 void add_command(CLI::App& program, const std::string& name, const std::string& description,
                  ExitCode& exit_code,
                  const std::function<std::function<ExitCode()>(CLI::App&)>& set_up);
-
-/// Adds a command that only holds subcommands, one of which must be given.
-CLI::App& add_command_group(CLI::App& program, const std::string& name,
-                            const std::string& description);
 
 /// Adds a flag that takes a text, shown in the help as `type`. As all of these flags it refuses an
 /// empty text, so that a text that is empty was not given.
@@ -78,4 +70,4 @@ class NumberOption {
   std::string text_;
 };
 
-}  // namespace app
+}  // namespace command_line

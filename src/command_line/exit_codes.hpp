@@ -7,9 +7,15 @@
 
 #include "system/error.hpp"
 
-namespace app {
+namespace command_line {
 
 using sys::ExitCode;
+
+/// The name by which this program was started; all its messages begin with it.
+std::string program_name();
+
+/// Prints a message as a line on standard error, and returns `exit_code`.
+ExitCode complain(const std::string& message, ExitCode exit_code);
 
 /// Runs a command; turns what it throws into one message on standard error and its exit code.
 ExitCode run_guarded(const std::function<ExitCode()>& command);
@@ -17,4 +23,4 @@ ExitCode run_guarded(const std::function<ExitCode()>& command);
 /// Prints each fault of a document as a line on standard error: failed if there is any.
 ExitCode answer_faults(const std::vector<std::string>& faults);
 
-}  // namespace app
+}  // namespace command_line

@@ -4,14 +4,14 @@
 #include <memory>
 #include <string>
 
-#include "app/course_commands.hpp"
-#include "app/course_options.hpp"
-#include "app/options.hpp"
-#include "app/stage.hpp"
 #include "assignment/sheet.hpp"
+#include "command_line/options.hpp"
+#include "command_line/stage.hpp"
+#include "course_app/commands.hpp"
+#include "course_app/options.hpp"
 #include "literate/document/document.hpp"
 
-namespace app {
+namespace course_app {
 namespace {
 
 struct SheetOptions : CourseOptions {
@@ -31,8 +31,8 @@ ExitCode run(const SheetOptions& options) {
 
 }  // namespace
 
-void add_course_sheet_command(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "sheet", "Write what the assignment sheet is typeset from", exit_code,
+void add_sheet_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "sheet", "Write what the assignment sheet is typeset from", exit_code,
               [](CLI::App& command) {
                 auto options = std::make_shared<SheetOptions>();
                 add_required_text(command, "--output", options->output, "DIR",
@@ -43,4 +43,4 @@ void add_course_sheet_command(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-}  // namespace app
+}  // namespace course_app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 #include <fmt/core.h>
 #include <CLI/StringTools.hpp>
@@ -12,7 +12,7 @@
 #include <sstream>
 #include <system_error>
 
-namespace app {
+namespace command_line {
 
 double parse_number(const std::string& what, const std::string& text) {
   const char* begin = text.data();
@@ -68,4 +68,4 @@ std::string shortest(double number) {
   return fmt::format("{}", number);
 }
 
-}  // namespace app
+}  // namespace command_line

@@ -8,20 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "app/course_commands.hpp"
-#include "app/course_options.hpp"
-#include "app/options.hpp"
-#include "app/stage.hpp"
 #include "assignment/hidden_checks.hpp"
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
+#include "command_line/options.hpp"
+#include "command_line/stage.hpp"
 #include "course/handout.hpp"
 #include "course/proof.hpp"
 #include "course/roster.hpp"
 #include "course/variant_check.hpp"
+#include "course_app/commands.hpp"
+#include "course_app/options.hpp"
 #include "system/files.hpp"
 
-namespace app {
+namespace course_app {
 namespace fs = std::filesystem;
 namespace {
 
@@ -35,7 +35,7 @@ void add_place(CLI::App& command, Options& options) {
 }
 
 void add_toolkit(CLI::App& command, Options& options) {
-  add_required_text(command, "--toolkit", options.toolkit, "DIR", "What `course toolkit` made");
+  add_required_text(command, "--toolkit", options.toolkit, "DIR", "What `toolkit` made");
 }
 
 std::size_t count_of(const NumberOption& option, long otherwise, long most) {
@@ -133,8 +133,10 @@ ExitCode check_variants(const Options& options, const std::vector<std::string>& 
   return answer_faults(faults);
 }
 
-void add_handout(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "handout", "Write the project that students get", exit_code,
+}  // namespace
+
+void add_handout_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "handout", "Write the project that students get", exit_code,
               [](CLI::App& command) {
                 auto options = std::make_shared<Options>();
                 add_required_text(command, "--output", options->output, "DIR",
@@ -146,8 +148,8 @@ void add_handout(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-void add_solution(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "solution", "Write the same project with the instructor's solution",
+void add_solution_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "solution", "Write the same project with the instructor's solution",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<Options>();
                 add_required_text(command, "--output", options->output, "DIR",
@@ -158,14 +160,14 @@ void add_solution(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-void add_prove(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "prove",
+void add_prove_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "prove",
               "Prove a handout: it compiles, scores its floor, gives nothing away; the solution "
               "and the wrong ones score what they must",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<Options>();
                 add_required_text(command, "handout", options->handout, "HANDOUT",
-                                  "Folder that `course handout` wrote");
+                                  "Folder that `handout` wrote");
                 add_toolkit(command, *options);
                 add_text(command, "--zip", options->zip, "FILE", "The same packed");
                 add_student(command, *options);
@@ -175,9 +177,9 @@ void add_prove(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-void add_check_variants(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "check-variants", "Try the instructor's solution on many variants", exit_code,
-              [](CLI::App& command) {
+void add_check_variants_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "check-variants", "Try the instructor's solution on many variants",
+              exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<Options>();
                 auto count = std::make_shared<NumberOption>(command, "--count", "How many; 300");
                 add_text(command, "--roster", options->roster, "FILE",
@@ -194,13 +196,4 @@ void add_check_variants(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-}  // namespace
-
-void add_course_release_commands(CLI::App& course, ExitCode& exit_code) {
-  add_handout(course, exit_code);
-  add_solution(course, exit_code);
-  add_prove(course, exit_code);
-  add_check_variants(course, exit_code);
-}
-
-}  // namespace app
+}  // namespace course_app

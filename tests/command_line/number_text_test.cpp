@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/number_text.hpp"
+#include "command_line/number_text.hpp"
 
 #include <bit>
 #include <boost/test/unit_test.hpp>
@@ -12,10 +12,10 @@
 #include "random_inputs.hpp"
 #include "temporary_file.hpp"
 
-using app::parse_number;
-using app::parse_numbers;
-using app::read_numbers;
-using app::shortest;
+using command_line::parse_number;
+using command_line::parse_numbers;
+using command_line::read_numbers;
+using command_line::shortest;
 using sys::InputError;
 
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-namespace app {
+namespace command_line {
 
 /// A stage of a longer command: prints one line with its name and time when it is done.
 class Stage {
@@ -25,4 +25,4 @@ class Stage {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace app
+}  // namespace command_line

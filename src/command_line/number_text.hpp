@@ -6,7 +6,7 @@
 
 #include "system/error.hpp"
 
-namespace app {
+namespace command_line {
 
 /// The number that the whole text spells, rounded once and without regard to the locale. Throws
 /// sys::InputError naming `what` and the text if it is none, or not finite.
@@ -26,4 +26,4 @@ double finite_result(const std::string& what, double result);
 /// The shortest decimal digits that read back as the same double.
 std::string shortest(double number);
 
-}  // namespace app
+}  // namespace command_line

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/options.hpp"
+#include "command_line/options.hpp"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,9 @@
 #include <charconv>
 #include <cstdio>
 
-namespace app {
+#include "toolchain/build_info.hpp"
+
+namespace command_line {
 namespace {
 
 CLI::Option* add(CLI::App& command, const std::string& flag, std::string& text,
@@ -22,7 +24,7 @@ CLI::Option* add(CLI::App& command, const std::string& flag, std::string& text,
   return option;
 }
 
-// What the user ran, "halfspace" or "halfspace course grade".
+// What the user ran, "halfspace" or "halfspace contact".
 std::string chosen_command(const CLI::App& program) {
   std::string command = program.get_name();
   for (const CLI::App* subcommand : program.get_subcommands()) {
@@ -31,18 +33,22 @@ std::string chosen_command(const CLI::App& program) {
   return command;
 }
 
-int answer(const std::string& program, const std::string& message) {
-  fmt::print(stderr, "{}: {}\n", program, message);
-  return static_cast<int>(ExitCode::bad_input);
+int bad_input(const std::string& message) {
+  return static_cast<int>(complain(message, ExitCode::bad_input));
+}
+
+std::string version_text() {
+  return fmt::format("halfspace {} (commit {}{})", toolchain::version, toolchain::commit,
+                     toolchain::modified ? ", modified" : "");
 }
 
 }  // namespace
 
-int run_program(const ProgramText& text,
+int run_program(const std::string& description,
                 const std::vector<void (*)(CLI::App& program, ExitCode& exit_code)>& add_commands,
                 int argc, char** argv) {
-  CLI::App program{text.description, text.name};
-  program.set_version_flag("--version", text.version);
+  CLI::App program{description, program_name()};
+  program.set_version_flag("--version", version_text());
   program.require_subcommand(0, 1);  // none is refused below, after what was given instead
   ExitCode exit_code = ExitCode::success;
   for (const auto add : add_commands) add(program, exit_code);
@@ -54,11 +60,11 @@ int run_program(const ProgramText& text,
     if (program.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
-    return answer(text.name, fmt::format("{} (see {} --help)", e.what(), chosen_command(program)));
+    return bad_input(fmt::format("{} (see {} --help)", e.what(), chosen_command(program)));
   }
   // A full disk shows when the last of the output is written, not before.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return answer(text.name, "standard output cannot be written");
+    return bad_input("standard output cannot be written");
   }
   return static_cast<int>(exit_code);
 }
@@ -68,13 +74,6 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
                  const std::function<std::function<ExitCode()>(CLI::App&)>& set_up) {
   CLI::App* command = program.add_subcommand(name, description);
   command->callback([run = set_up(*command), &exit_code] { exit_code = run_guarded(run); });
-}
-
-CLI::App& add_command_group(CLI::App& program, const std::string& name,
-                            const std::string& description) {
-  CLI::App* group = program.add_subcommand(name, description);
-  group->require_subcommand(1);
-  return *group;
 }
 
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
@@ -124,4 +123,4 @@ std::optional<long> NumberOption::integer() const {
   return number;
 }
 
-}  // namespace app
+}  // namespace command_line

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the subcommands of `halfspace course` have in common.
+// What the subcommands of `halfspace-course` have in common.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace app {
+namespace course_app {
 
 struct CourseOptions {
   std::string assignment = "report/assignment";
@@ -35,4 +35,4 @@ std::string seed_of(const CourseOptions& options);
 /// where there is no seed for the student, or no student for the seed.
 course::Variant variant_of(const CourseOptions& options, const course::Assignment& assignment);
 
-}  // namespace app
+}  // namespace course_app

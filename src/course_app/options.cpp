@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/course_options.hpp"
+#include "course_app/options.hpp"
 
 #include <fmt/core.h>
 
-#include "app/options.hpp"
 #include "assignment/hidden_checks.hpp"
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
+#include "command_line/options.hpp"
 #include "course/check_list.hpp"
 #include "course/variants.hpp"
+#include "course_app/commands.hpp"
 #include "system/files.hpp"
 
-namespace app {
+namespace course_app {
 
 void add_assignment(CLI::App& command, CourseOptions& options) {
   add_text(command, "--assignment", options.assignment, "DIR", "Folder of assignment.toml");
@@ -58,4 +59,4 @@ course::Variant variant_of(const CourseOptions& options, const course::Assignmen
   return course::variant_of(assignment, options.student, seed, assignment::is_valid);
 }
 
-}  // namespace app
+}  // namespace course_app

@@ -6,22 +6,22 @@
 #include <optional>
 #include <string>
 
-#include "app/course_commands.hpp"
-#include "app/course_options.hpp"
-#include "app/options.hpp"
 #include "assignment/curves.hpp"
 #include "assignment/hidden_checks.hpp"
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
+#include "command_line/options.hpp"
 #include "course/check_list.hpp"
 #include "course/collect.hpp"
 #include "course/grade.hpp"
 #include "course/roster.hpp"
 #include "course/toolkit.hpp"
 #include "course/variants.hpp"
+#include "course_app/commands.hpp"
+#include "course_app/options.hpp"
 #include "system/files.hpp"
 
-namespace app {
+namespace course_app {
 namespace {
 
 std::optional<course::Roster> roster_of(const std::string& file) {
@@ -33,27 +33,13 @@ struct ToolkitOptions : CourseOptions {
   std::string output;
 };
 
-void add_toolkit(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "toolkit",
-              "Compile once what students do not write, for `grade`; no solution is in it",
-              exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<ToolkitOptions>();
-                add_assignment(command, *options);
-                add_source(command, *options);
-                add_required_text(command, "--output", options->output, "DIR", "Folder to write");
-                return [options] {
-                  course::make_toolkit(read_assignment(*options), options->source, options->output);
-                  return ExitCode::success;
-                };
-              });
-}
-
 struct GradeOptions : CourseOptions {
   std::string submission, toolkit, output, submitted, deadline, roster;
   bool is_unsafe = false;
 };
 
 /// What the roster says of a student; options that say it are stronger.
+
 course::RosterEntry times_of(const GradeOptions& options, const std::string& student) {
   course::RosterEntry times;
   if (const std::optional<course::Roster> roster = roster_of(options.roster)) {
@@ -92,8 +78,54 @@ ExitCode grade(const GradeOptions& options) {
   return ExitCode::success;
 }
 
-void add_grade(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "grade", "Grade one submission: results, feedback and mark in one folder",
+struct ListOptions {
+  std::string submissions, roster;
+  bool has_null = false;
+};
+
+ExitCode list(const ListOptions& options) {
+  const course::Listing listing =
+      course::list_submissions(options.submissions, roster_of(options.roster));
+  for (const course::Entry& entry : listing.entries) {
+    const std::string path = entry.path.string();
+    std::fwrite(path.data(), 1, path.size(), stdout);
+    std::fputc(options.has_null ? '\0' : '\n', stdout);
+  }
+  return answer_faults(listing.problems);
+}
+
+struct CollectOptions : CourseOptions {
+  std::string grades, output, roster, submissions;
+};
+
+ExitCode collect(const CollectOptions& options) {
+  const course::Grades grades = course::collect_grades(
+      read_assignment(options), options.grades, roster_of(options.roster),
+      options.submissions.empty() ? std::nullopt
+                                  : std::optional<std::filesystem::path>(options.submissions));
+  sys::write_file_atomically(options.output, grades.csv);
+  return answer_faults(grades.problems);
+}
+
+}  // namespace
+
+void add_toolkit_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "toolkit",
+              "Compile once what students do not write, for `grade`; no solution is in it",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<ToolkitOptions>();
+                add_assignment(command, *options);
+                add_source(command, *options);
+                add_required_text(command, "--output", options->output, "DIR", "Folder to write");
+                return [options] {
+                  course::make_toolkit(read_assignment(*options), options->source, options->output);
+                  return ExitCode::success;
+                };
+              });
+}
+
+void add_grade_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "grade", "Grade one submission: results, feedback and mark in one folder",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<GradeOptions>();
                 add_required_text(command, "submission", options->submission, "FOLDER|ARCHIVE",
@@ -117,24 +149,8 @@ void add_grade(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-struct ListOptions {
-  std::string submissions, roster;
-  bool has_null = false;
-};
-
-ExitCode list(const ListOptions& options) {
-  const course::Listing listing =
-      course::list_submissions(options.submissions, roster_of(options.roster));
-  for (const course::Entry& entry : listing.entries) {
-    const std::string path = entry.path.string();
-    std::fwrite(path.data(), 1, path.size(), stdout);
-    std::fputc(options.has_null ? '\0' : '\n', stdout);
-  }
-  return answer_faults(listing.problems);
-}
-
-void add_list(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "list", "List what there is to grade, a line each", exit_code,
+void add_list_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "list", "List what there is to grade, a line each", exit_code,
               [](CLI::App& command) {
                 auto options = std::make_shared<ListOptions>();
                 add_required_text(command, "submissions", options->submissions, "DIR",
@@ -146,8 +162,8 @@ void add_list(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-void add_student_of(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "student", "Tell whose a submission is, by its name", exit_code,
+void add_student_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "student", "Tell whose a submission is, by its name", exit_code,
               [](CLI::App& command) {
                 auto submission = std::make_shared<std::string>();
                 add_required_text(command, "submission", *submission, "FOLDER|ARCHIVE",
@@ -161,8 +177,8 @@ void add_student_of(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-void add_class(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "class", "List the students of a class, a line each", exit_code,
+void add_class_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "class", "List the students of a class, a line each", exit_code,
               [](CLI::App& command) {
                 auto roster = std::make_shared<std::string>();
                 add_required_text(command, "roster", *roster, "FILE", "CSV of the class");
@@ -175,21 +191,8 @@ void add_class(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-struct CollectOptions : CourseOptions {
-  std::string grades, output, roster, submissions;
-};
-
-ExitCode collect(const CollectOptions& options) {
-  const course::Grades grades = course::collect_grades(
-      read_assignment(options), options.grades, roster_of(options.roster),
-      options.submissions.empty() ? std::nullopt
-                                  : std::optional<std::filesystem::path>(options.submissions));
-  sys::write_file_atomically(options.output, grades.csv);
-  return answer_faults(grades.problems);
-}
-
-void add_collect(CLI::App& course, ExitCode& exit_code) {
-  add_command(course, "collect", "Merge the folders that `grade` wrote into one table", exit_code,
+void add_collect_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "collect", "Merge the folders that `grade` wrote into one table", exit_code,
               [](CLI::App& command) {
                 auto options = std::make_shared<CollectOptions>();
                 add_required_text(command, "grades", options->grades, "DIR",
@@ -204,15 +207,4 @@ void add_collect(CLI::App& course, ExitCode& exit_code) {
               });
 }
 
-}  // namespace
-
-void add_course_grading_commands(CLI::App& course, ExitCode& exit_code) {
-  add_toolkit(course, exit_code);
-  add_grade(course, exit_code);
-  add_list(course, exit_code);
-  add_student_of(course, exit_code);
-  add_class(course, exit_code);
-  add_collect(course, exit_code);
-}
-
-}  // namespace app
+}  // namespace course_app

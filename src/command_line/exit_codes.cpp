@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_line/exit_codes.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+
+namespace command_line {
+std::string program_name() {
+  return ::program_invocation_short_name;
+}
+
+ExitCode complain(const std::string& message, ExitCode exit_code) {
+  fmt::print(stderr, "{}: {}\n", program_name(), message);
+  return exit_code;
+}
+
+ExitCode run_guarded(const std::function<ExitCode()>& command) {
+  try {
+    return command();
+  } catch (const sys::Error& e) {
+    return complain(e.what(), e.exit_code());
+  } catch (const std::exception& e) {
+    return complain(e.what(), ExitCode::failed);
+  }
+}
+
+ExitCode answer_faults(const std::vector<std::string>& faults) {
+  ExitCode exit_code = ExitCode::success;
+  for (const std::string& fault : faults) exit_code = complain(fault, ExitCode::failed);
+  return exit_code;
+}
+
+}  // namespace command_line
