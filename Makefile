@@ -2,6 +2,7 @@
 # The front door. CMake (CMakePresets.json) and Ninja know what depends on what; here are only the names.
 #
 #   CASE=file.toml   another parameter file than report/ruggiero2001.toml; relative to where you call make
+#   CASES='cases/*.toml' J=2 KEYS='key …'   reports: the parameter files, how many at a time, what to compare
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   ONLY=id          mutants: this one alone
 #   TARGET=name      why: another target, or a file that is built
@@ -13,7 +14,7 @@
 #   V=1              show the commands
 
 # Paths never pass through make, which would split them at spaces: the scripts read them and CALLER.
-export CASE MANIFEST ONLY TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
+export CASE CASES KEYS MANIFEST ONLY TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.
@@ -22,11 +23,14 @@ export LC_ALL := C
 # Two targets at once would be two Ninjas in one folder; Ninja itself runs in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report html figures check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report reports html figures check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
 	@bash src/toolchain/build report
+
+reports: ## the report of each case in CASES, side by side: build/reports/cases.csv
+	@bash src/toolchain/build reports
 
 html: ## the report as one page, build/report/report.html (first make setup STAGES=html)
 	@bash src/toolchain/build html

@@ -16,8 +16,8 @@ void add_displacement_command(CLI::App& program, ExitCode& exit_code);
 void add_block_command(CLI::App& program, ExitCode& exit_code);
 void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_stress_command(CLI::App& program, ExitCode& exit_code);
-void add_report_command(CLI::App& program, ExitCode& exit_code);
-void add_typeset_command(CLI::App& program, ExitCode& exit_code);
-void add_check_report_command(CLI::App& program, ExitCode& exit_code);
+
+/// Adds compute, typeset and check: what makes the report.
+void add_report_stages(CLI::App& program, ExitCode& exit_code);
 
 }  // namespace app

@@ -8,8 +8,21 @@
 #include <exception>
 
 namespace command_line {
+namespace {
+
+std::string& name_of_program() {
+  static std::string name = ::program_invocation_short_name;
+  return name;
+}
+
+}  // namespace
+
 std::string program_name() {
-  return ::program_invocation_short_name;
+  return name_of_program();
+}
+
+void set_program_name(const std::string& name) {
+  name_of_program() = name;
 }
 
 ExitCode complain(const std::string& message, ExitCode exit_code) {

@@ -11,8 +11,10 @@ namespace command_line {
 
 using sys::ExitCode;
 
-/// The name by which this program was started; all its messages begin with it.
+/// What all messages of this program begin with: the name that it was started by, unless another
+/// one was set.
 std::string program_name();
+void set_program_name(const std::string& name);
 
 /// Prints a message as a line on standard error, and returns `exit_code`.
 ExitCode complain(const std::string& message, ExitCode exit_code);

@@ -9,8 +9,6 @@
 #include <charconv>
 #include <cstdio>
 
-#include "toolchain/build_info.hpp"
-
 namespace command_line {
 namespace {
 
@@ -37,21 +35,16 @@ int bad_input(const std::string& message) {
   return static_cast<int>(complain(message, ExitCode::bad_input));
 }
 
-std::string version_text() {
-  return fmt::format("halfspace {} (commit {}{})", toolchain::version, toolchain::commit,
-                     toolchain::modified ? ", modified" : "");
-}
-
 }  // namespace
 
-int run_program(const std::string& description,
-                const std::vector<void (*)(CLI::App& program, ExitCode& exit_code)>& add_commands,
-                int argc, char** argv) {
-  CLI::App program{description, program_name()};
-  program.set_version_flag("--version", version_text());
+int run_program(const ProgramText& text, const std::vector<AddCommand>& add_commands, int argc,
+                char** argv) {
+  set_program_name(text.name);
+  CLI::App program{text.description, text.name};
+  program.set_version_flag("--version", text.version);
   program.require_subcommand(0, 1);  // none is refused below, after what was given instead
   ExitCode exit_code = ExitCode::success;
-  for (const auto add : add_commands) add(program, exit_code);
+  for (const AddCommand& add : add_commands) add(program, exit_code);
   // After the subcommands, which would inherit it.
   program.set_help_all_flag("--help-all", "Print the help of every subcommand");
 
@@ -79,6 +72,11 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
               const std::string& type, const std::string& help) {
   add(command, flag, text, help)->type_name(type);
+}
+
+void add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
+               const std::string& type, const std::string& help) {
+  command.add_option(name, texts, help)->type_name(type)->required();
 }
 
 void add_required_text(CLI::App& command, const std::string& flag, std::string& text,

@@ -17,11 +17,18 @@ class App;
 
 namespace command_line {
 
+struct ProgramText {
+  std::string name;  ///< begins its messages
+  std::string description;
+  std::string version;  ///< what --version prints
+};
+
+using AddCommand = std::function<void(CLI::App& program, ExitCode& exit_code)>;
+
 /// Runs the subcommand that the command line names, of those that `add_commands` add, and returns
 /// the exit code for the shell; a wrong command line or output that cannot be written is bad input.
-int run_program(const std::string& description,
-                const std::vector<void (*)(CLI::App& program, ExitCode& exit_code)>& add_commands,
-                int argc, char** argv);
+int run_program(const ProgramText& text, const std::vector<AddCommand>& add_commands, int argc,
+                char** argv);
 
 /// Adds a subcommand: `set_up` gets it to add its flags to, and returns what runs when it is
 /// chosen. Parsing the command line then runs it, guarded, and stores its answer in `exit_code`.
@@ -33,6 +40,10 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
 /// empty text, so that a text that is empty was not given.
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
               const std::string& type, const std::string& help);
+
+/// Adds what stands on the command line without a flag: at least one text, shown as `type`.
+void add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
+               const std::string& type, const std::string& help);
 
 /// As add_text, for a flag that must be given.
 void add_required_text(CLI::App& command, const std::string& flag, std::string& text,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -9,10 +10,15 @@
 
 namespace command_line {
 
-/// A stage of a longer command: prints one line with its name and time when it is done.
+/// A stage of a longer command: prints one line with its name and time when it is done. On a
+/// terminal its name stands there already while it runs.
 class Stage {
  public:
-  explicit Stage(std::string name) : name_(std::move(name)) {}
+  explicit Stage(std::string name) : name_(std::move(name)) {
+    if (::isatty(STDOUT_FILENO) == 0) return;
+    fmt::print("{:<9} …\r", name_);
+    std::fflush(stdout);
+  }
 
   void done(const std::string& what) const {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;

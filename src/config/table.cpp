@@ -142,13 +142,16 @@ long Table::integer(const std::string& key) const {
 }
 
 double Table::quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const {
-  const std::string& unit = units.unit(dimension);
+  return quantity(key, units.unit(dimension));
+}
+
+double Table::quantity(const std::string& key, const std::string& unit) const {
   const std::string wanted = fmt::format("a quantity such as {{value = 1.0, unit = \"{}\"}}", unit);
   if (node_->get(*this, key).as_table() == nullptr) node_->wrong_type(*this, key, wanted);
-  const Table quantity = table(key);
+  const Table given = table(key);
   const double factor =
-      quantity.at("unit", [&] { return conversion_factor(quantity.text("unit"), unit); });
-  return factor * quantity.number("value");
+      given.at("unit", [&] { return conversion_factor(given.text("unit"), unit); });
+  return factor * given.number("value");
 }
 
 PrintedNumber Table::printed_number(const std::string& key) const {

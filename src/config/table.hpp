@@ -39,6 +39,8 @@ class Table {
   double number(const std::string& key) const;
   long integer(const std::string& key) const;
   double quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const;
+  /// The same in any unit that UDUNITS-2 knows, such as "m/s2".
+  double quantity(const std::string& key, const std::string& unit) const;
   std::vector<PrintedNumber> printed_numbers(const std::string& key) const;
   PrintedNumber printed_number(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;

@@ -24,4 +24,7 @@ void add_class_command(CLI::App& program, ExitCode& exit_code);
 void add_collect_command(CLI::App& program, ExitCode& exit_code);
 void add_sheet_command(CLI::App& program, ExitCode& exit_code);
 
+/// Adds compute, typeset and check: what makes the assignment's sheet.
+void add_sheet_stages(CLI::App& program, ExitCode& exit_code);
+
 }  // namespace course_app

@@ -11,7 +11,7 @@ using Section = void (*)(literate::Document&, const parameters::Case&);
 
 // In the order of the report, which numbers the claims.
 std::vector<Section> sections_for(const parameters::Case& from_file) {
-  std::vector<Section> sections{describe_provenance, compute_formulation, compute_quadrature,
+  std::vector<Section> sections{compute_formulation, compute_quadrature,
                                 compute_results,     compute_block,       compute_error_analysis,
                                 compute_cylinders};
   if (from_file.printed) sections.push_back(compute_contact_m);

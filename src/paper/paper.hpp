@@ -6,6 +6,7 @@
 
 #include "literate/document/document.hpp"
 #include "literate/excerpts/excerpt.hpp"
+#include "literate/main/paper.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -14,6 +15,10 @@ namespace paper {
 /// tables, figures, and the checks that must hold. Tables and values about what the paper prints
 /// exist only if the case has printed data (flag `printed`).
 void compute(literate::Document& document, const parameters::Case& from_file);
+
+/// What the report is computed from and by: the case, the commit, the compiler and the libraries.
+void describe_provenance(literate::Document& document, const parameters::Case& from_file,
+                         const literate::Paper& paper);
 
 /// How much of the mechanics below `source`/src the excerpts show, and of which files nothing.
 void register_coverage(literate::Document& document, const std::filesystem::path& source,

@@ -2,10 +2,10 @@
 #include <string>
 #include <utility>
 
-#include "paper/sections.hpp"
+#include "literate/main/platform.hpp"
+#include "paper/paper.hpp"
 #include "system/files.hpp"
 #include "system/tool_version.hpp"
-#include "toolchain/build_info.hpp"
 #include "toolchain/libraries.hpp"
 
 namespace paper {
@@ -15,15 +15,17 @@ using literate::Value;
 
 }  // namespace
 
-void describe_provenance(literate::Document& document, const parameters::Case& from_file) {
-  document.value("provenance.version", Value::text(toolchain::version));
-  document.value("provenance.commit", Value::text(toolchain::commit));
-  document.flag("provenance.modified", toolchain::modified);
+void describe_provenance(literate::Document& document, const parameters::Case& from_file,
+                         const literate::Paper& paper) {
+  document.value("provenance.version", Value::text(paper.version));
+  document.value("provenance.commit", Value::text(paper.commit));
+  document.flag("provenance.modified", paper.modified);
   document.value("provenance.case", Value::text(from_file.file.filename().string()));
   document.value("provenance.case-sha256", Value::text(sys::sha256_of_file(from_file.file)));
-  document.value("provenance.compiler", Value::text(toolchain::compiler));
-  document.value("provenance.flags", Value::text(toolchain::flags));
-  const auto libraries = toolchain::libraries();
+  document.value("provenance.compiler", Value::text(paper.compiler));
+  document.value("provenance.flags", Value::text(paper.flags));
+  auto libraries = toolchain::libraries();
+  libraries.merge(literate::engine_libraries());
   for (const auto& [key, name] :
        {std::pair{"gsl", "GSL"}, {"eigen", "Eigen"}, {"boost", "Boost"}, {"fmt", "fmt"}}) {
     document.value(std::string("provenance.") + key, Value::text(libraries.at(name)));

@@ -9,7 +9,6 @@
 namespace paper {
 
 /// What the document was made from and with: commit, case file, compiler, libraries.
-void describe_provenance(literate::Document& document, const parameters::Case& from_file);
 
 /// The parameters, Figs. 1 and 2, and eq. (2)'s gradient for three kinds of load.
 void compute_formulation(literate::Document& document, const parameters::Case& from_file);

@@ -58,7 +58,7 @@ void check_case(const std::string& before, const std::string& after, const Words
     check_refused(2, {"displacement", "--case", file.string()}, parts);
     check_refused(2, {"contact", "--case", file.string()}, parts);
     check_refused(2,
-                  {"report", "--case", file.string(), "--output", output.string(), "--source",
+                  {"compute", "--case", file.string(), "--output", output.string(), "--source",
                    source_dir.string()},
                   parts + Words{file.string() + ":"});
     BOOST_TEST(!fs::exists(output));
@@ -78,7 +78,7 @@ std::string place_of(const std::string& text) {
 }
 
 Words report_to(const fs::path& output) {
-  return {"report",        "--case",   steel_case.string(), "--output",
+  return {"compute",        "--case",   steel_case.string(), "--output",
           output.string(), "--source", source_dir.string()};
 }
 
@@ -175,8 +175,8 @@ BOOST_AUTO_TEST_CASE(a_missing_parameter_is_named) {
     check_displacement(flag, "", {flag});
   }
   for (const auto& [flag, value] : papers_contact) check_contact(flag, "", {flag, "missing"});
-  check_refused(2, {"report", "--case", papers_case.string()}, {"--output"});
-  check_refused(2, {"report", "--output", "x"}, {"--case"});
+  check_refused(2, {"compute", "--case", papers_case.string()}, {"--output"});
+  check_refused(2, {"compute", "--output", "x"}, {"--case"});
 }
 
 BOOST_AUTO_TEST_CASE(unknown_commands_flags_and_choices_are_refused_by_name) {
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(a_case_that_cannot_be_read_is_refused_by_name) {
     check_refused(2, {"displacement", "--case", file.string()}, {file.string()});
     check_refused(2, {"contact", "--case", file.string()}, {file.string()});
     check_refused(2,
-                  {"report", "--case", file.string(), "--output", (folder.path() / "out").string()},
+                  {"compute", "--case", file.string(), "--output", (folder.path() / "out").string()},
                   {file.string()});
   }
   BOOST_TEST(!fs::exists(folder.path() / "out"));
@@ -334,7 +334,7 @@ BOOST_AUTO_TEST_CASE(a_source_folder_without_the_sources_is_refused) {
   const TemporaryFolder folder;
   const fs::path output = folder.path() / "out";
   check_refused(2,
-                {"report", "--case", papers_case.string(), "--output", output.string(), "--source",
+                {"compute", "--case", papers_case.string(), "--output", output.string(), "--source",
                  folder.path().string()},
                 {"src", "no such folder"});
   BOOST_TEST(!fs::exists(output));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `halfspace check-report`, and a program that is older than the sources it is to quote.
+// `halfspace check`, and a program that is older than the sources it is to quote.
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <string>
@@ -24,7 +24,7 @@ class Workplace {
   }
 
   Words check() const {
-    return {"check-report", "--document", (folder_.path() / "report").string(), "--generated",
+    return {"check", "--document", (folder_.path() / "report").string(), "--generated",
             (folder_.path() / "generated").string()};
   }
 
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
   const fs::path output = checkout.path() / "out";
 
   check_refused(2,
-                {"report", "--case", steel_case.string(), "--output", output.string(), "--source",
+                {"compute", "--case", steel_case.string(), "--output", output.string(), "--source",
                  checkout.path().string()},
                 {"src/contact/matrix_inversion.cpp: excerpt 'matrix-inversion' is not what this "
                  "program was compiled from: rebuild"});
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(an_excerpt_that_is_never_closed_is_refused_with_its_line) {
   checkout.write("src/a.cpp", "int a;\n// begin excerpt: open\nint b;\n");
 
   check_refused(2,
-                {"report", "--case", steel_case.string(), "--output",
+                {"compute", "--case", steel_case.string(), "--output",
                  (checkout.path() / "out").string(), "--source", checkout.path().string()},
                 {"src/a.cpp:2: excerpt 'open' has no end marker"});
 }

@@ -46,7 +46,7 @@ struct Report {
   std::string manifest() const { return sys::read_file(folder / "manifest.json"); }
 
   void make(const Surroundings& surroundings = {}) const {
-    const Outcome computed = run_program({"report", "--case", case_file.string(), "--output",
+    const Outcome computed = run_program({"compute", "--case", case_file.string(), "--output",
                                           generated().string(), "--source", source_dir.string()},
                                          surroundings);
     BOOST_TEST_REQUIRE(computed.status == 0, computed.errors);

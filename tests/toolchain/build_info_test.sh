@@ -10,9 +10,9 @@ written=$scratch/build_info.cpp
 mkdir -p "$checkout/report"
 
 ask() { # ask FOLDER: the commit and the flag, as the program would know them
-  runs cmake "-DSOURCE=$1" "-DTEMPLATE=$source_dir/src/toolchain/build_info.cpp.in" "-DOUTPUT=$written" \
-    -DVERSION=1.2.3 -DCOMPILER=GNU -DBUILD_TYPE=Release '-DFLAGS=-O3 -DNAME="x y"' \
-    -P "$source_dir/src/toolchain/cmake/WriteBuildInfo.cmake"
+  runs cmake "-DSOURCE=$1" "-DTEMPLATE=$source_dir/src/literate/cmake/paper.cpp.in" "-DOUTPUT=$written" \
+    -DPROJECT=toy -DMAIN=toy.tex -DSOURCE_FOLDERS= -DVERSION=1.2.3 -DCOMPILER=GNU -DBUILD_TYPE=Release '-DFLAGS=-O3 -DNAME="x y"' \
+    -P "$source_dir/src/literate/cmake/WriteBuildInfo.cmake"
 }
 has() { grep -qF "$1" "$written" && echo yes || echo no; }
 git_here() { git -C "$checkout" -c user.name=t -c user.email=t@example.org -c commit.gpgsign=false "$@" >/dev/null 2>&1; }
@@ -25,7 +25,7 @@ claim 'version and flags are written as given' "$(has 'flags = R"text(-O3 -DNAME
 
 git_here init
 ask "$checkout"
-claim 'before the first commit it is unknown' "$(has 'R"text(unknown)text"')" = yes
+claim 'before the first commit it is unknown' "$(has 'commit = R"text(unknown)text"')" = yes
 
 echo /ignored >"$checkout/.gitignore"
 echo a >"$checkout/report/case.toml"

@@ -10,7 +10,7 @@ echo 1 >"$folder/values.tex"
 echo 2 >"$folder/tables/a b.tex"
 
 write() {
-  runs cmake "-DFOLDER=$folder" "-DOUTPUT=$digest" -P "$source_dir/src/toolchain/cmake/WriteDigest.cmake"
+  runs cmake "-DFOLDER=$folder" "-DOUTPUT=$digest" -P "$source_dir/src/literate/cmake/WriteDigest.cmake"
 }
 is_rewritten() { [ "$(stat -c %Y "$digest")" = "$old" ] && echo no || echo yes; }
 age() {

@@ -9,6 +9,8 @@ export PWD
 mkdir -p "$scratch/check out/src" "$scratch/cases"
 cp "$source_dir/Makefile" "$scratch/check out"
 cp -r "$source_dir/src/toolchain" "$scratch/check out/src"
+mkdir "$scratch/check out/src/literate"
+cp -r "$source_dir/src/literate/scripts" "$source_dir/src/literate/cmake" "$scratch/check out/src/literate"
 cd "$scratch/check out" || exit 1
 
 runs make help

@@ -11,7 +11,9 @@ fi
 tools=$scratch/src/toolchain
 mkdir -p "$tools" "$scratch/debian" "$scratch/elsewhere"
 cp "$source_dir/src/toolchain/setup" "$source_dir/src/toolchain/require" \
-  "$source_dir/src/toolchain/missing" "$source_dir/src/toolchain/stage.sh" "$tools"
+  "$source_dir/src/toolchain/missing" "$tools"
+mkdir -p "$scratch/src/literate/scripts"
+cp "$source_dir/src/literate/scripts/stage.sh" "$scratch/src/literate/scripts"
 cat >"$tools/packages.txt" <<'END'
 # a comment
 libone-dev   report   -          # there

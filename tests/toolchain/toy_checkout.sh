@@ -9,6 +9,8 @@ export PWD
 mkdir -p "$toy/src" "$toy/figures" "$toy/report/sections"
 cp "$source_dir/Makefile" "$source_dir/CMakePresets.json" "$toy"
 cp -r "$source_dir/src/toolchain" "$toy/src"
+mkdir "$toy/src/literate"
+cp -r "$source_dir/src/literate/scripts" "$source_dir/src/literate/cmake" "$toy/src/literate"
 echo 'E = 30' >"$toy/report/ruggiero2001.toml"
 echo 'A table: \input{tables/t}' >"$toy/report/sections/a.tex"
 cat >"$toy/report/report.tex" <<'END'
@@ -37,17 +39,30 @@ chmod +x "$toy/compute" "$toy/typeset"
 cat >"$toy/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(toy LANGUAGES NONE)
-set(HALFSPACE_CASE "" CACHE FILEPATH "")
-set(HALFSPACE_REPORT_DIR "" CACHE PATH "")
-set(to "${HALFSPACE_REPORT_DIR}")
+set(report_CASE "" CACHE FILEPATH "")
+set(report_OUTPUT "" CACHE PATH "")
+set(to "${report_OUTPUT}")
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/report.settings" CONTENT
+"name=report
+project=halfspace
+root=${PROJECT_SOURCE_DIR}
+build=${PROJECT_BINARY_DIR}
+program=
+document=${PROJECT_SOURCE_DIR}/report
+main=report.tex
+case=${report_CASE}
+sources=src
+output=${to}
+engine=${PROJECT_SOURCE_DIR}/src/literate
+")
 add_custom_target(ask_for_commit COMMAND "${CMAKE_COMMAND}" -E true)
 add_custom_target(halfspace DEPENDS ask_for_commit)
 add_custom_command(OUTPUT "${to}/generated/names.json" "${to}/generated.sha256"
-  COMMAND "${PROJECT_SOURCE_DIR}/compute" "${HALFSPACE_CASE}" "${to}/generated"
+  COMMAND "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" "${to}/generated"
   COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${to}/generated" "-DOUTPUT=${to}/generated.sha256"
-    -P "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/WriteDigest.cmake"
-  DEPENDS "${PROJECT_SOURCE_DIR}/compute" "${HALFSPACE_CASE}" VERBATIM)
-add_custom_target(generated DEPENDS "${to}/generated.sha256")
+    -P "${PROJECT_SOURCE_DIR}/src/literate/cmake/WriteDigest.cmake"
+  DEPENDS "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" VERBATIM)
+add_custom_target(report-figures DEPENDS "${to}/generated.sha256")
 add_custom_command(OUTPUT "${to}/report.pdf" "${to}/manifest.json"
   COMMAND "${PROJECT_SOURCE_DIR}/typeset" "${PROJECT_SOURCE_DIR}/report" "${to}"
   DEPENDS "${to}/generated.sha256" report/report.tex report/sections/a.tex VERBATIM)

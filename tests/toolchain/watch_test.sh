@@ -7,20 +7,22 @@ if ! command -v inotifywait >/dev/null || ! command -v setsid >/dev/null; then
   exit 0
 fi
 
-# Only saves are of interest: the build says that it was called, and fails on demand.
+# Only saves are of interest: the command says that it was called, and fails on demand.
 root="$scratch/check out"
-mkdir -p "$root/src/toolchain" "$root/report/sections" "$root/figures" "$scratch/cases"
-cp "$source_dir/src/toolchain/watch" "$source_dir/src/toolchain/stage.sh" "$root/src/toolchain"
-cat >"$root/src/toolchain/build" <<'END'
+mkdir -p "$root/src" "$root/report/sections" "$root/figures" "$scratch/cases"
+cat >"$scratch/build" <<'END'
 echo "build $1"
 if [ -e src/broken.cpp ]; then echo 'broken.cpp:1: error'; exit 1; fi
 END
 touch "$root/report/sections/a.tex" "$scratch/cases/my.toml"
+printf '%s\n' name=report "root=$root" "build=$root/build" "document=$root/report" "case=$scratch/cases/my.toml" \
+  sources=src:figures >"$scratch/settings"
 status=- said=-
 log=$scratch/log
 
 # Commands in the background do not hear of interrupts unless they are told to.
-setsid env --default-signal=INT bash "$root/src/toolchain/watch" "$scratch/cases/my.toml" >"$log" 2>&1 &
+setsid env --default-signal=INT bash "$source_dir/src/literate/scripts/watch" "$scratch/settings" \
+  bash "$scratch/build" report >"$log" 2>&1 &
 watch=$!
 
 # n_builds N: waits until so many builds are over.

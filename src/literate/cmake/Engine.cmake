@@ -16,7 +16,7 @@ include("${toolchain}/Helpers.cmake")
 # The same library wherever it is built.
 add_compile_options("-fmacro-prefix-map=${HALFSPACE_ROOT}=")
 
-set(engine_libraries errors system estimate config literate)
 add_subdirectory(../system system)
 add_subdirectory(../numerics numerics)
 add_subdirectory(../config config)
+add_subdirectory(../command_line command_line)

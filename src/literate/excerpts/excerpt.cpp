@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "literate/excerpts/paper_sources.hpp"
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -48,7 +49,7 @@ std::vector<Excerpt> find_excerpts(const fs::path& source_root,
       throw sys::SourceError(fmt::format("{}: there is no such folder to take excerpts from",
                                          (source_root / folder).generic_string()));
     }
-    for (const std::string& file : sys::files_below(source_root / folder)) {
+    for (const std::string& file : paper_sources(source_root / folder)) {
       if (!is_source(file)) continue;
       const std::string text = sys::read_file(source_root / folder / file);
       for (Excerpt& excerpt : excerpts_of(text, fmt::format("{}/{}", folder, file))) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of the report, which are the engine's, with what this report computes.
+#include "app/commands.hpp"
+#include "literate/main/stages.hpp"
+#include "paper/paper.hpp"
+#include "parameters/case.hpp"
+#include "toolchain/libraries.hpp"
+
+namespace app {
+namespace {
+
+literate::Paper described_paper() {
+  literate::Paper paper = literate::this_paper();
+  paper.libraries = toolchain::libraries();
+  return paper;
+}
+
+void compute(literate::Document& document, const literate::Inputs& inputs) {
+  const parameters::Case from_file = parameters::read_case(inputs.case_file);
+  paper::compute(document, from_file);
+  paper::describe_provenance(document, from_file, literate::this_paper());
+  paper::register_coverage(document, inputs.source, inputs.excerpts);
+}
+
+}  // namespace
+
+void add_report_stages(CLI::App& program, ExitCode& exit_code) {
+  static const literate::Paper paper = described_paper();
+  static const literate::Compute computation = compute;
+  literate::add_stages(program, exit_code, paper, computation);
+}
+
+}  // namespace app

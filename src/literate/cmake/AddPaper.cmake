@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src [ROOT folder])
+# makes the targets of a paper, none of them part of `all`:
+#
+#   rod            the PDF, and manifest.json beside it
+#   rod-figures    values, tables and figures only
+#   rod-html       the same document as one page
+#   rod-check      unknown and unused names, typed numbers, and what does not hold
+#   rod-verify     makes it again elsewhere and asks for the same bytes; with MANIFEST=file compares with that one's paper
+#   rod-dist       packs the sources as arXiv and journals take them
+#   rod-watch      builds it after each save
+#   rod-reports    the paper of each case in CASES='cases/*.toml', J of them at a time, and a table of them all
+#   rod-why        says why it would be built again
+#
+# NAME       of the targets and of the PDF
+# PROGRAM    the executable whose main() calls literate::main, made before by add_executable
+# DOCUMENT   the folder of the LaTeX document, and MAIN its main file
+# CASE       the parameter file; another one is chosen by -Drod_CASE=file
+# SOURCES    folders with the code, from ROOT on: excerpts are looked for there, and the manifest names their files
+# ROOT       the paper's repository, if not the folder of the CMake project
+#
+# All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
+# names of source files begin at ROOT, and gets literate::this_paper(): project, version, commit, date, excerpts.
+
+set(LITERATE_ENGINE_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
+cmake_path(NORMAL_PATH LITERATE_ENGINE_DIR)
+
+# The names of files in a program and in the paper's own libraries that it links start at `root`.
+function(literate_map_prefix target root)
+  get_target_property(aliased ${target} ALIASED_TARGET)
+  if(aliased)
+    set(target ${aliased})
+  endif()
+  get_target_property(is_imported ${target} IMPORTED)
+  get_target_property(folder ${target} SOURCE_DIR)
+  get_target_property(type ${target} TYPE)
+  cmake_path(IS_PREFIX root "${folder}" is_inside)
+  if(is_imported OR NOT is_inside OR type STREQUAL "INTERFACE_LIBRARY")
+    return()
+  endif()
+  set(map "-fmacro-prefix-map=${root}/=")
+  get_target_property(options ${target} COMPILE_OPTIONS)
+  if(map IN_LIST options)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE "${map}")
+  get_target_property(links ${target} LINK_LIBRARIES)
+  foreach(link IN LISTS links)
+    if(TARGET "${link}")
+      literate_map_prefix("${link}" "${root}")
+    endif()
+  endforeach()
+endfunction()
+
+# What literate::this_paper() answers is asked for in every build, before anything is compiled, and written only where it
+# changed: a commit recompiles one file.
+function(literate_describe_paper name program main root sources)
+  set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+  string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
+  if(HALFSPACE_SANITIZE)
+    string(APPEND flags " -fsanitize=address,undefined")
+  endif()
+  # Flags may name a folder of this machine, as -isystem does, and the paper is the same everywhere.
+  string(REPLACE "${root}" "." flags "${flags}")
+  set(version "${PROJECT_VERSION}")
+  if(NOT version)
+    set(version 0)
+  endif()
+  list(TRANSFORM sources REPLACE ".+" "\"\\0\"" OUTPUT_VARIABLE quoted)
+  list(JOIN quoted ", " quoted)
+  list(JOIN sources ":" folders)
+  set(written "${folder}/paper.cpp" "${folder}/excerpts.cpp")
+  add_custom_target(ask_for_${name}
+    COMMAND "${CMAKE_COMMAND}"
+      "-DSOURCE=${root}"
+      "-DTEMPLATE=${LITERATE_ENGINE_DIR}/cmake/paper.cpp.in"
+      "-DOUTPUT=${folder}/paper.cpp"
+      "-DPROJECT=${PROJECT_NAME}"
+      "-DVERSION=${version}"
+      "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+      "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}"
+      "-DFLAGS=${flags}"
+      "-DMAIN=${main}"
+      "-DSOURCE_FOLDERS=${quoted}"
+      -P "${LITERATE_ENGINE_DIR}/cmake/WriteBuildInfo.cmake"
+    COMMAND literate::program excerpts --source "${root}" --folders "${folders}" --output "${folder}/excerpts.cpp"
+    BYPRODUCTS ${written}
+    COMMENT "commit and excerpts"
+    VERBATIM)
+  set_source_files_properties(${written} TARGET_DIRECTORY ${program}
+    PROPERTIES GENERATED ON SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+  target_sources(${program} PRIVATE ${written})
+  add_dependencies(${program} ask_for_${name})
+  target_link_libraries(${program} PRIVATE literate::literate)
+  literate_map_prefix(${program} "${root}")
+endfunction()
+
+# The files that LaTeX reads of a document: without those of folders below that hold a document of their own.
+function(literate_document_files document result)
+  set(patterns "")
+  foreach(ending IN ITEMS tex bib sty cls bst)
+    list(APPEND patterns "${document}/*.${ending}")
+  endforeach()
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS LIST_DIRECTORIES false ${patterns})
+  foreach(file IN LISTS files)
+    cmake_path(GET file PARENT_PATH folder)
+    cmake_path(IS_PREFIX CMAKE_BINARY_DIR "${file}" is_built)
+    set(main "")
+    if(file MATCHES "[.]tex$" AND NOT folder STREQUAL document)
+      file(STRINGS "${file}" main REGEX "^[^%]*[\\]documentclass" LIMIT_COUNT 1)
+    endif()
+    if(main OR is_built)
+      list(APPEND others "${folder}/")
+    endif()
+  endforeach()
+  foreach(other IN LISTS others)
+    string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" other "${other}")
+    list(FILTER files EXCLUDE REGEX "^${other}")
+  endforeach()
+  set(${result} "${files}" PARENT_SCOPE)
+endfunction()
+
+function(literate_add_paper)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;ROOT" "SOURCES")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "literate_add_paper: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  foreach(required IN ITEMS NAME PROGRAM DOCUMENT MAIN CASE SOURCES)
+    if(NOT arg_${required})
+      message(FATAL_ERROR "literate_add_paper: ${required} is missing")
+    endif()
+  endforeach()
+  if(NOT TARGET ${arg_PROGRAM})
+    message(FATAL_ERROR "literate_add_paper: PROGRAM ${arg_PROGRAM} is no target; add_executable comes first")
+  endif()
+  set(name "${arg_NAME}")
+  set(root "${PROJECT_SOURCE_DIR}")
+  if(arg_ROOT)
+    cmake_path(ABSOLUTE_PATH arg_ROOT NORMALIZE OUTPUT_VARIABLE root)
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_DOCUMENT NORMALIZE OUTPUT_VARIABLE document)
+  string(REGEX REPLACE "/$" "" document "${document}")
+  cmake_path(ABSOLUTE_PATH arg_CASE NORMALIZE OUTPUT_VARIABLE case)
+  set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
+  set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
+    "Where ${name} and what it is made from are written")
+  set(case "${${name}_CASE}")
+  set(output "${${name}_OUTPUT}")
+  set(scripts "${LITERATE_ENGINE_DIR}/scripts")
+  set(generated "${output}/generated")
+  set(digest "${output}/generated.sha256")
+  set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
+
+  literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}")
+
+  # What the scripts know of the paper.
+  list(JOIN arg_SOURCES ":" sources)
+  file(GENERATE OUTPUT "${settings}" CONTENT
+"name=${name}
+project=${PROJECT_NAME}
+root=${root}
+build=${CMAKE_BINARY_DIR}
+program=$<TARGET_FILE:${arg_PROGRAM}>
+literate=$<TARGET_FILE:literate::program>
+document=${document}
+main=${arg_MAIN}
+case=${case}
+sources=${sources}
+output=${output}
+engine=${LITERATE_ENGINE_DIR}
+")
+
+  # The program leaves a file alone that would not change, and so does WriteDigest: whatever was computed anew,
+  # the document is typeset again only if something it reads is different. (Ninja's `restat` remembers the run.)
+  add_custom_command(
+    OUTPUT "${generated}/names.json" "${digest}"
+    COMMAND ${arg_PROGRAM} compute --case "${case}" --output "${generated}" --source "${root}" --defer-verdict
+    COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${generated}" "-DOUTPUT=${digest}"
+      -P "${LITERATE_ENGINE_DIR}/cmake/WriteDigest.cmake"
+    DEPENDS ${arg_PROGRAM} "${case}" "${LITERATE_ENGINE_DIR}/cmake/WriteDigest.cmake"
+    COMMENT "compute"
+    USES_TERMINAL
+    VERBATIM)
+  add_custom_target(${name}-figures DEPENDS "${digest}")
+
+  # The manifest names every source, so this runs after each change of the program. LaTeX itself does nothing then,
+  # unless a result or the prose is another one.
+  literate_document_files("${document}" files)
+  set(typeset
+    ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
+      --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
+      --manifest "${output}/manifest.json" --case "${case}" --source "${root}")
+  add_custom_command(
+    OUTPUT "${output}/${name}.pdf" "${output}/manifest.json"
+    COMMAND ${typeset}
+    # A second command keeps the shell, and the shell says which signal ended the first.
+    COMMAND "${CMAKE_COMMAND}" -E true
+    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" ${files}
+    COMMENT "typeset"
+    USES_TERMINAL
+    VERBATIM)
+  add_custom_target(${name} DEPENDS "${output}/${name}.pdf")
+
+  # The same sources as one page. It takes LaTeXML, which nothing else does.
+  file(GLOB bindings CONFIGURE_DEPENDS LIST_DIRECTORIES false
+    "${LITERATE_ENGINE_DIR}/latexml/*" "${LITERATE_ENGINE_DIR}/page.css")
+  add_custom_command(
+    OUTPUT "${output}/${name}.html"
+    COMMAND bash "${scripts}/html" "${settings}"
+    DEPENDS "${digest}" ${files} ${bindings} "${scripts}/html"
+    COMMENT "html"
+    USES_TERMINAL
+    VERBATIM)
+  add_custom_target(${name}-html DEPENDS "${output}/${name}.html")
+
+  add_custom_target(${name}-check
+    COMMAND ${arg_PROGRAM} check --document "${document}" --generated "${generated}"
+    DEPENDS "${digest}" USES_TERMINAL VERBATIM)
+  # What verify runs for a MANIFEST, which it lays there.
+  add_custom_target(${name}-compare
+    COMMAND ${typeset} --against "${output}/theirs.json"
+    DEPENDS "${output}/${name}.pdf" USES_TERMINAL VERBATIM)
+  foreach(stage IN ITEMS verify dist)
+    add_custom_target(${name}-${stage}
+      COMMAND bash "${scripts}/${stage}" "${settings}"
+      DEPENDS "${output}/${name}.pdf" USES_TERMINAL VERBATIM)
+  endforeach()
+  add_custom_target(${name}-reports
+    COMMAND bash "${scripts}/reports" "${settings}"
+    DEPENDS ${arg_PROGRAM} USES_TERMINAL VERBATIM)
+  foreach(stage IN ITEMS watch why)
+    add_custom_target(${name}-${stage} COMMAND bash "${scripts}/${stage}" "${settings}" USES_TERMINAL VERBATIM)
+  endforeach()
+endfunction()

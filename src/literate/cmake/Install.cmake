@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake --install: the program in bin, libraries in lib/literate-VERSION, headers in include/literate-VERSION, and what
+# papers are made with in share/literate-VERSION: the CMake package, scripts, LaTeXML's bindings and the template.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(versioned "literate-${LITERATE_VERSION}")
+set(headers "${CMAKE_INSTALL_INCLUDEDIR}/${versioned}")
+
+set(libraries errors system estimate config command_line literate)
+foreach(library IN LISTS libraries)
+  target_include_directories(${library} INTERFACE "$<INSTALL_INTERFACE:${headers}>")
+endforeach()
+set_target_properties(literate_program PROPERTIES EXPORT_NAME program)
+install(TARGETS ${libraries} literate_program EXPORT literate
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}/${versioned}"
+  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+foreach(folder IN ITEMS literate system config)
+  install(DIRECTORY "${HALFSPACE_ROOT}/src/${folder}/" DESTINATION "${headers}/${folder}"
+    FILES_MATCHING PATTERN "*.hpp" PATTERN template EXCLUDE PATTERN program EXCLUDE)
+endforeach()
+install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${headers}/numerics")
+
+# The same folders as in the sources, so that scripts and CMake find each other in either.
+set(share "share/${versioned}")
+install(DIRECTORY scripts latexml template DESTINATION "${share}")
+install(FILES page.css README.md DESTINATION "${share}")
+install(FILES document/literate.sty DESTINATION "${share}/document")
+install(FILES cmake/AddPaper.cmake cmake/CheckManifest.cmake cmake/WriteBuildInfo.cmake cmake/WriteDigest.cmake
+  cmake/paper.cpp.in cmake/literateConfig.cmake
+  DESTINATION "${share}/cmake")
+install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
+  VERSION "${LITERATE_VERSION}" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/literateConfigVersion.cmake" DESTINATION "${share}/cmake")

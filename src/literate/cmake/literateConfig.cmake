@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# find_package(literate): the libraries literate::literate and literate::config, the program literate::program, and
+# literate_add_paper.
+include(CMakeFindDependencyMacro)
+find_dependency(Boost 1.74 COMPONENTS filesystem iostreams system)
+find_dependency(CLI11)
+find_dependency(OpenSSL COMPONENTS Crypto)
+find_dependency(Threads)
+find_dependency(fmt)
+find_dependency(nlohmann_json)
+find_dependency(tomlplusplus)
+find_dependency(utf8cpp)
+include("${CMAKE_CURRENT_LIST_DIR}/literateTargets.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/AddPaper.cmake")

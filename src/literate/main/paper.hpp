@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "literate/excerpts/excerpt_hashes.hpp"
+
+namespace literate {
+
+/// What the build knows of a paper and of the program that computes it.
+struct Paper {
+  std::string project;  ///< begins each message, and names the manifest
+  std::string version;
+  std::string commit;     ///< twelve digits; "unknown" without git or before the first commit
+  bool modified = false;  ///< whether files of the paper's repository differ from the commit
+  std::string date;       ///< SOURCE_DATE_EPOCH, or else the commit's; "unknown" without either
+  std::string compiler;   ///< with its version
+  std::string build_type;
+  std::string flags;                                  ///< of the compiler, for the build type
+  std::string main_file;                              ///< of the LaTeX document
+  std::vector<std::string> source_folders;            ///< that hold its code and excerpts
+  std::vector<CompiledExcerpt> excerpts;              ///< as the program was compiled from them
+  std::map<std::string, std::string> libraries = {};  ///< versions, besides those of the engine
+};
+
+/// The paper whose program this is. literate_add_paper compiles it into each program.
+const Paper& this_paper();
+
+/// «rod 1.2.0 (commit 0123456789ab, modified)», for --version.
+std::string version_text(const Paper& paper);
+
+}  // namespace literate

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/main/platform.hpp"
+
+#include <fmt/core.h>
+#include <gnu/libc-version.h>
+#include <openssl/opensslv.h>
+#include <sys/utsname.h>
+#include <toml++/impl/version.h>
+
+#include <CLI/Version.hpp>
+#include <boost/version.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+namespace literate {
+namespace {
+
+std::string joined(int major, int minor, int patch) {
+  return fmt::format("{}.{}.{}", major, minor, patch);
+}
+
+}  // namespace
+
+std::map<std::string, std::string> engine_libraries() {
+  return {
+      {"Boost", joined(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
+      {"CLI11", CLI11_VERSION},
+      {"OpenSSL", OPENSSL_VERSION_STR},
+      {"UDUNITS", LITERATE_UDUNITS_VERSION},
+      {"fmt", joined(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"glibc", gnu_get_libc_version()},
+      {"nlohmann-json", joined(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                               NLOHMANN_JSON_VERSION_PATCH)},
+      {"toml++", joined(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)}};
+}
+
+std::string processor() {
+  utsname system{};
+  std::string text = uname(&system) == 0 ? system.machine : "unknown";
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx")) text += " avx";
+  if (__builtin_cpu_supports("avx2")) text += " avx2";
+  if (__builtin_cpu_supports("fma")) text += " fma";
+  if (__builtin_cpu_supports("avx512f")) text += " avx512f";
+#endif
+  return text;
+}
+
+}  // namespace literate

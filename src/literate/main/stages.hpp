@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "literate/main/main.hpp"
+#include "system/error.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace literate {
+
+/// Adds the stages of a paper to a program as its subcommands, beside others that it may have.
+void add_stages(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
+                const Compute& compute);
+
+void add_compute_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
+                       const Compute& compute);
+void add_typeset_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper);
+void add_check_stage(CLI::App& program, sys::ExitCode& exit_code);
+
+}  // namespace literate

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command_line/options.hpp"
+#include "command_line/stage.hpp"
+#include "literate/document/names.hpp"
+#include "literate/excerpts/paper_sources.hpp"
+#include "literate/main/platform.hpp"
+#include "literate/main/stages.hpp"
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/references.hpp"
+#include "literate/provenance/digest.hpp"
+#include "literate/provenance/manifest.hpp"
+#include "literate/provenance/manifest_comparison.hpp"
+#include "literate/typesetting/typeset.hpp"
+#include "system/files.hpp"
+#include "system/tool_version.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+using command_line::complain;
+using command_line::ExitCode;
+namespace {
+
+struct TypesetStageOptions {
+  std::string document, main_file, generated, build, output;
+  std::string digest, manifest, case_file, source = ".", against;
+};
+
+// Files below `folder` of the checkout that end in one of these, with their digests.
+Manifest::Texts sources_below(const fs::path& source, const std::string& folder,
+                              const std::vector<std::string>& endings) {
+  if (!fs::is_directory(source / folder)) return {};
+  std::vector<std::string> files = paper_sources(source / folder);
+  std::erase_if(files, [&](const std::string& file) {
+    return std::ranges::none_of(endings, [&](const auto& end) { return file.ends_with(end); });
+  });
+  return digests(source / folder, files, folder + "/");
+}
+
+// A file or folder from the root on, or by its name alone if it lies elsewhere: no folder of the
+// machine is told.
+std::string name_within(const fs::path& root, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(root);
+  const bool is_inside = !relative.empty() && *relative.begin() != "..";
+  return (is_inside ? relative : file.filename()).generic_string();
+}
+
+// What the document is made from. A case from outside the checkout goes by its name alone.
+Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper) {
+  const fs::path root = fs::weakly_canonical(options.source);
+  Manifest::Texts files;
+  for (const std::string& folder : paper.source_folders) {
+    files.merge(sources_below(root, folder, {".cpp", ".hpp", ".in", ".sty", ".gp"}));
+  }
+  const fs::path document = fs::weakly_canonical(options.document);
+  const std::string folder = name_within(root, document);
+  const std::string prefix = folder == "." ? "" : folder + "/";
+  files.merge(digests(document, document_files(document), prefix));
+  for (const auto& [file, digest] : sources_below(document, ".", {".bib", ".sty"})) {
+    files[prefix + file.substr(2)] = digest;
+  }
+  if (!options.case_file.empty()) {
+    const fs::path file = fs::weakly_canonical(options.case_file);
+    files[name_within(root, file)] = sys::sha256_of_file(file);
+  }
+  return files;
+}
+
+Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper, const Names& names) {
+  const fs::path generated = options.generated;
+  const fs::path pdf = options.output;
+  Manifest::Texts libraries = engine_libraries();
+  libraries.insert(paper.libraries.begin(), paper.libraries.end());
+  Manifest manifest{.project = paper.project,
+                    .facts = {{"sources",
+                               {{"version", paper.version},
+                                {"commit", paper.commit},
+                                {"modified", paper.modified ? "yes" : "no"},
+                                {"date", paper.date}}},
+                              {"platform",
+                               {{"compiler", paper.compiler},
+                                {"build type", paper.build_type},
+                                {"flags", paper.flags},
+                                {"processor", processor()}}},
+                              {"libraries", libraries},
+                              {"tools",
+                               {{"gnuplot", sys::tool_version("gnuplot")},
+                                {"pdfTeX", sys::tool_version("pdflatex")}}}},
+                    .inputs = inputs_of(options, paper),
+                    .outputs = digests(generated, names.files, "generated/"),
+                    .numbers = numbers_in(generated / "names.json")};
+  manifest.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
+  return manifest;
+}
+
+// Says how this report differs from the one that `file` tells of. The same bytes are not asked of
+// other tools or sources; then each number must lie within its error.
+ExitCode compare_with(const std::string& file, const Manifest& theirs, const Manifest& ours) {
+  const ManifestComparison found = compare(theirs, ours);
+  if (found.changed_outputs.empty()) {
+    fmt::print("{} files have the bytes that '{}' tells of\n", ours.outputs.size(), file);
+    return ExitCode::success;
+  }
+  fmt::print("{} of {} files have other bytes than '{}' tells of; the first is {}\n",
+             found.changed_outputs.size(), ours.outputs.size(), file,
+             found.changed_outputs.front());
+  for (const std::string& reason : found.reasons) fmt::print("  {}\n", reason);
+  for (const std::string& moved : found.moved) complain("moved: " + moved, ExitCode::failed);
+  if (!found.moved.empty()) return ExitCode::failed;
+  if (found.reasons.empty()) {
+    return complain("tools and sources are the same, and so should the bytes be", ExitCode::failed);
+  }
+  fmt::print("{} numbers are the same within their errors\n", ours.numbers.size());
+  return ExitCode::success;
+}
+
+ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
+  // A manifest that cannot be read is told before the work.
+  Manifest theirs;
+  if (!options.against.empty()) theirs = read_manifest(options.against, paper.project);
+
+  const command_line::Stage typesetting("typeset");
+  const fs::path generated = options.generated;
+  const Names names = read_names(generated / "names.json");
+  if (!options.digest.empty()) {
+    require_as_made(generated, options.digest, names.files);
+  }
+  const ReferenceReport references = check_references(options.document, names);
+  for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);
+  if (!references.errors.empty()) return ExitCode::bad_input;
+  for (const std::string& name : references.unused) {
+    complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
+  }
+
+  typeset({.source_dir = options.document,
+           .main_file = options.main_file,
+           .generated_dir = options.generated,
+           .build_dir = options.build,
+           .output_pdf = options.output});
+  typesetting.done(fs::path(options.output).filename().string());
+  const ExitCode verdict = command_line::answer_faults(names.faults);
+  if (options.manifest.empty() && options.against.empty()) return verdict;
+
+  const Manifest ours = manifest_of(options, paper, names);
+  if (!options.manifest.empty()) {
+    sys::write_if_changed(options.manifest, manifest_json(ours));
+  }
+  if (verdict != ExitCode::success || options.against.empty()) return verdict;
+  return compare_with(options.against, theirs, ours);
+}
+
+}  // namespace
+
+void add_typeset_stage(CLI::App& program, ExitCode& exit_code, const Paper& paper) {
+  using namespace command_line;
+  add_command(
+      program, "typeset", "Typeset the document with LaTeX from what `compute` wrote", exit_code,
+      [&paper](CLI::App& command) {
+        auto options = std::make_shared<TypesetStageOptions>();
+        options->main_file = paper.main_file;
+        add_required_text(command, "--document", options->document, "DIR",
+                          "Folder of the LaTeX document");
+        add_text(command, "--main", options->main_file, "FILE", "Its main file");
+        add_required_text(command, "--generated", options->generated, "DIR",
+                          "Folder that `compute` wrote");
+        add_required_text(command, "--build", options->build, "DIR",
+                          "Folder for LaTeX's own files");
+        add_required_text(command, "--output", options->output, "FILE", "The PDF");
+        add_text(command, "--digest", options->digest, "FILE",
+                 "SHA-256 of the generated files; refuse those that were changed since");
+        add_text(command, "--manifest", options->manifest, "FILE",
+                 "Write what the document was made from and with, as JSON");
+        add_text(command, "--case", options->case_file, "FILE", "Case file, for the manifest");
+        add_text(command, "--source", options->source, "DIR", "The checkout, for the manifest");
+        add_text(command, "--against", options->against, "FILE",
+                 "Compare with the manifest of the same document made elsewhere");
+        return [options, &paper] { return run(*options, paper); };
+      });
+}
+
+}  // namespace literate

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command_line/options.hpp"
+#include "literate/program/commands.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+using nlohmann::json;
+
+struct CasesOptions {
+  std::vector<std::string> folders;
+  std::string keys, output;
+};
+
+/// What one case came to: its exit code, and its names.json where the computation got so far.
+struct Case {
+  std::string name;
+  std::string exit_code;
+  json names;
+};
+
+Case read_case(const fs::path& folder) {
+  Case result{.name = folder.filename().string(),
+              .exit_code = std::string(sys::lines_of(sys::read_file(folder / "exit_code")).front()),
+              .names = json::object()};
+  const fs::path file = folder / "generated/names.json";
+  // A case that failed may have left the names of a run before.
+  const bool is_computed = result.exit_code == "0" || result.exit_code == "1";
+  if (is_computed && fs::exists(file)) result.names = json::parse(sys::read_file(file));
+  return result;
+}
+
+/// The keys asked for, or those of all values that have a number in any case.
+std::vector<std::string> keys_for(const CasesOptions& options, const std::vector<Case>& cases) {
+  std::vector<std::string> keys;
+  std::istringstream asked(options.keys);
+  for (std::string key; asked >> key;) keys.push_back(key);
+  if (!keys.empty()) return keys;
+  std::set<std::string> all;
+  for (const Case& one : cases) {
+    for (const auto& [key, value] : one.names.value("values", json::object()).items()) {
+      if (value.contains("number")) all.insert(key);
+    }
+  }
+  return {all.begin(), all.end()};
+}
+
+/// What a case says of an entry of one part of names.json; empty if it has none.
+std::string entry_of(const Case& one, const char* part, const std::string& key,
+                     const char* property) {
+  const json entries = one.names.value(part, json::object());
+  return entries.contains(key) ? entries.at(key).at(property).get<std::string>() : "";
+}
+
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+  std::string text = "\"";
+  for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + "\"";
+}
+
+std::string csv_of(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : ",") + quoted(row[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+command_line::ExitCode run(const CasesOptions& options) {
+  std::vector<Case> cases;
+  for (const std::string& folder : options.folders) cases.push_back(read_case(folder));
+
+  std::vector<std::vector<std::string>> rows;
+  const auto add_row = [&](const std::string& heading, auto&& cell_of) {
+    auto& row = rows.emplace_back(1, heading);
+    for (const Case& one : cases) row.push_back(cell_of(one));
+  };
+  add_row("case", [](const Case& one) { return one.name; });
+  add_row("exit code", [](const Case& one) { return one.exit_code; });
+  for (const std::string& key : keys_for(options, cases)) {
+    add_row(key, [&](const Case& one) { return entry_of(one, "values", key, "printed"); });
+    if (std::ranges::all_of(rows.back().begin() + 1, rows.back().end(),
+                            [](const std::string& cell) { return cell.empty(); })) {
+      throw sys::InputError(fmt::format("--keys: no case has a value '{}'", key));
+    }
+  }
+  std::set<std::string> claims;
+  for (const Case& one : cases) {
+    for (const auto& claim : one.names.value("claims", json::object()).items()) {
+      claims.insert(claim.key());
+    }
+  }
+  for (const std::string& id : claims) {
+    add_row("claim " + id, [&](const Case& one) { return entry_of(one, "claims", id, "found"); });
+  }
+  sys::write_file_atomically(options.output, csv_of(rows));
+  return command_line::ExitCode::success;
+}
+
+}  // namespace
+
+void add_cases_command(CLI::App& program, sys::ExitCode& exit_code) {
+  using namespace command_line;
+  add_command(program, "cases",
+              "Set the papers of several cases side by side: values, verdicts, exit codes",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<CasesOptions>();
+                add_texts(command, "folders", options->folders, "DIR…",
+                          "Folders that `make reports` made, one a case");
+                add_text(command, "--keys", options->keys, "KEYS",
+                         "Values to compare, with blanks between; else all that have a number");
+                add_required_text(command, "--output", options->output, "FILE", "The table, CSV");
+                return [options] { return run(*options); };
+              });
+}
+
+}  // namespace literate

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command_line/options.hpp"
+#include "literate/excerpts/excerpt_hashes.hpp"
+#include "literate/program/commands.hpp"
+#include "system/files.hpp"
+
+namespace literate {
+namespace {
+
+struct ExcerptsOptions {
+  std::string source, folders, output;
+};
+
+std::vector<std::string> split_at_colons(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ':');) parts.push_back(part);
+  return parts;
+}
+
+}  // namespace
+
+void add_excerpts_command(CLI::App& program, sys::ExitCode& exit_code) {
+  using namespace command_line;
+  add_command(
+      program, "excerpts",
+      "Write a C++ source with the SHA-256 of each excerpt, for the program to compare with",
+      exit_code, [](CLI::App& command) {
+        auto options = std::make_shared<ExcerptsOptions>();
+        add_required_text(command, "--source", options->source, "DIR", "The checkout");
+        add_required_text(command, "--folders", options->folders, "DIR:DIR…",
+                          "Its folders that hold excerpts");
+        add_required_text(command, "--output", options->output, "FILE",
+                          "The source to write; left alone if it would not change");
+        return [options] {
+          const auto excerpts = find_excerpts(options->source, split_at_colons(options->folders));
+          sys::write_if_changed(options->output, excerpt_hashes_source(excerpts, "literate"));
+          return ExitCode::success;
+        };
+      });
+}
+
+}  // namespace literate

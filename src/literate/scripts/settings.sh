@@ -1,0 +1,15 @@
+# shellcheck shell=bash
+# Sourced with the file that literate_add_paper wrote for a paper: a line «name=value» for each variable that the
+# scripts read. They are the name of the paper's targets, its project, the folders root, build, document, output and engine,
+# the files program, literate and case, the document's main file, and the folders of sources, from root on and with colons between.
+while IFS= read -r setting; do
+  printf -v "${setting%%=*}" '%s' "${setting#*=}"
+done <"$1"
+settings=$(realpath -- "$1")
+cd "$root"
+
+# cached VARIABLE: its value in CMake's cache.
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
+
+# shown FILE: its name from the root on, if it lies below.
+shown() { printf '%s\n' "${1#"$root"/}"; }

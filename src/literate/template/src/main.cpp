@@ -1,0 +1,100 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "config/table.hpp"
+#include "literate/main/main.hpp"
+#include "pendulum.hpp"
+
+namespace {
+
+using literate::Column;
+using literate::Value;
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct Parameters {
+  double angle;    // degrees
+  double length;   // m
+  double gravity;  // m/s²
+};
+
+Parameters read_case(const std::filesystem::path& file) {
+  const config::Table table = config::Table::parse_file(file);
+  const Parameters parameters{.angle = table.number("angle"),
+                              .length = table.quantity("length", "m"),
+                              .gravity = table.quantity("gravity", "m/s2")};
+  table.reject_unknown_keys();
+  if (!(parameters.angle > 0 && parameters.angle < 180)) {
+    table.fail("angle", "the swing is between 0 and 180 degrees");
+  }
+  return parameters;
+}
+
+void register_table(literate::Document& document) {
+  literate::Table table({Column::integer("$\\theta$", "°"), Column::fixed("$T/T_0$", "", 8),
+                         Column::fixed("$1 + \\theta^2/16$", "", 8)});
+  for (const int angle : {10, 30, 60, 90}) {
+    table.add_row({angle, relative_period(angle * degree).value, short_series(angle * degree)});
+  }
+  document.table("periods", std::move(table));
+}
+
+void register_figure(literate::Document& document) {
+  std::vector<double> angles, periods, series;
+  for (int angle = 0; angle <= 120; angle += 5) {
+    angles.push_back(angle);
+    periods.push_back(relative_period(angle * degree).value);
+    series.push_back(short_series(angle * degree));
+  }
+  document.figure("period", 10, 6, [=](literate::Plot& plot) {
+    const auto data = plot.data("period", {angles, periods, series});
+    plot << "set xlabel '$\\theta$ in degrees'\nset ylabel '$T/T_0$'\nset key top left\n"
+         << "plot " << data << " using 1:2 with lines lw 2 title 'integral', \\\n  " << data
+         << " using 1:3 with lines dt 2 lw 2 title '$1 + \\theta^2/16$'\n";
+  });
+}
+
+void register_claims(literate::Document& document, const Parameters& parameters) {
+  const numerics::Estimate relative = relative_period(parameters.angle * degree);
+  const double excess = relative.value - 1;
+  document.claim("longer",
+                 {.sentence = "A pendulum that swings far takes more than a tenth longer.",
+                  .place = "folklore",
+                  .stated = Value::percent(0.1, 0),
+                  .computed = Value::percent(excess, 1),
+                  .route = "the integral for the period",
+                  .tolerance = "none: the statement is a bound",
+                  .expected = literate::Verdict::confirmed,
+                  .found = literate::confirmed_if(excess > 0.1)});
+  const double off = std::abs(short_series(parameters.angle * degree) / relative.value - 1);
+  document.claim("series-suffices",
+                 {.sentence = "One term of the series is enough for 1 %.",
+                  .place = "folklore",
+                  .stated = Value::percent(0.01, 0),
+                  .computed = Value::percent(off, 1),
+                  .route = "the same integral",
+                  .tolerance = "none: the statement is a bound",
+                  .expected = literate::Verdict::refuted,
+                  .found = literate::confirmed_if(off <= 0.01)});
+}
+
+void compute(literate::Document& document, const literate::Inputs& inputs) {
+  const Parameters parameters = read_case(inputs.case_file);
+  const numerics::Estimate relative = relative_period(parameters.angle * degree);
+  const double small = 2 * std::numbers::pi * std::sqrt(parameters.length / parameters.gravity);
+  document.value("angle", Value::exact(parameters.angle, "°"));
+  document.value("length", Value::exact(parameters.length, "m"));
+  document.value("relative-period", Value::estimate(relative));
+  document.value("period", Value::significant(small * relative, 6, "s"));
+  document.check("longer-than-small", relative.value > 1, "Far swings take longer than small ones.");
+  register_table(document);
+  register_figure(document);
+  register_claims(document, parameters);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return literate::main(argc, argv, literate::this_paper(), compute);
+}

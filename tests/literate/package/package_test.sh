@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# package_test.sh SOURCE: a paper in a folder of its own, by each of the three ways to the engine: installed, FetchContent
+# and add_subdirectory. The paper's project has targets called report, figures and system, as any other may.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
+cd "$scratch" || exit 1
+unset MAKEFLAGS MFLAGS MAKELEVEL CASE MANIFEST GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
+jobs=$(nproc)
+
+# The engine alone is configured by its own packages, built and installed.
+runs cmake -S "$source_dir/src/literate" -B engine -G Ninja -DBUILD_TESTING=OFF "-DCMAKE_INSTALL_PREFIX=$scratch/usr local" \
+  -DCMAKE_CXX_FLAGS_RELEASE=-O0
+claim 'the engine is configured by itself' "$status" -eq 0
+asked=$(sed -n 's/^\(GSL\|FFTW3\|SECCOMP\|pugixml\|Eigen3\|benchmark\)_.*=.*/\1/p' engine/CMakeCache.txt)
+claim "no other folder's packages are looked for" -z "$asked"
+runs cmake --build engine -j "$jobs"
+claim 'it is built' "$status" -eq 0
+runs cmake --install engine
+claim 'it is installed' "$status" -eq 0
+claim 'no header names a folder of this machine' -z "$(grep -rl "$source_dir" 'usr local/include' 'usr local/share')"
+
+# paper FOLDER WHERE-FROM: a new paper that gets the engine by these lines of CMake, and has targets of its own.
+paper() {
+  runs 'usr local/bin/literate' new "$1" --name rod
+  printf '%s\n' "$2" 'add_custom_target(report)' 'add_custom_target(figures)' 'add_library(system INTERFACE)' >engine.cmake
+  sed -i -e '/^find_package(literate REQUIRED)$/{r engine.cmake
+d}' "$1/CMakeLists.txt"
+}
+# builds FOLDER: its paper, as a user would.
+builds() {
+  cd "$scratch/$1" || exit 1
+  runs cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_PREFIX_PATH=$scratch/usr local"
+  claim "$1 is configured" "$status" -eq 0
+  runs ninja -C build rod
+  claim "$1 has its PDF" "$status" -eq 0
+  claim "$1 reads nothing of the other folders" -z "$(find build -name 'libcontact*' -o -name 'liblibraries*')"
+  cd "$scratch" || exit 1
+}
+
+paper 'installed paper' 'find_package(literate REQUIRED)'
+builds 'installed paper'
+paper 'fetched paper' "include(FetchContent)
+FetchContent_Declare(halfspace SOURCE_DIR \"$source_dir\")
+FetchContent_MakeAvailable(halfspace)"
+builds 'fetched paper'
+paper 'added paper' "add_subdirectory(\"$source_dir\" engine)"
+builds 'added paper'
+
+for other in 'fetched paper' 'added paper'; do
+  claim "the PDF of the $other has the bytes of the installed one's" "$(cmp 'installed paper/build/rod/rod.pdf' "$other/build/rod/rod.pdf" && echo same)" = same
+done
+text=$(pdftotext -layout 'installed paper/build/rod/rod.pdf' -)
+said=$text
+# K(sin 45°)·2/π = 1.180340599016… (Abramowitz & Stegun, table 17.1: K = 1.854074677301372)
+for wanted in '1.180 340 599' '18.0 %' confirmed refuted src/main.cpp '1.180 340 60' Landau; do
+  claim "the PDF says $wanted" "$(says "$wanted")" = yes
+done
+claim 'no folder of this machine is in it' "$(says "$scratch")" = no
+
+# Its other targets
+cd 'installed paper' || exit 1
+git init -q . && git add -A && git -c user.name=t -c user.email=t@example.org -c commit.gpgsign=false commit -qm first
+commit=$(git rev-parse HEAD | cut -c 1-12)
+runs ninja -C build rod rod-check
+claim 'its prose passes the check' "$status" -eq 0
+claim "the manifest has the commit of the paper" "$(grep -c "\"commit\": \"$commit\"" build/rod/manifest.json)" -eq 1
+runs ninja -C build rod-dist
+claim 'it is packed, and typesets elsewhere' "$(says 'typeset elsewhere to the same text')" = yes
+runs ninja -C build rod-why
+claim 'there is nothing to do' "$(says 'nothing to do')" = yes
+runs ninja -C build rod-verify
+claim 'it is made again elsewhere with the same bytes' "$(says 'the same bytes: ')" = yes
+runs ninja -C build pendulum_test
+runs ctest --test-dir build
+claim 'its test passes' "$status" -eq 0
+
+echo 'At \val{anglee} or so.' >>paper/note.tex
+runs ninja -C build rod
+claim 'an unknown name stops the paper' "$status" -ne 0
+claim 'it is told with its place and the nearest name' \
+  "$(says "rod: paper/note.tex:1:4: unknown value 'anglee', did you mean 'angle'?")" = yes
+rm paper/note.tex
+sed -i 's/sum += 1 /sum += 1.0 /' src/pendulum.cpp
+runs build/rod_program compute --case case.toml --source . --output generated
+claim 'an excerpt that the program was not compiled from ends with 2' "$status" -eq 2
+claim 'it is named' "$(says "rod: src/pendulum.cpp: excerpt 'rod-period' is not what this program was compiled from")" = yes
+runs ninja -C build rod
+claim 'the build compiles it' "$status" -eq 0
+
+sed -i 's/^angle = 90/angle = 200/' case.toml
+runs ninja -C build rod
+claim 'a parameter that is not right is told with its place' "$(says 'case.toml:2:')" = yes
+cd "$scratch" || exit 1
+
+finish
