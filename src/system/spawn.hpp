@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <spawn.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "system/descriptor.hpp"
+#include "system/error.hpp"
+
+namespace sys {
+
+/// What a child does to its folder and its descriptors between fork and exec, in the order in which
+/// it was added. Throws std::system_error if memory runs out.
+class FileActions {
+ public:
+  FileActions();
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+  ~FileActions();
+
+  void open(int descriptor, const std::filesystem::path& file, int flags, mode_t mode = 0);
+  void duplicate(int source, int descriptor);
+  void change_folder(const std::filesystem::path& folder);
+
+  /// Closes all descriptors from this number on.
+  void close_from(int descriptor);
+
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// The null-terminated array that exec takes; it points into `texts`.
+std::vector<char*> exec_pointers(std::vector<std::string>& texts);
+
+struct Pipe {
+  Descriptor reading;
+  Descriptor writing;
+};
+
+/// Opens a pipe that no child inherits, with more flags of pipe2 if wanted; throws ToolError.
+Pipe open_pipe(int flags = 0);
+
+/// A child's status of wait as a shell gives it: its exit status, or 128 + the number of the signal
+/// that ended it.
+int shell_status(int wait_status);
+
+/// The error of a program that could not be started because of this `errno`.
+ToolError cannot_start(const std::string& program, int error);
+
+}  // namespace sys
