@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <source_location>
 #include <string>
 #include <string_view>
 
@@ -32,18 +31,5 @@ struct Claim {
   Verdict expected;                  ///< what the prose says of it
   Verdict found;                     ///< what the computation says of it
 };
-
-/// A line of code that registered something.
-struct SourcePlace {
-  std::string file;      ///< relative to the checkout
-  std::string function;  ///< with its namespace, without its parameters
-  unsigned line = 0;
-};
-
-/// «file:line», for messages.
-std::string text_of(const SourcePlace& place);
-
-/// The place as the compiler knows it.
-SourcePlace place_of(const std::source_location& location);
 
 }  // namespace literate

@@ -9,20 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "literate/claims/claim.hpp"
+#include "literate/document/registered.hpp"
 #include "literate/excerpts/excerpt.hpp"
-#include "literate/figures/gnuplot.hpp"
-#include "literate/tables/table.hpp"
-#include "literate/values/value.hpp"
 
 namespace literate {
-
-/// Something that must hold for the computation to be trusted, and whether it did.
-struct Check {
-  std::string id;
-  bool passed = false;
-  std::string statement;
-};
 
 /// What a computation registers for its document, and the writer of all that LaTeX needs of it.
 ///
@@ -56,23 +46,20 @@ class Document {
   /// then be computed at the same time. Throws std::logic_error for what both registered.
   void append(Document part);
 
-  const std::map<std::string, Value>& values() const { return values_; }
-  const std::map<std::string, bool>& flags() const { return flags_; }
-  const std::map<std::string, Table>& tables() const { return tables_; }
-  const std::map<std::string, Figure>& figures() const { return figures_; }
-  /// In the order of registration.
-  const std::vector<Check>& checks() const { return checks_; }
-  std::vector<Check> failed_checks() const;
+  const Registered& registered() const { return registered_; }
+  const std::map<std::string, Value>& values() const { return registered_.values; }
+  const std::map<std::string, bool>& flags() const { return registered_.flags; }
+  const std::map<std::string, Table>& tables() const { return registered_.tables; }
+  const std::map<std::string, Figure>& figures() const { return registered_.figures; }
+  /// The checks in the order of registration.
+  const std::vector<Check>& checks() const { return registered_.checks; }
+  std::vector<Check> failed_checks() const { return literate::failed_checks(registered_); }
 
-  /// With their ids, in the order of registration: the first is claim 1.
-  const std::vector<std::pair<std::string, Claim>>& claims() const { return claims_; }
+  /// The claims with their ids, in the order of registration: the first is claim 1.
+  const std::vector<std::pair<std::string, Claim>>& claims() const { return registered_.claims; }
 
-  /// What keeps the document from being trusted: a line for each failed check, and for each claim
-  /// whose verdict is not the expected one.
-  std::vector<std::string> faults() const;
-
-  /// Where something was registered: kind is value, flag, table, figure, check or claim.
-  const SourcePlace& place(const std::string& kind, const std::string& name) const;
+  /// What keeps the document from being trusted, as literate::faults tells it.
+  std::vector<std::string> faults() const { return literate::faults(registered_); }
 
   /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, figures/,
   /// excerpts/ and names.json.
@@ -88,13 +75,7 @@ class Document {
  private:
   void remember(const std::string& kind, const std::string& name, const SourcePlace& place);
 
-  std::map<std::string, Value> values_;
-  std::map<std::string, bool> flags_;
-  std::map<std::string, Table> tables_;
-  std::map<std::string, Figure> figures_;
-  std::vector<Check> checks_;
-  std::vector<std::pair<std::string, Claim>> claims_;
-  std::map<std::pair<std::string, std::string>, SourcePlace> places_;  // by kind and name
+  Registered registered_;
 };
 
 }  // namespace literate

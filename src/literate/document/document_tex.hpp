@@ -5,22 +5,22 @@
 #include <filesystem>
 #include <string>
 
-#include "literate/document/document.hpp"
+#include "literate/document/registered.hpp"
 
 namespace literate {
 
 /// Definitions of all values, as LaTeX and as text for PDF bookmarks, of all flags and claims, and
 /// what is to be stamped on every page if the document is not to be trusted.
-std::string values_tex(const Document& document);
+std::string values_tex(const Registered& registered);
 
 /// The ledger: how many claims fare how, and an entry for each.
-std::string claims_tex(const Document& document);
+std::string claims_tex(const Registered& registered);
 
 /// The index of values: key, value, error and place of each.
-std::string index_tex(const Document& document);
+std::string index_tex(const Registered& registered);
 
 /// Where each figure and table comes from: its place in the code, and its data files and scripts
 /// below `folder` with their SHA-256.
-std::string provenance_tex(const Document& document, const std::filesystem::path& folder);
+std::string provenance_tex(const Registered& registered, const std::filesystem::path& folder);
 
 }  // namespace literate

@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "literate/document/registered.hpp"
 #include "literate/excerpts/excerpt.hpp"
 
 namespace literate {
-
-class Document;
 
 /// What a document may refer to, as the engine last wrote it to names.json.
 struct Names {
@@ -27,7 +26,7 @@ struct Names {
 
 /// The text of names.json: all names sorted; with each value its printed text, raw number, error
 /// bound, unit (those it has) and place; flags, checks and claims with their outcome; the faults.
-std::string names_json(const Document& document, const std::vector<Excerpt>& excerpts,
+std::string names_json(const Registered& registered, const std::vector<Excerpt>& excerpts,
                        const std::vector<std::string>& files);
 
 /// Reads what names_json wrote; throws sys::OutputError naming a file that is missing or not of its

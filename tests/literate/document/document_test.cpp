@@ -60,12 +60,12 @@ BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without
   Document part;
   part.check("second", true, "2");
   part.value("radius", Value::integer(3));
-  const auto line = part.place("value", "radius").line;
+  const auto line = part.registered().places.at({"value", "radius"}).line;
 
   document.append(part);
 
   BOOST_TEST(document.values().at("radius").printed() == "3");
-  BOOST_TEST(document.place("value", "radius").line == line);
+  BOOST_TEST(document.registered().places.at({"value", "radius"}).line == line);
   BOOST_REQUIRE(document.checks().size() == 2U);
   BOOST_TEST(document.checks()[1].id == "second");
   const std::string message = message_of<std::logic_error>([&] { document.append(part); });
