@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "literate/tables/cell.hpp"
+#include "literate/tables/column.hpp"
 #include "literate/tables/number_cell.hpp"
-#include "literate/tables/table.hpp"
 
 namespace literate {
 
@@ -15,7 +16,7 @@ namespace literate {
 class ColumnWriter {
  public:
   /// Writes all cells; throws std::invalid_argument as Table::latex does.
-  ColumnWriter(const Column& column, const std::vector<const Cell*>& cells);
+  ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells);
 
   /// The column type: `l` for text, `c` for numbers.
   std::string specification() const;
@@ -37,9 +38,7 @@ class ColumnWriter {
   Written written(const Cell& cell);
   std::string number_text(const Cell& cell) const;
 
-  const Column& column_;
-  int exponent_;
-  int decimals_;
+  ColumnFormat format_;  // a common exponent of the cells is found and stands in it
   NumberWidth width_;
   std::vector<Written> cells_;
 };
