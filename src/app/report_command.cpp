@@ -12,7 +12,7 @@
 #include "app/options.hpp"
 #include "app/stage.hpp"
 #include "literate/document/document.hpp"
-#include "literate/excerpts/excerpt.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "paper/paper.hpp"
 #include "parameters/case.hpp"
 #include "system/staging.hpp"

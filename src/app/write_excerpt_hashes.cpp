@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "literate/excerpts/excerpt_hashes.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "system/files.hpp"
 
 int main(int argc, char** argv) {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "literate/document/names.hpp"
-#include "literate/excerpts/excerpt.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "literate/prose/references.hpp"
 #include "system/files.hpp"
 #include "temporary_file.hpp"

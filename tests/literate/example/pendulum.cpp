@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "literate/document/document.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "numerics/quadrature.hpp"

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "literate/excerpts/find_excerpts.hpp"
 #include "scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/excerpts/excerpt.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -79,14 +79,4 @@ BOOST_AUTO_TEST_CASE(a_character_without_mapping_is_an_error_and_mathematics_is_
              "a.cpp:3: LaTeX has no mapping for '語' in excerpt 'x'");
   BOOST_TEST(error_in(begin + "x\n\xff\n" + end + "x\n") ==
              "a.cpp:2: byte 0xff in excerpt 'x' is not UTF-8 text");
-}
-
-BOOST_AUTO_TEST_CASE(the_listing_has_true_line_numbers_and_no_common_indentation) {
-  const ScratchFolder scratch;
-
-  write_excerpt(scratch.path(), {"x", "src/a_b.cpp", 7, "    if (a) {\n\n      b();\n    }\n"});
-
-  BOOST_TEST(sys::read_file(scratch / "x.cpp") == "if (a) {\n\n  b();\n}\n");
-  BOOST_TEST(sys::read_file(scratch / "x.tex") ==
-             "\\LiterateListing{x}{src/\\allowbreak{}a\\_b.cpp}{7}{10}\n");
 }
