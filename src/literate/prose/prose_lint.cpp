@@ -12,6 +12,7 @@
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/pattern.hpp"
+#include "system/utf8.hpp"
 
 namespace literate {
 namespace {
@@ -150,13 +151,13 @@ std::vector<std::string> typed_numbers(std::string_view latex, const std::string
     ++line_number;
     const auto begin = static_cast<std::size_t>(line.data() - latex.data());
     const Marker marker = marker_in(line);
-    const auto report = [&](int column, const std::string& message) {
+    const auto report = [&](std::size_t column, const std::string& message) {
       findings.push_back(fmt::format("{}:{}:{}: {}", file, line_number, column, message));
     };
     const auto first = next;
     for (; next != typed.end() && next->at < begin + line.size(); ++next) {
       if (marker.is_there) continue;
-      report(n_characters(latex.substr(begin, next->at - begin)) + 1,
+      report(sys::n_characters(latex.substr(begin, next->at - begin)) + 1,
              fmt::format("{} is typed: take it from the computation, or end the line with "
                          "'% constant: reason'",
                          next->number));

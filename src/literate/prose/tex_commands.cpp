@@ -7,6 +7,7 @@
 
 #include "literate/text/characters.hpp"
 #include "system/lines.hpp"
+#include "system/utf8.hpp"
 
 namespace literate {
 namespace {
@@ -108,7 +109,8 @@ class Scanner {
     const bool is_use = !argument.empty() && argument.find('#') == std::string_view::npos;
     if (is_use && names_.contains(std::string(name))) {
       commands.push_back({std::string(name), std::string(sys::stripped(argument)), line_,
-                          n_characters(line.substr(0, backslash)) + 1, conditionals_.branches()});
+                          static_cast<int>(sys::n_characters(line.substr(0, backslash))) + 1,
+                          conditionals_.branches()});
     }
     if (is_use && name == "ifflag") conditionals_.begin(sys::stripped(argument));
     return name_end;
