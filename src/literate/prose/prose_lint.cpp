@@ -55,7 +55,7 @@ int significant_digits(std::string_view whole, std::string_view decimals) {
 struct Surroundings {
   std::string before;
   std::string after;
-  Mode mode;
+  TexMode mode;
 };
 
 bool begins_with_unit(std::string_view text) {
@@ -67,7 +67,7 @@ bool has_unit(const Surroundings& around) {
   static const sys::Pattern end_of_math(R"(^[\s}]*\$)");
   static const sys::Pattern upright("^(\\s|~|\\\\[,;: ]|\\})*\x01\\s*\\{");
   if (quantity.is_in(around.before)) return true;
-  if (around.mode == Mode::text) return begins_with_unit(around.after);
+  if (around.mode == TexMode::text) return begins_with_unit(around.after);
   if (const auto end = end_of_math.find_in(around.after)) return begins_with_unit(end->rest);
   const auto letters = upright.find_in(around.after);
   if (!letters) return false;
@@ -133,7 +133,7 @@ std::vector<Typed> typed_in(const Prose& prose) {
     const Surroundings around{prose.text.substr(begin, at - begin), std::string(match->rest),
                               prose.modes[at]};
     const bool is_long = significant_digits(match->parts[1], match->parts[2]) > most_digits;
-    const bool is_result = has_unit(around) || (is_long && around.mode != Mode::display_math);
+    const bool is_result = has_unit(around) || (is_long && around.mode != TexMode::display_math);
     if (is_result && !is_reference(number, around)) found.push_back({at, number});
     at += number.size() - 1;
   }

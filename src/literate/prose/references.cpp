@@ -11,8 +11,8 @@
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
+#include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 
 namespace literate {
 namespace {
@@ -60,10 +60,11 @@ bool is_left_out(const TexCommand& use, const Names& names) {
 
 /// Whether a text prints the ledger, in which all claims stand.
 bool prints_ledger(std::string_view text) {
-  return std::ranges::any_of(sys::lines_of(text), [](std::string_view line) {
-    const auto ledger = line.find("\\claimledger");
-    return ledger != std::string_view::npos && line.find('%') > ledger;
-  });
+  TexScanner scanner(text);
+  while (const auto token = scanner.next()) {
+    if (token->name == "claimledger") return true;
+  }
+  return false;
 }
 
 }  // namespace
