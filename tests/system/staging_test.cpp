@@ -3,15 +3,16 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace sys;
 namespace fs = std::filesystem;
 
 BOOST_AUTO_TEST_CASE(nothing_reaches_the_output_folder_before_it_is_published) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   write_file_atomically(scratch / "out/kept", "old");
   fs::path staged;
   {
@@ -26,7 +27,7 @@ BOOST_AUTO_TEST_CASE(nothing_reaches_the_output_folder_before_it_is_published) {
 }
 
 BOOST_AUTO_TEST_CASE(publishing_moves_what_changed_and_removes_what_was_not_made_again) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path out = scratch / "out";
   for (const char* file : {"same", "changed", "former", "foreign"}) {
     write_file_atomically(out / file, "old");
@@ -49,7 +50,7 @@ BOOST_AUTO_TEST_CASE(publishing_moves_what_changed_and_removes_what_was_not_made
 }
 
 BOOST_AUTO_TEST_CASE(a_list_of_former_files_cannot_remove_anything_elsewhere) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   write_file_atomically(scratch / "elsewhere", "");
   Staging staging(scratch / "out");
 
@@ -59,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_list_of_former_files_cannot_remove_anything_elsewhere) {
 }
 
 BOOST_AUTO_TEST_CASE(what_a_broken_run_left_is_replaced) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   fs::copy(Staging(scratch / "out").path(), scratch / "left", fs::copy_options::recursive);
   write_file_atomically(scratch / "left/half-made", "");
   fs::rename(scratch / "left", scratch / "out.part");
@@ -71,7 +72,7 @@ BOOST_AUTO_TEST_CASE(what_a_broken_run_left_is_replaced) {
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_of_somebody_else_is_left_alone) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   write_file_atomically(scratch / "out.part/thesis", "years of work");
 
   BOOST_TEST(message_of<OutputError>([&] { Staging staging(scratch / "out"); }) ==
@@ -81,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_folder_of_somebody_else_is_left_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(an_output_folder_that_cannot_be_written_is_named) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   write_file_atomically(scratch / "file", "");
   BOOST_TEST(message_of<OutputError>([&] { Staging staging(scratch / "file"); }) ==
              "cannot write to the output folder '" + (scratch / "file").string() + "'");

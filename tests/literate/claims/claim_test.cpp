@@ -8,9 +8,10 @@
 #include "literate/document/document_tex.hpp"
 #include "literate/document/names.hpp"
 #include "literate/typesetting/typeset.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 using boost::test_tools::per_element;
@@ -42,7 +43,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 // The text of every page of a document with this claim.
 std::vector<std::string> pages_with(Verdict found) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   Document document = document_with(found);
   document.value("unused", Value::integer(1));
   document.write(scratch / "generated");
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_lin
   BOOST_TEST(document.faults() == expected, per_element());
   BOOST_TEST(holds(values_tex(document.registered()), "2 statements are not as expected"));
   BOOST_TEST(holds(claims_tex(document.registered()), "\\LiterateLedgerSummary{1}{0}{1}{0}{1}"));
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   document.write(scratch / "out");
   BOOST_TEST(read_names(scratch / "out/names.json").faults == expected, per_element());
 }

@@ -3,13 +3,13 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(the_listing_has_true_line_numbers_and_no_common_indentation) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
 
   write_excerpt(scratch.path(), {"x", "src/a_b.cpp", 7, "    if (a) {\n\n      b();\n    }\n"});
 

@@ -3,9 +3,10 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
@@ -60,7 +61,7 @@ BOOST_AUTO_TEST_CASE(a_doubled_marker_is_an_error_with_both_lines) {
 }
 
 BOOST_AUTO_TEST_CASE(a_name_in_two_files_is_an_error_with_both_files) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string once = begin + "x\na\n" + end + "x\n";
   sys::write_file_atomically(scratch / "src/a.cpp", once);
   sys::write_file_atomically(scratch / "src/b.hpp", "\n" + once);
