@@ -19,6 +19,6 @@ BOOST_AUTO_TEST_CASE(a_last_line_end_starts_no_line) {
 
 BOOST_AUTO_TEST_CASE(only_blanks_at_the_ends_are_stripped) {
   BOOST_TEST(stripped(" \t a b\tc \t") == "a b\tc");
-  BOOST_TEST(stripped("a\n") == "a\n");
+  BOOST_TEST(stripped("\r\na\nb\r\n") == "a\nb");
   BOOST_TEST(stripped(" \t ").empty());
 }

@@ -22,7 +22,7 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
-/// The files of the run before, which may be removed; none if it left no list.
+/// The files that the previous run wrote, which may be removed; none if it left no list of them.
 std::vector<std::string> former_files(const fs::path& output_dir) {
   const fs::path list = output_dir / "names.json";
   if (!fs::exists(list)) return {};

@@ -38,7 +38,7 @@ std::string values_tex(const Registered& registered) {
 
 namespace {
 
-// «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{not as expected}».
+/// Writes «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{not as expected}».
 std::string ledger_summary(const Registered& registered) {
   const auto count = [&](auto&& is_meant) {
     return std::ranges::count_if(registered.claims,
@@ -70,7 +70,7 @@ std::string claims_tex(const Registered& registered) {
 
 namespace {
 
-// LaTeX may break a name after a dot, a hyphen or a colon.
+/// Lets LaTeX break a name after a dot, a hyphen, an underscore or a colon.
 std::string breakable(const std::string& name) {
   std::string text;
   for (const char c : name) {
@@ -80,12 +80,9 @@ std::string breakable(const std::string& name) {
   return text;
 }
 
-}  // namespace
-
-namespace {
-
-// Text as the index prints it: words too long for its columns, such as digests, may break anywhere.
-std::string index_text(const std::string& printed) {
+/// A word that is too long for the columns of the index, such as a digest, with breaks allowed
+/// anywhere; empty for other texts.
+std::string breakable_word(const std::string& printed) {
   constexpr std::size_t longest = 30;
   const bool is_word = std::ranges::all_of(printed, [](char c) { return c > ' ' && c < 0x7f; });
   if (printed.size() <= longest || !is_word) return {};
@@ -104,14 +101,14 @@ std::string index_tex(const Registered& registered) {
     text += fmt::format("\\LiterateIndexEntry{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", key,
                         escape_latex_path(key), error,
                         escape_latex_path(text_of(registered.places.at({"value", key}))),
-                        value.number() ? std::string() : index_text(value.printed()));
+                        value.number() ? std::string() : breakable_word(value.printed()));
   }
   return text;
 }
 
 namespace {
 
-// The files that one figure or table was made from and into, without what LaTeX reads.
+/// The data and scripts of one figure or table, without the files that LaTeX reads.
 std::vector<std::string> data_files(const fs::path& folder, const std::string& name) {
   std::vector<std::string> files;
   for (const std::string& file : sys::files_below(folder)) {

@@ -32,6 +32,7 @@ struct Registered {
   std::map<std::pair<std::string, std::string>, SourcePlace> places;  ///< by kind and name
 };
 
+/// The checks that did not pass, in the order of registration.
 std::vector<Check> failed_checks(const Registered& registered);
 
 /// What keeps the document from being trusted: a line for each check that failed, and for each

@@ -7,11 +7,12 @@
 namespace literate {
 
 /// Lines of a source file between two markers, each on a line of its own:
-/// «begin excerpt: name» and «end excerpt: name» behind a comment leader, two slashes, # or %.
+/// «begin excerpt: name» and «end excerpt: name» after a comment sign, which is two slashes, # or
+/// %.
 struct Excerpt {
   std::string name;
   std::string file;    ///< relative to the source root, with slashes
-  int first_line = 0;  ///< of the text, the marker not counted
+  int first_line = 0;  ///< of the text, which begins after the marker
   std::string text;    ///< without the blank lines at its ends; each line ends in '\n'
 };
 

@@ -60,7 +60,7 @@ class Finder {
   int line_ = 0;
   int begin_line_ = 0;
   std::optional<Excerpt> open_;
-  std::size_t text_end_ = 0;  // behind the last line of the open excerpt that is not blank
+  std::size_t text_end_ = 0;  // the end of the last line in the open excerpt that is not blank
   std::map<std::string, int> begin_lines_;
   std::vector<Excerpt> excerpts_;
 };

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <set>
 
 namespace literate {
@@ -11,52 +10,19 @@ namespace {
 
 constexpr auto npos = std::string_view::npos;
 
-/// Commands that print none of their first arguments, and how many these are.
-const std::map<std::string_view, int> silent_commands = {{"addcontentsline", 3},
-                                                         {"addtocounter", 2},
-                                                         {"addtolength", 2},
-                                                         {"bibitem", 1},
-                                                         {"bibliography", 1},
-                                                         {"bibliographystyle", 1},
-                                                         {"captionsetup", 1},
-                                                         {"cite", 1},
-                                                         {"claim", 1},
-                                                         {"color", 1},
-                                                         {"Cref", 1},
-                                                         {"cref", 1},
-                                                         {"crefrange", 2},
-                                                         {"definecolor", 3},
-                                                         {"documentclass", 1},
-                                                         {"eqref", 1},
-                                                         {"excerpt", 1},
-                                                         {"fig", 1},
-                                                         {"fontsize", 2},
-                                                         {"href", 1},
-                                                         {"hspace", 1},
-                                                         {"hypertarget", 1},
-                                                         {"ifflag", 1},
-                                                         {"include", 1},
-                                                         {"includegraphics", 1},
-                                                         {"input", 1},
-                                                         {"label", 1},
-                                                         {"makebox", 0},
-                                                         {"pageref", 1},
-                                                         {"parbox", 1},
-                                                         {"phantom", 1},
-                                                         {"raisebox", 1},
-                                                         {"ref", 1},
-                                                         {"rule", 2},
-                                                         {"setcounter", 2},
-                                                         {"setlength", 2},
-                                                         {"tab", 1},
-                                                         {"tag", 1},
-                                                         {"textcolor", 1},
-                                                         {"url", 1},
-                                                         {"usepackage", 1},
-                                                         {"val", 1},
-                                                         {"vspace", 1}};
+/// Commands whose first argument, or first two or three, are not printed.
+// clang-format off
+const std::set<std::string_view> one_silent = {
+    "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
+    "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "href", "hspace", "hypertarget",
+    "ifflag", "include", "includegraphics", "input", "label", "pageref", "parbox", "phantom",
+    "raisebox", "ref", "tab", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
+const std::set<std::string_view> two_silent = {
+    "addtocounter", "addtolength", "crefrange", "fontsize", "rule", "setcounter", "setlength"};
+const std::set<std::string_view> three_silent = {"addcontentsline", "definecolor"};
+// clang-format on
 
-/// Environments that take an argument which is not printed: the form of columns, a width.
+/// Environments with an argument that is not printed, such as column types or a width.
 const std::set<std::string_view> formed_environments = {
     "tabular", "tabular*", "tabularx", "array", "minipage", "multicols", "alignat", "alignat*"};
 const std::set<std::string_view> upright_commands = {"mathrm", "text",   "textrm",
@@ -144,8 +110,10 @@ void Reader::read_command(const TexToken& command) {
   if (upright_commands.contains(command.name)) first = Prose::upright;
   if (quantity_commands.contains(command.name)) first = Prose::quantity;
   if (command.name == "cite") first = Prose::citation;
-  const auto silent = silent_commands.find(command.name);
-  if (silent != silent_commands.end()) blank_arguments(silent->second);
+  if (command.name == "makebox") blank_arguments(0);
+  if (one_silent.contains(command.name)) blank_arguments(1);
+  if (two_silent.contains(command.name)) blank_arguments(2);
+  if (three_silent.contains(command.name)) blank_arguments(3);
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ struct Prose {
   static constexpr char quantity = '\x02';
   static constexpr char citation = '\x03';
 
-  /// As long as the LaTeX text and with the same line ends; blank where that holds comments,
-  /// verbatim text, names of commands, arguments that are not printed (keys, labels, lengths), a
-  /// list of references, or what precedes \begin{document}.
+  /// Has the length and the line ends of the LaTeX text, and blanks in place of comments, verbatim
+  /// text, names of commands, arguments that are not printed (keys, labels, lengths), the list of
+  /// references, and all that precedes \begin{document}.
   std::string text;
   std::vector<TexMode> modes;  ///< one for each byte of `text`
 };

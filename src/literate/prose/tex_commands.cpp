@@ -40,8 +40,8 @@ class Conditionals {
   static constexpr int key = 1, yes = 2, no = 3;
   struct Conditional {
     std::string flag;
-    int depth;  // of braces where \ifflag stands
-    int group;  // the group of braces it has reached: key, yes or no
+    int depth;  // how many braces are open at \ifflag
+    int group;  // the group that the text has reached: key, yes or no
   };
   bool is_between_groups() const { return !open_.empty() && open_.back().depth == depth_; }
 

@@ -29,8 +29,8 @@ struct TexToken {
   TexMode mode;           ///< in which the token is read
 };
 
-/// Takes a LaTeX text apart, token by token; together the tokens are the text. Does not expand
-/// macros; a name may hold '@'.
+/// Splits a LaTeX text into tokens, which together are the text. It does not expand macros; the
+/// name of a command may hold '@'.
 class TexScanner {
  public:
   explicit TexScanner(std::string_view latex) : rest_(latex) {}
@@ -38,10 +38,10 @@ class TexScanner {
   /// The next token; none at the end of the text.
   std::optional<TexToken> next();
 
-  /// What was not read yet.
+  /// The text that was not read yet.
   std::string_view rest() const { return rest_; }
 
-  /// Leaves out the next `n_bytes`, or what there is of them, and returns them.
+  /// Skips the next `n_bytes`, or all of a shorter rest, and returns what was skipped.
   std::string_view skip(std::size_t n_bytes);
 
  private:
@@ -55,15 +55,15 @@ class TexScanner {
   TexMode mode_ = TexMode::text;
 };
 
-/// The group that a text begins with, in braces or other delimiters, and the blanks in front of it;
-/// empty if there is none or nothing closes it.
+/// The group at the start of a text, with its delimiters and the blanks before them; empty if the
+/// text starts with something else or the group is not closed.
 std::string_view group_at(std::string_view text, char open = '{', char close = '}');
 
-/// What stands between the braces of the group that a text begins with, without blanks at its ends;
-/// empty if there is none on this line.
+/// The content of the group in braces at the start of a text, without blanks at its ends; empty if
+/// there is no such group within the first line.
 std::string_view argument_at(std::string_view text);
 
-/// A place in a text, both numbers from 1; the column counts characters.
+/// A place in a text. Lines and columns count from 1, columns in characters.
 struct TexPlace {
   int line;
   int column;

@@ -9,7 +9,7 @@
 
 namespace literate {
 
-/// A number, a text, or nothing. A text is plain and gets escaped unless made by Cell::latex.
+/// A number, a text, or nothing. Text is plain and is escaped, unless Cell::latex made it.
 class Cell {
  public:
   Cell() = default;
@@ -20,17 +20,17 @@ class Cell {
   Cell(const std::string& text) : Cell(std::string_view(text)) {}
   Cell(const char* text) : Cell(std::string_view(text)) {}
 
-  /// A number whose last digit stands at 10^place, whatever the column says of decimals: for
-  /// numbers quoted from elsewhere, which keep their digits.
+  /// Makes a number whose last digit stands at 10^place, whatever the column says of decimals: for
+  /// quoted numbers, which keep the digits of their source.
   static Cell to_place(double number, int place);
 
-  /// A text that is LaTeX already.
+  /// Makes a text that is LaTeX already.
   static Cell latex(std::string text);
 
   bool is_empty() const { return std::holds_alternative<std::monostate>(content_); }
   /// The number, or null.
   const double* number() const { return std::get_if<double>(&content_); }
-  /// Where the number's last digit stands; none where the column decides.
+  /// The place of the number's last digit; none if the column decides it.
   const std::optional<int>& place() const { return place_; }
   /// The text as LaTeX, or null.
   const std::string* text() const { return std::get_if<std::string>(&content_); }

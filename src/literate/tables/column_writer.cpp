@@ -13,7 +13,7 @@
 namespace literate {
 namespace {
 
-/// The power of ten of the largest number, as it prints with `n_digits` digits.
+/// The power of ten of the largest magnitude after rounding to `n_digits` digits.
 int common_exponent_of(const std::vector<const Cell*>& cells, int n_digits) {
   double largest = 0;
   for (const Cell* cell : cells) {
@@ -78,7 +78,8 @@ std::string ColumnWriter::number_text(const Cell& cell) const {
     throw std::invalid_argument(
         fmt::format("column '{}': {} is not a whole number", format_.heading, round_trip(number)));
   }
-  // Moving the point, unlike a division, leaves one rounding.
+  // Moving the decimal point is exact, so the number is rounded only once; dividing it would round
+  // it again.
   Decimal decimal =
       rounded_to_place(number, cell.place().value_or(format_.exponent - format_.digits));
   decimal.place -= format_.exponent;

@@ -9,20 +9,21 @@
 
 namespace literate {
 
-/// A table, written as a booktabs tabular whose numbers stand on the decimal point.
+/// A table that is written as a booktabs tabular with its numbers aligned at the decimal point.
 class Table {
  public:
-  /// Throws std::invalid_argument when there is no column.
+  /// Throws std::invalid_argument if there is no column.
   explicit Table(std::vector<Column> columns);
 
-  /// Throws std::invalid_argument unless there is one cell a column.
+  /// Adds a row; throws std::invalid_argument unless it has one cell for each column.
   Table& add_row(std::vector<Cell> cells);
 
-  /// The tabular, with siunitx S columns whose table-format is taken from the data. Throws
-  /// std::invalid_argument for a number that is not finite, or in a text column.
+  /// Writes the tabular. Throws std::invalid_argument for a number that is not finite, and for one
+  /// in a text column.
   std::string latex() const;
 
-  /// The same as CSV, with the headings and units as in LaTeX and numbers that read back the same.
+  /// Writes the table as CSV, with headings and units as in LaTeX and numbers that read back the
+  /// same.
   std::string csv() const;
 
  private:
