@@ -7,11 +7,11 @@
 #include <fstream>
 #include <string>
 
-/// A folder of its own for one test, with a space in its name, removed at the end.
+/// A new folder for one test, with spaces in its name, removed at the end of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "half space XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "half space test XXXXXX").string();
     path_ = ::mkdtemp(name.data());
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -22,6 +22,7 @@ class TemporaryFolder {
   }
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
   /// Writes a file into the folder and returns its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const {

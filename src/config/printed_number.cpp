@@ -13,7 +13,7 @@
 namespace config {
 namespace {
 
-// A number rounded to that many significant digits, correctly, as text with an exponent.
+/// Rounds a number correctly to `n_digits` significant digits, as text with an exponent.
 std::string rounded(double number, int n_digits) {
   return fmt::format("{:.{}e}", number, n_digits - 1);
 }
@@ -25,8 +25,7 @@ bool is_digit(char c) {
 }  // namespace
 
 PrintedNumber::PrintedNumber(std::string text) : text_(std::move(text)) {
-  // from_chars takes what it can; a print is digits throughout, with at most a point and an
-  // exponent.
+  // from_chars reads as much as it understands, so check that nothing is left over.
   const char* end = text_.data() + text_.size();
   const auto [stop, error] = std::from_chars(text_.data(), end, value_);
   const bool is_decimal = text_.find_first_not_of("+-.0123456789eE") == std::string::npos;

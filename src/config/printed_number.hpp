@@ -5,11 +5,12 @@
 
 namespace config {
 
-/// A number as it stands in print: 1.6236048e-006 is not a point but every number that rounds to
-/// it.
+/// A number as it is printed somewhere. It stands for every number that rounds to
+/// it: 1.6236048e-006 for all within half a unit of its last digit.
 class PrintedNumber {
  public:
-  /// Takes a decimal number, with exponent or without; throws std::invalid_argument for other text.
+  /// Reads a decimal number with or without an exponent; throws std::invalid_argument for any other
+  /// text.
   explicit PrintedNumber(std::string text);
 
   const std::string& text() const { return text_; }
@@ -27,8 +28,8 @@ class PrintedNumber {
   /// Whether `number`, rounded to the last printed place, prints the same digits.
   bool agrees_with(double number) const;
 
-  /// How many leading digits agree when `number` is rounded to 1, 2, … digits as the print is; up
-  /// to n_digits().
+  /// Counts the leading digits that agree when `number` and the printed number are rounded to the
+  /// same number of digits; at most n_digits().
   int n_agreeing_digits(double number) const;
 
  private:

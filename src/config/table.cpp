@@ -37,8 +37,8 @@ std::string type_name(const toml::node& node) {
 
 }  // namespace
 
-// One table of a file; all tables of a file share the document and the record of what was asked
-// for.
+// One table of a file. All tables of a file share the document and the record of the keys that were
+// asked for.
 struct Table::Node {
   struct Document {
     std::string file;
@@ -47,7 +47,7 @@ struct Table::Node {
   };
   std::shared_ptr<Document> document;
   const toml::table* table;
-  std::string path;  // of keys, "" for the root
+  std::string path;  // the keys that lead here, joined by dots; empty for the root
 
   std::string path_of(const std::string& key) const {
     return path.empty() ? key : path + "." + key;

@@ -13,17 +13,17 @@
 
 namespace config {
 
-/// A case file that is not right. what() is one line: «file:line:column: key: what and what not».
+/// A case file with a mistake. what() is one line: «file:line:column: key: what is wrong».
 class Error : public sys::InputError {
  public:
   using InputError::InputError;
 };
 
-/// A table of a TOML file, read strictly: a key that is missing, of the wrong type or unit, or that
-/// nobody asked for is an error with its place in the file.
+/// A table of a TOML file that is read strictly: a key that is missing, has the wrong type or unit,
+/// or was never asked for is an error with its place in the file.
 ///
-/// A quantity is written {value = 30e6, unit = "psi"}; any unit of the right dimension is converted
-/// to the given system's. Copies are views of the same file.
+/// A quantity is written {value = 30e6, unit = "psi"}; it may have any unit of the right dimension
+/// and is converted to that of the given system. A copy is a view of the same file.
 class Table {
  public:
   /// Parses a file; throws Error if it cannot be read or is not TOML (doubled keys included).
@@ -32,7 +32,7 @@ class Table {
   bool has(const std::string& key) const;
   Table table(const std::string& key) const;
 
-  /// The tables of an array of tables, [[key]], which has at least one; none without the key.
+  /// The tables of an array of tables, [[key]]; none if the key is missing.
   std::vector<Table> tables(const std::string& key) const;
 
   std::string text(const std::string& key) const;
@@ -51,10 +51,11 @@ class Table {
   /// All keys of the table, sorted.
   std::vector<std::string> keys() const;
 
-  /// Whether the value of the key is the given text.
+  /// Whether the key is there and its value is the given text.
   bool is_text(const std::string& key, const std::string& text) const;
 
-  /// Calls make() and gives an InvalidQuantity or UnitError that it throws the place of `key`.
+  /// Returns make(). If that throws InvalidQuantity or UnitError, throws Error with the same
+  /// message and the place of `key`.
   template <class Make>
   auto at(const std::string& key, Make&& make) const {
     try {
@@ -66,13 +67,13 @@ class Table {
     }
   }
 
-  /// Throws Error for the first key, here or below, that nobody has asked for.
+  /// Throws Error for the first key of this table or of one below that was never asked for.
   void reject_unknown_keys() const;
 
-  /// Where the value of `key` stands (or the table, where it has no such key): «file:line:column».
+  /// The place of the value of `key`, or of the table if it has no such key: «file:line:column».
   std::string place(const std::string& key) const;
 
-  /// Throws Error at place(key).
+  /// Throws Error with place(key), the key and the message.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
 
  private:

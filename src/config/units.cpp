@@ -38,8 +38,9 @@ Unit parse(const std::string& name) {
   return unit;
 }
 
-// UDUNITS multiplies its factors out through SI and leaves an in at 0.99999999999999989 in. A
-// factor within that rounding of a number of twelve digits is meant to be that number.
+// UDUNITS converts by way of SI units, so that one inch becomes 0.99999999999999989 inches. If a
+// factor differs from a number of twelve digits by no more than such rounding, that number is
+// meant.
 double without_rounding(double factor) {
   const double short_factor = std::strtod(fmt::format("{:.12g}", factor).c_str(), nullptr);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * factor;

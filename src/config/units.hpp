@@ -9,17 +9,18 @@
 
 namespace config {
 
-/// A unit that is unknown, or that measures something else. what() is one line.
+/// A unit that is unknown or has the wrong dimension. what() is one line.
 class UnitError : public sys::InputError {
  public:
   using InputError::InputError;
 };
 
-/// What a quantity measures; `none` is a pure number.
+/// The dimension of a quantity; a pure number has `none`.
 enum class Dimension { none, length, stress, line_load, density };
 
-/// A coherent system of units: stress = force/length², line load = force/length, so that formulas
-/// need no factors. Spellings are those of UDUNITS-2 and print well in text, LaTeX and gnuplot.
+/// A coherent system of units: stress = force/length² and line load = force/length, so that
+/// formulas need no factors. UDUNITS-2 knows the spellings, and text, LaTeX and gnuplot can print
+/// them.
 struct UnitSystem {
   std::string name;
   std::string length;
@@ -39,8 +40,8 @@ const std::vector<UnitSystem>& unit_systems();
 /// The system of that name; throws UnitError that lists the names for any other.
 const UnitSystem& unit_system(std::string_view name);
 
-/// How many `to` one `from` is, for example 25.4 for in → mm; exactly 1 for two spellings of a
-/// unit. Throws UnitError if either is unknown or they measure different things.
+/// Returns how many units `to` make one unit `from`, for example 25.4 for in and mm; exactly 1 for
+/// two spellings of one unit. Throws UnitError if a unit is unknown or the dimensions differ.
 double conversion_factor(const std::string& from, const std::string& to);
 
 }  // namespace config

@@ -6,16 +6,16 @@
 
 namespace sys {
 
-/// What a program answers to the shell.
+/// The exit status of a program.
 enum class ExitCode : int {
   success = 0,
-  failed = 1,       ///< a check, a claim, a lint or a computation did not hold
-  bad_input = 2,    ///< a flag, a case file, a document or an output folder
+  failed = 1,       ///< a check, a claim or a lint did not hold, or a computation failed
+  bad_input = 2,    ///< a flag, a file or a folder that the user gave is wrong
   tool_failed = 3,  ///< gnuplot, LaTeX or another outside tool is missing or failed
 };
 
-/// An error that a user can do something about. what() is the message for standard error, without
-/// the program's name; exit_code() is how the program ends when nothing handles it.
+/// An error that the user can do something about. what() is the message for standard error, without
+/// the program's name; exit_code() is the program's exit status if nothing handles the error.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode exit_code, const std::string& message)
@@ -27,13 +27,13 @@ class Error : public std::runtime_error {
   ExitCode exit_code_;
 };
 
-/// Something that the user gave is not right.
+/// Something that the user gave is wrong.
 class InputError : public Error {
  public:
   explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
 };
 
-/// A source file is not marked as it must be; what() is «file:line: message».
+/// The markers in a source file are wrong; what() is «file:line: message».
 class SourceError : public InputError {
  public:
   using InputError::InputError;
@@ -45,14 +45,14 @@ class OutputError : public InputError {
   using InputError::InputError;
 };
 
-/// An outside tool (gnuplot, latexmk, pdflatex) is missing or failed. what() carries the tool's own
+/// Another program, such as gnuplot or latexmk, is missing or failed. what() has that program's own
 /// message with its file and line.
 class ToolError : public Error {
  public:
   explicit ToolError(const std::string& message) : Error(ExitCode::tool_failed, message) {}
 };
 
-/// A computation did not reach its result, though its input was allowed.
+/// A computation did not reach its result although its input was allowed.
 class ComputationError : public Error {
  public:
   explicit ComputationError(const std::string& reason)

@@ -16,7 +16,7 @@ namespace sys {
 namespace fs = std::filesystem;
 namespace {
 
-/// Names the file and, where the system tells it, the reason.
+/// An error that names the file and, if there is one, the system's reason.
 OutputError failure(std::string_view what, const fs::path& file, std::error_code reason = {}) {
   const std::string why = reason ? fmt::format(": {}", reason.message()) : "";
   return OutputError(fmt::format("cannot {} '{}'{}", what, file.string(), why));

@@ -11,21 +11,22 @@ namespace sys {
 /// Reads a whole file; throws OutputError naming it if it cannot be read.
 std::string read_file(const std::filesystem::path& file);
 
-/// Writes beside the file and renames, making its folder if need be: readers see the old or the
-/// new text, never a part. Throws OutputError naming the file.
+/// Writes a new file beside this one and renames it, so that readers see the old text or the new
+/// one and never a part. Makes the folder if it is missing. Throws OutputError naming the file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view text);
 
-/// As write_file_atomically, but leaves a file that holds this text already, with its time stamp.
-/// Returns whether it wrote.
+/// Does as write_file_atomically, unless the file holds this text already: then it keeps its time
+/// stamp. Returns whether it was written.
 bool write_if_changed(const std::filesystem::path& file, std::string_view text);
 
-/// The SHA-256 of a text in lower-case hexadecimal.
+/// Returns the SHA-256 of a text in lower-case hexadecimal.
 std::string sha256_of_text(std::string_view text);
 
-/// The same of a file's bytes; throws OutputError naming a file that cannot be read.
+/// Returns the SHA-256 of a file's bytes; throws OutputError naming a file that cannot be read.
 std::string sha256_of_file(const std::filesystem::path& file);
 
-/// All regular files below a folder, sorted, as generic paths relative to it; throws OutputError.
+/// Lists all regular files below a folder, sorted, as generic paths relative to it; throws
+/// OutputError if it cannot be read.
 std::vector<std::string> files_below(const std::filesystem::path& folder);
 
 }  // namespace sys

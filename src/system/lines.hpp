@@ -6,7 +6,7 @@
 
 namespace sys {
 
-/// The lines of a text without their ends, "\n" or "\r\n"; a last line end starts no new line.
+/// Splits a text into lines, without their ends "\n" or "\r\n". No line follows the last line end.
 inline std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
@@ -19,11 +19,12 @@ inline std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// The text without spaces and tabs at both ends.
+/// Removes blanks, tabs and line ends from both ends of a text.
 inline std::string_view stripped(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
+  constexpr std::string_view blanks = " \t\r\n";
+  const auto first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 }  // namespace sys

@@ -9,25 +9,26 @@
 
 namespace sys {
 
-/// A program to run as a child, without a shell and with nothing on its standard input.
+/// A program to run as a child, without a shell and with an empty standard input.
 struct Command {
   std::string program;
   std::vector<std::string> arguments = {};
   std::filesystem::path working_directory = ".";
-  std::map<std::string, std::string> environment =
-      {};  ///< added to this program's own, or replacing
+  /// Variables that are added to this program's own or replace them.
+  std::map<std::string, std::string> environment = {};
 };
 
 struct ProcessResult {
-  int exit_status = 0;  ///< 128 + signal number for a child that a signal ended
-  std::string output;   ///< standard output and standard error as they came
+  int exit_status = 0;  ///< as shell_status gives it
+  std::string output;   ///< standard output and standard error, interleaved
 };
 
-/// Finds a program on the PATH; throws ToolError naming it and `make setup` if it is not there.
+/// Finds a program in the folders of PATH; throws ToolError that names it and `make setup` if it is
+/// in none of them.
 std::filesystem::path find_tool(std::string_view program);
 
-/// Runs a child to its end; threads may do so at the same time. Throws ToolError if it cannot
-/// start; an exit status other than 0 is the caller's to judge.
+/// Runs a child until it ends; several threads may do so at the same time. Throws ToolError if it
+/// cannot start. The caller has to look at its exit status.
 ProcessResult run(const Command& command);
 
 }  // namespace sys

@@ -8,9 +8,8 @@
 
 namespace sys {
 
-/// An input outside what the formula or method allows.
-///
-/// what() is one line: «quantity = value: allowed».
+/// A quantity is outside the range that a formula or method allows. what() is one line:
+/// «quantity = value: must be allowed».
 class InvalidQuantity : public InputError {
  public:
   InvalidQuantity(std::string_view quantity, double value, std::string_view allowed);

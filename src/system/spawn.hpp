@@ -12,8 +12,8 @@
 
 namespace sys {
 
-/// What a child does to its folder and its descriptors between fork and exec, in the order in which
-/// it was added. Throws std::system_error if memory runs out.
+/// What a child does to its folder and descriptors between fork and exec, in the order of the calls
+/// here. Each throws std::system_error if memory runs out.
 class FileActions {
  public:
   FileActions();
@@ -22,6 +22,7 @@ class FileActions {
   ~FileActions();
 
   void open(int descriptor, const std::filesystem::path& file, int flags, mode_t mode = 0);
+  /// Makes `descriptor` a copy of `source`.
   void duplicate(int source, int descriptor);
   void change_folder(const std::filesystem::path& folder);
 
@@ -42,14 +43,14 @@ struct Pipe {
   Descriptor writing;
 };
 
-/// Opens a pipe that no child inherits, with more flags of pipe2 if wanted; throws ToolError.
+/// Opens a pipe that no child inherits, with further flags of pipe2; throws ToolError on failure.
 Pipe open_pipe(int flags = 0);
 
-/// A child's status of wait as a shell gives it: its exit status, or 128 + the number of the signal
-/// that ended it.
+/// Turns a child's wait status into the status that a shell reports: its exit status, or 128 + the
+/// number of the signal that ended it.
 int shell_status(int wait_status);
 
-/// The error of a program that could not be started because of this `errno`.
+/// The error for a program that could not be started, with the system's reason for this `errno`.
 ToolError cannot_start(const std::string& program, int error);
 
 }  // namespace sys

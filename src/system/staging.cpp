@@ -13,7 +13,7 @@ namespace sys {
 namespace fs = std::filesystem;
 namespace {
 
-// Tells a folder that a broken run left from one that is somebody's own.
+// This file distinguishes a folder that a broken run left from a folder of the user's own.
 constexpr const char* marker = ".literate-staging";
 
 fs::path without_trailing_slash(const fs::path& folder) {
@@ -75,7 +75,7 @@ std::vector<std::string> Staging::files() const {
 void Staging::publish(const std::vector<std::string>& former_files) {
   const std::vector<std::string> made = files();
   try {
-    // Find all that will change before the first change.
+    // Find all that changes before changing anything.
     std::vector<std::string> changed;
     for (const std::string& file : made) {
       const fs::path place = output_dir_ / file;

@@ -7,14 +7,14 @@
 
 namespace sys {
 
-/// A fresh folder beside an output folder, in which the output is made before it is moved in place.
+/// A new folder beside an output folder, in which the output is made before it is moved there.
 ///
-/// It is named as the output folder with ".part" added and removed when it goes out of scope, so
-/// a failure leaves the output folder as it was.
+/// Its name is that of the output folder with ".part" at the end. It is removed at the end of its
+/// scope, so that a failure leaves the output folder as it was.
 class Staging {
  public:
   /// Makes the folder, after removing one that a broken run left. Throws OutputError if it or the
-  /// output folder cannot be written, or if something else bears its name.
+  /// output folder cannot be written, or if something else has its name.
   explicit Staging(const std::filesystem::path& output_dir);
   ~Staging();
   Staging(const Staging&) = delete;
@@ -25,8 +25,8 @@ class Staging {
   /// All files made so far, sorted, relative to path().
   std::vector<std::string> files() const;
 
-  /// Moves all files in place by renaming, leaves those whose content is the same untouched, and
-  /// removes those of `former_files` that were not made again. Throws OutputError.
+  /// Moves the files to the output folder by renaming, except those whose content is the same
+  /// there, and removes those of `former_files` that were not made again. Throws OutputError.
   void publish(const std::vector<std::string>& former_files);
 
  private:

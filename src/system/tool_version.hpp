@@ -5,7 +5,8 @@
 
 namespace sys {
 
-/// The first line that `program --version` prints; throws ToolError if it is not installed.
+/// Returns the first line that `program --version` prints; throws ToolError if the program is not
+/// installed.
 std::string tool_version(const std::string& program);
 
 }  // namespace sys

@@ -13,11 +13,11 @@ struct Utf8Character {
   std::optional<char32_t> code_point;  ///< none for a byte that belongs to no valid character
 };
 
-/// The character that a text begins with; the text must not be empty. A byte that starts no valid
-/// character (overlong forms and surrogates are not valid) stands alone.
+/// Returns the first character of a text, which must not be empty. If its first byte starts no
+/// valid character, that byte alone; overlong forms and surrogates are not valid.
 Utf8Character first_character(std::string_view text);
 
-/// The number of characters of a text, in which each byte of no valid character counts as one.
+/// Counts the characters of a text; each byte that belongs to no valid character counts as one.
 std::size_t n_characters(std::string_view text);
 
 }  // namespace sys

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "literate/document/names.hpp"
-#include "literate/excerpts/excerpt.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "literate/prose/references.hpp"
 #include "system/files.hpp"
 #include "temporary_file.hpp"
@@ -56,7 +56,8 @@ std::set<std::string> failures(const Document& document) {
 // What the document would refer to that was not registered.
 std::vector<std::string> unknown_names(const Document& document) {
   const TemporaryFolder folder;
-  const auto file = folder.write("names.json", literate::names_json(document, excerpts, {}));
+  const auto file =
+      folder.write("names.json", literate::names_json(document.registered(), excerpts, {}));
   return literate::check_references(source_dir + "/report", literate::read_names(file)).errors;
 }
 

@@ -3,14 +3,15 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
+#include "temporary_file.hpp"
 
 using namespace sys;
 namespace fs = std::filesystem;
 
 BOOST_AUTO_TEST_CASE(the_same_text_leaves_the_time_stamp) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path file = scratch / "a folder/file.txt";
   BOOST_TEST(write_if_changed(file, "text"));
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(5);
@@ -26,7 +27,7 @@ BOOST_AUTO_TEST_CASE(the_same_text_leaves_the_time_stamp) {
 }
 
 BOOST_AUTO_TEST_CASE(sha256_is_that_of_the_standard) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   write_file_atomically(scratch / "abc", "abc");
 
   // FIPS 180-2, appendix B.1
@@ -35,7 +36,7 @@ BOOST_AUTO_TEST_CASE(sha256_is_that_of_the_standard) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_the_file) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   write_file_atomically(scratch / "file", "");
   const std::string missing = (scratch / "none").string();
 

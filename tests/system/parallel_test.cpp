@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 
 using sys::for_each_parallel;
 

@@ -4,13 +4,14 @@
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
+#include "temporary_file.hpp"
 
 using namespace sys;
 
 BOOST_AUTO_TEST_CASE(a_child_gets_its_arguments_folder_and_environment_unchanged) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
 
   const auto result =
       run({.program = "sh",

@@ -7,8 +7,8 @@
 #include <boost/test/unit_test.hpp>
 #include <csignal>
 
-#include "scratch_folder.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace sys;
 
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_closed_descriptor_is_none) {
 }
 
 BOOST_AUTO_TEST_CASE(a_child_starts_with_the_folder_and_descriptors_it_was_given) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   write_file_atomically(scratch / "input", "from the input\n");
   FileActions actions;
   actions.change_folder(scratch.path());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The architecture. That a folder includes only what it links is the compiler's to see, since a
 // library exports its own headers alone. Here: that the links, which CMake wrote down, have no
-// circle and keep their direction, and that the rooms within a folder keep their order.
+// circle and keep their direction, that the rooms within a folder keep their order, and that no
+// file needs itself by way of others.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <fstream>
@@ -44,21 +45,39 @@ std::vector<Library> libraries() {
   return result;
 }
 
-// All that a library links, directly or not; itself only if there is a circle.
-std::set<std::string> reach_of(const std::string& name, const std::vector<Library>& all) {
+// For each name, the names that it needs itself.
+using Graph = std::map<std::string, std::set<std::string>>;
+
+// All that a name needs, directly or not; itself only if there is a circle.
+std::set<std::string> reach_of(const std::string& name, const Graph& graph) {
   std::set<std::string> reach;
   std::vector<std::string> open{name};
   while (!open.empty()) {
-    const std::string next = open.back();
+    const auto needs = graph.find(open.back());
     open.pop_back();
-    const auto library =
-        std::find_if(all.begin(), all.end(), [&](const Library& l) { return l.name == next; });
-    if (library == all.end()) continue;
-    for (const std::string& link : library->links) {
-      if (reach.insert(link).second) open.push_back(link);
+    if (needs == graph.end()) continue;
+    for (const std::string& need : needs->second) {
+      if (reach.insert(need).second) open.push_back(need);
     }
   }
   return reach;
+}
+
+// The names that need themselves by way of others.
+std::vector<std::string> in_circles(const Graph& graph) {
+  std::vector<std::string> names;
+  for (const auto& [name, needs] : graph) {
+    if (reach_of(name, graph).contains(name)) names.push_back(name);
+  }
+  return names;
+}
+
+Graph links() {
+  Graph graph;
+  for (const Library& library : libraries()) {
+    graph[library.name] = {library.links.begin(), library.links.end()};
+  }
+  return graph;
 }
 
 bool links_any(const std::set<std::string>& reach, const std::vector<std::string>& names) {
@@ -128,15 +147,11 @@ BOOST_AUTO_TEST_CASE(every_folder_of_src_is_a_library_with_its_links) {
 }
 
 BOOST_AUTO_TEST_CASE(no_library_links_itself_by_way_of_others) {
-  const auto all = libraries();
-  for (const Library& library : all) {
-    BOOST_TEST(!reach_of(library.name, all).contains(library.name),
-               library.name << " is in a circle");
-  }
+  BOOST_TEST(in_circles(links()) == std::vector<std::string>{}, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(mechanics_links_neither_engine_nor_paper_and_the_engine_no_mechanics) {
-  const auto all = libraries();
+  const Graph all = links();
   const std::vector<std::string> upper = {"literate", "paper",  "course", "assignment",
                                           "figures",  "system", "config"};
   for (const std::string& name : mechanics)
@@ -164,6 +179,29 @@ BOOST_AUTO_TEST_CASE(a_room_includes_only_rooms_that_come_before_it) {
       }
     }
   }
+}
+
+// A header and the source beside it count as one: «value» is value.hpp and value.cpp.
+BOOST_AUTO_TEST_CASE(no_two_files_of_a_folder_need_one_another) {
+  Graph needs;
+  for (const auto& file : source_tree::files_below("src")) {
+    if (!source_tree::is_cpp(file)) continue;
+    const std::string name = file.lexically_relative("src").replace_extension().generic_string();
+    for (const auto& line : source_tree::lines_of(file)) {
+      const std::string header = included(line);
+      const std::string other = header.substr(0, header.rfind('.'));
+      if (!other.empty() && other != name) needs[name].insert(other);
+    }
+  }
+  BOOST_TEST(needs["literate/tables/table"].contains("literate/tables/column_writer"));
+
+  BOOST_TEST(in_circles(needs) == std::vector<std::string>{}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_circle_is_found_however_long_it_is) {
+  const Graph graph = {{"a", {"b", "d"}}, {"b", {"c"}}, {"c", {"a"}}, {"d", {"e"}}};
+  BOOST_TEST(in_circles(graph) == (std::vector<std::string>{"a", "b", "c"}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(the_order_of_rooms_tells_downward_from_upward) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <source_location>
 #include <string>
 #include <string_view>
 
@@ -9,41 +8,29 @@
 
 namespace literate {
 
-/// How a statement fares when it is tried.
+/// What the computation finds about a statement.
 enum class Verdict { confirmed, partly, refuted };
 
-/// confirmed, partly confirmed or refuted.
+/// Names a verdict: «confirmed», «partly confirmed» or «refuted».
 std::string_view name_of(Verdict verdict);
 
-/// Confirmed if it holds, else refuted.
+/// Returns confirmed if the statement holds, else refuted.
 Verdict confirmed_if(bool holds);
 
-/// Confirmed if it holds in all of `n_cases` cases, refuted if in none, else partly.
+/// Returns confirmed if the statement holds in all of `n_cases` cases, refuted if it holds in none,
+/// else partly.
 Verdict confirmed_in(long n_holding, long n_cases);
 
-/// A statement that the computation tries, and what came of it. Texts are plain, not LaTeX.
+/// A statement that the computation checks, and its verdict. All texts are plain, not LaTeX.
 struct Claim {
   std::string sentence;              ///< what is claimed, one sentence with its full stop
-  std::string place;                 ///< who says so and where, as «paper, Results, p. 3»
-  Value stated = Value::text("");    ///< the value as stated; an empty text if none is
+  std::string place;                 ///< who states it and where: «paper, Results, p. 3»
+  Value stated = Value::text("");    ///< the value as stated; an empty text if there is none
   Value computed = Value::text("");  ///< the value as computed here
-  std::string route;                 ///< by what it was computed, with no part of the statement
-  std::string tolerance;             ///< what still counts as agreement, and why that much
-  Verdict expected;                  ///< what the prose says of it
-  Verdict found;                     ///< what the computation says of it
+  std::string route;                 ///< how the value was computed, independently of the statement
+  std::string tolerance;             ///< what difference still counts as agreement, and why
+  Verdict expected;                  ///< the verdict that the prose gives
+  Verdict found;                     ///< the verdict of the computation
 };
-
-/// A line of code that registered something.
-struct SourcePlace {
-  std::string file;      ///< relative to the checkout
-  std::string function;  ///< with its namespace, without its parameters
-  unsigned line = 0;
-};
-
-/// «file:line», for messages.
-std::string text_of(const SourcePlace& place);
-
-/// The place as the compiler knows it.
-SourcePlace place_of(const std::source_location& location);
 
 }  // namespace literate

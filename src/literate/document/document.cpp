@@ -22,7 +22,7 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
-/// The files of the run before, which may be removed; none if it left no list.
+/// The files that the previous run wrote, which may be removed; none if it left no list of them.
 std::vector<std::string> former_files(const fs::path& output_dir) {
   const fs::path list = output_dir / "names.json";
   if (!fs::exists(list)) return {};
@@ -37,53 +37,53 @@ std::vector<std::string> former_files(const fs::path& output_dir) {
 
 void Document::remember(const std::string& kind, const std::string& name,
                         const SourcePlace& place) {
-  const auto [entry, is_new] = places_.try_emplace({kind, name}, place);
+  const auto [entry, is_new] = registered_.places.try_emplace({kind, name}, place);
   if (is_new) return;
   throw std::logic_error(fmt::format("{}: {} '{}' is registered twice, first at {}", text_of(place),
                                      kind, name, text_of(entry->second)));
 }
 
 void Document::append(Document part) {
-  for (const auto& [kind_and_name, place] : part.places_) {
+  for (const auto& [kind_and_name, place] : part.registered_.places) {
     remember(kind_and_name.first, kind_and_name.second, place);
   }
-  values_.merge(part.values_);
-  flags_.merge(part.flags_);
-  tables_.merge(part.tables_);
-  figures_.merge(part.figures_);
-  std::ranges::move(part.checks_, std::back_inserter(checks_));
-  std::ranges::move(part.claims_, std::back_inserter(claims_));
+  registered_.values.merge(part.registered_.values);
+  registered_.flags.merge(part.registered_.flags);
+  registered_.tables.merge(part.registered_.tables);
+  registered_.figures.merge(part.registered_.figures);
+  std::ranges::move(part.registered_.checks, std::back_inserter(registered_.checks));
+  std::ranges::move(part.registered_.claims, std::back_inserter(registered_.claims));
 }
 
 void Document::value(const std::string& key, Value value, Location location) {
   require_key(key);
   remember("value", key, place_of(location));
-  values_.emplace(key, std::move(value));
+  registered_.values.emplace(key, std::move(value));
 }
 
 void Document::flag(const std::string& key, bool is_set, Location location) {
   require_key(key);
   remember("flag", key, place_of(location));
-  flags_.emplace(key, is_set);
+  registered_.flags.emplace(key, is_set);
 }
 
 void Document::table(const std::string& name, Table table, Location location) {
   require_file_name(name);
   remember("table", name, place_of(location));
-  tables_.emplace(name, std::move(table));
+  registered_.tables.emplace(name, std::move(table));
 }
 
 void Document::figure(const std::string& name, double width_cm, double height_cm,
                       std::function<void(Plot&)> draw, Location location) {
   require_file_name(name);
   remember("figure", name, place_of(location));
-  figures_.emplace(name, Figure{width_cm, height_cm, std::move(draw)});
+  registered_.figures.emplace(name, Figure{width_cm, height_cm, std::move(draw)});
 }
 
 void Document::check(const std::string& id, bool passed, std::string statement, Location location) {
   require_key(id);
   remember("check", id, place_of(location));
-  checks_.push_back({id, passed, std::move(statement)});
+  registered_.checks.push_back({id, passed, std::move(statement)});
 }
 
 void Document::claim(const std::string& id, Claim claim, Location location) {
@@ -100,42 +100,16 @@ void Document::claim(const std::string& id, Claim claim, Location location) {
     throw std::logic_error(
         fmt::format("{}: claim '{}' has no {}", text_of(place_of(location)), id, part));
   }
-  claims_.emplace_back(id, std::move(claim));
-}
-
-const SourcePlace& Document::place(const std::string& kind, const std::string& name) const {
-  return places_.at({kind, name});
-}
-
-std::vector<std::string> Document::faults() const {
-  std::vector<std::string> faults;
-  for (const Check& check : failed_checks()) {
-    faults.push_back(fmt::format("check {} failed: {}", check.id, check.statement));
-  }
-  for (const auto& [id, claim] : claims_) {
-    if (claim.found == claim.expected) continue;
-    faults.push_back(fmt::format("claim {} is {}, not {}: {} Stated: {}; computed: {}", id,
-                                 name_of(claim.found), name_of(claim.expected), claim.sentence,
-                                 claim.stated.printed().empty() ? "-" : claim.stated.printed(),
-                                 claim.computed.printed()));
-  }
-  return faults;
-}
-
-std::vector<Check> Document::failed_checks() const {
-  std::vector<Check> failed;
-  std::ranges::copy_if(checks_, std::back_inserter(failed),
-                       [](const Check& check) { return !check.passed; });
-  return failed;
+  registered_.claims.emplace_back(id, std::move(claim));
 }
 
 void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& excerpts) const {
   sys::Staging staging(output_dir);
   sys::write_file_atomically(staging.path() / "literate.sty", literate_sty);
-  sys::write_file_atomically(staging.path() / "values.tex", values_tex(*this));
-  sys::write_file_atomically(staging.path() / "claims.tex", claims_tex(*this));
-  sys::write_file_atomically(staging.path() / "index.tex", index_tex(*this));
-  for (const auto& [name, table] : tables_) {
+  sys::write_file_atomically(staging.path() / "values.tex", values_tex(registered_));
+  sys::write_file_atomically(staging.path() / "claims.tex", claims_tex(registered_));
+  sys::write_file_atomically(staging.path() / "index.tex", index_tex(registered_));
+  for (const auto& [name, table] : registered_.tables) {
     sys::write_file_atomically(staging.path() / "tables" / (name + ".tex"), table.latex());
     sys::write_file_atomically(staging.path() / "tables" / (name + ".csv"), table.csv());
   }
@@ -143,14 +117,15 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   for (const Excerpt& excerpt : excerpts) write_excerpt(staging.path() / "excerpts", excerpt);
 
   fs::create_directory(staging.path() / "figures");
-  draw_figures(staging.path() / "figures", figures_);
+  draw_figures(staging.path() / "figures", registered_.figures);
   sys::write_file_atomically(staging.path() / "provenance.tex",
-                             provenance_tex(*this, staging.path()));
+                             provenance_tex(registered_, staging.path()));
 
   std::vector<std::string> files = staging.files();
   files.emplace_back("names.json");
   std::ranges::sort(files);
-  sys::write_file_atomically(staging.path() / "names.json", names_json(*this, excerpts, files));
+  sys::write_file_atomically(staging.path() / "names.json",
+                             names_json(registered_, excerpts, files));
   staging.publish(former_files(output_dir));
 }
 

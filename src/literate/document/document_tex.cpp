@@ -13,21 +13,21 @@
 namespace literate {
 namespace fs = std::filesystem;
 
-std::string values_tex(const Document& document) {
+std::string values_tex(const Registered& registered) {
   std::string text;
-  for (const auto& [key, value] : document.values()) {
+  for (const auto& [key, value] : registered.values) {
     text += fmt::format("\\LiterateValue{{{}}}{{{}}}{{{}}}\n", key, value.latex(),
                         escape_bookmark(value.printed()));
   }
-  for (const auto& [key, is_set] : document.flags()) {
+  for (const auto& [key, is_set] : registered.flags) {
     text += fmt::format("\\LiterateFlag{{{}}}{{{}}}\n", key, is_set ? "true" : "false");
   }
   int number = 0;
-  for (const auto& [id, claim] : document.claims()) {
+  for (const auto& [id, claim] : registered.claims) {
     text += fmt::format("\\LiterateClaim{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", id, ++number,
                         name_of(claim.found), claim.stated.latex(), claim.computed.latex());
   }
-  const std::size_t n_faults = document.faults().size();
+  const std::size_t n_faults = faults(registered).size();
   if (n_faults > 0) {
     text +=
         fmt::format("\\LiterateStamp{{Not to be trusted: {} not as expected}}\n",
@@ -38,39 +38,39 @@ std::string values_tex(const Document& document) {
 
 namespace {
 
-// «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{not as expected}».
-std::string ledger_summary(const Document& document) {
+/// Writes «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{not as expected}».
+std::string ledger_summary(const Registered& registered) {
   const auto count = [&](auto&& is_meant) {
-    return std::ranges::count_if(document.claims(),
+    return std::ranges::count_if(registered.claims,
                                  [&](const auto& entry) { return is_meant(entry.second); });
   };
   const auto count_of = [&](Verdict verdict) {
     return count([verdict](const Claim& claim) { return claim.found == verdict; });
   };
   return fmt::format("\\LiterateLedgerSummary{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n",
-                     document.claims().size(), count_of(Verdict::confirmed),
+                     registered.claims.size(), count_of(Verdict::confirmed),
                      count_of(Verdict::partly), count_of(Verdict::refuted),
                      count([](const Claim& claim) { return claim.found != claim.expected; }));
 }
 
 }  // namespace
 
-std::string claims_tex(const Document& document) {
-  std::string text = ledger_summary(document);
-  for (const auto& [id, claim] : document.claims()) {
+std::string claims_tex(const Registered& registered) {
+  std::string text = ledger_summary(registered);
+  for (const auto& [id, claim] : registered.claims) {
     text += fmt::format(
         "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  "
         "{{{}}}{{{}}}{{{}}}\n",
         id, escape_latex(claim.sentence), escape_latex(claim.place), escape_latex(claim.route),
         escape_latex(claim.tolerance), name_of(claim.expected), name_of(claim.found),
-        escape_latex_path(text_of(document.place("claim", id))));
+        escape_latex_path(text_of(registered.places.at({"claim", id}))));
   }
   return text;
 }
 
 namespace {
 
-// LaTeX may break a name after a dot, a hyphen or a colon.
+/// Lets LaTeX break a name after a dot, a hyphen, an underscore or a colon.
 std::string breakable(const std::string& name) {
   std::string text;
   for (const char c : name) {
@@ -80,12 +80,9 @@ std::string breakable(const std::string& name) {
   return text;
 }
 
-}  // namespace
-
-namespace {
-
-// Text as the index prints it: words too long for its columns, such as digests, may break anywhere.
-std::string index_text(const std::string& printed) {
+/// A word that is too long for the columns of the index, such as a digest, with breaks allowed
+/// anywhere; empty for other texts.
+std::string breakable_word(const std::string& printed) {
   constexpr std::size_t longest = 30;
   const bool is_word = std::ranges::all_of(printed, [](char c) { return c > ' ' && c < 0x7f; });
   if (printed.size() <= longest || !is_word) return {};
@@ -96,22 +93,22 @@ std::string index_text(const std::string& printed) {
 
 }  // namespace
 
-std::string index_tex(const Document& document) {
+std::string index_tex(const Registered& registered) {
   std::string text;
-  for (const auto& [key, value] : document.values()) {
+  for (const auto& [key, value] : registered.values) {
     const std::string error =
         value.abs_error() ? scientific(rounded_up_to_digits(*value.abs_error(), 2)) : "";
     text += fmt::format("\\LiterateIndexEntry{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", key,
                         escape_latex_path(key), error,
-                        escape_latex_path(text_of(document.place("value", key))),
-                        value.number() ? std::string() : index_text(value.printed()));
+                        escape_latex_path(text_of(registered.places.at({"value", key}))),
+                        value.number() ? std::string() : breakable_word(value.printed()));
   }
   return text;
 }
 
 namespace {
 
-// The files that one figure or table was made from and into, without what LaTeX reads.
+/// The data and scripts of one figure or table, without the files that LaTeX reads.
 std::vector<std::string> data_files(const fs::path& folder, const std::string& name) {
   std::vector<std::string> files;
   for (const std::string& file : sys::files_below(folder)) {
@@ -122,9 +119,9 @@ std::vector<std::string> data_files(const fs::path& folder, const std::string& n
   return files;
 }
 
-std::string entry(const Document& document, const fs::path& folder, const char* kind,
+std::string entry(const Registered& registered, const fs::path& folder, const char* kind,
                   const char* subfolder, const std::string& name) {
-  const SourcePlace& place = document.place(kind, name);
+  const SourcePlace& place = registered.places.at({kind, name});
   std::string text = fmt::format("\\LiterateProvenance{{{}}}{{{}}}{{{}}}{{{}}}{{", kind, name,
                                  escape_latex_path(text_of(place)), breakable(place.function));
   for (const std::string& file : data_files(folder / subfolder, name)) {
@@ -136,13 +133,13 @@ std::string entry(const Document& document, const fs::path& folder, const char* 
 
 }  // namespace
 
-std::string provenance_tex(const Document& document, const fs::path& folder) {
+std::string provenance_tex(const Registered& registered, const fs::path& folder) {
   std::string text;
-  for (const auto& [name, figure] : document.figures()) {
-    text += entry(document, folder, "figure", "figures", name);
+  for (const auto& [name, figure] : registered.figures) {
+    text += entry(registered, folder, "figure", "figures", name);
   }
-  for (const auto& [name, table] : document.tables()) {
-    text += entry(document, folder, "table", "tables", name);
+  for (const auto& [name, table] : registered.tables) {
+    text += entry(registered, folder, "table", "tables", name);
   }
   return text;
 }

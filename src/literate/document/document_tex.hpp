@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a document registered, as the macros that literate.sty reads.
+// Writes what a document registered as the macros that literate.sty reads.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "literate/document/document.hpp"
+#include "literate/document/registered.hpp"
 
 namespace literate {
 
-/// Definitions of all values, as LaTeX and as text for PDF bookmarks, of all flags and claims, and
-/// what is to be stamped on every page if the document is not to be trusted.
-std::string values_tex(const Document& document);
+/// Defines all values, as LaTeX and as text for PDF bookmarks, all flags and claims, and the stamp
+/// for every page of a document that is not to be trusted.
+std::string values_tex(const Registered& registered);
 
-/// The ledger: how many claims fare how, and an entry for each.
-std::string claims_tex(const Document& document);
+/// Writes the ledger: how many claims have which verdict, and an entry for each claim.
+std::string claims_tex(const Registered& registered);
 
-/// The index of values: key, value, error and place of each.
-std::string index_tex(const Document& document);
+/// Writes the index of values: key, value, error bound and place of each.
+std::string index_tex(const Registered& registered);
 
-/// Where each figure and table comes from: its place in the code, and its data files and scripts
-/// below `folder` with their SHA-256.
-std::string provenance_tex(const Document& document, const std::filesystem::path& folder);
+/// Writes where each figure and table comes from: its place in the code, and the SHA-256 of its
+/// data files and scripts below `folder`.
+std::string provenance_tex(const Registered& registered, const std::filesystem::path& folder);
 
 }  // namespace literate

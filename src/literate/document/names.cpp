@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "literate/document/document.hpp"
+#include "literate/document/registered.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -30,9 +30,9 @@ json checks_json(const std::vector<Check>& checks) {
   return entries;
 }
 
-json claims_json(const Document& document) {
+json claims_json(const Registered& registered) {
   json entries = json::object();
-  for (const auto& [id, claim] : document.claims()) {
+  for (const auto& [id, claim] : registered.claims) {
     entries[id] = {{"sentence", claim.sentence},
                    {"place", claim.place},
                    {"stated", claim.stated.printed()},
@@ -70,20 +70,20 @@ std::set<std::string> keys_of(const json& entries) {
 
 }  // namespace
 
-std::string names_json(const Document& document, const std::vector<Excerpt>& excerpts,
+std::string names_json(const Registered& registered, const std::vector<Excerpt>& excerpts,
                        const std::vector<std::string>& files) {
   json names;
   names["values"] = json::object();
-  for (const auto& [key, value] : document.values()) {
-    names["values"][key] = value_json(value, document.place("value", key));
+  for (const auto& [key, value] : registered.values) {
+    names["values"][key] = value_json(value, registered.places.at({"value", key}));
   }
-  names["flags"] = document.flags();
-  names["tables"] = keys_json(document.tables());
-  names["figures"] = keys_json(document.figures());
+  names["flags"] = registered.flags;
+  names["tables"] = keys_json(registered.tables);
+  names["figures"] = keys_json(registered.figures);
   names["excerpts"] = excerpts_json(excerpts);
-  names["checks"] = checks_json(document.checks());
-  names["claims"] = claims_json(document);
-  names["faults"] = document.faults();
+  names["checks"] = checks_json(registered.checks);
+  names["claims"] = claims_json(registered);
+  names["faults"] = faults(registered);
   names["files"] = files;
   return names.dump(2) + "\n";
 }

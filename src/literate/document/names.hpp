@@ -7,31 +7,30 @@
 #include <string>
 #include <vector>
 
+#include "literate/document/registered.hpp"
 #include "literate/excerpts/excerpt.hpp"
 
 namespace literate {
 
-class Document;
-
-/// What a document may refer to, as the engine last wrote it to names.json.
+/// The names that a document may refer to, read from names.json.
 struct Names {
   std::set<std::string> values;
-  std::map<std::string, bool> flags;  ///< and whether they are set
+  std::map<std::string, bool> flags;  ///< with whether they are set
   std::set<std::string> tables;
   std::set<std::string> figures;
   std::set<std::string> excerpts;
   std::set<std::string> claims;
-  std::vector<std::string> faults;  ///< a line each; none if the document is to be trusted
+  std::vector<std::string> faults;  ///< a line each; empty if the document is to be trusted
   std::vector<std::string> files;   ///< all files written, sorted, relative to names.json
 };
 
-/// The text of names.json: all names sorted; with each value its printed text, raw number, error
-/// bound, unit (those it has) and place; flags, checks and claims with their outcome; the faults.
-std::string names_json(const Document& document, const std::vector<Excerpt>& excerpts,
+/// Writes names.json: all names, sorted; for each value its printed text and its place, and its
+/// number, error bound and unit if it has them; flags, checks and claims with their outcome;
+/// faults.
+std::string names_json(const Registered& registered, const std::vector<Excerpt>& excerpts,
                        const std::vector<std::string>& files);
 
-/// Reads what names_json wrote; throws sys::OutputError naming a file that is missing or not of its
-/// form.
+/// Reads what names_json wrote; throws sys::OutputError naming a file that is missing or malformed.
 Names read_names(const std::filesystem::path& file);
 
 }  // namespace literate

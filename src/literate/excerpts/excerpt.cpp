@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
-#include "literate/excerpts/paper_sources.hpp"
 #include "literate/text/latex.hpp"
-#include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 
@@ -31,40 +28,10 @@ std::string without_common_indentation(const std::string& text) {
   return result;
 }
 
-bool is_source(const std::string& file) {
-  return file.ends_with(".cpp") || file.ends_with(".hpp");
-}
-
 }  // namespace
 
 int last_line(const Excerpt& excerpt) {
   return excerpt.first_line + static_cast<int>(std::ranges::count(excerpt.text, '\n')) - 1;
-}
-
-std::vector<Excerpt> find_excerpts(const fs::path& source_root,
-                                   const std::vector<std::string>& folders) {
-  std::map<std::string, Excerpt> by_name;
-  for (const std::string& folder : folders) {
-    if (!fs::is_directory(source_root / folder)) {
-      throw sys::SourceError(fmt::format("{}: there is no such folder to take excerpts from",
-                                         (source_root / folder).generic_string()));
-    }
-    for (const std::string& file : paper_sources(source_root / folder)) {
-      if (!is_source(file)) continue;
-      const std::string text = sys::read_file(source_root / folder / file);
-      for (Excerpt& excerpt : excerpts_of(text, fmt::format("{}/{}", folder, file))) {
-        const auto [known, is_new] = by_name.try_emplace(excerpt.name, excerpt);
-        if (!is_new) {
-          throw sys::SourceError(fmt::format("{}:{}: excerpt '{}' is marked at {}:{} already",
-                                             excerpt.file, excerpt.first_line - 1, excerpt.name,
-                                             known->second.file, known->second.first_line - 1));
-        }
-      }
-    }
-  }
-  std::vector<Excerpt> excerpts;
-  for (auto& [name, excerpt] : by_name) excerpts.push_back(std::move(excerpt));
-  return excerpts;
 }
 
 void write_excerpt(const fs::path& folder, const Excerpt& excerpt) {

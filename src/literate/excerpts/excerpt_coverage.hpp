@@ -11,9 +11,9 @@ namespace literate {
 
 /// How much of a folder's code a document shows.
 struct ExcerptCoverage {
-  int n_lines = 0;                ///< of code: neither blank nor comment nor preprocessor
-  int n_shown = 0;                ///< of them, within excerpts
-  std::vector<std::string> rest;  ///< names of the files of which nothing is shown, sorted
+  int n_lines = 0;                ///< of code, without blank lines, comments and directives
+  int n_shown = 0;                ///< those of them that are within excerpts
+  std::vector<std::string> rest;  ///< the files of which nothing is shown, sorted
 };
 
 /// Counts the *.cpp files below `folder` of a source root. Throws sys::OutputError if it cannot be

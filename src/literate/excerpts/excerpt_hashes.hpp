@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which excerpts a program was compiled from, so that one that is out of date is not believed.
 #pragma once
 
 #include <string>
@@ -17,12 +16,13 @@ struct CompiledExcerpt {
   std::string_view sha256;  ///< of the text between the markers
 };
 
-/// A C++ source that defines `const std::vector<CompiledExcerpt> compiled_excerpts` in the given
-/// namespace: what a build writes from the excerpts it is about to compile.
+/// Writes a C++ source that defines `const std::vector<CompiledExcerpt> compiled_excerpts` in the
+/// given namespace. The build compiles it into the program together with the excerpts themselves.
 std::string excerpt_hashes_source(const std::vector<Excerpt>& excerpts, std::string_view space);
 
-/// Throws sys::SourceError naming the file and the first excerpt that differs from the one
-/// compiled, moved to another file, came or went since.
+/// Throws sys::SourceError naming the first excerpt, and its file, that was changed, moved to
+/// another file, added or removed since the program was compiled: a listing of newer sources would
+/// not belong to the numbers beside it.
 void require_compiled(const std::vector<Excerpt>& excerpts,
                       const std::vector<CompiledExcerpt>& compiled);
 

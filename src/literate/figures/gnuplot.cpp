@@ -8,19 +8,13 @@
 
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 #include "system/parallel.hpp"
 #include "system/process.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
-
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r\n";
-  const auto first = text.find_first_not_of(blank);
-  if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(blank) - first + 1));
-}
 
 void require_file(const fs::path& folder, const std::string& file_name) {
   std::error_code error;
@@ -29,8 +23,8 @@ void require_file(const fs::path& folder, const std::string& file_name) {
   }
 }
 
-/// Sets the creation date of a PDF to a fixed day of the same length: cairo 1.16 writes the
-/// present second and, unlike later ones, does not know SOURCE_DATE_EPOCH.
+/// Overwrites the creation date of a PDF with a fixed one of the same length, because cairo 1.16
+/// writes the present second; later versions obey SOURCE_DATE_EPOCH.
 void fix_creation_date(const fs::path& file) {
   constexpr std::string_view key = "/CreationDate (D:";
   constexpr std::string_view zero = "19700101000000";
@@ -47,7 +41,7 @@ void fix_creation_date(const fs::path& file) {
 
 void run_gnuplot(const fs::path& folder, const std::string& name) {
   const std::string script = name + ".gp";
-  // Default settings: no ~/.gnuplot of the user.
+  // With default settings gnuplot does not read the user's ~/.gnuplot.
   const sys::ProcessResult result =
       sys::run({.program = "gnuplot",
                 .arguments = {"--default-settings", script},
@@ -56,7 +50,8 @@ void run_gnuplot(const fs::path& folder, const std::string& name) {
   const bool has_message =
       result.output.find(fmt::format("\"{}\" line ", script)) != std::string::npos;
   if (result.exit_status != 0 || has_message) {
-    throw sys::ToolError(fmt::format("gnuplot, figure '{}': {}", name, trimmed(result.output)));
+    throw sys::ToolError(
+        fmt::format("gnuplot, figure '{}': {}", name, sys::stripped(result.output)));
   }
   require_file(folder, name + ".tex");
   require_file(folder, name + ".pdf");

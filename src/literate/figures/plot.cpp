@@ -16,7 +16,8 @@
 namespace literate {
 namespace {
 
-/// A number in a data file. gnuplot-iostream would write six digits, in the global locale.
+/// A number that is written so that it reads back the same. Of a double, gnuplot-iostream would
+/// write six digits, as the global locale has them.
 struct RoundTrip {
   double number;
 };

@@ -12,10 +12,10 @@
 
 namespace literate {
 
-/// The gnuplot script of one figure and its data files, written to one folder.
+/// Writes the gnuplot script of one figure and its data files to a folder.
 ///
-/// The script starts with the cairolatex terminal and the output line; stream the rest to it, with
-/// line ends. Nothing is drawn until run_gnuplot.
+/// The script begins with the cairolatex terminal and the name of the output; the rest, line ends
+/// included, is streamed to it. run_gnuplot draws the figure.
 class Plot {
  public:
   /// Opens folder/name.gp; throws sys::OutputError if it cannot be written.
@@ -24,8 +24,8 @@ class Plot {
   Plot(const Plot&) = delete;
   Plot& operator=(const Plot&) = delete;
 
-  /// Adds text or a number to the script; a floating-point number with the fewest digits that
-  /// read back the same.
+  /// Adds text or a number to the script. A floating-point number gets the fewest digits that read
+  /// back the same.
   template <typename T>
   Plot& operator<<(const T& part) {
     if constexpr (std::floating_point<T>) {
@@ -36,16 +36,15 @@ class Plot {
     return *this;
   }
 
-  /// Writes columns of equal length to name.suffix.dat beside the script, numbers that read back
-  /// the same, NaN for a gap, and returns its file name in quotes for a plot command:
-  /// `plot << "plot " << plot.data("hertz", {x, p}) << " using 1:2\n"`. Throws
-  /// std::invalid_argument for no or unequal columns, std::logic_error for a suffix used before,
+  /// Writes columns of equal length to name.suffix.dat beside the script, with digits that read
+  /// back the same and NaN for a gap. Returns the file's name in quotes, for a plot command: `plot
+  /// << "plot " << plot.data("hertz", {x, p}) << " using 1:2\n"`. Throws std::invalid_argument for
+  /// columns of different lengths or none, std::logic_error for a suffix that was used before,
   /// sys::OutputError if the file cannot be written.
   std::string data(std::string_view suffix, const std::vector<std::span<const double>>& columns);
 
-  const std::string& name() const { return name_; }
-
-  /// Ends the script; throws sys::OutputError if it could not be written. Nothing may follow.
+  /// Ends the script, to which nothing can be added then; throws sys::OutputError if it could not
+  /// be written.
   void close();
 
  private:

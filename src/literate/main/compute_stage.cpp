@@ -9,6 +9,7 @@
 
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "literate/main/stages.hpp"
 #include "system/staging.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "command_line/options.hpp"
 #include "literate/excerpts/excerpt_hashes.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "literate/program/commands.hpp"
 #include "system/files.hpp"
 

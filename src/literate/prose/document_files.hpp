@@ -7,9 +7,9 @@
 
 namespace literate {
 
-/// The LaTeX files of the document in a folder: all *.tex in it and below, sorted, as generic paths
-/// relative to it; without those of folders below that hold a document (a \documentclass) of their
-/// own. Throws sys::OutputError.
+/// Lists the LaTeX files of the document in a folder: all *.tex files in it and below, sorted, as
+/// generic paths relative to it. A folder below that has a \documentclass holds a document of its
+/// own and is left out. Throws sys::OutputError if the folder or a file cannot be read.
 std::vector<std::string> document_files(const std::filesystem::path& source_dir);
 
 }  // namespace literate

@@ -15,17 +15,17 @@
 namespace literate {
 namespace {
 
-/// A folder of generated files and the command that reads one of them.
-struct Artefact {
+/// A folder of generated files, the command that reads one of them, and what that is called.
+struct GeneratedKind {
   const char* folder;
   const char* command;
   const char* noun;
 };
-constexpr std::array<Artefact, 3> kinds{
+constexpr std::array<GeneratedKind, 3> kinds{
     {{"tables", "tab", "table"}, {"figures", "fig", "figure"}, {"excerpts", "excerpt", "excerpt"}}};
 
-/// Where the document uses a name, «folder/file.tex:line».
-std::vector<std::string> uses(const Artefact& kind, const std::string& name,
+/// The places at which the document uses a name, each «folder/file.tex:line».
+std::vector<std::string> uses(const GeneratedKind& kind, const std::string& name,
                               const std::filesystem::path& source_dir) {
   std::vector<std::string> places;
   for (const std::string& file : document_files(source_dir)) {
@@ -39,15 +39,14 @@ std::vector<std::string> uses(const Artefact& kind, const std::string& name,
 
 }  // namespace
 
-std::string told_at_place_of_use(const std::string& message,
-                                 const std::filesystem::path& source_dir) {
-  // Only the first line: the place in the file that follows it is shown as it is.
+std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir) {
+  // Only the first line is rewritten. The lines after it show the place in the generated file.
   static const sys::Pattern generated(
       R"(^(?:\S.*/)?((tables|figures|excerpts)/([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
   const auto match = generated.find_in(message);
   if (!match) return message;
   const std::vector<std::string_view>& parts = match->parts;
-  for (const Artefact& kind : kinds) {
+  for (const GeneratedKind& kind : kinds) {
     if (parts[2] != kind.folder) continue;
     const std::vector<std::string> places = uses(kind, std::string(parts[3]), source_dir);
     if (places.empty()) return message;

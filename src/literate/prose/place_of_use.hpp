@@ -6,11 +6,10 @@
 
 namespace literate {
 
-/// A message of LaTeX («file:line: message») about a generated table, figure or excerpt, told at
-/// the place of the document that uses it, because that is where its author can go:
-/// «report/part.tex:12: in table 'name': message (tables/name.tex:3)». Other messages come back as
+/// Rewrites a message of LaTeX («file:line: message») about a generated table, figure or excerpt so
+/// that it names the place at which the document uses that, where its author can mend it:
+/// «report/part.tex:12: in table 'name': message (tables/name.tex:3)». Returns other messages as
 /// they are. Throws sys::OutputError if the document cannot be read.
-std::string told_at_place_of_use(const std::string& message,
-                                 const std::filesystem::path& source_dir);
+std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir);
 
 }  // namespace literate

@@ -5,23 +5,23 @@
 #include <string_view>
 #include <vector>
 
-namespace literate {
+#include "literate/prose/tex_scanner.hpp"
 
-/// How a character of a LaTeX text is read.
-enum class Mode : char { text, inline_math, display_math };
+namespace literate {
 
 /// A LaTeX text of which only the prose and the mathematics are left.
 struct Prose {
-  /// Stand where a command was: one that sets upright letters, a number with its unit, a \cite.
+  /// These stand where a command was: one that sets upright letters, a number with its unit, a
+  /// \cite.
   static constexpr char upright = '\x01';
   static constexpr char quantity = '\x02';
   static constexpr char citation = '\x03';
 
-  /// As long as the LaTeX text and with the same line ends; blank where that holds comments,
-  /// verbatim text, names of commands, arguments that are not printed (keys, labels, lengths), a
-  /// list of references, or what precedes \begin{document}.
+  /// Has the length and the line ends of the LaTeX text, and blanks in place of comments, verbatim
+  /// text, names of commands, arguments that are not printed (keys, labels, lengths), the list of
+  /// references, and all that precedes \begin{document}.
   std::string text;
-  std::vector<Mode> modes;  ///< one for each byte of `text`
+  std::vector<TexMode> modes;  ///< one for each byte of `text`
 };
 
 /// Takes the commands of plain LaTeX, amsmath, hyperref and literate.sty out of a text.

@@ -12,13 +12,15 @@
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/pattern.hpp"
+#include "system/utf8.hpp"
 
 namespace literate {
 namespace {
 
-constexpr int most_digits = 2;  // of a number that may be typed: «of order 2», «40 elements»
+// The significant digits of a number that may be typed: «of order 2», «40 elements».
+constexpr int most_digits = 2;
 
-/// A unit behind a number in text, in a \mathrm or as the second argument of \qty.
+/// A unit after a number, in text, in a \mathrm or as the second argument of \qty.
 const sys::Pattern& unit() {
   static const sys::Pattern pattern(
       R"re(^(\s|~|\\[,;: ]|[{}]|-)*)re"
@@ -28,13 +30,13 @@ const sys::Pattern& unit() {
   return pattern;
 }
 
-/// «in» is a unit where it stands at a tie or a thin space, or ends the clause.
+/// «in» is a unit only after a tie or a thin space, or at the end of a clause.
 const sys::Pattern& inches() {
   static const sys::Pattern pattern(R"re(^((~|\\,)in\b|\s+in\s*[.,;)]))re");
   return pattern;
 }
 
-/// A number in a text: whole part, decimals, power of ten.
+/// A number at the start of a text, with whole part, decimals and power of ten as groups.
 const sys::Pattern& numeral() {
   static const sys::Pattern pattern(
       R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?([eE][+-]?\d+)?)re");
@@ -50,11 +52,11 @@ int significant_digits(std::string_view whole, std::string_view decimals) {
   return static_cast<int>(digits.size());
 }
 
-/// What stands in front of a number, and behind it, to the ends of the paragraph.
+/// What stands before a number and after it, as far as a sentence may reach.
 struct Surroundings {
   std::string before;
   std::string after;
-  Mode mode;
+  TexMode mode;
 };
 
 bool begins_with_unit(std::string_view text) {
@@ -66,14 +68,14 @@ bool has_unit(const Surroundings& around) {
   static const sys::Pattern end_of_math(R"(^[\s}]*\$)");
   static const sys::Pattern upright("^(\\s|~|\\\\[,;: ]|\\})*\x01\\s*\\{");
   if (quantity.is_in(around.before)) return true;
-  if (around.mode == Mode::text) return begins_with_unit(around.after);
+  if (around.mode == TexMode::text) return begins_with_unit(around.after);
   if (const auto end = end_of_math.find_in(around.after)) return begins_with_unit(end->rest);
   const auto letters = upright.find_in(around.after);
   if (!letters) return false;
   return begins_with_unit(letters->rest) || letters->rest.starts_with("in}");
 }
 
-/// A year in parentheses or behind a month, or the place in a source beside a citation.
+/// Whether a number is a year in parentheses or after a month, or the place in a cited source.
 bool is_reference(const std::string& number, const Surroundings& around) {
   static const sys::Pattern year("(1[5-9]|20)\\d\\d");
   static const sys::Pattern month(
@@ -97,7 +99,7 @@ struct Marker {
   bool has_reason = false;
 };
 
-/// «% constant: reason» at the end of a line.
+/// Finds «% constant: reason» at the end of a line.
 Marker marker_in(std::string_view line) {
   static const sys::Pattern pattern(R"re((^|[^\\])%\s*constant\b:?\s*(.*)$)re");
   const auto match = pattern.find_in(line);
@@ -105,13 +107,13 @@ Marker marker_in(std::string_view line) {
   return {true, !match->parts[2].empty()};
 }
 
-/// A number in the prose that ought to be computed, and where it begins.
+/// A number in the prose that ought to be computed, and the byte at which it begins.
 struct Typed {
   std::size_t at = 0;
   std::string number;
 };
 
-/// Whether what stands before a digit makes it part of a word or of a longer number: MEAE-4960.
+/// Whether a digit continues a word or a longer number, as in MEAE-4960.
 bool continues(const std::string& text, std::size_t at) {
   if (at == 0) return false;
   const char before = text[at - 1];
@@ -120,7 +122,7 @@ bool continues(const std::string& text, std::size_t at) {
 }
 
 std::vector<Typed> typed_in(const Prose& prose) {
-  constexpr std::size_t reach = 240;  // as far as a sentence goes
+  constexpr std::size_t reach = 240;  // no sentence needs to be known further from the number
   std::vector<Typed> found;
   for (std::size_t at = 0; at < prose.text.size(); ++at) {
     if (!is_digit(prose.text[at]) || continues(prose.text, at)) continue;
@@ -132,7 +134,7 @@ std::vector<Typed> typed_in(const Prose& prose) {
     const Surroundings around{prose.text.substr(begin, at - begin), std::string(match->rest),
                               prose.modes[at]};
     const bool is_long = significant_digits(match->parts[1], match->parts[2]) > most_digits;
-    const bool is_result = has_unit(around) || (is_long && around.mode != Mode::display_math);
+    const bool is_result = has_unit(around) || (is_long && around.mode != TexMode::display_math);
     if (is_result && !is_reference(number, around)) found.push_back({at, number});
     at += number.size() - 1;
   }
@@ -150,13 +152,13 @@ std::vector<std::string> typed_numbers(std::string_view latex, const std::string
     ++line_number;
     const auto begin = static_cast<std::size_t>(line.data() - latex.data());
     const Marker marker = marker_in(line);
-    const auto report = [&](int column, const std::string& message) {
+    const auto report = [&](std::size_t column, const std::string& message) {
       findings.push_back(fmt::format("{}:{}:{}: {}", file, line_number, column, message));
     };
     const auto first = next;
     for (; next != typed.end() && next->at < begin + line.size(); ++next) {
       if (marker.is_there) continue;
-      report(n_characters(latex.substr(begin, next->at - begin)) + 1,
+      report(sys::n_characters(latex.substr(begin, next->at - begin)) + 1,
              fmt::format("{} is typed: take it from the computation, or end the line with "
                          "'% constant: reason'",
                          next->number));

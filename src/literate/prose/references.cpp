@@ -11,20 +11,20 @@
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
+#include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 
 namespace literate {
 namespace {
 
-/// One command, what it refers to, and the names there are.
-struct Kind {
+/// A command, what its argument names, and the names that are registered.
+struct ReferenceKind {
   const char* command;
   const char* noun;
   const std::set<std::string>& names;
 };
 
-/// The number of single-letter edits that turn one text into the other (Levenshtein).
+/// Counts the single-letter edits that turn one text into the other (Levenshtein's distance).
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -40,7 +40,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// A hint at the nearest name, unless more than a third of it would have to change.
+/// Suggests the nearest name, unless more than a third of the letters would have to change.
 std::string suggestion(const std::string& unknown, const std::set<std::string>& names) {
   const auto nearest = std::ranges::min_element(
       names, {}, [&](const std::string& name) { return distance(unknown, name); });
@@ -60,10 +60,11 @@ bool is_left_out(const TexCommand& use, const Names& names) {
 
 /// Whether a text prints the ledger, in which all claims stand.
 bool prints_ledger(std::string_view text) {
-  return std::ranges::any_of(sys::lines_of(text), [](std::string_view line) {
-    const auto ledger = line.find("\\claimledger");
-    return ledger != std::string_view::npos && line.find('%') > ledger;
-  });
+  TexScanner scanner(text);
+  while (const auto token = scanner.next()) {
+    if (token->name == "claimledger") return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -71,14 +72,14 @@ bool prints_ledger(std::string_view text) {
 ReferenceReport check_references(const std::filesystem::path& source_dir, const Names& names) {
   std::set<std::string> flags;
   for (const auto& [flag, is_set] : names.flags) flags.insert(flag);
-  const std::array<Kind, 6> kinds{{{"val", "value", names.values},
-                                   {"ifflag", "flag", flags},
-                                   {"tab", "table", names.tables},
-                                   {"fig", "figure", names.figures},
-                                   {"excerpt", "excerpt", names.excerpts},
-                                   {"claim", "claim", names.claims}}};
+  const std::array<ReferenceKind, 6> kinds{{{"val", "value", names.values},
+                                            {"ifflag", "flag", flags},
+                                            {"tab", "table", names.tables},
+                                            {"fig", "figure", names.figures},
+                                            {"excerpt", "excerpt", names.excerpts},
+                                            {"claim", "claim", names.claims}}};
   std::set<std::string> commands;
-  for (const Kind& kind : kinds) commands.insert(kind.command);
+  for (const ReferenceKind& kind : kinds) commands.insert(kind.command);
 
   ReferenceReport report;
   std::set<std::pair<std::string, std::string>> used;
@@ -88,7 +89,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
       for (const std::string& claim : names.claims) used.emplace("claim", claim);
     }
     for (const auto& use : commands_in(text, commands)) {
-      const Kind& kind = *std::ranges::find(kinds, use.name, &Kind::command);
+      const ReferenceKind& kind = *std::ranges::find(kinds, use.name, &ReferenceKind::command);
       used.emplace(use.name, use.argument);
       if (kind.names.contains(use.argument) || is_left_out(use, names)) continue;
       report.errors.push_back(
@@ -96,8 +97,8 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
                       use.column, kind.noun, use.argument, suggestion(use.argument, kind.names)));
     }
   }
-  for (const Kind& kind : kinds) {
-    if (kind.noun == std::string_view("excerpt")) continue;  // others may print the same sources
+  for (const ReferenceKind& kind : kinds) {
+    if (kind.noun == std::string_view("excerpt")) continue;  // another document may print it
     for (const std::string& name : kind.names) {
       if (!used.contains({kind.command, name})) {
         report.unused.push_back(fmt::format("{} '{}'", kind.noun, name));

@@ -6,7 +6,7 @@
 
 namespace literate {
 
-/// The last name of a folder: what error messages call it, wherever it lies.
+/// The last part of a folder's path, by which messages name it wherever it lies.
 inline std::string source_label(const std::filesystem::path& folder) {
   const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();

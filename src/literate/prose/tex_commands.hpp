@@ -19,14 +19,14 @@ struct TexCommand {
   std::string name;
   std::string argument;
   int line = 0;                  ///< from 1
-  int column = 0;                ///< from 1, in characters
-  std::vector<Branch> branches;  ///< of \ifflag that it stands in, outermost first
+  int column = 0;                ///< from 1, counted in characters
+  std::vector<Branch> branches;  ///< of \ifflag around it, outermost first
 };
 
 /// Finds the uses of the named commands in a LaTeX text, in order.
 ///
-/// Comments, `\verb`, verbatim and lstlisting environments are skipped, and so are definitions:
-/// a name without a braced argument, or an argument that holds a parameter (#1).
+/// Comments and verbatim text are skipped, and so is what belongs to a definition: a name without
+/// an argument in braces, and an argument with a parameter (#1).
 std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names);
 
 }  // namespace literate

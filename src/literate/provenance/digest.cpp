@@ -17,7 +17,7 @@ void require_as_made(const fs::path& folder, const fs::path& digest_file,
   for (const std::string& file : sys::files_below(folder)) {
     if (std::ranges::find(made, file) != made.end()) continue;
     throw sys::OutputError(
-        fmt::format("'{}' was not made by the program and could pass for its own; "
+        fmt::format("'{}' was not made by the program but could be taken for its output; "
                     "move it elsewhere",
                     (folder / file).string()));
   }

@@ -7,9 +7,9 @@
 
 namespace literate {
 
-/// Throws sys::OutputError naming the first file of a folder that is not as it was made: one whose
-/// SHA-256 is not the one that `digest_file` lists (lines «hash  file», as sha256sum writes them),
-/// or one that is there and not among `made`.
+/// Checks that a folder holds what the program made. Throws sys::OutputError naming the first file
+/// that is not among `made`, or else the first whose SHA-256 differs from the one in `digest_file`,
+/// which has lines «hash  file» as sha256sum writes them.
 void require_as_made(const std::filesystem::path& folder, const std::filesystem::path& digest_file,
                      const std::vector<std::string>& made);
 

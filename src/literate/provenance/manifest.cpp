@@ -23,11 +23,11 @@ json numbers_json(const std::map<std::string, ManifestNumber>& numbers) {
   return entries;
 }
 
-/// Of values as numbers_json and names.json write them; those without a number are left out.
+/// Reads numbers as numbers_json and names.json write them; leaves out values without a number.
 std::map<std::string, ManifestNumber> numbers_of(const json& values) {
   std::map<std::string, ManifestNumber> numbers;
   for (const auto& [key, value] : values.items()) {
-    // JSON has no infinity: it stands there as null, and is compared as printed.
+    // JSON has no infinity; such a number is null there and has no place in a manifest.
     if (!value.contains("number") || !value.at("number").is_number()) continue;
     ManifestNumber& number = numbers[key];
     number.number = value.at("number");

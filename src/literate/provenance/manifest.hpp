@@ -9,38 +9,40 @@
 
 namespace literate {
 
-/// A number of the document, how wrong it may be, and how it is printed.
+/// A number of the document, the bound of its error, and its printed text.
 struct ManifestNumber {
   double number = 0;
-  std::optional<double> abs_error;  ///< none for a number that is exact or whose error is not known
+  std::optional<double> abs_error;  ///< none if the number is exact or its error unknown
   std::string printed;
 };
 
-/// What a document was made from and with, and what came of it. It names no folder of the machine
-/// and no time of the clock: two runs of the same sources with the same tools have the same one.
+/// The sources and tools that a document was made with, and the results. It names no folder of the
+/// machine and no time of the clock, so two runs of the same sources with the same tools have equal
+/// manifests.
 struct Manifest {
   using Texts = std::map<std::string, std::string>;
 
   std::string project;
-  std::map<std::string, Texts> facts;  ///< by part, such as "libraries"
+  std::map<std::string, Texts> facts;  ///< by topic, such as "libraries"
   Texts inputs;                        ///< the SHA-256 of each file, by its relative name
   Texts outputs;
   std::map<std::string, ManifestNumber> numbers;
 };
 
-/// The SHA-256 of files, relative to a folder, by `prefix` + file. Throws sys::OutputError.
+/// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file
+/// that cannot be read.
 Manifest::Texts digests(const std::filesystem::path& folder, const std::vector<std::string>& files,
                         const std::string& prefix = "");
 
-/// All values of names.json (as Document::write made it) that have a number. Throws
-/// sys::OutputError naming a file that is missing or not of its form.
+/// Reads the values that have a number from the names.json that Document::write made; throws
+/// sys::OutputError naming a file that is missing or malformed.
 std::map<std::string, ManifestNumber> numbers_in(const std::filesystem::path& names_json);
 
-/// As JSON, all keys sorted.
+/// Writes the manifest as JSON with sorted keys.
 std::string manifest_json(const Manifest& manifest);
 
 /// Reads what manifest_json wrote. Throws sys::OutputError naming the file if it cannot be read, is
-/// no JSON, no manifest, or another project's.
+/// not JSON or not a manifest, or belongs to another project.
 Manifest read_manifest(const std::filesystem::path& file, const std::string& project);
 
 }  // namespace literate

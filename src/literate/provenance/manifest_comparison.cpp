@@ -9,8 +9,8 @@
 namespace literate {
 namespace {
 
-/// Calls `differs(key, theirs, ours)` for each key whose entries are not the same; a null pointer
-/// stands for an entry that is not there.
+/// Calls `differs(key, theirs, ours)` for each key whose entries are not the same; the pointer to
+/// an entry that is missing is null.
 template <typename Entries, typename IsSame, typename Differs>
 void for_each_difference(const Entries& theirs, const Entries& ours, IsSame is_same,
                          Differs differs) {

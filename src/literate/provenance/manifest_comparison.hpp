@@ -10,14 +10,13 @@ namespace literate {
 
 /// How a document differs from the same one made elsewhere.
 struct ManifestComparison {
-  std::vector<std::string>
-      changed_outputs;               ///< files whose bytes differ, or that one of them lacks
-  std::vector<std::string> reasons;  ///< what differs of tools and inputs, a line each
-  std::vector<std::string> moved;    ///< numbers that differ by more than their errors
+  std::vector<std::string> changed_outputs;  ///< files whose bytes differ or that one of them lacks
+  std::vector<std::string> reasons;          ///< each tool or input that differs, a line each
+  std::vector<std::string> moved;            ///< numbers that differ by more than their errors
 };
 
-/// Compares bytes, and each number within the sum of the two errors it has; one without an error,
-/// as it is printed.
+/// Compares the bytes of files and the numbers: two numbers agree if they differ by no more than
+/// the sum of their error bounds, or, if one has no bound, if they are printed the same.
 ManifestComparison compare(const Manifest& theirs, const Manifest& ours);
 
 }  // namespace literate

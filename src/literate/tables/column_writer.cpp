@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "literate/values/decimal.hpp"
 
 namespace literate {
 namespace {
 
-/// The power of ten of the largest number, as it prints with `n_digits` digits.
+/// The power of ten of the largest magnitude after rounding to `n_digits` digits.
 int common_exponent_of(const std::vector<const Cell*>& cells, int n_digits) {
   double largest = 0;
   for (const Cell* cell : cells) {
@@ -23,17 +24,18 @@ int common_exponent_of(const std::vector<const Cell*>& cells, int n_digits) {
 
 }  // namespace
 
-ColumnWriter::ColumnWriter(const Column& column, const std::vector<const Cell*>& cells)
-    : column_(column), exponent_(column.exponent_), decimals_(column.digits_) {
-  if (column.kind_ == Column::Kind::common_exponent) {
-    exponent_ = common_exponent_of(cells, column.digits_);
-    decimals_ = column.digits_ - 1;
+ColumnWriter::ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells)
+    : format_(std::move(format)) {
+  if (format_.kind == ColumnKind::common_exponent) {
+    format_.exponent = common_exponent_of(cells, format_.digits);
+    format_.kind = ColumnKind::fixed;
+    --format_.digits;  // one of them stands before the point
   }
   for (const Cell* cell : cells) cells_.push_back(written(*cell));
 }
 
 std::string ColumnWriter::specification() const {
-  return column_.kind_ == Column::Kind::text ? "l" : "c";
+  return format_.kind == ColumnKind::text ? "l" : "c";
 }
 
 std::string ColumnWriter::cell(std::size_t row) const {
@@ -44,22 +46,22 @@ std::string ColumnWriter::cell(std::size_t row) const {
 }
 
 std::string ColumnWriter::heading() const {
-  return column_.heading();
+  return format_.heading;
 }
 
 std::string ColumnWriter::unit() const {
-  const std::string& unit = column_.unit();
-  if (exponent_ == 0) return unit.empty() ? "" : fmt::format("(\\unit{{{}}})", unit);
-  if (unit.empty()) return fmt::format("(\\num{{e{}}})", exponent_);
-  return fmt::format("(\\qty{{e{}}}{{{}}})", exponent_, unit);
+  const std::string& unit = format_.unit;
+  if (format_.exponent == 0) return unit.empty() ? "" : fmt::format("(\\unit{{{}}})", unit);
+  if (unit.empty()) return fmt::format("(\\num{{e{}}})", format_.exponent);
+  return fmt::format("(\\qty{{e{}}}{{{}}})", format_.exponent, unit);
 }
 
 ColumnWriter::Written ColumnWriter::written(const Cell& cell) {
   if (cell.is_empty()) return {};
   if (cell.text()) return {*cell.text()};
-  if (column_.kind_ == Column::Kind::text) {
+  if (format_.kind == ColumnKind::text) {
     throw std::invalid_argument(
-        fmt::format("column '{}' holds text, not numbers", column_.heading()));
+        fmt::format("column '{}' holds text, not numbers", format_.heading));
   }
   const std::string number = number_text(cell);
   width_ = widest(width_, width_of(number));
@@ -68,17 +70,19 @@ ColumnWriter::Written ColumnWriter::written(const Cell& cell) {
 
 std::string ColumnWriter::number_text(const Cell& cell) const {
   const double number = *cell.number();
-  if (column_.kind_ == Column::Kind::scientific) {
+  if (format_.kind == ColumnKind::scientific) {
     return scientific(cell.place() ? rounded_to_place(number, *cell.place())
-                                   : rounded_to_digits(number, decimals_));
+                                   : rounded_to_digits(number, format_.digits));
   }
-  if (column_.kind_ == Column::Kind::integer && std::trunc(number) != number) {
-    throw std::invalid_argument(fmt::format("column '{}': {} is not a whole number",
-                                            column_.heading(), round_trip(number)));
+  if (format_.kind == ColumnKind::integer && std::trunc(number) != number) {
+    throw std::invalid_argument(
+        fmt::format("column '{}': {} is not a whole number", format_.heading, round_trip(number)));
   }
-  // Moving the point, unlike a division, leaves one rounding.
-  Decimal decimal = rounded_to_place(number, cell.place().value_or(exponent_ - decimals_));
-  decimal.place -= exponent_;
+  // Moving the decimal point is exact, so the number is rounded only once; dividing it would round
+  // it again.
+  Decimal decimal =
+      rounded_to_place(number, cell.place().value_or(format_.exponent - format_.digits));
+  decimal.place -= format_.exponent;
   return plain(decimal);
 }
 

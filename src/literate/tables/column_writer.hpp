@@ -4,18 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "literate/tables/cell.hpp"
+#include "literate/tables/column.hpp"
 #include "literate/tables/number_cell.hpp"
-#include "literate/tables/table.hpp"
 
 namespace literate {
 
-/// Turns one column of a table into LaTeX: header lines, and cells that are all equally wide, so
-/// that decimal point stands below decimal point. (An S column of siunitx does the same, but takes
-/// 1 ms a cell, in every pass of LaTeX.)
+/// Writes one column of a table as LaTeX: header lines, and cells of equal width, so that the
+/// decimal points stand below one another. (An S column of siunitx does the same, but takes 1 ms
+/// for each cell in each run of LaTeX.)
 class ColumnWriter {
  public:
   /// Writes all cells; throws std::invalid_argument as Table::latex does.
-  ColumnWriter(const Column& column, const std::vector<const Cell*>& cells);
+  ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells);
 
   /// The column type: `l` for text, `c` for numbers.
   std::string specification() const;
@@ -25,8 +26,8 @@ class ColumnWriter {
   /// The unit in parentheses, with the power of ten factored out; empty if there is none.
   std::string unit() const;
 
-  /// A number is \LiterateCell{format}{number}{mathematics}: the widest number as siunitx's
-  /// table-format, the number itself, and both as LaTeX sets them.
+  /// One cell. A number is \LiterateCell{format}{number}{mathematics}: the widest number of the
+  /// column as siunitx's table-format, the number itself, and the number padded to that width.
   std::string cell(std::size_t row) const;
 
  private:
@@ -37,9 +38,7 @@ class ColumnWriter {
   Written written(const Cell& cell);
   std::string number_text(const Cell& cell) const;
 
-  const Column& column_;
-  int exponent_;
-  int decimals_;
+  ColumnFormat format_;  // a common exponent is turned into the fixed one that the cells have
   NumberWidth width_;
   std::vector<Written> cells_;
 };

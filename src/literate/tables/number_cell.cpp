@@ -42,7 +42,7 @@ std::size_t n_separators(std::size_t n_digits) {
   return n_digits < smallest_grouped ? 0 : (n_digits - 1) / 3;
 }
 
-/// Digits with a thin space after every third, counted from the end that is at the point.
+/// Puts a thin space after every third digit, counted from the decimal point.
 std::string grouped(std::string_view digits, bool point_is_left) {
   if (digits.size() < smallest_grouped) return std::string(digits);
   std::string text;
@@ -58,7 +58,7 @@ std::string blank(const std::string& what) {
   return what.empty() ? "" : "\\hphantom{" + what + "}";
 }
 
-/// As wide as what `has` digits lack to `wanted`.
+/// A blank as wide as the digits and separators that `has` digits lack to make `wanted`.
 std::string blank_digits(std::size_t has, std::size_t wanted) {
   std::string separators;
   for (std::size_t i = n_separators(has); i < n_separators(wanted); ++i) separators += "\\,";

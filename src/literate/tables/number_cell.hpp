@@ -7,8 +7,8 @@
 
 namespace literate {
 
-/// How wide a number is, or the widest of a column: digits before and after the point, and of the
-/// exponent.
+/// The width of a number, or the width that holds all of a column: the signs, and the digits before
+/// the point, after it and in the exponent.
 struct NumberWidth {
   bool negative = false;
   std::size_t n_whole = 1;
@@ -17,17 +17,18 @@ struct NumberWidth {
   std::size_t n_exponent = 0;
 };
 
-/// The width of a number as `plain` or `scientific` writes it.
+/// Measures a number as `plain` or `scientific` writes it.
 NumberWidth width_of(std::string_view number);
 
-/// What holds both.
+/// The least width that holds both.
 NumberWidth widest(const NumberWidth& a, const NumberWidth& b);
 
-/// As siunitx's table-format, such as -1.2e-2.
+/// Writes a width as siunitx's table-format, such as -1.2e-2.
 std::string table_format(const NumberWidth& width);
 
-/// The number in mathematics, with blanks to the width of the column, which must hold it: cells
-/// that are centred then stand point below point. Thin spaces group from five digits on.
+/// Writes a number as mathematics, padded with blanks to the width of the column, which must not be
+/// less than its own. The points of centred cells then stand below one another. Five digits or more
+/// are grouped by thin spaces.
 std::string aligned_number(std::string_view number, const NumberWidth& column);
 
 }  // namespace literate

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "literate/tables/column_writer.hpp"
-#include "literate/text/latex.hpp"
 
 namespace literate {
 namespace {
@@ -32,53 +32,6 @@ std::string header(const std::vector<ColumnWriter>& columns) {
 
 }  // namespace
 
-Column::Column(Kind kind, std::string heading, std::string unit, int exponent, int digits)
-    : kind_(kind),
-      heading_(std::move(heading)),
-      unit_(std::move(unit)),
-      exponent_(exponent),
-      digits_(digits) {
-  require_unit(unit_);
-}
-
-Column Column::fixed(std::string heading, std::string unit, int decimals) {
-  return {Kind::fixed, std::move(heading), std::move(unit), 0, decimals};
-}
-
-Column Column::scaled(std::string heading, std::string unit, int exponent, int decimals) {
-  return {Kind::fixed, std::move(heading), std::move(unit), exponent, decimals};
-}
-
-Column Column::common_exponent(std::string heading, std::string unit, int n_digits) {
-  return {Kind::common_exponent, std::move(heading), std::move(unit), 0, n_digits};
-}
-
-Column Column::scientific(std::string heading, std::string unit, int n_digits) {
-  return {Kind::scientific, std::move(heading), std::move(unit), 0, n_digits};
-}
-
-Column Column::integer(std::string heading, std::string unit) {
-  return {Kind::integer, std::move(heading), std::move(unit), 0, 0};
-}
-
-Column Column::text(std::string heading) {
-  return {Kind::text, std::move(heading), "", 0, 0};
-}
-
-Cell::Cell(std::string_view text) : content_(escape_latex(text)) {}
-
-Cell Cell::to_place(double number, int place) {
-  Cell cell(number);
-  cell.place_ = place;
-  return cell;
-}
-
-Cell Cell::latex(std::string text) {
-  Cell cell;
-  cell.content_ = std::move(text);
-  return cell;
-}
-
 Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
   if (columns_.empty()) throw std::invalid_argument("a table needs a column");
 }
@@ -97,7 +50,7 @@ std::string Table::latex() const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     std::vector<const Cell*> cells;
     for (const auto& row : rows_) cells.push_back(&row[i]);
-    columns.emplace_back(columns_[i], cells);
+    columns.emplace_back(columns_[i].format(), cells);
   }
   std::string specification;
   for (const ColumnWriter& column : columns) specification += column.specification();
@@ -119,8 +72,8 @@ std::string Table::csv() const {
   };
   std::vector<std::string> line;
   for (const Column& column : columns_) {
-    const std::string unit = column.unit().empty() ? "" : fmt::format(" ({})", column.unit());
-    line.push_back(quoted(column.heading() + unit));
+    const auto& [heading, unit] = std::tie(column.format().heading, column.format().unit);
+    line.push_back(quoted(unit.empty() ? heading : fmt::format("{} ({})", heading, unit)));
   }
   std::string text = fmt::format("{}\n", fmt::join(line, ","));
   for (const auto& row : rows_) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 
 namespace literate {
 namespace {
@@ -13,8 +12,8 @@ struct Mapping {
   std::string_view latex;
 };
 
-// One source of truth: the excerpts are checked against it and LaTeX is told of it.
-// Mathematics as in comments, then typographic signs, then accented letters.
+// The one list of characters: excerpts are checked against it, and LaTeX is told of it. It holds
+// the mathematics of comments, then typographic signs, then accented letters.
 constexpr auto mappings = std::to_array<Mapping>({
     // clang-format off
     {"α", R"(\ensuremath{\alpha})"},
@@ -242,29 +241,7 @@ constexpr auto mappings = std::to_array<Mapping>({
     // clang-format on
 });
 
-std::size_t length_from_lead(unsigned char lead) {
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead < 0xE0) return 2;
-  if (lead >= 0xE0 && lead < 0xF0) return 3;
-  if (lead >= 0xF0 && lead < 0xF5) return 4;
-  return 1;
-}
-
 }  // namespace
-
-int n_characters(std::string_view utf8) {
-  return static_cast<int>(std::ranges::count_if(
-      utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-std::string_view first_character(std::string_view text) {
-  const std::size_t length = length_from_lead(static_cast<unsigned char>(text.front()));
-  const std::string_view tail = text.substr(1, length - 1);
-  const bool is_whole = tail.size() == length - 1 && std::ranges::all_of(tail, [](char c) {
-                          return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-                        });
-  return text.substr(0, is_whole ? length : 1);
-}
 
 std::string_view latex_of(std::string_view character) {
   const auto found = std::ranges::find(mappings, character, &Mapping::character);

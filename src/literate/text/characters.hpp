@@ -6,7 +6,7 @@
 
 namespace literate {
 
-/// Of ASCII.
+/// Whether a character is an ASCII letter or digit, whatever the locale says.
 constexpr bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
@@ -14,17 +14,10 @@ constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Of the name of a TeX command.
+/// Whether the name of a TeX command may hold this character.
 constexpr bool is_command_letter(char c) {
   return is_letter(c) || c == '@';
 }
-
-/// How many characters a UTF-8 text has.
-int n_characters(std::string_view utf8);
-
-/// The bytes of the first UTF-8 character of a text that is not empty; a byte that starts no
-/// valid character stands alone.
-std::string_view first_character(std::string_view text);
 
 /// What LaTeX prints for a character beyond ASCII; empty if there is no mapping.
 std::string_view latex_of(std::string_view character);

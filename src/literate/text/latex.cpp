@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "literate/text/characters.hpp"
+#include "system/utf8.hpp"
 
 namespace literate {
 namespace {
@@ -44,7 +45,7 @@ std::string escape_ascii(char c) {
 std::string escape_latex(std::string_view text) {
   std::string escaped;
   while (!text.empty()) {
-    const std::string_view character = first_character(text);
+    const std::string_view character = sys::first_character(text).bytes;
     const std::string_view symbol = latex_of(character);
     if (character.size() == 1) {
       escaped += escape_ascii(character.front());
@@ -58,8 +59,7 @@ std::string escape_latex(std::string_view text) {
 
 std::string escape_bookmark(std::string_view text) {
   std::string escaped;
-  for (const char c : text)
-    escaped += static_cast<unsigned char>(c) < 0x80 ? escape_ascii(c) : std::string(1, c);
+  for (const char c : text) escaped += escape_ascii(c);
   return escaped;
 }
 

@@ -6,8 +6,8 @@
 
 namespace literate {
 
-/// Escapes plain UTF-8 text for LaTeX; symbols such as ν or ≤ become \ensuremath{…}, other
-/// characters beyond ASCII stay as they are, control characters become spaces.
+/// Escapes plain UTF-8 text for LaTeX. Symbols such as ν or ≤ become \ensuremath{…}, characters
+/// that latex_of does not know stay as they are, and control characters become spaces.
 std::string escape_latex(std::string_view text);
 
 /// Escapes plain text for a PDF bookmark: characters beyond ASCII stay as they are.
@@ -16,8 +16,8 @@ std::string escape_bookmark(std::string_view text);
 /// Escapes a file path and lets LaTeX break it after a slash.
 std::string escape_latex_path(std::string_view path);
 
-/// Throws std::invalid_argument for a unit that siunitx cannot print literally: one with % # & _ $
-/// ~ \ { }.
+/// Throws std::invalid_argument for a unit with one of % # & _ $ ~ \ { }, which siunitx cannot
+/// print literally.
 void require_unit(std::string_view unit);
 
 }  // namespace literate

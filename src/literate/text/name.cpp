@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "literate/text/characters.hpp"
+
 namespace literate {
 namespace {
 
-// Not std::isalnum, which follows the locale.
 bool is_alphanumeric(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  return is_letter(c) || is_digit(c);
 }
 
 }  // namespace

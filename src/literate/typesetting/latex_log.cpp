@@ -12,7 +12,7 @@
 namespace literate {
 namespace {
 
-/// Names a file of the document after its folder; leaves others as LaTeX names them.
+/// Puts the label before the name of a file of the document; leaves other names as they are.
 std::string labelled(std::string_view file, std::string_view label) {
   if (file.starts_with("./")) file.remove_prefix(2);
   if (file.starts_with('/') || file.starts_with("../")) return std::string(file);
@@ -31,7 +31,7 @@ bool is_error(std::string_view line) {
   return false;
 }
 
-/// Follows which file LaTeX is reading by the parentheses of its log.
+/// Follows which file LaTeX is reading, by the parentheses in its log.
 class OpenFiles {
  public:
   void read(std::string_view line) {
@@ -59,7 +59,7 @@ class OpenFiles {
   std::vector<std::string> files_;
 };
 
-/// The number behind «line » or «lines », where most warnings end; empty if there is none.
+/// The line number at the end of most warnings; empty if there is none.
 std::string_view line_number_in(std::string_view message) {
   for (const std::string_view words : {"input line ", "at lines ", "at line "}) {
     const auto at = message.rfind(words);
@@ -71,7 +71,7 @@ std::string_view line_number_in(std::string_view message) {
   return {};
 }
 
-/// Whether a line tells of a box that is overfull by more than 0.1 pt.
+/// Whether a line reports a box that is overfull by more than 0.1 pt.
 bool is_overfull(std::string_view line) {
   if (!line.starts_with("Overfull \\")) return false;
   const auto open = line.find('(');
@@ -115,7 +115,7 @@ std::vector<std::string> latex_defects(std::string_view log, std::string_view so
   OpenFiles files;
   bool is_box_content = false;
   for (const std::string_view line : sys::lines_of(log)) {
-    // After an over- or underfull box comes its text, whose parentheses are not files.
+    // The text of an overfull or underfull box follows; its parentheses do not stand for files.
     if (is_box_content && !line.empty()) continue;
     is_box_content = line.starts_with("Overfull \\") || line.starts_with("Underfull \\");
     if (is_defect(line)) {

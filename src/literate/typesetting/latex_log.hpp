@@ -7,14 +7,14 @@
 
 namespace literate {
 
-/// The errors of a LaTeX log written with -file-line-error: each «file:line: message», followed by
-/// the line that shows the place («l.12 …»). Empty if there is none. Files below the working
-/// directory of LaTeX are named `source_label`/file.
+/// Finds the errors in a LaTeX log that was written with -file-line-error: each «file:line:
+/// message», followed by the line that shows the place («l.12 …»). Files below the folder in which
+/// LaTeX runs are named `source_label`/file.
 std::vector<std::string> latex_errors(std::string_view log, std::string_view source_label);
 
-/// What a finished document must not have: undefined references and citations, labels defined
-/// twice, missing characters, boxes overfull by more than 0.1 pt. Each with file and line as far as
-/// the log tells. The log must be unwrapped (max_print_line).
+/// Finds what a finished document must not have: undefined references and citations, labels defined
+/// twice, missing characters, and boxes that are overfull by more than 0.1 pt. Each has its file
+/// and line if the log names them. The log's lines must not be wrapped (max_print_line).
 std::vector<std::string> latex_defects(std::string_view log, std::string_view source_label);
 
 }  // namespace literate

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <system_error>
 #include <vector>
 
@@ -19,14 +20,15 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
-/// The path as seen from the folder LaTeX runs in, so that no folder of this machine leaks.
+/// The path relative to the folder in which LaTeX runs, so that its output names no folder of this
+/// machine.
 std::string seen_from(const fs::path& source_dir, const fs::path& path) {
   const fs::path from = fs::weakly_canonical(fs::absolute(source_dir));
   return fs::weakly_canonical(fs::absolute(path)).lexically_relative(from).generic_string();
 }
 
 std::map<std::string, std::string> environment(const TypesetOptions& options) {
-  // The folder of the user's own packages is replaced by one that does not exist.
+  // TEXMFHOME, the folder of the user's own packages, is set to one that does not exist.
   return {{"SOURCE_DATE_EPOCH", fmt::format("{}", options.source_date_epoch)},
           {"FORCE_SOURCE_DATE", "1"},
           {"TZ", "UTC"},
@@ -36,7 +38,7 @@ std::map<std::string, std::string> environment(const TypesetOptions& options) {
           {"TEXINPUTS", ".:" + seen_from(options.source_dir, options.generated_dir) + ":"}};
 }
 
-/// The end of latexmk's own words, for failures that LaTeX's log does not tell of.
+/// The last lines of what latexmk printed, for failures that are not in LaTeX's log.
 std::string last_lines(std::string_view output) {
   const auto lines = sys::lines_of(output);
   const std::size_t n_shown = std::min<std::size_t>(lines.size(), 12);
@@ -55,20 +57,20 @@ sys::ProcessResult run_latexmk(const TypesetOptions& options, bool from_scratch)
                                      "-halt-on-error",
                                      "-file-line-error",
                                      "-outdir=" + seen_from(options.source_dir, options.build_dir)};
-  // latexmk does not know that the date of the document is part of its input.
+  // latexmk does not notice a new date, although the document prints it.
   if (from_scratch) arguments.emplace_back("-g");
   arguments.push_back(options.main_file);
   sys::find_tool("pdflatex");
   return sys::run({"latexmk", arguments, options.source_dir, environment(options)});
 }
 
-/// All that is wrong, each told where the document's author can mend it.
+/// All messages in one error, each with the place at which the document's author can mend it.
 sys::ToolError failure(std::vector<std::string> messages, const TypesetOptions& options) {
-  for (std::string& message : messages) message = told_at_place_of_use(message, options.source_dir);
+  for (std::string& message : messages) message = with_place_of_use(message, options.source_dir);
   return sys::ToolError(fmt::format("{}", fmt::join(messages, "\n")));
 }
 
-/// Throws the useful lines of LaTeX's log.
+/// Throws the errors in LaTeX's log, or the last lines of latexmk if there are none.
 [[noreturn]] void fail(const TypesetOptions& options, const std::string& output) {
   const fs::path log = in_build_dir(options, ".log");
   std::vector<std::string> errors;

@@ -65,7 +65,7 @@ Decimal rounded_to_high_place(double value, int place) {
   Decimal number{std::signbit(value), "0", place};
   if (n_digits >= 1) {
     number = converted(value, std::chars_format::scientific, n_digits - 1);
-    // A carry into a new digit leaves the last place one too high.
+    // If rounding carried into a new digit, the last place is one too high.
     number.digits.append(static_cast<std::size_t>(number.place - place), '0');
     number.place = place;
   } else if (n_digits == 0 && std::abs(value) > 5 * std::pow(10, leading)) {
@@ -107,7 +107,7 @@ Decimal rounded_up_to_place(double value, int place) {
 
 Decimal rounded_up_to_digits(double value, int n_digits) {
   const Decimal up = rounded_up_to_place(value, rounded_to_digits(value, n_digits).place);
-  // 9.3 goes up to 10, a digit too many.
+  // Rounding 9.3 up to 10 gives a digit too many.
   return size_of(up.digits) > n_digits ? rounded_to_digits(number_of(up), n_digits) : up;
 }
 

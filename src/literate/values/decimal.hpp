@@ -7,8 +7,8 @@ namespace literate {
 
 /// A decimal number: ± digits · 10^place, where `place` is that of the last digit.
 ///
-/// `digits` holds no leading zero, except that zero itself is "0"; zero has no sign. All
-/// functions that make one round half to even from the exact binary value (std::to_chars), do not
+/// `digits` has no leading zero, except that zero itself is "0"; zero has no sign. All functions
+/// that make a Decimal round the exact binary value half to even (as std::to_chars does), do not
 /// depend on the locale, and throw std::invalid_argument for a NaN or an infinity.
 struct Decimal {
   bool negative = false;
@@ -22,11 +22,12 @@ Decimal rounded_to_place(double value, int place);
 /// Rounds to `n_digits` significant digits, 1 ≤ n_digits ≤ 100; zero stays a plain 0.
 Decimal rounded_to_digits(double value, int n_digits);
 
-/// As rounded_to_place and rounded_to_digits, but never to less than a value ≥ 0: for bounds.
+/// Round as rounded_to_place and rounded_to_digits do, but never below the value, which must not be
+/// negative: for bounds.
 Decimal rounded_up_to_place(double value, int place);
 Decimal rounded_up_to_digits(double value, int n_digits);
 
-/// The fewest digits that read back as the same double.
+/// Returns the fewest digits that read back as the same double.
 Decimal shortest(double value);
 
 bool is_zero(const Decimal& number);
@@ -40,10 +41,11 @@ std::string plain(const Decimal& number);
 /// Writes one digit before the point and an exponent: -1.23e-2.
 std::string scientific(const Decimal& number);
 
-/// Writes plainly what lies in [1e-3, 1e6), and zero; the rest with an exponent.
+/// Writes zero and magnitudes in [1e-3, 1e6) without an exponent, all others with one.
 std::string plain_or_scientific(const Decimal& number);
 
-/// The shortest text that reads back as the same double, for scripts and data files; NaN is "nan".
+/// Writes the shortest text that reads back as the same double, for scripts and data files; a NaN
+/// becomes "nan".
 std::string round_trip(double value);
 
 }  // namespace literate

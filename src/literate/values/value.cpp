@@ -29,7 +29,7 @@ int supported_place(double abs_error) {
   return place_of(shortest(2 * abs_error));
 }
 
-/// Rounds to the digits that the error supports, and to no more than `max_digits` of them.
+/// Rounds to the digits that the error supports, at most `max_digits`.
 Decimal supported_digits(numerics::Estimate estimate, int max_digits) {
   const Decimal longest = rounded_to_digits(estimate.value, max_digits);
   if (estimate.abs_error == 0) {
@@ -42,23 +42,24 @@ Decimal supported_digits(numerics::Estimate estimate, int max_digits) {
   return rounded_to_place(estimate.value, std::max(place, lowest_place));
 }
 
-/// A place not below `lowest`, nor below the error.
+/// The lowest place that is neither below `lowest` nor below the error.
 int earned_place(double abs_error, int lowest) {
   return abs_error > 0 ? std::max(lowest, place_of(shortest(abs_error))) : lowest;
 }
 
-/// Rounds to this place.
+/// Rounds to the earned place.
 Decimal earned_digits(numerics::Estimate estimate, int lowest) {
   return rounded_to_place(estimate.value, earned_place(estimate.abs_error, lowest));
 }
 
-/// Rounds number and error together up to this place.
+/// Rounds the sum of number and error up to the earned place.
 Decimal earned_bound(numerics::Estimate estimate, int lowest) {
   return rounded_up_to_place(estimate.value + estimate.abs_error,
                              earned_place(estimate.abs_error, lowest));
 }
 
-/// The place of the last of so many digits; of zero, of so many digits of its error.
+/// The place of the last of `max_digits` digits of the number, or of its error if the number is
+/// zero.
 int lowest_place(numerics::Estimate estimate, int max_digits) {
   const double leading = estimate.value == 0 ? estimate.abs_error : estimate.value;
   return rounded_to_digits(leading, max_digits).place;
@@ -132,7 +133,7 @@ Value Value::scientific(double number, int n_digits, std::string_view unit) {
   return quantity(number, literate::scientific(rounded), unit).at_place(rounded.place);
 }
 
-// Zeros to the left of the point would claim digits that are not known.
+// Without an exponent, zeros to the left of the point would claim digits that are not known.
 Value Value::plain_or_padded(numerics::Estimate estimate, const Decimal& rounded,
                              std::string_view unit) {
   const bool pads_zeros = rounded.place > 0 && estimate.abs_error > 0;

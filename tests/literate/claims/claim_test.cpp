@@ -8,9 +8,10 @@
 #include "literate/document/document_tex.hpp"
 #include "literate/document/names.hpp"
 #include "literate/typesetting/typeset.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 using boost::test_tools::per_element;
@@ -42,7 +43,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 // The text of every page of a document with this claim.
 std::vector<std::string> pages_with(Verdict found) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   Document document = document_with(found);
   document.value("unused", Value::integer(1));
   document.write(scratch / "generated");
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim_and_counts_the_verdi
   pears.expected = Verdict::refuted;
   document.claim("pears", pears);
 
-  const std::string text = claims_tex(document);
+  const std::string text = claims_tex(document.registered());
 
   BOOST_TEST(text.starts_with("\\LiterateLedgerSummary{2}{1}{0}{1}{0}\n"), text);
   for (const char* part :
@@ -95,8 +96,9 @@ BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim_and_counts_the_verdi
         "\\LiterateLedgerEntry{pears}", "{refuted}{refuted}", "claim\\_test.cpp:"}) {
     BOOST_TEST(holds(text, part), part);
   }
-  BOOST_TEST(holds(values_tex(document), "\\LiterateClaim{apples}{1}{confirmed}{\\qty{2.6}{kr}}"));
-  BOOST_TEST(holds(values_tex(document), "\\LiterateClaim{pears}{2}{refuted}"));
+  BOOST_TEST(holds(values_tex(document.registered()),
+                   "\\LiterateClaim{apples}{1}{confirmed}{\\qty{2.6}{kr}}"));
+  BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{pears}{2}{refuted}"));
 }
 
 BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
@@ -109,7 +111,8 @@ BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
 
   const std::string escaped =
       R"({5 \% of a\_b \& \#1 \{x\} \textasciitilde{} \textasciicircum{} \textbackslash{} )";
-  for (const auto& [text, n] : {std::pair{claims_tex(document), 4}, {values_tex(document), 2}}) {
+  for (const auto& [text, n] :
+       {std::pair{claims_tex(document.registered()), 4}, {values_tex(document.registered()), 2}}) {
     int found = 0;
     for (auto at = text.find(escaped); at != std::string::npos; at = text.find(escaped, at + 1)) {
       ++found;
@@ -131,9 +134,9 @@ BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_lin
       "claim apples is partly confirmed, not confirmed: An apple costs 2.6. Stated: 2.6 kr; "
       "computed: 2.612 kr"};
   BOOST_TEST(document.faults() == expected, per_element());
-  BOOST_TEST(holds(values_tex(document), "2 statements are not as expected"));
-  BOOST_TEST(holds(claims_tex(document), "\\LiterateLedgerSummary{1}{0}{1}{0}{1}"));
-  const ScratchFolder scratch;
+  BOOST_TEST(holds(values_tex(document.registered()), "2 statements are not as expected"));
+  BOOST_TEST(holds(claims_tex(document.registered()), "\\LiterateLedgerSummary{1}{0}{1}{0}{1}"));
+  const TemporaryFolder scratch;
   document.write(scratch / "out");
   BOOST_TEST(read_names(scratch / "out/names.json").faults == expected, per_element());
 }

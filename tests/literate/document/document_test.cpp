@@ -6,9 +6,10 @@
 #include <stdexcept>
 
 #include "literate/document/names.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 namespace fs = std::filesystem;
@@ -60,12 +61,12 @@ BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without
   Document part;
   part.check("second", true, "2");
   part.value("radius", Value::integer(3));
-  const auto line = part.place("value", "radius").line;
+  const auto line = part.registered().places.at({"value", "radius"}).line;
 
   document.append(part);
 
   BOOST_TEST(document.values().at("radius").printed() == "3");
-  BOOST_TEST(document.place("value", "radius").line == line);
+  BOOST_TEST(document.registered().places.at({"value", "radius"}).line == line);
   BOOST_REQUIRE(document.checks().size() == 2U);
   BOOST_TEST(document.checks()[1].id == "second");
   const std::string message = message_of<std::logic_error>([&] { document.append(part); });
@@ -73,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without
 }
 
 BOOST_AUTO_TEST_CASE(the_names_read_back) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   document_with(1).write(scratch / "out", {{"x", "a.cpp", 3, "a\n"}});
 
   const Names names = read_names(scratch / "out/names.json");
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_names_read_back) {
 }
 
 BOOST_AUTO_TEST_CASE(unchanged_files_keep_their_time_stamps_and_changed_ones_do_not) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path out = scratch / "out";
   document_with(1).write(out);
   for (const auto& file : sys::files_below(out)) age(out / file);
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(unchanged_files_keep_their_time_stamps_and_changed_ones_do_
 }
 
 BOOST_AUTO_TEST_CASE(files_no_longer_made_are_removed_and_foreign_ones_stay) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path out = scratch / "out";
   document_with(1).write(out);
   sys::write_file_atomically(out / "mine.txt", "mine");
@@ -113,7 +114,7 @@ BOOST_AUTO_TEST_CASE(files_no_longer_made_are_removed_and_foreign_ones_stay) {
 }
 
 BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_output_untouched) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path out = scratch / "out";
   document_with(1).write(out);
   const std::string before = sys::read_file(out / "values.tex");
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_output_untouched) {
 }
 
 BOOST_AUTO_TEST_CASE(a_stale_staging_folder_is_removed_and_a_foreign_one_is_refused) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "out.part/.literate-staging", "");
   sys::write_file_atomically(scratch / "out.part/old.tex", "old");
   document_with(1).write((scratch / "out").string() + "/");
@@ -140,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_stale_staging_folder_is_removed_and_a_foreign_one_is_refu
 }
 
 BOOST_AUTO_TEST_CASE(an_output_that_is_no_folder_is_an_output_error_naming_it) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "out", "a file");
 
   const std::string message =

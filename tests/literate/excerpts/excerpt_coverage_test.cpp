@@ -3,14 +3,15 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(only_lines_of_code_count_shown_or_not) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "src/mass/shown.cpp",
                              "#include <x>\n\n// comment\nint a;\n// begin excerpt: heart\n"
                              "// why\nint b;\n\n  int c;\n// end excerpt: heart\n");
@@ -27,7 +28,7 @@ BOOST_AUTO_TEST_CASE(only_lines_of_code_count_shown_or_not) {
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_an_error) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
 
   BOOST_CHECK_THROW(coverage_of(scratch / "", "src/none", {}), std::exception);
 }

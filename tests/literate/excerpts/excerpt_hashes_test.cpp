@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 

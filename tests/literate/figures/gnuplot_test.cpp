@@ -9,9 +9,10 @@
 #include <thread>
 
 #include "literate/document/document.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 namespace fs = std::filesystem;
@@ -41,7 +42,7 @@ bool has(const std::string& text, const std::string& part) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(data_files_hold_every_digit_in_any_locale) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaLocale));
 
   draw_figures(scratch.path(), {{"f", {6, 4.5, draw_curve}}});
@@ -54,7 +55,7 @@ BOOST_AUTO_TEST_CASE(data_files_hold_every_digit_in_any_locale) {
 }
 
 BOOST_AUTO_TEST_CASE(a_figure_names_its_graphic_without_a_folder) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   draw_figures(scratch.path(), {{"f", {6, 4, draw_curve}}});
 
   const std::string tex = sys::read_file(scratch / "f.tex");
@@ -64,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_figure_names_its_graphic_without_a_folder) {
 }
 
 BOOST_AUTO_TEST_CASE(a_figure_has_the_same_bytes_at_another_time) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   draw_figures(scratch.path(), {{"f", {6, 4, draw_curve}}});
   const std::string first = sys::sha256_of_file(scratch / "f.pdf");
   fs::remove(scratch / "f.curve.dat");
@@ -77,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_figure_has_the_same_bytes_at_another_time) {
 }
 
 BOOST_AUTO_TEST_CASE(an_error_has_script_name_line_and_message) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
 
   const std::string message = message_of<sys::ToolError>([&] {
     draw_figures(scratch.path(), {{"z", {6, 4, [](Plot& plot) { plot << "plot 'none'\n"; }}},
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(an_error_has_script_name_line_and_message) {
 }
 
 BOOST_AUTO_TEST_CASE(a_curve_that_gnuplot_only_warns_about_is_an_error) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const Figure figure{6, 4, [](Plot& plot) { plot << "plot sin(x), 'none.dat'\n"; }};
 
   const std::string message = message_of<sys::ToolError>([&] {
@@ -102,7 +103,7 @@ BOOST_AUTO_TEST_CASE(a_curve_that_gnuplot_only_warns_about_is_an_error) {
 }
 
 BOOST_AUTO_TEST_CASE(data_must_be_new_and_have_equal_columns) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   Plot plot(scratch.path(), "f", 6, 4);
   plot.data("a", {x, y});
 
@@ -113,7 +114,7 @@ BOOST_AUTO_TEST_CASE(data_must_be_new_and_have_equal_columns) {
 }
 
 BOOST_AUTO_TEST_CASE(a_broken_figure_leaves_the_old_document_untouched) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   Document good;
   good.figure("f", 6, 4, draw_curve);
   good.write(scratch / "out");
@@ -128,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_broken_figure_leaves_the_old_document_untouched) {
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_a_tool_error_naming_the_setup) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string path = std::getenv("PATH");
   setenv("PATH", scratch.path().c_str(), 1);
 

@@ -3,9 +3,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(a_marked_line_is_exempt_if_its_mark_has_a_reason) {
 }
 
 BOOST_AUTO_TEST_CASE(all_tex_files_below_a_folder_are_read) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "report/b.tex", "1.234");
   sys::write_file_atomically(scratch / "report/a/c.tex", "\n 2 mm");
   sys::write_file_atomically(scratch / "report/a/c.txt", "2 mm");

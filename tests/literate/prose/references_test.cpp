@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 using Lines = std::vector<std::string>;
@@ -23,7 +23,7 @@ const Names names{.values = {"peak.pressure", "load"},
                   .files = {}};
 
 ReferenceReport report_on(const std::string& text) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "report/part/a.tex", text);
   return check_references(scratch / "report", names);
 }
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_missing_folder_is_an_output_error) {
 }
 
 BOOST_AUTO_TEST_CASE(a_document_in_a_folder_below_is_another_one) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "report/report.tex",
                              "\\documentclass{article}\\val{load}\n");
   sys::write_file_atomically(scratch / "report/part/a.tex", "% \\documentclass{no}\n\\val{here}\n");

@@ -6,9 +6,10 @@
 #include "literate/document/document.hpp"
 #include "literate/provenance/digest.hpp"
 #include "literate/provenance/manifest_comparison.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 using Lines = std::vector<std::string>;
@@ -31,7 +32,7 @@ std::string message_of_reading(const std::filesystem::path& file) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_manifest_reads_back_as_it_was_written) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string text = manifest_json(some_manifest());
   sys::write_file_atomically(scratch / "m.json", text);
 
@@ -39,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_manifest_reads_back_as_it_was_written) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   Document document;
   document.value("u", Value::estimate({1.6236054e-6, 3e-10}, "in"));
   document.value("words", Value::text("none"));
@@ -53,7 +54,7 @@ BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_manifest_of_the_project_is_named) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto file = scratch / "m.json";
 
   BOOST_TEST(message_of_reading(file).find("cannot read") != std::string::npos);
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(a_number_without_an_error_is_compared_as_printed) {
 }
 
 BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_or_added_is_named) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto folder = scratch / "made";
   const auto digest = scratch / "digest";
   const auto error = [&] {

@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "literate/prose/place_of_use.hpp"
-#include "scratch_folder.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 using Lines = std::vector<std::string>;
@@ -65,13 +65,11 @@ BOOST_AUTO_TEST_CASE(an_undefined_citation_is_a_defect) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_generated_file_is_told_where_the_document_uses_it) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const auto report = scratch / "report";
   sys::write_file_atomically(report / "main.tex", "\\input{part/a}\n\n% \\tab{t}\n\\fig{f}\n");
   sys::write_file_atomically(report / "part/a.tex", "\n Text \\tab{t} and \\fig{f}\n");
-  const auto told = [&](const std::string& message) {
-    return told_at_place_of_use(message, report);
-  };
+  const auto told = [&](const std::string& message) { return with_place_of_use(message, report); };
 
   BOOST_TEST(told("../my build/generated/tables/t.tex:7: Misplaced \\noalign.\n  l.7 x") ==
              "report/part/a.tex:2: in table 't': Misplaced \\noalign. (tables/t.tex:7)\n  l.7 x");

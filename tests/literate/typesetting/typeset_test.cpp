@@ -5,9 +5,10 @@
 #include <cstdlib>
 
 #include "literate/document/document.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 namespace fs = std::filesystem;
@@ -41,7 +42,7 @@ class Paper {
   }
 
  private:
-  ScratchFolder scratch_;
+  TemporaryFolder scratch_;
 
  public:
   TypesetOptions options{.source_dir = scratch_ / "my report",

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/excerpts/find_excerpts.hpp"
+
 #include <fmt/core.h>
 
 #include <array>
 #include <map>
 #include <optional>
 
-#include "literate/excerpts/excerpt.hpp"
+#include "literate/excerpts/paper_sources.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/name.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
 #include "system/lines.hpp"
+#include "system/utf8.hpp"
 
 namespace literate {
+namespace fs = std::filesystem;
 namespace {
 
 struct Marker {
@@ -56,7 +61,7 @@ class Finder {
   int line_ = 0;
   int begin_line_ = 0;
   std::optional<Excerpt> open_;
-  std::size_t text_end_ = 0;  // behind the last line of the open excerpt that is not blank
+  std::size_t text_end_ = 0;  // the end of the last line in the open excerpt that is not blank
   std::map<std::string, int> begin_lines_;
   std::vector<Excerpt> excerpts_;
 };
@@ -122,7 +127,7 @@ void Finder::add(std::string_view line) {
 
 void Finder::require_printable(std::string_view line) const {
   while (!line.empty()) {
-    const std::string_view character = first_character(line);
+    const std::string_view character = sys::first_character(line).bytes;
     line.remove_prefix(character.size());
     const auto byte = static_cast<unsigned char>(character.front());
     if (character.size() > 1 && latex_of(character).empty()) {
@@ -135,12 +140,42 @@ void Finder::require_printable(std::string_view line) const {
   }
 }
 
+bool is_source(const std::string& file) {
+  return file.ends_with(".cpp") || file.ends_with(".hpp");
+}
+
 }  // namespace
 
 std::vector<Excerpt> excerpts_of(std::string_view text, const std::string& file) {
   Finder finder(file);
   for (const std::string_view line : sys::lines_of(text)) finder.read(line);
   return finder.finish();
+}
+
+std::vector<Excerpt> find_excerpts(const fs::path& source_root,
+                                   const std::vector<std::string>& folders) {
+  std::map<std::string, Excerpt> by_name;
+  for (const std::string& folder : folders) {
+    if (!fs::is_directory(source_root / folder)) {
+      throw sys::SourceError(fmt::format("{}: there is no such folder to take excerpts from",
+                                         (source_root / folder).generic_string()));
+    }
+    for (const std::string& file : paper_sources(source_root / folder)) {
+      if (!is_source(file)) continue;
+      const std::string text = sys::read_file(source_root / folder / file);
+      for (Excerpt& excerpt : excerpts_of(text, fmt::format("{}/{}", folder, file))) {
+        const auto [known, is_new] = by_name.try_emplace(excerpt.name, excerpt);
+        if (!is_new) {
+          throw sys::SourceError(fmt::format("{}:{}: excerpt '{}' is marked at {}:{} already",
+                                             excerpt.file, excerpt.first_line - 1, excerpt.name,
+                                             known->second.file, known->second.first_line - 1));
+        }
+      }
+    }
+  }
+  std::vector<Excerpt> excerpts;
+  for (auto& [name, excerpt] : by_name) excerpts.push_back(std::move(excerpt));
+  return excerpts;
 }
 
 }  // namespace literate

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/document/registered.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace literate {
+
+std::vector<Check> failed_checks(const Registered& registered) {
+  std::vector<Check> failed;
+  std::ranges::copy_if(registered.checks, std::back_inserter(failed),
+                       [](const Check& check) { return !check.passed; });
+  return failed;
+}
+
+std::vector<std::string> faults(const Registered& registered) {
+  std::vector<std::string> faults;
+  for (const Check& check : failed_checks(registered)) {
+    faults.push_back(fmt::format("check {} failed: {}", check.id, check.statement));
+  }
+  for (const auto& [id, claim] : registered.claims) {
+    if (claim.found == claim.expected) continue;
+    faults.push_back(fmt::format("claim {} is {}, not {}: {} Stated: {}; computed: {}", id,
+                                 name_of(claim.found), name_of(claim.expected), claim.sentence,
+                                 claim.stated.printed().empty() ? "-" : claim.stated.printed(),
+                                 claim.computed.printed()));
+  }
+  return faults;
+}
+
+}  // namespace literate

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "literate/claims/claim.hpp"
+#include "literate/document/source_place.hpp"
+#include "literate/figures/gnuplot.hpp"
+#include "literate/tables/table.hpp"
+#include "literate/values/value.hpp"
+
+namespace literate {
+
+/// Something that must hold for the computation to be trusted, and whether it did.
+struct Check {
+  std::string id;
+  bool passed = false;
+  std::string statement;
+};
+
+/// All that a computation registered for its document.
+struct Registered {
+  std::map<std::string, Value> values;
+  std::map<std::string, bool> flags;
+  std::map<std::string, Table> tables;
+  std::map<std::string, Figure> figures;
+  std::vector<Check> checks;                          ///< in the order of registration
+  std::vector<std::pair<std::string, Claim>> claims;  ///< by id, in the order of registration
+  std::map<std::pair<std::string, std::string>, SourcePlace> places;  ///< by kind and name
+};
+
+/// The checks that did not pass, in the order of registration.
+std::vector<Check> failed_checks(const Registered& registered);
+
+/// What keeps the document from being trusted: a line for each check that failed, and for each
+/// claim whose verdict is not the expected one.
+std::vector<std::string> faults(const Registered& registered);
+
+}  // namespace literate

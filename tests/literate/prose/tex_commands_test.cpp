@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/tex_commands.hpp"
+
+#include <fmt/core.h>
+
+#include <boost/test/unit_test.hpp>
+
+using namespace literate;
+using boost::test_tools::per_element;
+
+namespace {
+
+// Each use as «line:column name argument», and each branch it stands in as «?flag» or «!flag».
+std::vector<std::string> uses_in(const std::string& latex) {
+  std::vector<std::string> uses;
+  for (const TexCommand& use : commands_in(latex, {"val", "tab"})) {
+    std::string text = fmt::format("{}:{} {} {}", use.line, use.column, use.name, use.argument);
+    for (const Branch& branch : use.branches) text += (branch.is_yes ? " ?" : " !") + branch.flag;
+    uses.push_back(text);
+  }
+  return uses;
+}
+
+using Uses = std::vector<std::string>;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(uses_come_in_order_with_their_places) {
+  BOOST_TEST(uses_in("\\val{a} é\\tab { b }\\fig{c}\n{\\val{d}}") ==
+                 (Uses{"1:1 val a", "1:10 tab b", "2:2 val d"}),
+             per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_name_without_a_plain_argument_is_no_use) {
+  BOOST_TEST(
+      uses_in("\\newcommand{\\val}[1]{x}\\def\\tab#1{\\val{#1}}\\value{a}\\val{}\\val").empty());
+}
+
+BOOST_AUTO_TEST_CASE(comments_and_verbatim_text_hold_no_uses) {
+  BOOST_TEST(uses_in("% \\val{a}\n\\verb|\\val{b}|\\begin{verbatim}\n\\val{c}\n\\end{verbatim}"
+                     "50\\%\\val{d}") == Uses{"4:19 val d"},
+             per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_use_knows_its_branches_outermost_first) {
+  BOOST_TEST(uses_in("\\ifflag{f}{\\val{a}\\ifflag{g}{}{{\\val{b}}}}% }\n {\\val{c}}{\\val{d}}") ==
+                 (Uses{"1:12 val a ?f", "1:33 val b ?f !g", "2:3 val c !f", "2:12 val d"}),
+             per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_stands_between_the_groups_ends_the_condition) {
+  BOOST_TEST(
+      uses_in("\\ifflag{f}{\\val{a}} and {\\val{b}}") == (Uses{"1:12 val a ?f", "1:26 val b"}),
+      per_element());
+  BOOST_TEST(uses_in("\\ifflag{f}{\\val{a}}\\%{\\val{b}}") == (Uses{"1:12 val a ?f", "1:23 val b"}),
+             per_element());
+}

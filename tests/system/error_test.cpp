@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/error.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "message_of.hpp"
+#include "system/require.hpp"
+
+using namespace sys;
+
+namespace {
+
+int code_of(const Error& error) {
+  return static_cast<int>(error.exit_code());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(each_kind_of_error_ends_the_program_with_its_own_code) {
+  BOOST_TEST(code_of(ComputationError("no convergence")) == 1);
+  BOOST_TEST(code_of(InputError("a flag")) == 2);
+  BOOST_TEST(code_of(SourceError("a.cpp:1: a marker")) == 2);
+  BOOST_TEST(code_of(OutputError("a folder")) == 2);
+  BOOST_TEST(code_of(InvalidQuantity("radius", 0, "greater than 0")) == 2);
+  BOOST_TEST(code_of(ToolError("gnuplot")) == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_failed_computation_says_so_in_its_message) {
+  BOOST_TEST(ComputationError("no convergence").what() ==
+             std::string("the computation failed: no convergence"));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_allowed_passes_unchanged) {
+  BOOST_TEST(require_finite("slope", -2.385) == -2.385);
+  BOOST_TEST(require_positive("radius", 2.385) == 2.385);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_allowed_is_named_with_its_value_and_range) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(message_of<InvalidQuantity>([&] { require_finite("slope", infinity); }) ==
+             "slope = inf: must be a finite number");
+  for (const double number : {0.0, -1.0, infinity, nan}) {
+    BOOST_CHECK_THROW(require_positive("radius", number), InvalidQuantity);
+  }
+  BOOST_TEST(message_of<InvalidQuantity>([] { require_positive("radius", 0); }) ==
+             "radius = 0: must be a finite number greater than 0");
+}

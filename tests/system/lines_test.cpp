@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/lines.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace sys;
+using Lines = std::vector<std::string_view>;
+
+BOOST_AUTO_TEST_CASE(lines_come_without_either_kind_of_end) {
+  BOOST_TEST(lines_of("one\ntwo\r\n\nfour") == (Lines{"one", "two", "", "four"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_last_line_end_starts_no_line) {
+  BOOST_TEST(lines_of("").empty());
+  BOOST_TEST(lines_of("one\n") == Lines{"one"}, boost::test_tools::per_element());
+  BOOST_TEST(lines_of("\n\n") == (Lines{"", ""}), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(only_blanks_at_the_ends_are_stripped) {
+  BOOST_TEST(stripped(" \t a b\tc \t") == "a b\tc");
+  BOOST_TEST(stripped("\r\na\nb\r\n") == "a\nb");
+  BOOST_TEST(stripped(" \t ").empty());
+}
