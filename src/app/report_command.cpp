@@ -48,13 +48,12 @@ ExitCode run(const ReportOptions& options) {
   literate::Document document;
   paper::compute(document, from_file);
   paper::register_coverage(document, options.source, excerpts);
-  computing.done(fmt::format("{} values, {} tables, {} checks, {} claims", document.values().size(),
-                             document.tables().size(), document.checks().size(),
+  document.write(options.output, excerpts);
+  computing.done(fmt::format("{} values, {} tables, {} figures, {} checks, {} claims",
+                             document.values().size(), document.tables().size(),
+                             document.figures().size(), document.checks().size(),
                              document.claims().size()));
 
-  const Stage drawing("draw");
-  document.write(options.output, excerpts);
-  drawing.done(fmt::format("{} figures", document.figures().size()));
   // Written with its faults, which stamp every page; `typeset` tells them when the PDF is there.
   return options.defers_verdict ? ExitCode::success : answer_faults(document.faults());
 }
@@ -63,7 +62,7 @@ ExitCode run(const ReportOptions& options) {
 
 void add_report_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "report",
-              "Compute all values, tables and figures of the report and write them for LaTeX",
+              "Compute the report's values and tables and what its figures show, and write them",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<ReportOptions>();
                 add_required_text(command, "--case", options->case_file, "FILE", "Case file");

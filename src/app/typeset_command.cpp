@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "app/options.hpp"
 #include "app/stage.hpp"
 #include "literate/document/names.hpp"
+#include "literate/figures/draw.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/provenance/digest.hpp"
@@ -45,11 +47,18 @@ literate::Manifest::Texts sources_below(const fs::path& source, const std::strin
   return literate::digests(source / folder, files, folder + "/");
 }
 
+// All that `report` and `draw` wrote.
+std::vector<std::string> made_files(const literate::Names& names) {
+  std::vector<std::string> files = names.files;
+  std::ranges::move(literate::drawn_files(names.figure_places), std::back_inserter(files));
+  return files;
+}
+
 // What the report is made from. A case from outside the checkout goes by its name alone.
 literate::Manifest::Texts inputs(const Options& options) {
   const fs::path root = fs::weakly_canonical(options.source);
   literate::Manifest::Texts files = sources_below(root, "src", {".cpp", ".hpp", ".in", ".sty"});
-  files.merge(sources_below(root, "figures", {".cpp", ".hpp"}));
+  files.merge(sources_below(root, "figures", {".gp"}));
   const fs::path document = fs::weakly_canonical(options.document);
   const std::string folder = document.filename().string();
   files.merge(literate::digests(document, literate::document_files(document), folder + "/"));
@@ -66,24 +75,25 @@ literate::Manifest::Texts inputs(const Options& options) {
 literate::Manifest manifest_of(const Options& options, const literate::Names& names) {
   const fs::path generated = options.generated;
   const fs::path pdf = options.output;
-  literate::Manifest manifest{.project = project,
-                              .facts = {{"sources",
-                                         {{"version", toolchain::version},
-                                          {"commit", toolchain::commit},
-                                          {"modified", toolchain::modified ? "yes" : "no"},
-                                          {"date", toolchain::date}}},
-                                        {"platform",
-                                         {{"compiler", toolchain::compiler},
-                                          {"build type", toolchain::build_type},
-                                          {"flags", toolchain::flags},
-                                          {"processor", toolchain::processor()}}},
-                                        {"libraries", toolchain::libraries()},
-                                        {"tools",
-                                         {{"gnuplot", sys::tool_version("gnuplot")},
-                                          {"pdfTeX", sys::tool_version("pdflatex")}}}},
-                              .inputs = inputs(options),
-                              .outputs = literate::digests(generated, names.files, "generated/"),
-                              .numbers = literate::numbers_in(generated / "names.json")};
+  literate::Manifest manifest{
+      .project = project,
+      .facts = {{"sources",
+                 {{"version", toolchain::version},
+                  {"commit", toolchain::commit},
+                  {"modified", toolchain::modified ? "yes" : "no"},
+                  {"date", toolchain::date}}},
+                {"platform",
+                 {{"compiler", toolchain::compiler},
+                  {"build type", toolchain::build_type},
+                  {"flags", toolchain::flags},
+                  {"processor", toolchain::processor()}}},
+                {"libraries", toolchain::libraries()},
+                {"tools",
+                 {{"gnuplot", sys::tool_version("gnuplot")},
+                  {"pdfTeX", sys::tool_version("pdflatex")}}}},
+      .inputs = inputs(options),
+      .outputs = literate::digests(generated, made_files(names), "generated/"),
+      .numbers = literate::numbers_in(generated / "names.json")};
   manifest.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
   return manifest;
 }
@@ -120,11 +130,12 @@ ExitCode run(const Options& options) {
   const fs::path generated = options.generated;
   const literate::Names names = literate::read_names(generated / "names.json");
   if (!options.digest.empty()) {
-    literate::require_as_made(generated, options.digest, names.files);
+    literate::require_as_made(generated, options.digest, made_files(names));
   }
   const literate::ReferenceReport references = literate::check_references(options.document, names);
   for (const std::string& error : references.errors) fmt::print(stderr, "halfspace: {}\n", error);
   if (!references.errors.empty()) return ExitCode::bad_input;
+  literate::require_drawn(generated, names.figure_places);
   for (const std::string& name : references.unused) {
     fmt::print(stderr, "halfspace: warning: {} is registered and not used\n", name);
   }
@@ -150,8 +161,8 @@ ExitCode run(const Options& options) {
 
 void add_typeset_command(CLI::App& program, ExitCode& exit_code) {
   add_command(
-      program, "typeset", "Typeset the report with LaTeX from what `report` wrote", exit_code,
-      [](CLI::App& command) {
+      program, "typeset", "Typeset the report with LaTeX from what `report` and `draw` wrote",
+      exit_code, [](CLI::App& command) {
         auto options = std::make_shared<Options>();
         add_required_text(command, "--document", options->document, "DIR",
                           "Folder of the LaTeX document");

@@ -16,4 +16,4 @@ for wanted in '1.180 340 599 02' '18.0 %' 'confirmed' 'refuted' 'pendulum.cpp' '
     *) echo "not in the PDF: $wanted" >&2; printf '%s\n' "$text" >&2; exit 1 ;;
   esac
 done
-pdfdetach -list "$folder/my paper/pendulum.pdf" | grep -q 'figures/period.period.dat'
+pdfdetach -list "$folder/my paper/pendulum.pdf" | grep -q 'figures/period/periods.csv'

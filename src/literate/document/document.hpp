@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <source_location>
 #include <string>
@@ -11,7 +10,7 @@
 
 #include "literate/claims/claim.hpp"
 #include "literate/excerpts/excerpt.hpp"
-#include "literate/figures/gnuplot.hpp"
+#include "literate/figures/figure.hpp"
 #include "literate/tables/table.hpp"
 #include "literate/values/value.hpp"
 
@@ -41,9 +40,9 @@ class Document {
 
   void table(const std::string& name, Table table, Location location = Location::current());
 
-  /// A figure of this size that `draw` writes the script of, when the document is written.
-  void figure(const std::string& name, double width_cm, double height_cm,
-              std::function<void(Plot&)> draw, Location location = Location::current());
+  /// What a figure's script reads: its size, data, numbers and texts. Throws std::logic_error for
+  /// what no script could read, as require_drawable.
+  void figure(const std::string& name, Figure figure, Location location = Location::current());
 
   void check(const std::string& id, bool passed, std::string statement,
              Location location = Location::current());
@@ -71,17 +70,19 @@ class Document {
   /// whose verdict is not the expected one.
   std::vector<std::string> faults() const;
 
+  /// Where each figure was registered, for draw_figures.
+  std::map<std::string, std::string> figure_places() const;
+
   /// Where something was registered: kind is value, flag, table, figure, check or claim.
   const SourcePlace& place(const std::string& kind, const std::string& name) const;
 
-  /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, figures/,
-  /// excerpts/ and names.json.
+  /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, excerpts/,
+  /// names.json, and into figures/ what draw_figures draws from.
   ///
-  /// All is made in output_dir + ".part" and moved in place only when everything succeeded, figures
-  /// included; files with the same content keep their time stamp, files no longer made are removed.
-  /// On an error output_dir stays as it was: sys::ToolError from gnuplot, sys::OutputError for a
-  /// folder that cannot be written, std::invalid_argument for a table that cannot be printed, and
-  /// whatever a draw function throws.
+  /// All is made in output_dir + ".part" and moved in place only when everything succeeded; files
+  /// with the same content keep their time stamp, files no longer made are removed. On an error
+  /// output_dir stays as it was: sys::OutputError for a folder that cannot be written,
+  /// std::invalid_argument for a table that cannot be printed.
   void write(const std::filesystem::path& output_dir,
              const std::vector<Excerpt>& excerpts = {}) const;
 

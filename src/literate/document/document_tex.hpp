@@ -19,8 +19,8 @@ std::string claims_tex(const Document& document);
 /// The index of values: key, value, error and place of each.
 std::string index_tex(const Document& document);
 
-/// Where each figure and table comes from: its place in the code, and its data files and scripts
-/// below `folder` with their SHA-256.
+/// Where each figure and table comes from: its place in the code, and its files with their SHA-256,
+/// those of tables from below `folder`, those of figures as draw_figures lists them.
 std::string provenance_tex(const Document& document, const std::filesystem::path& folder);
 
 }  // namespace literate

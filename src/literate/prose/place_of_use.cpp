@@ -43,7 +43,7 @@ std::string told_at_place_of_use(const std::string& message,
                                  const std::filesystem::path& source_dir) {
   // Only the first line: the place in the file that follows it is shown as it is.
   static const sys::Pattern generated(
-      R"(^(?:\S.*/)?((tables|figures|excerpts)/([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
+      R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
   const auto match = generated.find_in(message);
   if (!match) return message;
   const std::vector<std::string_view>& parts = match->parts;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "literate/document/document.hpp"
+#include "literate/figures/draw.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "numerics/quadrature.hpp"
@@ -50,12 +51,11 @@ void compute(literate::Document& document) {
     periods.push_back(relative_period(angle * degree).value);
     series.push_back(short_series(angle * degree));
   }
-  document.figure("period", 10, 6, [=](literate::Plot& plot) {
-    const auto data = plot.data("period", {angles, periods, series});
-    plot << "set xlabel '$\\theta$ in degrees'\nset ylabel '$T/T_0$'\nset key top left\n"
-         << "plot " << data << " using 1:2 with lines lw 2 title 'integral', \\\n  " << data
-         << " using 1:3 with lines dt 2 lw 2 title '$1 + \\theta^2/16$'\n";
-  });
+  document.figure(
+      "period",
+      {.width_cm = 10,
+       .height_cm = 6,
+       .data = {{"periods", {{"angle", angles}, {"integral", periods}, {"series", series}}}}});
 
   const numerics::Estimate quarter_turn = relative_period(90 * degree);
   document.value("period-at-90", Value::estimate(quarter_turn));
@@ -93,9 +93,11 @@ int main(int argc, char** argv) {
     const std::filesystem::path output = argv[2];
     literate::Document document;
     compute(document);
+    const std::filesystem::path paper = checkout / "tests/literate/example";
     document.write(output / "generated",
                    literate::find_excerpts(checkout, {"tests/literate/example"}));
-    literate::typeset({.source_dir = checkout / "tests/literate/example",
+    literate::draw_figures(output / "generated", paper / "figures", document.figure_places());
+    literate::typeset({.source_dir = paper,
                        .main_file = "pendulum.tex",
                        .generated_dir = output / "generated",
                        .build_dir = output / "latex",
