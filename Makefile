@@ -4,6 +4,7 @@
 #   CASE=file.toml   another parameter file than report/ruggiero2001.toml; relative to where you call make
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   ONLY=id          mutants: this one alone
+#   NAME=name        figure: which
 #   TARGET=name      why: another target, or a file that is built
 #   STUDENT=id SEED=text   handout: that student's own; SEED also of handouts, check-variants and grade
 #   ROSTER=file      handouts, check-variants, grade: who the students are; J=n of them at a time
@@ -13,7 +14,7 @@
 #   V=1              show the commands
 
 # Paths never pass through make, which would split them at spaces: the scripts read them and CALLER.
-export CASE MANIFEST ONLY TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
+export CASE MANIFEST ONLY NAME TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.
@@ -22,7 +23,7 @@ export LC_ALL := C
 # Two targets at once would be two Ninjas in one folder; Ninja itself runs in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report html figures check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report html figures figure check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
@@ -31,8 +32,11 @@ report: ## the report, build/report/report.pdf
 html: ## the report as one page, build/report/report.html (first make setup STAGES=html)
 	@bash src/toolchain/build html
 
-figures: ## its values, tables and figures only, build/report/generated
+figures: ## its values, tables and figures only, build/report/generated; draws what changed
 	@bash src/toolchain/build figures
+
+figure: ## one figure to look at, build/figures/NAME.png
+	@bash src/toolchain/build figure
 
 check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
 	@bash src/toolchain/build check-report
