@@ -5,6 +5,7 @@
 #   CASES='cases/*.toml' J=2 KEYS='key …'   reports: the parameter files, how many at a time, what to compare
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   ONLY=id          mutants: this one alone
+#   NAME=name        figure: which
 #   TARGET=name      why: another target, or a file that is built
 #   STUDENT=id SEED=text   handout: that student's own; SEED also of handouts, check-variants and grade
 #   ROSTER=file      handouts, check-variants, grade: who the students are; J=n of them at a time
@@ -14,7 +15,7 @@
 #   V=1              show the commands
 
 # Paths never pass through make, which would split them at spaces: the scripts read them and CALLER.
-export CASE CASES KEYS MANIFEST ONLY TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
+export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.
@@ -23,7 +24,7 @@ export LC_ALL := C
 # Two targets at once would be two Ninjas in one folder; Ninja itself runs in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report reports html figures check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report reports html figures figure check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
@@ -35,8 +36,11 @@ reports: ## the report of each case in CASES, side by side: build/reports/cases.
 html: ## the report as one page, build/report/report.html (first make setup STAGES=html)
 	@bash src/toolchain/build html
 
-figures: ## its values, tables and figures only, build/report/generated
+figures: ## its values, tables and figures only, build/report/generated; draws what changed
 	@bash src/toolchain/build figures
+
+figure: ## one figure to look at, build/figures/NAME.png
+	@bash src/toolchain/build figure
 
 check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
 	@bash src/toolchain/build check-report

@@ -17,7 +17,7 @@ void add_block_command(CLI::App& program, ExitCode& exit_code);
 void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_stress_command(CLI::App& program, ExitCode& exit_code);
 
-/// Adds compute, typeset and check: what makes the report.
+/// Adds compute, draw, typeset and check: what makes the report.
 void add_report_stages(CLI::App& program, ExitCode& exit_code);
 
 }  // namespace app

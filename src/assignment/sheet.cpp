@@ -106,8 +106,8 @@ void register_sheet(Document& document, const Assignment& assignment, const Vari
   register_facts(document, assignment, variant);
   register_exercises(document, assignment);
   register_quantities(document, assignment, variant);
-  document.figure("setting", 15.5, 3.5, draw_setting);
-  document.figure("lost-digits", 13.5, 4.8, draw_lost_digits);
+  document.figure("setting", setting());
+  document.figure("lost-digits", lost_digits());
 }
 
 }  // namespace assignment

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "course_app/commands.hpp"
 #include "course_app/options.hpp"
 #include "literate/document/document.hpp"
+#include "literate/figures/draw.hpp"
 
 namespace course_app {
 namespace {
@@ -24,6 +26,8 @@ ExitCode run(const SheetOptions& options) {
   literate::Document document;
   assignment::register_sheet(document, assignment, variant_of(options, assignment));
   document.write(options.output);
+  const auto scripts = std::filesystem::path(options.assignment) / "figures";
+  literate::draw_figures(options.output, scripts, document.figure_places());
   writing.done(
       fmt::format("{} values, {} tables", document.values().size(), document.tables().size()));
   return ExitCode::success;

@@ -2,53 +2,76 @@
 #include "paper/block_figures.hpp"
 
 #include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include "block/load_shapes.hpp"
-#include "figures/block_contours.hpp"
-#include "figures/block_convergence.hpp"
-#include "figures/block_mesh.hpp"
-#include "figures/fit_misfit.hpp"
-#include "figures/like_with_like.hpp"
 
 namespace paper {
 namespace {
 
 using block::Support;
+using literate::Figure;
+using literate::FigureData;
+
+constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
 // What the convergence of the lower orders is measured against.
 constexpr int highest_order = 8;
 
 // Samples a window of the block evenly and moves each point by its displacement, enlarged.
-figures::ContourWindow sample(const block::Solution& solution, double left, double right,
-                              double depth, double enlargement) {
+// Each cell of the samples is a closed polygon with the mean u_z of its corners, and a gap after
+// it.
+FigureData sample(const block::Solution& solution, double left, double right, double depth,
+                  double enlargement) {
   constexpr int n_along_x = 96, n_along_z = 48;
-  figures::ContourWindow window;
-  window.n_along_x = n_along_x + 1;
+  std::vector<double> x, y, u_z;
   for (int j = 0; j <= n_along_z; ++j) {
     for (int i = 0; i <= n_along_x; ++i) {
-      const double x = left + (right - left) * i / n_along_x;
-      const double z = depth * j / n_along_z;
-      const Eigen::Vector2d u = solution.displacement(x, z);
-      window.x.push_back(x + enlargement * u.x());
-      window.y.push_back(-z - enlargement * u.y());
-      window.u_z.push_back(u.y());
+      const double at_x = left + (right - left) * i / n_along_x;
+      const double at_z = depth * j / n_along_z;
+      const Eigen::Vector2d u = solution.displacement(at_x, at_z);
+      x.push_back(at_x + enlargement * u.x());
+      y.push_back(-at_z - enlargement * u.y());
+      u_z.push_back(u.y());
     }
   }
-  return window;
+
+  std::vector<double> cell_x, cell_y, cell_u;
+  constexpr std::size_t row = n_along_x + 1;
+  for (std::size_t k = 0; k + row + 1 < x.size(); ++k) {
+    if (k % row == row - 1) continue;
+    const std::size_t corners[] = {k, k + 1, k + 1 + row, k + row, k};
+    double mean = 0;
+    for (int c = 0; c < 4; ++c) mean += u_z[corners[c]] / 4;
+    for (const std::size_t c : corners) {
+      cell_x.push_back(x[c]);
+      cell_y.push_back(y[c]);
+      cell_u.push_back(mean);
+    }
+    for (auto* column : {&cell_x, &cell_y, &cell_u}) column->push_back(gap);
+  }
+  return {{"x", cell_x}, {"y", cell_y}, {"u_z", cell_u}};
 }
 
-figures::BlockContours contours(const parameters::Case& c, const BlockStudy& study) {
+Figure contours(const parameters::Case& c, const BlockStudy& study) {
   const block::Solution& solution =
       study.fit() ? study.fit()->fit.solution.fine() : study.under_triangle().fine();
   const block::Rectangle& r = c.block->rectangle;
   const double a = c.half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
-  return {sample(solution, r.left(), r.right(), r.height(), 0.08 * r.height() / largest),
-          sample(solution, -4 * a, 4 * a, 4 * a, 0.8 * a / largest), a, largest, c.units.length};
+  return {.width_cm = 15,
+          .height_cm = 6.2,
+          .data = {{"whole",
+                    sample(solution, r.left(), r.right(), r.height(), 0.08 * r.height() / largest)},
+                   {"close_up", sample(solution, -4 * a, 4 * a, 4 * a, 0.8 * a / largest)}},
+          .numbers = {{"half_width", a}, {"largest", largest}},
+          .texts = {{"unit", c.units.length}}};
 }
 
 // What each order of the elements leaves, on one mesh that is graded for this load alone.
-figures::BlockConvergence convergence(const parameters::Case& c, const BlockStudy& study) {
+Figure convergence(const parameters::Case& c, const BlockStudy& study) {
   const auto options = study.measure_options();
   const auto measures_of = [&](int order) {
     const block::Analysis analysis(c.block->rectangle, c.half_space.material, {c.half_space.load},
@@ -63,63 +86,92 @@ figures::BlockConvergence convergence(const parameters::Case& c, const BlockStud
     }
     return std::nan("");
   };
-  figures::BlockConvergence figure;
+  std::vector<double> orders, displacement, energy, von_mises;
   for (int order = 2; order < highest_order; ++order) {
     const auto measured = measures_of(order);
     const auto error = [&](const char* name) {
       return std::abs(value(measured, name) / value(exact, name) - 1);
     };
-    figure.order.push_back(order);
-    figure.displacement.push_back(error("measure1"));
-    figure.energy.push_back(error("strain_energy"));
-    figure.von_mises.push_back(error("max_stress_vm"));
+    orders.push_back(order);
+    displacement.push_back(error("measure1"));
+    energy.push_back(error("strain_energy"));
+    von_mises.push_back(error("max_stress_vm"));
   }
-  return figure;
+  return {.width_cm = 10,
+          .height_cm = 6.4,
+          .data = {{"orders",
+                    {{"order", orders},
+                     {"displacement", displacement},
+                     {"energy", energy},
+                     {"von_mises", von_mises}}}}};
 }
 
-figures::BlockMesh mesh(const parameters::Case& c, const BlockStudy& study) {
+// The boundaries of the elements, each a line with a gap after it.
+Figure mesh(const parameters::Case& c, const BlockStudy& study) {
   const block::Mesh& m = study.on(c.block->sides).fine().model()->mesh();
-  return {m.x_lines(), m.z_lines(), c.half_space.load.half_width(), c.units.length};
+  const auto& x_lines = m.x_lines();
+  const auto& z_lines = m.z_lines();
+  std::vector<double> x, y;
+  const auto line = [&](double x0, double y0, double x1, double y1) {
+    x.insert(x.end(), {x0, x1, gap});
+    y.insert(y.end(), {y0, y1, gap});
+  };
+  // 0 − z, so that the surface is at 0 and not at −0.
+  for (const double at : x_lines) line(at, 0 - z_lines.front(), at, 0 - z_lines.back());
+  for (const double at : z_lines) line(x_lines.front(), 0 - at, x_lines.back(), 0 - at);
+  return {.width_cm = 15,
+          .height_cm = 5.4,
+          .data = {{"lines", {{"x", x}, {"y", y}}}},
+          .numbers = {{"half_width", c.half_space.load.half_width()}},
+          .texts = {{"unit", c.units.length}}};
 }
 
 // The largest misfit for each edge fraction, with the best peak for it.
-figures::FitMisfit misfits(const parameters::Case& c, const BlockStudy& study) {
+Figure misfits(const parameters::Case& c, const BlockStudy& study) {
   const double a = c.half_space.load.half_width();
-  figures::FitMisfit figure;
-  for (int i = 0; i <= 100; ++i) figure.edge_fraction.push_back(0.01 * i);
-  for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
+  std::vector<double> edge_fraction;
+  for (int i = 0; i <= 100; ++i) edge_fraction.push_back(0.01 * i);
+  FigureData curves = {{"edge_fraction", edge_fraction}};
+  for (const auto& [name, sides] : {std::pair{"clamped", Support::clamped},
+                                    {"roller", Support::roller},
+                                    {"free", Support::free}}) {
     // Solutions add, so that two loads serve for all edge fractions.
     const block::RefinedSolution triangle = study.on(sides).solve(block::linear_fall(1, 0, a));
     const block::RefinedSolution uniform = study.on(sides).solve(block::linear_fall(1, 1, a));
     std::vector<double> misfit;
-    for (const double f : figure.edge_fraction) {
+    for (const double f : edge_fraction) {
       const auto fall = block::RefinedSolution::combination({triangle, uniform}, {1 - f, f});
       misfit.push_back(block::fit_loads({fall}, study.observed()).max_misfit);
     }
-    (sides == Support::clamped  ? figure.clamped
-     : sides == Support::roller ? figure.roller
-                                : figure.free) = misfit;
+    curves.columns.emplace_back(name, std::move(misfit));
   }
-  return figure;
+  return {.width_cm = 10, .height_cm = 6.4, .data = {{"sides", std::move(curves)}}};
 }
 
-figures::LikeWithLike like_with_like(const parameters::Case& c, const BlockStudy& study) {
+Figure like_with_like(const parameters::Case& c, const BlockStudy& study) {
   const parameters::HalfSpaceCase& h = c.half_space;
-  figures::LikeWithLike figure;
-  figure.unit = c.units.length;
+  std::vector<double> x, half_space, block_stated, block_fitted;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
-    const double x = h.points.back() * i / n;
-    figure.x.push_back(x);
-    figure.half_space.push_back(normal_displacement(h.material, h.load, x, h.datum));
-    figure.block_stated.push_back(study.under_triangle().displacement_z(x, 0).value);
-    figure.block_fitted.push_back(study.fit()->fit.solution.displacement_z(x, 0).value);
+    x.push_back(h.points.back() * i / n);
+    half_space.push_back(normal_displacement(h.material, h.load, x.back(), h.datum));
+    block_stated.push_back(study.under_triangle().displacement_z(x.back(), 0).value);
+    block_fitted.push_back(study.fit()->fit.solution.displacement_z(x.back(), 0).value);
   }
+  std::vector<double> printed_x, printed_u_z;
   for (const block::SurfaceDisplacement& printed : study.observed()) {
-    figure.printed_x.push_back(printed.x);
-    figure.printed.push_back(printed.u_z);
+    printed_x.push_back(printed.x);
+    printed_u_z.push_back(printed.u_z);
   }
-  return figure;
+  return {.width_cm = 12.5,
+          .height_cm = 7.2,
+          .data = {{"curves",
+                    {{"x", x},
+                     {"half_space", half_space},
+                     {"block_stated", block_stated},
+                     {"block_fitted", block_fitted}}},
+                   {"printed", {{"x", printed_x}, {"u_z", printed_u_z}}}},
+          .texts = {{"unit", c.units.length}}};
 }
 
 }  // namespace
@@ -127,25 +179,12 @@ figures::LikeWithLike like_with_like(const parameters::Case& c, const BlockStudy
 void register_block_figures(literate::Document& document, const parameters::Case& from_file,
                             const BlockStudy& study) {
   document.value("block.highest-order", literate::Value::integer(highest_order));
-  document.figure("block-contours", 15, 6.2,
-                  [d = contours(from_file, study)](literate::Plot& plot) {
-                    figures::draw_block_contours(plot, d);
-                  });
-  document.figure("block-mesh", 15, 5.4, [d = mesh(from_file, study)](literate::Plot& plot) {
-    figures::draw_block_mesh(plot, d);
-  });
-  document.figure("block-convergence", 10, 6.4,
-                  [d = convergence(from_file, study)](literate::Plot& plot) {
-                    figures::draw_block_convergence(plot, d);
-                  });
+  document.figure("block-contours", contours(from_file, study));
+  document.figure("block-mesh", mesh(from_file, study));
+  document.figure("block-convergence", convergence(from_file, study));
   if (!study.fit()) return;
-  document.figure("fit-misfit", 10, 6.4, [d = misfits(from_file, study)](literate::Plot& plot) {
-    figures::draw_fit_misfit(plot, d);
-  });
-  document.figure("like-with-like", 12.5, 7.2,
-                  [d = like_with_like(from_file, study)](literate::Plot& plot) {
-                    figures::draw_like_with_like(plot, d);
-                  });
+  document.figure("fit-misfit", misfits(from_file, study));
+  document.figure("like-with-like", like_with_like(from_file, study));
 }
 
 }  // namespace paper

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -9,7 +10,6 @@
 
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
-#include "figures/contact_m_repair.hpp"
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
 #include "paper/sections.hpp"
@@ -101,26 +101,38 @@ literate::Table repair_table(const std::vector<Row>& rows, const Hertz& hertz, d
 }
 
 // One panel for each row whose pressure or whose Hertz differs from the last.
-figures::ContactMRepair repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
-  figures::ContactMRepair figure;
+literate::Figure repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
+  literate::Figure figure{.width_cm = 15.2, .height_cm = 9.6};
+  int number = 0;
   for (const std::size_t i : {printed, mirror_images, both_bodies, weight, free_edge, all}) {
     const ContactM& program = rows[i].program;
-    figures::ContactMRepair::Panel panel{std::to_string(i) + "\\enspace " + rows[i].mended,
-                                         {},
-                                         {},
-                                         program.hertz_half_width / hertz.half_width(),
-                                         program.hertz_peak_pressure / hertz.peak_pressure()};
+    std::vector<double> node_x, node_pressure;
     const auto add = [&](double x, double pressure) {
-      panel.x.push_back(x / hertz.half_width());
-      panel.pressure.push_back(pressure / hertz.peak_pressure());
+      node_x.push_back(x / hertz.half_width());
+      node_pressure.push_back(pressure / hertz.peak_pressure());
     };
     const auto n = static_cast<std::size_t>(program.zero_node);
     for (std::size_t k = program.has_mirror_images ? n - 1 : 1; k > 0; --k) {
       add(-program.x[k], program.has_mirror_images ? program.pressure[k] : 0);
     }
     for (std::size_t k = 0; k < n; ++k) add(program.x[k], program.pressure[k]);
-    figure.panels.push_back(std::move(panel));
+    const std::string panel = std::to_string(++number);
+    figure.data["panel_" + panel] = {{"x", node_x}, {"pressure", node_pressure}};
+    figure.texts["title_" + panel] = std::to_string(i) + "\\enspace " + rows[i].mended;
+    figure.numbers["half_width_" + panel] = program.hertz_half_width / hertz.half_width();
+    figure.numbers["p0_" + panel] = program.hertz_peak_pressure / hertz.peak_pressure();
   }
+  figure.numbers["n_panels"] = number;
+
+  // p/p₀ = √(1 − x²/a²), even in the angle, so that the steep ends have points enough.
+  std::vector<double> hertz_x, hertz_pressure;
+  constexpr int n = 200;
+  for (int i = 0; i <= n; ++i) {
+    const double angle = std::numbers::pi * i / n;
+    hertz_x.push_back(-std::cos(angle));
+    hertz_pressure.push_back(std::sin(angle));
+  }
+  figure.data["hertz"] = {{"x", hertz_x}, {"pressure", hertz_pressure}};
   return figure;
 }
 
@@ -336,10 +348,7 @@ void compute_contact_m(literate::Document& document, const parameters::Case& fro
   claim_program(document, from_file, input, rows, hertz);
   claim_mended(document, from_file.units, rows, hertz);
   document.table("contact-m-repair", repair_table(rows, hertz, contact.line_load));
-  document.figure("contact-m-repair", 15.2, 9.6,
-                  [figure = repair_figure(rows, hertz)](literate::Plot& plot) {
-                    figures::draw_contact_m_repair(plot, figure);
-                  });
+  document.figure("contact-m-repair", repair_figure(rows, hertz));
 }
 
 }  // namespace paper

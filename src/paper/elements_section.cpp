@@ -9,8 +9,6 @@
 #include "contact/graded_contact.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/uniform_load.hpp"
-#include "figures/element_kinds.hpp"
-#include "figures/pressure_convergence.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/element_quality.hpp"
@@ -27,7 +25,7 @@ using literate::Value;
 using literate::Verdict;
 
 // An element of load 1 at x = 0 and its influence: the displacement −T and its gradient −T′.
-figures::ElementKinds element_figure() {
+literate::Figure element_figure() {
   const elasticity::Material unit(2 / std::acos(-1.0), 0);  // K = load: 2/(πE) = 1
   constexpr double end = 2.5;
   constexpr int n = 500;
@@ -35,24 +33,33 @@ figures::ElementKinds element_figure() {
   const elasticity::ConcentratedLoad force(1);
   const elasticity::UniformLoad uniform(1, 0.5);
   const elasticity::TriangularLoad triangle(1, 1);
-  figures::ElementKinds figure;
+  std::vector<double> abscissae;
+  std::vector<double> point, uniform_u, triangular_u;
+  std::vector<double> point_slope, uniform_slope, triangular_slope;
   for (int i = 0; i <= n; ++i) {
     const double x = end * (2.0 * i / n - 1);
     const bool at_force = i == n / 2;
-    figure.x.push_back(x);
-    figure.point_displacement.push_back(
-        at_force ? infinite : elasticity::normal_displacement(unit, force, x, 1));
-    figure.uniform_displacement.push_back(-contact::influence_coefficient(Element::uniform, x));
-    figure.triangular_displacement.push_back(
-        -contact::influence_coefficient(Element::triangular, x));
+    abscissae.push_back(x);
+    point.push_back(at_force ? infinite : elasticity::normal_displacement(unit, force, x, 1));
+    uniform_u.push_back(-contact::influence_coefficient(Element::uniform, x));
+    triangular_u.push_back(-contact::influence_coefficient(Element::triangular, x));
     const bool at_end = i == 2 * n / 5 || i == 3 * n / 5;  // |x| = 1/2
-    figure.point_gradient.push_back(at_force ? infinite
-                                             : elasticity::normal_gradient(unit, force, x));
-    figure.uniform_gradient.push_back(at_end ? infinite
-                                             : elasticity::normal_gradient(unit, uniform, x));
-    figure.triangular_gradient.push_back(elasticity::normal_gradient(unit, triangle, x));
+    point_slope.push_back(at_force ? infinite : elasticity::normal_gradient(unit, force, x));
+    uniform_slope.push_back(at_end ? infinite : elasticity::normal_gradient(unit, uniform, x));
+    triangular_slope.push_back(elasticity::normal_gradient(unit, triangle, x));
   }
-  return figure;
+  return {.width_cm = 14,
+          .height_cm = 6.6,
+          .data = {{"displacement",
+                    {{"x", abscissae},
+                     {"point", point},
+                     {"uniform", uniform_u},
+                     {"triangular", triangular_u}}},
+                   {"gradient",
+                    {{"x", abscissae},
+                     {"point", point_slope},
+                     {"uniform", uniform_slope},
+                     {"triangular", triangular_slope}}}}};
 }
 
 void claim_quality(literate::Document& document, const std::vector<ElementQuality>& quality) {
@@ -256,20 +263,23 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
 void compute_elements(literate::Document& document, const parameters::Case& from_file) {
   const parameters::ContactCase& c = from_file.contact;
   const Hertz hertz(c.cylinders, c.line_load);
-  document.figure("element-kinds", 14, 6.6, [figure = element_figure()](literate::Plot& plot) {
-    figures::draw_element_kinds(plot, figure);
-  });
+  document.figure("element-kinds", element_figure());
   register_quality(document, c, hertz);
   const ConvergenceStudy triangular = convergence_study(c, hertz, Element::triangular);
   const ConvergenceStudy uniform = convergence_study(c, hertz, Element::uniform);
   register_orders(document, triangular, uniform);
   const Graded graded = register_graded(document, c, hertz);
-  const figures::PressureConvergence figure{
-      triangular.elements, triangular.inside, triangular.largest, uniform.inside,
-      uniform.largest,     graded.elements,   graded.largest};
-  document.figure("pressure-convergence", 14, 7.6, [figure](literate::Plot& plot) {
-    figures::draw_pressure_convergence(plot, figure);
-  });
+  document.figure(
+      "pressure-convergence",
+      {.width_cm = 14,
+       .height_cm = 7.6,
+       .data = {{"even",
+                 {{"elements", triangular.elements},
+                  {"triangular_inside", triangular.inside},
+                  {"triangular_largest", triangular.largest},
+                  {"uniform_inside", uniform.inside},
+                  {"uniform_largest", uniform.largest}}},
+                {"graded", {{"elements", graded.elements}, {"largest", graded.largest}}}}});
 }
 
 }  // namespace paper

@@ -9,9 +9,6 @@
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/uniform_load.hpp"
-#include "figures/contact_geometry.hpp"
-#include "figures/surface_gradient.hpp"
-#include "figures/triangular_elements.hpp"
 #include "paper/bounds.hpp"
 #include "paper/sections.hpp"
 
@@ -44,7 +41,8 @@ void register_parameters(literate::Document& document, const parameters::Case& f
 }
 
 // Two like cylinders under a load that makes the deformation visible; lengths over the half-width.
-figures::ContactGeometry geometry() {
+// Heights are positive upwards.
+literate::Figure geometry() {
   const elasticity::Material material(1, 0);
   const auto radius = contact::Radius::of_cylinder("radius", 1);
   const contact::CylinderPair cylinders(material, radius, material, radius);
@@ -54,46 +52,64 @@ figures::ContactGeometry geometry() {
   constexpr double approach = 2.4;                 // δ in that unit: where the datum is chosen
   constexpr double end = 2.2;
 
-  figures::ContactGeometry g{};
-  const auto before = [&](double xi) {
+  const auto height_before = [&](double xi) {
     return (approach - cylinders.profile().gap(xi * a) / unit) / 2;
   };
+  std::vector<double> x, before1, before2, after1, after2;
   constexpr int n = 220;
   for (int i = 0; i <= n; ++i) {
     const double xi = end * (2.0 * i / n - 1);
-    const double after = -hertz.gap(xi * a) / unit / 2;
-    g.x.push_back(xi);
-    g.before1.push_back(before(xi));
-    g.before2.push_back(-before(xi));
-    g.after1.push_back(after);
-    g.after2.push_back(-after);
+    const double height_after = -hertz.gap(xi * a) / unit / 2;
+    x.push_back(xi);
+    before1.push_back(height_before(xi));
+    before2.push_back(-height_before(xi));
+    after1.push_back(height_after);
+    after2.push_back(-height_after);
   }
-  g.apex = before(0);
-  g.x_of_u = 0.55;
-  g.before_at_u = before(g.x_of_u);
-  g.x_of_h = 1.9;
-  g.before_at_h = before(g.x_of_h);
-  g.height = 1.7;
-  return g;
+  constexpr double x_of_u = 0.55;  // where the displacements are shown
+  constexpr double x_of_h = 1.9;   // where the gap h = h₁ + h₂ is shown
+  return {.width_cm = 11,
+          .height_cm = 6.4,
+          .data = {{"before", {{"x", x}, {"body1", before1}, {"body2", before2}}},
+                   {"after", {{"x", x}, {"body1", after1}, {"body2", after2}}}},
+          .numbers = {{"apex", height_before(0)},  // δ/2
+                      {"x_of_u", x_of_u},
+                      {"before_at_u", height_before(x_of_u)},
+                      {"x_of_h", x_of_h},
+                      {"before_at_h", height_before(x_of_h)},
+                      {"height", 1.7}}};
 }
 
 // Nodes over an elliptic pressure, as many as can be told apart in print.
-figures::TriangularElements elements() {
-  figures::TriangularElements e;
+literate::Figure elements() {
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   constexpr int n_each_side = 5;
+  constexpr int shown = 2;  // the node whose p_j and c are labelled
+  const auto pressure_at = [](int node) {
+    const double share = node / static_cast<double>(n_each_side);
+    return std::sqrt(1 - share * share);
+  };
+  std::vector<double> x, pressure;
+  std::vector<double> triangle_x, height;  // one curve of all triangles, with a gap after each
   for (int j = -n_each_side; j <= n_each_side; ++j) {
-    const double share = j / static_cast<double>(n_each_side);
-    e.x.push_back(j);
-    e.pressure.push_back(std::sqrt(1 - share * share));
+    x.push_back(j);
+    pressure.push_back(pressure_at(j));
+    if (pressure.back() == 0) continue;
+    triangle_x.insert(triangle_x.end(), {j - 1.0, j + 0.0, j + 1.0, j + 1.0});
+    height.insert(height.end(), {0, pressure.back(), 0, gap});
   }
-  return e;
+  return {.width_cm = 11,
+          .height_cm = 4.6,
+          .data = {{"nodes", {{"x", x}, {"pressure", pressure}}},
+                   {"triangles", {{"x", triangle_x}, {"height", height}}}},
+          .numbers = {{"x_j", shown}, {"p_j", pressure_at(shown)}}};
 }
 
 constexpr double steps_ratio = 1000;  // of distances, towards a point where something is infinite
 
 // begin excerpt: three-loads
 // Eq. (2) for a triangular, a uniform and a concentrated load of the same resultant, over K/a.
-figures::SurfaceGradient gradients(const parameters::HalfSpaceCase& half_space) {
+literate::Figure gradients(const parameters::HalfSpaceCase& half_space) {
   const double a = half_space.load.half_width();
   const double resultant = half_space.load.line_load();
   const double unit = half_space.material.integral_compliance() * resultant / a;
@@ -104,18 +120,24 @@ figures::SurfaceGradient gradients(const parameters::HalfSpaceCase& half_space) 
   const auto uniform = surface_under(elasticity::UniformLoad(resultant / (2 * a), a));
   const auto concentrated = surface_under(elasticity::ConcentratedLoad(resultant));
 
-  figures::SurfaceGradient g;
+  std::vector<double> x, under_triangle, under_uniform, under_force;
   constexpr int n = 601;  // odd, and no abscissa at 0 or ±a, where two of the three are infinite
   for (int i = 0; i < n; ++i) {
     const double xi = 3.003 * (2.0 * i / (n - 1) - 1);
     const bool is_middle = 2 * i + 1 == n;
-    g.x.push_back(xi);
-    g.triangular.push_back(triangular.normal_gradient(xi * a).value / unit);
-    g.uniform.push_back(uniform.normal_gradient(xi * a).value / unit);
-    g.concentrated.push_back(is_middle ? std::numeric_limits<double>::quiet_NaN()
-                                       : concentrated.normal_gradient(xi * a).value / unit);
+    x.push_back(xi);
+    under_triangle.push_back(triangular.normal_gradient(xi * a).value / unit);
+    under_uniform.push_back(uniform.normal_gradient(xi * a).value / unit);
+    under_force.push_back(is_middle ? std::numeric_limits<double>::quiet_NaN()
+                                    : concentrated.normal_gradient(xi * a).value / unit);
   }
-  return g;
+  return {.width_cm = 11,
+          .height_cm = 7,
+          .data = {{"loads",
+                    {{"x", x},
+                     {"concentrated", under_force},
+                     {"uniform", under_uniform},
+                     {"triangular", under_triangle}}}}};
 }
 // end excerpt: three-loads
 
@@ -220,19 +242,12 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
 
 void compute_formulation(literate::Document& document, const parameters::Case& from_file) {
   register_parameters(document, from_file);
-  document.figure("contact-geometry", 11, 6.4, [g = geometry()](literate::Plot& plot) {
-    figures::draw_contact_geometry(plot, g);
-  });
-  document.figure("triangular-elements", 11, 4.6, [e = elements()](literate::Plot& plot) {
-    figures::draw_triangular_elements(plot, e);
-  });
+  document.figure("contact-geometry", geometry());
+  document.figure("triangular-elements", elements());
   claim_force(document, from_file);
   claim_uniform(document, from_file);
   claim_smooth(document, from_file.half_space);
-  document.figure("surface-gradient", 11, 7,
-                  [g = gradients(from_file.half_space)](literate::Plot& plot) {
-                    figures::draw_surface_gradient(plot, g);
-                  });
+  document.figure("surface-gradient", gradients(from_file.half_space));
 }
 
 }  // namespace paper

@@ -11,7 +11,6 @@
 #include "contact/cattaneo_mindlin.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "figures/partial_slip.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -277,10 +276,17 @@ Slip partial_slip(const Pair& pair, double share) {
   return slip;
 }
 
-figures::SlipCurve curve_of(const Pair& pair, const Slip& slip, double share) {
+// The shear traction under one tangential load, q over μp₀ against x/a.
+struct SlipCurve {
+  double stick;                      // half-width of the strip that sticks, over a
+  std::vector<double> x, shear;      // the closed form
+  std::vector<double> node_x, node;  // the elements
+};
+
+SlipCurve curve_of(const Pair& pair, const Slip& slip) {
   const double a = pair.hertz.half_width();
   const double scale = friction_coefficient * pair.hertz.peak_pressure();
-  figures::SlipCurve curve{share, slip.exact.stick_half_width() / a, {}, {}, {}, {}};
+  SlipCurve curve{slip.exact.stick_half_width() / a, {}, {}, {}, {}};
   for (Eigen::Index i = 0; i < pair.solution.grid.n_nodes; ++i) {
     if (pair.solution.pressure[i] == 0) continue;
     curve.node_x.push_back(pair.solution.grid.x(i) / a);
@@ -346,25 +352,30 @@ void fit_slip_orders(literate::Document& document, parameters::ContactCase c) {
 
 void compare_partial_slip(literate::Document& document, const parameters::ContactCase& c,
                           const Pair& own) {
-  figures::PartialSlip figure;
+  literate::Figure figure{.width_cm = 13.5, .height_cm = 7};
   std::vector<Slip> slips;
+  std::vector<double> sliding_x, sliding;
   double worst_stick = 0;
   double from_edge = 0;
   for (std::size_t k = 0; k < std::size(shares); ++k) {
     slips.push_back(partial_slip(own, shares[k]));
-    figure.curves[k] = curve_of(own, slips[k], shares[k]);
+    const SlipCurve curve = curve_of(own, slips[k]);
+    figure.data[fmt::format("curve_{}", k + 1)] = {{"x", curve.x}, {"shear", curve.shear}};
+    figure.data[fmt::format("nodes_{}", k + 1)] = {{"x", curve.node_x}, {"shear", curve.node}};
+    figure.numbers[fmt::format("share_{}", k + 1)] = shares[k];
+    figure.numbers[fmt::format("stick_{}", k + 1)] = curve.stick;
+    if (k + 1 == std::size(shares)) sliding_x = curve.x;
     const double strip = own.solution.grid.spacing / slips[k].exact.stick_half_width();
     from_edge = std::max(from_edge, slips[k].errors.from_edge);
     worst_stick = std::max(worst_stick, std::abs(slips[k].errors.stick) / (strip * strip));
   }
   const double a = own.hertz.half_width();
-  figure.sliding_x = figure.curves.back().x;
-  for (const double x : figure.sliding_x) {
-    figure.sliding.push_back(own.hertz.pressure(x * a) / own.hertz.peak_pressure());
+  for (const double x : sliding_x) {
+    sliding.push_back(own.hertz.pressure(x * a) / own.hertz.peak_pressure());
   }
   document.table("partial-slip", slip_table(slips, a));
-  document.figure("partial-slip", 13.5, 7,
-                  [figure](literate::Plot& plot) { figures::draw_partial_slip(plot, figure); });
+  figure.data["sliding"] = {{"x", sliding_x}, {"shear", sliding}};
+  document.figure("partial-slip", std::move(figure));
   // As for the half-width of the contact itself (0.36 (c/a)²), with the strip for the contact.
   document.claim(
       "strip-of-cattaneo-and-mindlin",

@@ -15,7 +15,6 @@
 #include "contact/power_law.hpp"
 #include "contact/rounded_punch.hpp"
 #include "contact/wedge.hpp"
-#include "figures/profile_pressures.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -123,9 +122,16 @@ ProfileErrors errors_of(const KnownContact& known, const Solution& solution, dou
           pressure_error(solution) * solution.peak_pressure() / scale};
 }
 
-figures::ProfilePressures::Panel panel_of(const KnownContact& known, const Solution& solution,
-                                          double a, double scale) {
-  figures::ProfilePressures::Panel panel;
+// One profile's pressure over p₀ and against x/a of the cylinders.
+struct Panel {
+  std::string title;                   // LaTeX
+  std::vector<double> x, pressure;     // at some of the nodes
+  std::vector<double> exact_x, exact;  // the closed form, NaN where it is infinite
+  std::vector<double> hertz;           // of the cylinders, at exact_x
+};
+
+Panel panel_of(const KnownContact& known, const Solution& solution, double a, double scale) {
+  Panel panel;
   panel.title = known.name;
   const Index middle = solution.grid.n_nodes / 2;
   constexpr Index stride = 4;
@@ -151,7 +157,7 @@ struct ProfileStudy {
   std::vector<double> elements, inside, away, beside, edge, bound;
   ProfileErrors printed{};  // on the grid of the table and the figure
   Index n_in_contact = 0;
-  figures::ProfilePressures::Panel panel;
+  Panel panel;
 };
 
 ProfileStudy study_of(const KnownContact& known, const ContactCase& c, const Hertz& hertz) {
@@ -217,6 +223,13 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
                  "beside the wedge's apex the error is the same on all grids");
 }
 
+void add_panel(literate::Figure& figure, std::size_t number, const Panel& panel) {
+  figure.data[fmt::format("nodes_{}", number)] = {{"x", panel.x}, {"pressure", panel.pressure}};
+  figure.data[fmt::format("exact_{}", number)] = {
+      {"x", panel.exact_x}, {"pressure", panel.exact}, {"hertz", panel.hertz}};
+  figure.texts[fmt::format("title_{}", number)] = panel.title;
+}
+
 void register_profiles(literate::Document& document, const ContactCase& c, const Hertz& hertz,
                        const config::UnitSystem& units) {
   literate::Table table({Column::text("profile"), Column::fixed("peak$/p_0$", "", 4),
@@ -225,7 +238,7 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
                          Column::scientific("$p$, away", "", 1), Column::fixed("order", "", 1)});
   const double p0 = hertz.peak_pressure();
   const double a = hertz.half_width();
-  figures::ProfilePressures figure;
+  literate::Figure figure{.width_cm = 14, .height_cm = 9};
   std::vector<ProfileStudy> studies;
   bool same_half_width = true;
   for (const KnownContact& known : known_contacts(c, hertz)) {
@@ -233,7 +246,8 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
     studies.push_back(study_of(known, c, hertz));
     const ProfileStudy& study = studies.back();
     const ProfileErrors& e = study.printed;
-    if (studies.size() > 1) figure.panels.push_back(study.panel);
+    // The cylinders themselves have no panel; theirs is the curve that all are drawn beside.
+    if (studies.size() > 1) add_panel(figure, studies.size() - 1, study.panel);
     const bool is_finite = std::isfinite(known.peak);
     const bool is_smooth = known.singular == none;
     table.add_row({Cell::latex(known.name), is_finite ? Cell(known.peak / p0) : Cell("∞"),
@@ -243,9 +257,7 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
                    is_smooth ? Cell() : Cell(fitted_power(study.elements, study.away).order)});
   }
   document.table("profiles", std::move(table));
-  document.figure("profile-pressures", 14, 9, [figure](literate::Plot& plot) {
-    figures::draw_profile_pressures(plot, figure);
-  });
+  document.figure("profile-pressures", std::move(figure));
   document.value("profiles.elements", Value::fixed(closed_form(studies[0].printed.elements), 1));
   document.value("profiles.in-contact", Value::integer(studies[0].n_in_contact));
   const double slope = c.line_load / (c.cylinders.contact_modulus() * a);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,6 @@
 #include "contact/approach_control.hpp"
 #include "contact/fft_solver.hpp"
 #include "contact/hertz.hpp"
-#include "figures/several_regions.hpp"
 #include "paper/bounds.hpp"
 #include "paper/sections.hpp"
 
@@ -83,16 +84,16 @@ int valleys_expected_closed(const WavyCylinders& wavy, const Hertz& smooth) {
   return n;
 }
 
-figures::SeveralRegions::Panel panel_of(const std::string& title, const Solution& solution,
-                                        const Hertz& smooth, const Hertz& hertz) {
-  figures::SeveralRegions::Panel panel{title, {}, {}, {}};
+// The pressure over p₀ and against x/a of smooth cylinders, and theirs under the same load.
+literate::FigureData panel_of(const Solution& solution, const Hertz& smooth, const Hertz& hertz) {
+  std::vector<double> node_x, pressure, smooth_pressure;
   for (Index i = 0; i < solution.grid.n_nodes; ++i) {
     const double x = solution.grid.x(i);
-    panel.x.push_back(x / hertz.half_width());
-    panel.pressure.push_back(solution.pressure[i] / hertz.peak_pressure());
-    panel.smooth.push_back(smooth.pressure(x) / hertz.peak_pressure());
+    node_x.push_back(x / hertz.half_width());
+    pressure.push_back(solution.pressure[i] / hertz.peak_pressure());
+    smooth_pressure.push_back(smooth.pressure(x) / hertz.peak_pressure());
   }
-  return panel;
+  return {{"x", node_x}, {"pressure", pressure}, {"smooth", smooth_pressure}};
 }
 
 struct Loading {
@@ -115,7 +116,8 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
                          Column::integer("valleys closed"), Column::integer("expected"),
                          Column::fixed("outermost edge$/a$", "", 2),
                          Column::fixed("share in contact", "", 2)});
-  figures::SeveralRegions figure;
+  literate::Figure figure{.width_cm = 14, .height_cm = 8.6};
+  int n_panels = 0;
   std::vector<std::size_t> counts;
   bool as_expected = true;
   long n_closed = 0;
@@ -135,12 +137,14 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
     table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
                    regions.back().end / hertz.half_width(), touching / extent});
     if (loading.is_drawn) {
-      figure.panels.push_back(panel_of(loading.name, solution, smooth, hertz));
+      ++n_panels;
+      figure.data[fmt::format("panel_{}", n_panels)] = panel_of(solution, smooth, hertz);
+      figure.texts[fmt::format("title_{}", n_panels)] = loading.name;
     }
   }
   document.table("several-regions", std::move(table));
-  document.figure("several-regions", 14, 8.6,
-                  [figure](literate::Plot& plot) { figures::draw_several_regions(plot, figure); });
+  figure.numbers["n_panels"] = n_panels;
+  document.figure("several-regions", std::move(figure));
   const std::size_t most = std::ranges::max(counts);
   document.value("wavy.most-regions", Value::integer(static_cast<long>(most)));
   document.claim("valleys-close",

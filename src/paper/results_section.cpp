@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
-#include "figures/displacement_comparison.hpp"
 #include "paper/bounds.hpp"
 #include "paper/decimals.hpp"
 #include "paper/quoted.hpp"
@@ -31,23 +30,27 @@ std::vector<double> values_of(const std::vector<PrintedNumber>& printed) {
   return values;
 }
 
-figures::DisplacementComparison comparison_figure(const parameters::Case& from_file) {
+// u_z by eq. (3) as a smooth curve, and what the paper prints of it, where the case has that.
+literate::Figure comparison_figure(const parameters::Case& from_file) {
   const parameters::HalfSpaceCase& c = from_file.half_space;
-  figures::DisplacementComparison figure;
+  std::vector<double> curve_x, u_z;
   constexpr int n = 300;
   const double end = 1.2 * c.points.back();
   for (int i = 0; i <= n; ++i) {
-    figure.x.push_back(end * i / n);
-    figure.analytical.push_back(analytical(c, figure.x.back()));
+    curve_x.push_back(end * i / n);
+    u_z.push_back(analytical(c, curve_x.back()));
   }
-  figure.half_width = c.load.half_width();
-  figure.unit = from_file.units.length;
+  literate::Figure figure{.width_cm = 12.5,
+                          .height_cm = 7.6,
+                          .data = {{"curve", {{"x", curve_x}, {"u_z", u_z}}}},
+                          .numbers = {{"half_width", c.load.half_width()}},
+                          .texts = {{"unit", from_file.units.length}}};
   if (from_file.printed) {
     const parameters::PrintedFigure5& printed = from_file.printed->figure5;
-    figure.printed_x = values_of(printed.x);
-    figure.printed_analytical = values_of(printed.analytical);
-    figure.fea_z = values_of(printed.fea_z);
-    figure.fea_magnitude = values_of(printed.fea_magnitude);
+    figure.data["printed"] = {{"x", values_of(printed.x)},
+                              {"analytical", values_of(printed.analytical)},
+                              {"fea_z", values_of(printed.fea_z)},
+                              {"fea_magnitude", values_of(printed.fea_magnitude)}};
   }
   return figure;
 }
@@ -335,10 +338,7 @@ void compare_figure5(literate::Document& document, const parameters::Case& from_
 }  // namespace
 
 void compute_results(literate::Document& document, const parameters::Case& from_file) {
-  document.figure("displacement-comparison", 12.5, 7.6,
-                  [figure = comparison_figure(from_file)](literate::Plot& plot) {
-                    figures::draw_displacement_comparison(plot, figure);
-                  });
+  document.figure("displacement-comparison", comparison_figure(from_file));
   claim_shape(document, from_file);
   if (from_file.printed) {
     compare_tri_dist(document, from_file);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <string>
 #include <vector>
 
 #include "contact/friction.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/mcewen.hpp"
 #include "contact/traction.hpp"
-#include "figures/shear_beneath.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -50,6 +51,7 @@ struct Point {
 // The edge's kinks, which only elements have, show above this depth (over a).
 constexpr double least_depth = 0.1;
 constexpr double greatest_friction = 0.3;  // of the table and the figure
+constexpr std::array shear_levels = {0.05, 0.1, 0.15, 0.2, 0.25, 0.29};  // contours of τ₁/p₀
 
 // The greatest τ₁ in |x| ≤ 1.2a, z from least_depth: the best point of a grid, then of finer and
 // finer ones around it, until the shear no longer tells them apart.
@@ -286,9 +288,21 @@ void check_surface(literate::Document& document, const Solution& solution, const
                  "on the surface of sliding cylinders the greatest shear is mu p0");
 }
 
+// Points of the figure with the τ₁/p₀ there; lengths over the half-width.
+struct ShearPoints {
+  std::vector<double> x, z, tau;
+
+  void add(double at_x, double at_z, double value) {
+    x.push_back(at_x);
+    z.push_back(at_z);
+    tau.push_back(value);
+  }
+  operator literate::FigureData() const { return {{"x", x}, {"z", z}, {"tau", tau}}; }
+};
+
 // Where τ₁/p₀ first falls through the level on the way from one point to another, if it does.
-void add_label(figures::ShearField& field, const PiecewiseLinearTraction& traction,
-               const Hertz& hertz, double level, Point from, Point to) {
+void add_label(ShearPoints& labels, const PiecewiseLinearTraction& traction, const Hertz& hertz,
+               double level, Point from, Point to) {
   constexpr int n = 500;
   const double a = hertz.half_width();
   double before = 0;
@@ -297,55 +311,66 @@ void add_label(figures::ShearField& field, const PiecewiseLinearTraction& tracti
     const double z = from.z + (to.z - from.z) * i / n;
     const double tau = traction.stress(x * a, z * a).max_shear() / hertz.peak_pressure();
     if (before >= level && tau < level) {
-      field.labels.push_back({x, z, level});
+      labels.add(x, z, level);
       return;
     }
     before = tau;
   }
 }
 
-figures::ShearField field_of(const figures::ShearBeneath& figure, const Solution& solution,
-                             const Hertz& hertz, double mu) {
+// Adds what one contact makes beneath: its field, the numbers of its contours, its greatest value.
+void add_field(literate::Figure& figure, const std::string& name, const Solution& solution,
+               const Hertz& hertz, double mu) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
   const Point greatest = greatest_shear(traction, a);
-  figures::ShearField field{mu, {}, {}, {greatest.x / a, greatest.z / a, greatest.shear / p0}};
-  for (const double z : figure.z) {
-    for (const double x : figure.x) {
-      field.tau.push_back(traction.stress(x * a, z * a).max_shear() / p0);
+  ShearPoints field, labels, peak;
+  constexpr int n_along_x = 100, n_along_z = 60;
+  for (int k = 0; k <= n_along_z; ++k) {
+    const double z = 2.5 * std::pow(k / static_cast<double>(n_along_z), 1.5);
+    for (int i = 0; i <= n_along_x; ++i) {
+      const double x = 0.04 * i - 2;
+      field.add(x, z, traction.stress(x * a, z * a).max_shear() / p0);
     }
   }
+  peak.add(greatest.x / a, greatest.z / a, greatest.shear / p0);
   // The high levels are met on the way from the greatest shear to a lower corner, the low ones on
   // the way up beside the contact.
-  for (const double level : figure.levels) {
+  for (const double level : shear_levels) {
     const bool is_high = level > 0.12;
-    add_label(field, traction, hertz, level,
+    add_label(labels, traction, hertz, level,
               is_high ? Point{greatest.x / a, greatest.z / a, 0} : Point{-1.6, 1.2, 0},
               is_high ? Point{-1.9, 2.45, 0} : Point{-1.6, 0, 0});
   }
-  return field;
+  figure.data[name] = {literate::FigureData(field).columns, n_along_x + 1};
+  figure.data[name + "_labels"] = labels;
+  figure.data[name + "_greatest"] = peak;
+  figure.numbers[name + "_friction"] = mu;
 }
 
-figures::ShearBeneath shear_figure(const Solution& solution, const Hertz& hertz) {
+literate::Figure shear_figure(const Solution& solution, const Hertz& hertz) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
-  figures::ShearBeneath figure;
-  figure.levels = {0.05, 0.1, 0.15, 0.2, 0.25, 0.29};
-  for (int i = 0; i <= 100; ++i) figure.x.push_back(0.04 * i - 2);
-  for (int k = 0; k <= 60; ++k) figure.z.push_back(2.5 * std::pow(k / 60.0, 1.5));
-  figure.still = field_of(figure, solution, hertz, 0);
-  figure.sliding = field_of(figure, solution, hertz, greatest_friction);
+  literate::Figure figure{.width_cm = 15.4, .height_cm = 4.6};
+  figure.texts["levels"] = fmt::format("{}", fmt::join(shear_levels, ", "));
+  add_field(figure, "still", solution, hertz, 0);
+  add_field(figure, "sliding", solution, hertz, greatest_friction);
+
+  // On the axis of the first: McEwen's closed form, and the elements.
+  ShearPoints closed, nodes;
   const McEwen mcewen(hertz);
   for (int k = 0; k <= 200; ++k) {
-    figure.depth.push_back(0.0125 * k);
-    figure.closed.push_back(mcewen.stress(0, figure.depth.back() * a).max_shear() / p0);
+    const double z = 0.0125 * k;
+    closed.add(0, z, mcewen.stress(0, z * a).max_shear() / p0);
   }
   const auto traction = contact::traction_on(solution, {});
   for (int k = 0; k <= 20; ++k) {
-    figure.node_depth.push_back(0.125 * k);
-    figure.node.push_back(traction.stress(0, figure.node_depth.back() * a).max_shear() / p0);
+    const double z = 0.125 * k;
+    nodes.add(0, z, traction.stress(0, z * a).max_shear() / p0);
   }
+  figure.data["closed"] = closed;
+  figure.data["nodes"] = nodes;
   return figure;
 }
 
@@ -365,10 +390,7 @@ void compute_stresses(literate::Document& document, const parameters::Case& from
   fit_order(document, c, hertz);
   compare_sliding(document, solution, hertz);
   check_surface(document, solution, hertz);
-  document.figure("shear-beneath", 15.4, 4.6,
-                  [figure = shear_figure(solution, hertz)](literate::Plot& plot) {
-                    figures::draw_shear_beneath(plot, figure);
-                  });
+  document.figure("shear-beneath", shear_figure(solution, hertz));
 }
 
 }  // namespace paper

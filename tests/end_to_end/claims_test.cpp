@@ -33,6 +33,8 @@ struct AlteredReport {
   }
 
   Outcome typeset() const {
+    const Outcome drawn = run_program(drawing(generated));
+    if (drawn.status != 0) return drawn;
     return run_program({"typeset", "--document", (source_dir / "report").string(), "--generated",
                         generated.string(), "--build", (folder.path() / "latex").string(),
                         "--output", pdf.string()});

@@ -35,11 +35,9 @@ class Tools {
   TemporaryFolder folder_;
 };
 
-// A folder for one report, that holds another's output, and a copy of the document.
+// A folder for one report and a copy of the document.
 class Workplace {
  public:
-  Workplace() { folder_.write("generated/former.txt", "mine"); }
-
   fs::path generated() const { return folder_.path() / "generated"; }
   fs::path document() const { return folder_.path() / "report"; }
   fs::path pdf() const { return folder_.path() / "report.pdf"; }
@@ -68,13 +66,6 @@ class Workplace {
     sys::write_file_atomically(changed, first_line + "\n" + sys::read_file(changed));
   }
 
-  // That a report that failed left the output folder as it was, and no other beside it.
-  void check_untouched() const {
-    BOOST_TEST(sys::files_below(generated()) == Words{"former.txt"},
-               boost::test_tools::per_element());
-    BOOST_TEST(!fs::exists(generated().string() + ".part"));
-  }
-
  private:
   TemporaryFolder folder_;
 };
@@ -94,37 +85,46 @@ void check_tool_failed(const Words& words, const Words& parts, const Surrounding
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(without_gnuplot_a_report_says_so_and_how_to_install_it) {
+BOOST_AUTO_TEST_CASE(gnuplot_that_is_missing_or_refuses_a_figure_leaves_all_figures_as_they_were) {
+  // Computed once, since none of the failures may change what is there.
   const Workplace workplace;
-  const Tools tools({"sh", "pdflatex", "latexmk"});
+  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  const Words computed = sys::files_below(workplace.generated());
+  const Words draw = drawing(workplace.generated());
+  const auto check_undrawn = [&] {
+    BOOST_TEST(sys::files_below(workplace.generated()) == computed,
+               boost::test_tools::per_element());
+    BOOST_TEST(!fs::exists(workplace.generated().string() + ".part"));
+  };
+  const Tools none({"sh", "pdflatex", "latexmk"});
+  check_tool_failed(draw, {"gnuplot is not installed", "make setup"}, none.surroundings());
+  check_undrawn();
 
-  check_tool_failed(workplace.report(), {"gnuplot is not installed", "make setup"},
-                    tools.surroundings());
-  workplace.check_untouched();
-}
-
-BOOST_AUTO_TEST_CASE(a_figure_that_gnuplot_refuses_is_named_with_its_line) {
   // The real gnuplot, with one wrong command at the end of each script.
-  const Workplace workplace;
   Tools tools({"sh", "pdflatex", "latexmk"});
-  tools.fake("gnuplot", "if [ \"$1\" != --version ]; then echo 'plott x' >>\"$2\"; fi\nexec '" +
+  tools.fake("gnuplot", "if [ \"$1\" != --version ]; then echo 'plott x' >>script.gp; fi\nexec '" +
                             sys::find_tool("gnuplot").string() + "' \"$@\"\n");
-
-  check_tool_failed(workplace.report(), {"contact-geometry", "\"contact-geometry.gp\" line "},
+  check_tool_failed(draw, {"figures/block-contours.gp:", "invalid command", "block_figures.cpp:"},
                     tools.surroundings());
-  workplace.check_untouched();
-}
-
-BOOST_AUTO_TEST_CASE(gnuplot_that_is_killed_or_draws_nothing_stops_the_report) {
-  const Workplace workplace;
-  Tools tools({"sh", "pdflatex", "latexmk"});
+  check_undrawn();
 
   tools.fake("gnuplot", "[ \"$1\" = --version ] || kill -9 $$\n");
-  check_tool_failed(workplace.report(), {"contact-geometry"}, tools.surroundings());
-  workplace.check_untouched();
+  check_tool_failed(draw, {"figures/block-contours.gp: gnuplot ended with status"},
+                    tools.surroundings());
+  check_undrawn();
   tools.fake("gnuplot", "exit 0\n");
-  check_tool_failed(workplace.report(), {"contact-geometry"}, tools.surroundings());
-  workplace.check_untouched();
+  check_tool_failed(draw, {"figures/block-contours.gp: gnuplot drew nothing"},
+                    tools.surroundings());
+  check_undrawn();
+}
+
+BOOST_AUTO_TEST_CASE(a_report_is_not_typeset_before_its_figures_are_drawn) {
+  const Workplace workplace;
+  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  workplace.copy_document();
+
+  check_refused(2, workplace.typeset(), {"figure 'block-contours'", "not drawn"});
+  BOOST_TEST(!fs::exists(workplace.pdf()));
 }
 
 BOOST_AUTO_TEST_CASE(what_the_prose_names_wrongly_is_bad_input_at_its_place) {
@@ -141,6 +141,7 @@ BOOST_AUTO_TEST_CASE(what_the_prose_names_wrongly_is_bad_input_at_its_place) {
 BOOST_AUTO_TEST_CASE(an_error_of_latex_is_shown_with_file_and_line_and_no_pdf_is_written) {
   const Workplace workplace;
   BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  BOOST_TEST_REQUIRE(run_program(drawing(workplace.generated())).status == 0);
   workplace.copy_document("\\nosuchmacro");
 
   check_tool_failed(workplace.typeset(),
@@ -151,6 +152,7 @@ BOOST_AUTO_TEST_CASE(an_error_of_latex_is_shown_with_file_and_line_and_no_pdf_is
 BOOST_AUTO_TEST_CASE(a_reference_to_nowhere_stops_typesetting_and_mending_it_goes_on) {
   const Workplace workplace;
   BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  BOOST_TEST_REQUIRE(run_program(drawing(workplace.generated())).status == 0);
   workplace.copy_document("\\cref{eq:nowhere}");
 
   check_tool_failed(workplace.typeset(), {"eq:nowhere"}, {});
@@ -163,6 +165,7 @@ BOOST_AUTO_TEST_CASE(a_reference_to_nowhere_stops_typesetting_and_mending_it_goe
 BOOST_AUTO_TEST_CASE(without_latex_typesetting_says_so_and_how_to_install_it) {
   const Workplace workplace;
   BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  BOOST_TEST_REQUIRE(run_program(drawing(workplace.generated())).status == 0);
   workplace.copy_document();
   const Tools no_pdflatex({"sh", "latexmk", "gnuplot"});
   const Tools no_latexmk({"sh", "pdflatex", "gnuplot"});

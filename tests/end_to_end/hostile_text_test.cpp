@@ -62,6 +62,7 @@ BOOST_AUTO_TEST_CASE(a_title_full_of_tex_is_printed_and_not_run) {
         "my_case % #1 $x$.toml", with(others, "title = ", "title = '''" + title + "'''\n#"));
 
     output_of(workplace.report(file), {.folder = workplace.folder.path()});
+    output_of(drawing(workplace.generated), {.folder = workplace.folder.path()});
     output_of(workplace.typeset(source_dir / "report"), {.folder = workplace.folder.path()});
 
     const std::string printed = text_of(workplace.pdf);
@@ -81,6 +82,7 @@ BOOST_AUTO_TEST_CASE(a_source_full_of_tex_does_not_stop_the_report) {
   const fs::path file = workplace.folder.write("case.toml", text);
 
   output_of(workplace.report(file));
+  output_of(drawing(workplace.generated));
   output_of(workplace.typeset(source_dir / "report"));
 
   BOOST_TEST(fs::exists(workplace.pdf));

@@ -25,6 +25,7 @@ for case in report/ruggiero2001.toml tests/end_to_end/steel_mm.toml; do
   echo "$case"
   rm -rf "$scratch/generated"
   "$program" compute --case "$source_dir/$case" --output "$scratch/generated" --source "$source_dir" >/dev/null
+  "$program" draw --generated "$scratch/generated" --scripts "$source_dir/figures" >/dev/null
   page "$scratch"
   python3 -B "$source_dir/tests/end_to_end/html_test.py" "$scratch/page.html" "$scratch/generated/names.json"
 done

@@ -58,6 +58,12 @@ inline std::string output_of(const Words& words, const Surroundings& surrounding
   return outcome.output;
 }
 
+/// Draws the figures of what `report` wrote to a folder, by the project's own scripts.
+inline Words drawing(const std::filesystem::path& generated) {
+  return {"draw", "--generated", generated.string(), "--scripts",
+          (source_dir / "figures").string()};
+}
+
 /// The run ends with `status`, nothing on standard output, and errors that hold every one of
 /// `parts`; of bad input there is exactly one line.
 inline void check_refused(int status, const Words& words, const Words& parts,

@@ -50,6 +50,8 @@ struct Report {
                                           generated().string(), "--source", source_dir.string()},
                                          surroundings);
     BOOST_TEST_REQUIRE(computed.status == 0, computed.errors);
+    const Outcome drawn = run_program(drawing(generated()), surroundings);
+    BOOST_TEST_REQUIRE(drawn.status == 0, drawn.errors);
     const Outcome typeset = run_program(typesetting(), surroundings);
     BOOST_TEST_REQUIRE(typeset.status == 0, typeset.errors);
     BOOST_TEST(computed.errors == "");
@@ -243,12 +245,14 @@ BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
   const auto other = nlohmann::json::parse(second.manifest());
   BOOST_TEST(!holds(report.manifest(), report.folder.string()));
   BOOST_TEST(!holds(report.manifest(), source_dir.string()));
-  for (const char* file : {"report/report.tex", "report/sections/results.tex",
-                           "src/literate/document/literate.sty", "figures/style.cpp"}) {
+  for (const char* file :
+       {"report/report.tex", "report/sections/results.tex", "src/literate/document/literate.sty",
+        "figures/style.gp", "figures/surface-gradient.gp"}) {
     BOOST_TEST(first["inputs"].contains(file), file);
   }
-  for (const char* file :
-       {"report.pdf", "generated/values.tex", "generated/tables/cylinders.tex"}) {
+  for (const char* file : {"report.pdf", "generated/values.tex", "generated/tables/cylinders.tex",
+                           "generated/figures/surface-gradient/script.gp",
+                           "generated/figures/surface-gradient/loads.csv"}) {
     BOOST_TEST(first["outputs"].contains(file), file);
   }
   for (const char* name : {"Boost", "CLI11", "Eigen", "FFTW", "GSL", "OpenSSL", "UDUNITS", "fmt",

@@ -75,7 +75,36 @@ void check_all_hold(const std::string& what, const std::string& case_text) {
   }
 }
 
+// Whether a script reads a name: as it is, or numbered, as 'panel_%d' for panel_3.
+bool reads(const std::string& script, const std::string& name) {
+  const std::string numbered = std::regex_replace(name, std::regex("_[0-9]+$"), "_%d'");
+  return std::regex_search(script, std::regex("\\b" + name + "\\b")) ||
+         (numbered != name && script.find("'" + numbered) != std::string::npos);
+}
+
+// That figures/ holds one script for each figure, which reads all that is registered for it.
+void check_scripts(const Document& document) {
+  std::set<std::string> scripts, expected = {"style.gp"};
+  for (const std::string& file : sys::files_below(source_dir + "/figures")) scripts.insert(file);
+  for (const auto& [name, figure] : document.figures()) expected.insert(name + ".gp");
+  BOOST_TEST(scripts == expected, boost::test_tools::per_element());
+
+  for (const auto& [name, figure] : document.figures()) {
+    const std::string script = sys::read_file(source_dir + "/figures/" + name + ".gp");
+    const auto check_read = [&](const std::string& registered) {
+      BOOST_TEST(reads(script, registered), name << ".gp does not read " << registered);
+    };
+    for (const auto& [block, data] : figure.data) check_read(block);
+    for (const auto& [key, number] : figure.numbers) check_read(key);
+    for (const auto& [key, text] : figure.texts) check_read(key);
+  }
+}
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(each_figure_has_a_script_that_reads_its_data_and_no_script_is_left_over) {
+  check_scripts(computed(papers_text));
+}
 
 BOOST_AUTO_TEST_CASE(the_papers_case_passes_every_check_and_has_every_name_of_the_prose) {
   check_all_hold("ruggiero2001.toml", papers_text);

@@ -123,7 +123,7 @@ bool holds_latex(const std::string& line) {
 }
 
 std::filesystem::path path_of(const Library& library) {
-  return library.folder == "figures" ? library.folder : "src/" + library.folder;
+  return "src/" + library.folder;
 }
 
 std::vector<std::filesystem::path> sources_of(const Library& library) {
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(no_library_links_itself_by_way_of_others) {
 BOOST_AUTO_TEST_CASE(mechanics_links_neither_engine_nor_paper_and_the_engine_no_mechanics) {
   const Graph all = links();
   const std::vector<std::string> upper = {"literate", "paper",  "course", "assignment",
-                                          "figures",  "system", "config"};
+                                          "system",   "config"};
   for (const std::string& name : mechanics)
     BOOST_TEST(!links_any(reach_of(name, all), upper), name);
   const std::vector<std::string> lower(mechanics.begin(), mechanics.end());

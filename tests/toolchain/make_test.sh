@@ -15,7 +15,7 @@ cd "$scratch/check out" || exit 1
 
 runs make help
 claim 'help succeeds' "$status" -eq 0
-for target in report html figures check-report test mutants bench verify dist why watch tidy format setup clean help; do
+for target in report reports html figures figure check-report test mutants bench verify dist why watch tidy format setup clean help; do
   claim "help tells what $target does" "$(says "make $target ")" = yes
 done
 
@@ -31,6 +31,12 @@ touch one.toml "$scratch/cases/one.toml"
 cd "$scratch/cases" || exit 1
 runs make -C "$scratch/check out" report CASE=one.toml
 claim 'a case that could be either of two files is refused' "$(says 'give the whole path')" = yes
+
+cd "$scratch/check out" || exit 1
+runs make figure
+claim 'a figure without a name is refused' "$(says 'NAME: give the name of a figure')" = yes
+runs make figure NAME=none
+claim 'a figure without a script is named' "$(says 'NAME: there is no script figures/none.gp')" = yes
 
 runs bash "$scratch/check out/src/toolchain/build" nonsense
 claim 'an unknown target is named' "$(says 'unknown target nonsense')" = yes

@@ -16,7 +16,7 @@ if [ -e src/broken.cpp ]; then echo 'broken.cpp:1: error'; exit 1; fi
 END
 touch "$root/report/sections/a.tex" "$scratch/cases/my.toml"
 printf '%s\n' name=report "root=$root" "build=$root/build" "document=$root/report" "case=$scratch/cases/my.toml" \
-  sources=src:figures >"$scratch/settings"
+  sources=src "figures=$root/figures" >"$scratch/settings"
 status=- said=-
 log=$scratch/log
 
@@ -54,22 +54,26 @@ echo y >"$root/report/sections/a.new"
 mv "$root/report/sections/a.new" "$root/report/sections/a.tex"
 claim_built 'an editor that saves by renaming builds once' 3
 
+echo x >"$root/figures/f.gp"
+claim_built 'a script of a figure that is saved builds' 4
+claim 'it is named' "$(says 'changed: figures/f.gp')" = yes
+
 mkdir "$root/src/new"
 sleep 0.3
 echo x >"$root/src/new/a.cpp"
-claim_built 'a new folder is watched too' 4
+claim_built 'a new folder is watched too' 5
 echo x >"$scratch/cases/my.toml"
-claim_built 'a case elsewhere is watched' 5
+claim_built 'a case elsewhere is watched' 6
 echo x >"$scratch/cases/other.toml"
-claim_built 'its neighbours are not' 5
+claim_built 'its neighbours are not' 6
 
 touch "$root/src/broken.cpp"
 echo x >"$root/src/broken.cpp"
-claim_built 'a save that breaks the build builds' 6
+claim_built 'a save that breaks the build builds' 7
 claim 'the message is shown' "$(says 'broken.cpp:1: error')" = yes
 claim 'a failure is told' "$(says 'failed; waiting for the next save')" = yes
 rm "$root/src/broken.cpp"
-claim_built 'after a failure it goes on' 7
+claim_built 'after a failure it goes on' 8
 
 kill -INT "-$watch"
 status=0

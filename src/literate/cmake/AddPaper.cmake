@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src [ROOT folder])
+# literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src
+#   [FIGURES figures] [ROOT folder])
 # makes the targets of a paper, none of them part of `all`:
 #
 #   rod            the PDF, and manifest.json beside it
 #   rod-figures    values, tables and figures only
+#   rod-figure     one of them, NAME=name, as a picture to look at
 #   rod-html       the same document as one page
 #   rod-check      unknown and unused names, typed numbers, and what does not hold
 #   rod-verify     makes it again elsewhere and asks for the same bytes; with MANIFEST=file compares with that one's paper
@@ -17,6 +19,7 @@
 # DOCUMENT   the folder of the LaTeX document, and MAIN its main file
 # CASE       the parameter file; another one is chosen by -Drod_CASE=file
 # SOURCES    folders with the code, from ROOT on: excerpts are looked for there, and the manifest names their files
+# FIGURES    the folder with a gnuplot script for each figure, and style.gp
 # ROOT       the paper's repository, if not the folder of the CMake project
 #
 # All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
@@ -122,7 +125,7 @@ function(literate_document_files document result)
 endfunction()
 
 function(literate_add_paper)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;ROOT" "SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT" "SOURCES")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "literate_add_paper: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -141,6 +144,10 @@ function(literate_add_paper)
   endif()
   cmake_path(ABSOLUTE_PATH arg_DOCUMENT NORMALIZE OUTPUT_VARIABLE document)
   string(REGEX REPLACE "/$" "" document "${document}")
+  set(figures "${root}/figures")
+  if(arg_FIGURES)
+    cmake_path(ABSOLUTE_PATH arg_FIGURES NORMALIZE OUTPUT_VARIABLE figures)
+  endif()
   cmake_path(ABSOLUTE_PATH arg_CASE NORMALIZE OUTPUT_VARIABLE case)
   set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
   set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
@@ -150,6 +157,7 @@ function(literate_add_paper)
   set(scripts "${LITERATE_ENGINE_DIR}/scripts")
   set(generated "${output}/generated")
   set(digest "${output}/generated.sha256")
+  set(computed "${output}/computed")
   set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
 
   literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}")
@@ -167,19 +175,32 @@ document=${document}
 main=${arg_MAIN}
 case=${case}
 sources=${sources}
+figures=${figures}
 output=${output}
 engine=${LITERATE_ENGINE_DIR}
 ")
 
-  # The program leaves a file alone that would not change, and so does WriteDigest: whatever was computed anew,
+  # The program leaves a file alone that would not change, and so does WriteDigest: whatever was computed or drawn anew,
   # the document is typeset again only if something it reads is different. (Ninja's `restat` remembers the run.)
   add_custom_command(
-    OUTPUT "${generated}/names.json" "${digest}"
+    OUTPUT "${generated}/names.json" "${computed}"
     COMMAND ${arg_PROGRAM} compute --case "${case}" --output "${generated}" --source "${root}" --defer-verdict
+    COMMAND "${CMAKE_COMMAND}" -E touch "${computed}"
+    DEPENDS ${arg_PROGRAM} "${case}"
+    COMMENT "compute"
+    USES_TERMINAL
+    VERBATIM)
+
+  # Scripts are read when the figures are drawn: a changed one asks for no compiler and computes nothing. The figures
+  # that the change does not concern are left as they are.
+  file(GLOB figure_scripts CONFIGURE_DEPENDS "${figures}/*.gp")
+  add_custom_command(
+    OUTPUT "${digest}"
+    COMMAND ${arg_PROGRAM} draw --generated "${generated}" --scripts "${figures}"
     COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${generated}" "-DOUTPUT=${digest}"
       -P "${LITERATE_ENGINE_DIR}/cmake/WriteDigest.cmake"
-    DEPENDS ${arg_PROGRAM} "${case}" "${LITERATE_ENGINE_DIR}/cmake/WriteDigest.cmake"
-    COMMENT "compute"
+    DEPENDS ${arg_PROGRAM} "${computed}" ${figure_scripts} "${LITERATE_ENGINE_DIR}/cmake/WriteDigest.cmake"
+    COMMENT "draw"
     USES_TERMINAL
     VERBATIM)
   add_custom_target(${name}-figures DEPENDS "${digest}")
@@ -201,6 +222,10 @@ engine=${LITERATE_ENGINE_DIR}
     USES_TERMINAL
     VERBATIM)
   add_custom_target(${name} DEPENDS "${output}/${name}.pdf")
+
+  add_custom_target(${name}-figure
+    COMMAND bash "${scripts}/figure" "${settings}"
+    DEPENDS "${digest}" USES_TERMINAL VERBATIM)
 
   # The same sources as one page. It takes LaTeXML, which nothing else does.
   file(GLOB bindings CONFIGURE_DEPENDS LIST_DIRECTORIES false

@@ -73,11 +73,16 @@ void Document::table(const std::string& name, Table table, Location location) {
   registered_.tables.emplace(name, std::move(table));
 }
 
-void Document::figure(const std::string& name, double width_cm, double height_cm,
-                      std::function<void(Plot&)> draw, Location location) {
+void Document::figure(const std::string& name, Figure figure, Location location) {
   require_file_name(name);
   remember("figure", name, place_of(location));
-  registered_.figures.emplace(name, Figure{width_cm, height_cm, std::move(draw)});
+  try {
+    require_drawable(figure);
+  } catch (const std::logic_error& error) {
+    throw std::logic_error(
+        fmt::format("{}: figure '{}': {}", text_of(place_of(location)), name, error.what()));
+  }
+  registered_.figures.emplace(name, std::move(figure));
 }
 
 void Document::check(const std::string& id, bool passed, std::string statement, Location location) {
@@ -115,9 +120,9 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   }
   sys::write_file_atomically(staging.path() / "excerpts" / "characters.def", listings_characters());
   for (const Excerpt& excerpt : excerpts) write_excerpt(staging.path() / "excerpts", excerpt);
-
-  fs::create_directory(staging.path() / "figures");
-  draw_figures(staging.path() / "figures", registered_.figures);
+  for (const auto& [name, figure] : registered_.figures) {
+    write_figure(staging.path() / "figures" / name, name, figure);
+  }
   sys::write_file_atomically(staging.path() / "provenance.tex",
                              provenance_tex(registered_, staging.path()));
 

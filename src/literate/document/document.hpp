@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <source_location>
 #include <string>
@@ -31,9 +30,9 @@ class Document {
 
   void table(const std::string& name, Table table, Location location = Location::current());
 
-  /// Registers a figure of this size. `draw` writes its script when the document is written.
-  void figure(const std::string& name, double width_cm, double height_cm,
-              std::function<void(Plot&)> draw, Location location = Location::current());
+  /// Registers what a figure's script reads: its size, data, numbers and texts. Throws
+  /// std::logic_error for what no script could read, as require_drawable.
+  void figure(const std::string& name, Figure figure, Location location = Location::current());
 
   void check(const std::string& id, bool passed, std::string statement,
              Location location = Location::current());
@@ -62,15 +61,19 @@ class Document {
   /// What keeps the document from being trusted, as literate::faults tells it.
   std::vector<std::string> faults() const { return literate::faults(registered_); }
 
-  /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, figures/,
-  /// excerpts/ and names.json.
+  /// Where each figure was registered, for draw_figures.
+  std::map<std::string, std::string> figure_places() const {
+    return literate::figure_places(registered_);
+  }
+
+  /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, excerpts/,
+  /// names.json, and into figures/ what draw_figures draws from.
   ///
   /// All files are written to output_dir + ".part" and moved to output_dir only after everything
-  /// succeeded, figures included. Files whose content is the same keep their time stamp, and files
-  /// of the previous run that were not written again are removed. On an error output_dir stays as
-  /// it was. Throws sys::ToolError if gnuplot fails, sys::OutputError for a folder that cannot be
-  /// written, std::invalid_argument for a table that cannot be printed, and whatever a draw
-  /// function throws.
+  /// succeeded. Files whose content is the same keep their time stamp, and files of the previous
+  /// run that were not written again are removed. On an error output_dir stays as it was. Throws
+  /// sys::OutputError for a folder that cannot be written and std::invalid_argument for a table
+  /// that cannot be printed.
   void write(const std::filesystem::path& output_dir,
              const std::vector<Excerpt>& excerpts = {}) const;
 

@@ -108,27 +108,11 @@ std::string index_tex(const Registered& registered) {
 
 namespace {
 
-/// The data and scripts of one figure or table, without the files that LaTeX reads.
-std::vector<std::string> data_files(const fs::path& folder, const std::string& name) {
-  std::vector<std::string> files;
-  for (const std::string& file : sys::files_below(folder)) {
-    const bool is_own = file.starts_with(name + ".");
-    const bool is_data = file.ends_with(".dat") || file.ends_with(".gp") || file.ends_with(".csv");
-    if (is_own && is_data) files.push_back(file);
-  }
-  return files;
-}
-
-std::string entry(const Registered& registered, const fs::path& folder, const char* kind,
-                  const char* subfolder, const std::string& name) {
+std::string entry(const Registered& registered, const char* kind, const std::string& name,
+                  const std::string& files) {
   const SourcePlace& place = registered.places.at({kind, name});
-  std::string text = fmt::format("\\LiterateProvenance{{{}}}{{{}}}{{{}}}{{{}}}{{", kind, name,
-                                 escape_latex_path(text_of(place)), breakable(place.function));
-  for (const std::string& file : data_files(folder / subfolder, name)) {
-    text += fmt::format("%\n  \\LiterateFile{{{}/{}}}{{{}}}", subfolder, file,
-                        sys::sha256_of_file(folder / subfolder / file));
-  }
-  return text + "}\n";
+  return fmt::format("\\LiterateProvenance{{{}}}{{{}}}{{{}}}{{{}}}{{%\n  {}}}\n", kind, name,
+                     escape_latex_path(text_of(place)), breakable(place.function), files);
 }
 
 }  // namespace
@@ -136,10 +120,15 @@ std::string entry(const Registered& registered, const fs::path& folder, const ch
 std::string provenance_tex(const Registered& registered, const fs::path& folder) {
   std::string text;
   for (const auto& [name, figure] : registered.figures) {
-    text += entry(registered, folder, "figure", "figures", name);
+    // Its script may change after the computation, so the drawing says what it was made from.
+    text += entry(registered, "figure", name,
+                  fmt::format("\\LiterateFiles{{figures/{}/files.tex}}", name));
   }
   for (const auto& [name, table] : registered.tables) {
-    text += entry(registered, folder, "table", "tables", name);
+    const std::string file = fmt::format("tables/{}.csv", name);
+    text +=
+        entry(registered, "table", name,
+              fmt::format("\\LiterateFile{{{}}}{{{}}}", file, sys::sha256_of_file(folder / file)));
   }
   return text;
 }

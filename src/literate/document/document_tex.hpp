@@ -19,8 +19,8 @@ std::string claims_tex(const Registered& registered);
 /// Writes the index of values: key, value, error bound and place of each.
 std::string index_tex(const Registered& registered);
 
-/// Writes where each figure and table comes from: its place in the code, and the SHA-256 of its
-/// data files and scripts below `folder`.
+/// Writes where each figure and table comes from: its place in the code, and its files with their
+/// SHA-256. Those of tables lie below `folder`; those of figures are listed by draw_figures.
 std::string provenance_tex(const Registered& registered, const std::filesystem::path& folder);
 
 }  // namespace literate

@@ -68,6 +68,12 @@ std::set<std::string> keys_of(const json& entries) {
   return keys;
 }
 
+std::map<std::string, std::string> places_in(const json& entries) {
+  std::map<std::string, std::string> places;
+  for (const auto& entry : entries.items()) places[entry.key()] = entry.value().at("place");
+  return places;
+}
+
 }  // namespace
 
 std::string names_json(const Registered& registered, const std::vector<Excerpt>& excerpts,
@@ -79,7 +85,10 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   }
   names["flags"] = registered.flags;
   names["tables"] = keys_json(registered.tables);
-  names["figures"] = keys_json(registered.figures);
+  names["figures"] = json::object();
+  for (const auto& [name, place] : figure_places(registered)) {
+    names["figures"][name] = {{"place", place}};
+  }
   names["excerpts"] = excerpts_json(excerpts);
   names["checks"] = checks_json(registered.checks);
   names["claims"] = claims_json(registered);
@@ -94,9 +103,10 @@ Names read_names(const std::filesystem::path& file) {
     return {.values = keys_of(names.at("values")),
             .flags = names.at("flags").get<std::map<std::string, bool>>(),
             .tables = names.at("tables").get<std::set<std::string>>(),
-            .figures = names.at("figures").get<std::set<std::string>>(),
+            .figures = keys_of(names.at("figures")),
             .excerpts = keys_of(names.at("excerpts")),
             .claims = keys_of(names.at("claims")),
+            .figure_places = places_in(names.at("figures")),
             .faults = names.at("faults").get<std::vector<std::string>>(),
             .files = names.at("files").get<std::vector<std::string>>()};
   } catch (const json::exception& error) {

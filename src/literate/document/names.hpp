@@ -20,6 +20,7 @@ struct Names {
   std::set<std::string> figures;
   std::set<std::string> excerpts;
   std::set<std::string> claims;
+  std::map<std::string, std::string> figure_places;  ///< where each was registered
   std::vector<std::string> faults;  ///< a line each; empty if the document is to be trusted
   std::vector<std::string> files;   ///< all files written, sorted, relative to names.json
 };

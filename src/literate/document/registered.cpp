@@ -15,6 +15,14 @@ std::vector<Check> failed_checks(const Registered& registered) {
   return failed;
 }
 
+std::map<std::string, std::string> figure_places(const Registered& registered) {
+  std::map<std::string, std::string> places;
+  for (const auto& [name, figure] : registered.figures) {
+    places[name] = text_of(registered.places.at({"figure", name}));
+  }
+  return places;
+}
+
 std::vector<std::string> faults(const Registered& registered) {
   std::vector<std::string> faults;
   for (const Check& check : failed_checks(registered)) {

@@ -8,7 +8,7 @@
 
 #include "literate/claims/claim.hpp"
 #include "literate/document/source_place.hpp"
-#include "literate/figures/gnuplot.hpp"
+#include "literate/figures/figure.hpp"
 #include "literate/tables/table.hpp"
 #include "literate/values/value.hpp"
 
@@ -34,6 +34,9 @@ struct Registered {
 
 /// The checks that did not pass, in the order of registration.
 std::vector<Check> failed_checks(const Registered& registered);
+
+/// Where each figure was registered, «file:line» by its name.
+std::map<std::string, std::string> figure_places(const Registered& registered);
 
 /// What keeps the document from being trusted: a line for each check that failed, and for each
 /// claim whose verdict is not the expected one.

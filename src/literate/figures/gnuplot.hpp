@@ -2,29 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <string>
 
-#include "literate/figures/plot.hpp"
+#include "system/process.hpp"
 
 namespace literate {
 
-/// A figure to be drawn: its size, and the function that writes its script.
-struct Figure {
-  double width_cm = 0;
-  double height_cm = 0;
-  std::function<void(Plot&)> draw;
-};
-
-/// Runs `gnuplot name.gp` in the folder and checks that it wrote name.tex and name.pdf. The same
-/// script gives the same bytes on any day and for any user. Throws sys::ToolError with gnuplot's
-/// «"name.gp" line N: message», also if that is only a warning, as for a curve without points.
-void run_gnuplot(const std::filesystem::path& folder, const std::string& name);
-
-/// Writes the scripts of all figures one after the other, then runs gnuplot on them in parallel.
-/// If several fail, throws the error of the figure whose name comes first.
-void draw_figures(const std::filesystem::path& folder,
-                  const std::map<std::string, Figure>& figures);
+/// Runs `gnuplot name.gp` inside the folder, with gnuplot's own defaults instead of a user's, and
+/// sets the creation date in name.pdf to a fixed day: the same script gives the same bytes on any
+/// day, for any user. What gnuplot says and its exit status are the caller's to judge. Throws
+/// sys::ToolError if there is no gnuplot.
+sys::ProcessResult run_gnuplot(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace literate

@@ -45,13 +45,11 @@ ExitCode run(const ComputeOptions& options, const Paper& paper, const Compute& c
   require_writable(options.output);
   Document document;
   compute(document, inputs);
-  computing.done(fmt::format("{} values, {} tables, {} checks, {} claims", document.values().size(),
-                             document.tables().size(), document.checks().size(),
-                             document.claims().size()));
-
-  const command_line::Stage drawing("draw");
   document.write(options.output, inputs.excerpts);
-  drawing.done(fmt::format("{} figures", document.figures().size()));
+  computing.done(fmt::format("{} values, {} tables, {} figures, {} checks, {} claims",
+                             document.values().size(), document.tables().size(),
+                             document.figures().size(), document.checks().size(),
+                             document.claims().size()));
   // Written with its faults, which stamp every page; `typeset` tells them when the PDF is there.
   return options.defers_verdict ? ExitCode::success
                                 : command_line::answer_faults(document.faults());
@@ -62,19 +60,18 @@ ExitCode run(const ComputeOptions& options, const Paper& paper, const Compute& c
 void add_compute_stage(CLI::App& program, ExitCode& exit_code, const Paper& paper,
                        const Compute& compute) {
   using namespace command_line;
-  add_command(program, "compute",
-              "Compute all values, tables and figures of the document and write them for LaTeX",
-              exit_code, [&paper, &compute](CLI::App& command) {
-                auto options = std::make_shared<ComputeOptions>();
-                add_required_text(command, "--case", options->case_file, "FILE", "Case file");
-                add_required_text(command, "--output", options->output, "DIR",
-                                  "Folder to write to");
-                add_text(command, "--source", options->source, "DIR",
-                         "The checkout, for the excerpts of its sources");
-                add_switch(command, "--defer-verdict", options->defers_verdict,
-                           "Leave it to `typeset` to tell what does not hold, and to exit 1");
-                return [options, &paper, &compute] { return run(*options, paper, compute); };
-              });
+  add_command(
+      program, "compute", "Compute values and tables and what the figures show, and write them",
+      exit_code, [&paper, &compute](CLI::App& command) {
+        auto options = std::make_shared<ComputeOptions>();
+        add_required_text(command, "--case", options->case_file, "FILE", "Case file");
+        add_required_text(command, "--output", options->output, "DIR", "Folder to write to");
+        add_text(command, "--source", options->source, "DIR",
+                 "The checkout, for the excerpts of its sources");
+        add_switch(command, "--defer-verdict", options->defers_verdict,
+                   "Leave it to `typeset` to tell what does not hold, and to exit 1");
+        return [options, &paper, &compute] { return run(*options, paper, compute); };
+      });
 }
 
 }  // namespace literate

@@ -16,6 +16,7 @@ std::string version_text(const Paper& paper) {
 void add_stages(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
                 const Compute& compute) {
   add_compute_stage(program, exit_code, paper, compute);
+  add_draw_stage(program, exit_code);
   add_typeset_stage(program, exit_code, paper);
   add_check_stage(program, exit_code);
 }

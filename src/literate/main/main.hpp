@@ -24,8 +24,9 @@ using Compute = std::function<void(Document& document, const Inputs& inputs)>;
 /// Runs the stage of a paper that the command line names, and returns the exit code for the shell:
 /// 0 done, 1 a check, a claim or a computation failed, 2 bad input, 3 gnuplot or LaTeX failed.
 ///
-/// `compute` writes values, tables, figures and excerpts for LaTeX, after it has made sure that the
-/// excerpts are what the program was compiled from; `typeset` looks all names of the prose up,
+/// `compute` writes values, tables, excerpts and the figures' data, after it has made sure that the
+/// excerpts are what the program was compiled from; `draw` runs gnuplot on the figures that
+/// changed; `typeset` looks all names of the prose up,
 /// makes the PDF and its manifest; `check` looks for unknown and unused names and for typed
 /// numbers. Every error is one line on standard error that begins with the paper's name.
 int main(int argc, char** argv, const Paper& paper, const Compute& compute);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "command_line/stage.hpp"
 #include "literate/document/names.hpp"
 #include "literate/excerpts/paper_sources.hpp"
+#include "literate/figures/draw.hpp"
 #include "literate/main/platform.hpp"
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
@@ -51,6 +53,13 @@ std::string name_within(const fs::path& root, const fs::path& file) {
   const fs::path relative = file.lexically_relative(root);
   const bool is_inside = !relative.empty() && *relative.begin() != "..";
   return (is_inside ? relative : file.filename()).generic_string();
+}
+
+// All that `compute` and `draw` wrote.
+std::vector<std::string> made_files(const Names& names) {
+  std::vector<std::string> files = names.files;
+  std::ranges::move(drawn_files(names.figure_places), std::back_inserter(files));
+  return files;
 }
 
 // What the document is made from. A case from outside the checkout goes by its name alone.
@@ -95,7 +104,7 @@ Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper, con
                                {{"gnuplot", sys::tool_version("gnuplot")},
                                 {"pdfTeX", sys::tool_version("pdflatex")}}}},
                     .inputs = inputs_of(options, paper),
-                    .outputs = digests(generated, names.files, "generated/"),
+                    .outputs = digests(generated, made_files(names), "generated/"),
                     .numbers = numbers_in(generated / "names.json")};
   manifest.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
   return manifest;
@@ -131,11 +140,12 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
   const fs::path generated = options.generated;
   const Names names = read_names(generated / "names.json");
   if (!options.digest.empty()) {
-    require_as_made(generated, options.digest, names.files);
+    require_as_made(generated, options.digest, made_files(names));
   }
   const ReferenceReport references = check_references(options.document, names);
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);
   if (!references.errors.empty()) return ExitCode::bad_input;
+  require_drawn(generated, names.figure_places);
   for (const std::string& name : references.unused) {
     complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
   }
@@ -162,8 +172,8 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
 void add_typeset_stage(CLI::App& program, ExitCode& exit_code, const Paper& paper) {
   using namespace command_line;
   add_command(
-      program, "typeset", "Typeset the document with LaTeX from what `compute` wrote", exit_code,
-      [&paper](CLI::App& command) {
+      program, "typeset", "Typeset the document with LaTeX from what `compute` and `draw` wrote",
+      exit_code, [&paper](CLI::App& command) {
         auto options = std::make_shared<TypesetStageOptions>();
         options->main_file = paper.main_file;
         add_required_text(command, "--document", options->document, "DIR",

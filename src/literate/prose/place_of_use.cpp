@@ -42,7 +42,7 @@ std::vector<std::string> uses(const GeneratedKind& kind, const std::string& name
 std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir) {
   // Only the first line is rewritten. The lines after it show the place in the generated file.
   static const sys::Pattern generated(
-      R"(^(?:\S.*/)?((tables|figures|excerpts)/([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
+      R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
   const auto match = generated.find_in(message);
   if (!match) return message;
   const std::vector<std::string_view>& parts = match->parts;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "literate/document/document.hpp"
+#include "literate/figures/draw.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -23,9 +24,12 @@ class Paper {
     document.value("load_1.a-b", Value::estimate({1.6236054e-6, 3e-10}, "in^2"));
     document.flag("ok", true);
     document.table("t", Table({Column::scaled("$v$", "in", -6, 3)}).add_row({-1.5e-6}));
-    document.figure("f", 5, 4, [](Plot& plot) { plot << "plot sin(x) title '$\\nu$'\n"; });
+    document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
     document.write(options.generated_dir,
                    {{"x", "src/a_b.cpp", 3, "// 2πx ≤ ∫ σν² → √, E* − 1\nreturn x;\n"}});
+    sys::write_file_atomically(scratch_ / "figures/style.gp", "");
+    sys::write_file_atomically(scratch_ / "figures/f.gp", "plot sin(x) title name\n");
+    draw_figures(options.generated_dir, scratch_ / "figures", document.figure_places());
     write(body);
   }
 

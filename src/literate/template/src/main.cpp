@@ -47,12 +47,11 @@ void register_figure(literate::Document& document) {
     periods.push_back(relative_period(angle * degree).value);
     series.push_back(short_series(angle * degree));
   }
-  document.figure("period", 10, 6, [=](literate::Plot& plot) {
-    const auto data = plot.data("period", {angles, periods, series});
-    plot << "set xlabel '$\\theta$ in degrees'\nset ylabel '$T/T_0$'\nset key top left\n"
-         << "plot " << data << " using 1:2 with lines lw 2 title 'integral', \\\n  " << data
-         << " using 1:3 with lines dt 2 lw 2 title '$1 + \\theta^2/16$'\n";
-  });
+  document.figure(
+      "period",
+      {.width_cm = 10,
+       .height_cm = 6,
+       .data = {{"periods", {{"angle", angles}, {"integral", periods}, {"series", series}}}}});
 }
 
 void register_claims(literate::Document& document, const Parameters& parameters) {

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How much of measures of the block refinement still changes, by the elements' order.
+set logscale y
+set format y '$10^{%T}$'
+set xtics 1
+set xlabel 'order of the elements'
+set ylabel 'relative change'
+set key bottom left
+plot orders using "order":"von_mises" with linespoints ls 3 pt 4 title 'largest von Mises stress', \
+     orders using "order":"displacement" with linespoints ls 1 pt 2 title '$u_z$ under the load', \
+     orders using "order":"energy" with linespoints ls 2 pt 6 title 'strain energy'

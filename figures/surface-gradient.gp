@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# ∂u_z/∂x of three loads with the same resultant, in units of K/a: which element makes a finite slope.
+set xlabel '$x/a$'
+set ylabel '$(\partial u_z/\partial x)\,/\,(K/a)$'
+set xrange [-3:3]
+set yrange [-3.2:3.2]
+set xtics 1
+set ytics 1
+set key top right
+plot loads using "x":"concentrated" with lines ls 3 title 'concentrated', \
+     loads using "x":"uniform" with lines ls 2 title 'uniform', \
+     loads using "x":"triangular" with lines ls 1 title 'triangular'

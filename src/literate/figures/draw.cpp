@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/figures/draw.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "literate/figures/gnuplot.hpp"
+#include "literate/figures/script_check.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/parallel.hpp"
+#include "system/staging.hpp"
+#include "system/tool_version.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* record_name = "drawn.sha256";
+
+/// The scripts of an author, and what messages call their folder.
+struct Scripts {
+  fs::path folder;
+  std::string label;
+  std::string style;
+  std::string gnuplot;  ///< its version
+
+  std::string label_of(const std::string& name) const {
+    return fmt::format("{}/{}.gp", label, name);
+  }
+  fs::path file_of(const std::string& name) const { return folder / (name + ".gp"); }
+};
+
+Scripts scripts_in(const fs::path& folder) {
+  Scripts scripts{folder,
+                  fs::absolute(folder / "").lexically_normal().parent_path().filename(),
+                  {},
+                  sys::tool_version("gnuplot")};
+  if (!fs::is_regular_file(scripts.file_of("style"))) {
+    throw sys::InputError(
+        fmt::format("there is no '{}', which all figures read", scripts.file_of("style").string()));
+  }
+  scripts.style = sys::read_file(scripts.file_of("style"));
+  require_draws_only(scripts.style, scripts.label_of("style"));
+  return scripts;
+}
+
+void require_script(const Scripts& scripts, const std::string& name, const std::string& place) {
+  if (fs::is_regular_file(scripts.file_of(name))) return;
+  throw sys::InputError(fmt::format("there is no script '{}' for the figure registered at {}",
+                                    scripts.label_of(name), place));
+}
+
+std::string line_of(const std::string& hash, const std::string& file) {
+  return fmt::format("{}  {}\n", hash, file);
+}
+
+/// The files that the program wrote for a figure: its variables and its data.
+std::vector<std::string> computed_files(const fs::path& folder, const std::string& name) {
+  std::vector<std::string> files = sys::files_below(folder);
+  std::erase_if(files, [&](const std::string& file) {
+    return file != name + ".gp" && !file.ends_with(".csv");
+  });
+  return files;
+}
+
+/// Draws one figure in a folder of its own, and keeps what it was drawn from.
+class Drawing {
+ public:
+  Drawing(const fs::path& generated, const Scripts& scripts, std::string name, std::string place)
+      : scripts_(&scripts),
+        name_(std::move(name)),
+        place_(std::move(place)),
+        computed_(generated / "figures" / name_) {
+    require_script(scripts, name_, place_);
+    script_ = sys::read_file(scripts.file_of(name_));
+    require_draws_only(script_, scripts.label_of(name_));
+    inputs_ = line_of(sys::sha256_of_text(scripts.gnuplot), "gnuplot --version") +
+              line_of(sys::sha256_of_text(script_), "script.gp") +
+              line_of(sys::sha256_of_text(scripts.style), "../style.gp");
+    for (const std::string& file : computed_files(computed_, name_)) {
+      inputs_ += line_of(sys::sha256_of_file(computed_ / file), file);
+    }
+  }
+
+  /// Whether the drawing that is there was made from this.
+  bool is_up_to_date() const {
+    const fs::path record = computed_ / record_name;
+    return fs::is_regular_file(record) && sys::read_file(record) == inputs_ + outputs_in(computed_);
+  }
+
+  void draw(const fs::path& staging) const {
+    const fs::path folder = staging / "figures" / name_;
+    fs::create_directories(folder);
+    for (const std::string& file : computed_files(computed_, name_)) {
+      fs::copy_file(computed_ / file, folder / file);
+    }
+    sys::write_file_atomically(folder / "script.gp", script_);
+
+    require_drawn_well({name_, folder, scripts_->label, place_}, run_gnuplot(folder, name_));
+
+    sys::write_file_atomically(folder / "files.tex", files_tex());
+    sys::write_file_atomically(folder / record_name, inputs_ + outputs_in(folder));
+  }
+
+ private:
+  std::string outputs_in(const fs::path& folder) const {
+    std::string lines;
+    for (const std::string& file : {name_ + ".pdf", name_ + ".tex", std::string("files.tex")}) {
+      const bool is_there = fs::is_regular_file(folder / file);
+      lines += line_of(is_there ? sys::sha256_of_file(folder / file) : "-", file);
+    }
+    return lines;
+  }
+
+  // What the document shows and attaches: script, style and data with their digests.
+  std::string files_tex() const {
+    std::string text;
+    for (const std::string_view line : sys::lines_of(inputs_)) {
+      const auto blank = line.find("  ");
+      const std::string_view file = line.substr(blank + 2);
+      if (file == "gnuplot --version") continue;
+      const std::string path = file.starts_with("../") ? fmt::format("figures/{}", file.substr(3))
+                                                       : fmt::format("figures/{}/{}", name_, file);
+      text += fmt::format("\\LiterateFile{{{}}}{{{}}}%\n", path, line.substr(0, blank));
+    }
+    return text;
+  }
+
+  const Scripts* scripts_;
+  std::string name_, place_;
+  fs::path computed_;
+  std::string script_;
+  std::string inputs_;  // a line each, «SHA-256  file»
+};
+
+std::vector<std::string> drawn_files_of(const std::string& name) {
+  std::vector<std::string> files;
+  for (const std::string& file : {name + ".pdf", name + ".tex", std::string(record_name),
+                                  std::string("files.tex"), std::string("script.gp")}) {
+    files.push_back(fmt::format("figures/{}/{}", name, file));
+  }
+  return files;
+}
+
+/// What was drawn for figures that are not among these.
+std::vector<std::string> former_files(const fs::path& generated, const FigurePlaces& figures) {
+  std::vector<std::string> files;
+  if (!fs::is_directory(generated / "figures")) return files;
+  for (const auto& entry : fs::directory_iterator(generated / "figures")) {
+    const std::string name = entry.path().filename().string();
+    if (figures.contains(name) || !fs::is_regular_file(entry.path() / record_name)) continue;
+    for (std::string& file : drawn_files_of(name)) files.push_back(std::move(file));
+  }
+  return files;
+}
+
+}  // namespace
+
+std::size_t draw_figures(const fs::path& generated, const fs::path& scripts_folder,
+                         const FigurePlaces& figures) {
+  sys::Staging staging(generated);
+  std::vector<std::string> former = former_files(generated, figures);
+  if (figures.empty()) {
+    former.emplace_back("figures/style.gp");
+    staging.publish(former);
+    return 0;
+  }
+
+  // Find what has to be drawn, and refuse scripts that cannot be run.
+  const Scripts scripts = scripts_in(scripts_folder);
+  std::vector<Drawing> drawings;
+  for (const auto& [name, place] : figures) drawings.emplace_back(generated, scripts, name, place);
+  std::erase_if(drawings, [](const Drawing& drawing) { return drawing.is_up_to_date(); });
+
+  // Draw them beside one another.
+  sys::write_file_atomically(staging.path() / "figures/style.gp", scripts.style);
+  sys::for_each_parallel(drawings.size(), 0,
+                         [&](std::size_t i) { drawings[i].draw(staging.path()); });
+  staging.publish(former);
+  return drawings.size();
+}
+
+std::vector<std::string> drawn_files(const FigurePlaces& figures) {
+  std::vector<std::string> files;
+  if (!figures.empty()) files.emplace_back("figures/style.gp");
+  for (const auto& [name, place] : figures) {
+    for (std::string& file : drawn_files_of(name)) files.push_back(std::move(file));
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+void require_drawn(const fs::path& generated, const FigurePlaces& figures) {
+  for (const auto& [name, place] : figures) {
+    const fs::path folder = generated / "figures" / name;
+    const auto is_as_drawn = [&](std::string_view line) {
+      const auto blank = line.find("  ");
+      if (blank == std::string_view::npos) return false;
+      const fs::path file = folder / line.substr(blank + 2);
+      return line.ends_with("gnuplot --version") ||
+             (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, blank));
+    };
+    const fs::path record = folder / record_name;
+    if (fs::is_regular_file(record)) {
+      const std::string text = sys::read_file(record);
+      if (std::ranges::all_of(sys::lines_of(text), is_as_drawn)) continue;
+    }
+    throw sys::OutputError(fmt::format(
+        "figure '{}' in '{}' is not drawn from the data that are there; `draw` comes before this",
+        name, generated.string()));
+  }
+}
+
+}  // namespace literate
