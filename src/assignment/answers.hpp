@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "course/check.hpp"
+#include "course/assignment/check.hpp"
 
 namespace assignment {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "course/check.hpp"
-#include "course/feedback.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/variant.hpp"
+#include "course/marking/feedback.hpp"
 
 namespace assignment {
 

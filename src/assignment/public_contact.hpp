@@ -2,7 +2,7 @@
 #pragma once
 
 #include "assignment/tasks.hpp"
-#include "course/check.hpp"
+#include "course/assignment/check.hpp"
 
 namespace assignment {
 

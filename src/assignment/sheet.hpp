@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "course/assignment.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/variant.hpp"
 #include "literate/document/document.hpp"
 
 namespace assignment {

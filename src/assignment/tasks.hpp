@@ -4,8 +4,8 @@
 #pragma once
 
 #include "assignment/shapes.hpp"
-#include "course/check.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/variant.hpp"
 
 namespace assignment {
 

@@ -7,8 +7,8 @@
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
 #include "command_line/options.hpp"
-#include "course/check_list.hpp"
-#include "course/variants.hpp"
+#include "course/assignment/check_list.hpp"
+#include "course/assignment/variants.hpp"
 #include "course_app/commands.hpp"
 #include "system/files.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "course/assignment.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/variant.hpp"
 
 namespace CLI {
 class App;

@@ -7,7 +7,7 @@
 #include "assignment/hidden_checks.hpp"
 #include "assignment/programs.hpp"
 #include "assignment/public_checks.hpp"
-#include "course/check_list.hpp"
+#include "course/assignment/check_list.hpp"
 
 using course::Numbers;
 using course::Outcome;

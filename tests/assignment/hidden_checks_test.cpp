@@ -6,8 +6,8 @@
 #include <set>
 
 #include "assignment/programs.hpp"
-#include "course/expected_values.hpp"
-#include "course/secret_numbers.hpp"
+#include "course/release/expected_values.hpp"
+#include "course/release/secret_numbers.hpp"
 
 using course::Numbers;
 using course::Program;

@@ -14,9 +14,9 @@
 #include "contact/cylinder_pair.hpp"
 #include "contact/element.hpp"
 #include "contact/matrix_inversion.hpp"
-#include "course/assignment.hpp"
-#include "course/check.hpp"
-#include "course/variants.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/variants.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
 

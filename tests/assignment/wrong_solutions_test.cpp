@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of wrong solutions fits the instructor's one. What they score is proved at release.
-#include "course/wrong_solutions.hpp"
+#include "course/release/wrong_solutions.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <set>
 
 #include "assignment/programs.hpp"
-#include "course/handout.hpp"
+#include "course/release/handout.hpp"
 #include "system/files.hpp"
 
 namespace {

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <string>
 
-#include "course/grading.hpp"
-#include "course/markers.hpp"
-#include "course/sandbox.hpp"
-#include "course/toolkit.hpp"
+#include "course/marking/grading.hpp"
+#include "course/marking/toolkit.hpp"
+#include "course/release/markers.hpp"
+#include "course/sandbox/sandbox.hpp"
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "course/marking/grading.hpp"
+#include "course/marking/program_run.hpp"
+#include "system/require.hpp"
+
+namespace course {
+namespace {
+
+/// Points are given in hundredths: shares such as 1/3 would give a sum that nobody can check.
+double points_of(double share, double points) {
+  if (!(share > 0)) return 0;
+  return std::round(std::min(share, 1.0) * points * 100) / 100;
+}
+
+/// The outcome where the program answered numbers that the check did not expect: what the check
+/// says of them is not for the student. Any other error is the grader's own, and costs the student
+/// nothing.
+const Outcome without_judgement{
+    0, "the program's answer cannot be judged: too few numbers, or meaningless ones"};
+
+Outcome outcome_of(const Check& check, const Program& program, const Variant& variant) {
+  try {
+    return check(program, variant);
+  } catch (const ProgramFailure& failure) {
+    return {0, failure.what()};
+  } catch (const sys::InvalidQuantity&) {
+    return without_judgement;
+  } catch (const std::logic_error&) {
+    return without_judgement;
+  }
+}
+
+void require_code(const Assignment& assignment, const Checks& checks) {
+  for (const Exercise& exercise : assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) {
+      if (!checks.contains(entry.id)) throw std::logic_error("no code of the check " + entry.id);
+    }
+  }
+}
+
+/// Why an exercise is not run at all; empty if it is.
+std::string obstacle(const Exercise& exercise, const Built& built) {
+  if (built.compile_errors.contains(exercise.id)) {
+    return exercise.file + " is missing or does not compile";
+  }
+  return built.link_error.empty() ? "" : "the program does not link";
+}
+
+}  // namespace
+
+std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& checks,
+                                  const Built& built, const Variant& variant, Isolation isolation) {
+  require_code(assignment, checks);
+  ProgramRun run(assignment.limits, built, isolation);
+  return evaluate(assignment, checks, built, variant, run);
+}
+
+std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& checks,
+                                  const Built& built, const Variant& variant, ProgramRun& run) {
+  require_code(assignment, checks);
+  const Program program = [&](const std::string& task, const Numbers& inputs) {
+    return run.answer(task, inputs);
+  };
+  std::vector<CheckResult> results;
+  for (const Exercise& exercise : assignment.exercises) {
+    const std::string why_not = obstacle(exercise, built);
+    for (const CheckEntry& entry : exercise.checks) {
+      const Outcome outcome =
+          why_not.empty() ? outcome_of(checks.at(entry.id), program, variant) : Outcome{0, why_not};
+      results.push_back({entry.id, points_of(outcome.share, entry.points), outcome.message});
+    }
+  }
+  return results;
+}
+
+double total(const std::vector<CheckResult>& results) {
+  double sum = 0;
+  for (const CheckResult& result : results) sum += result.points;
+  return std::round(sum * 100) / 100;
+}
+
+}  // namespace course

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "course/assignment/assignment.hpp"
+
+namespace course {
+
+/// What is compiled once for all submissions of an assignment: the files that students do not
+/// write, a stub for each that they do, and a precompiled header. No solution is in it.
+struct Toolkit {
+  std::filesystem::path folder;
+
+  std::filesystem::path project() const { return folder / "project"; }
+  std::filesystem::path stub_of(const Exercise& exercise) const;
+  /// Holds main().
+  std::filesystem::path main_object() const { return folder / "objects/provided/main.cpp.o"; }
+  /// Holds all else that is given.
+  std::filesystem::path archive() const { return folder / "given.a"; }
+};
+
+/// Compiles the toolkit from the assignment's template and the files of `source`/src that it
+/// provides, all or nothing. Throws ToolError with the compiler's message, OutputError,
+/// SourceError.
+void make_toolkit(const Assignment& assignment, const std::filesystem::path& source,
+                  const std::filesystem::path& output);
+
+/// Finds a toolkit that make_toolkit made; throws OutputError if the folder is none, or if it is
+/// of another assignment.
+Toolkit open_toolkit(const Assignment& assignment, const std::filesystem::path& folder);
+
+/// The compiler's flags, those that the precompiled header was made with; the project's folder as
+/// the compiler sees it.
+std::vector<std::string> compile_flags(const std::string& project);
+
+/// What follows the objects when a program is linked.
+std::vector<std::string> link_flags();
+
+}  // namespace course
