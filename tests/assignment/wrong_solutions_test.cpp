@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(every_mistake_fits_into_the_solution_and_costs_points) {
 
   BOOST_TEST(list.size() >= 12U);
   for (const course::WrongSolution& wrong : list) {
-    BOOST_TEST(wrong.score < description.points, wrong.id);
+    BOOST_TEST(wrong.points < description.points, wrong.id);
   }
 }
 

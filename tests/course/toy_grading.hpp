@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <string>
 
-#include "course/marking/grading.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/files.hpp"
 #include "course/marking/toolkit.hpp"
+#include "course/release/make_toolkit.hpp"
 #include "course/release/markers.hpp"
 #include "course/sandbox/sandbox.hpp"
 #include "system/files.hpp"

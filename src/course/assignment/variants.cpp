@@ -3,11 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <charconv>
 
-#include "course/assignment/student_text.hpp"
-#include "course/marking/submission.hpp"
+#include "course/assignment/student.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -25,23 +23,7 @@ std::uint64_t drawn(const std::string& text, std::uint64_t n) {
   return number % n;
 }
 
-bool is_id_character(unsigned char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-         c == '_' || c == '-' || c == '@';
-}
-
 }  // namespace
-
-void require_student_id(const std::string& student) {
-  const bool is_plain = std::ranges::all_of(student, is_id_character);
-  const bool begins_ill = student.find_first_of(".-@") == 0;
-  const bool ends_ill = student.ends_with(".part") || names_archive(student);
-  if (!student.empty() && student.size() <= 64 && is_plain && !begins_ill && !ends_ill) return;
-  throw sys::SourceError(fmt::format(
-      "student \"{}\": an id is of 1 to 64 letters, digits, '.', '_', '-' and '@', does not begin "
-      "with '.', '-' or '@' and does not end with .part, .zip or another archive's ending",
-      shown_name(student)));
-}
 
 Variant nominal_variant(const Assignment& assignment) {
   Variant variant;

@@ -21,9 +21,4 @@ Variant nominal_variant(const Assignment& assignment);
 Variant variant_of(const Assignment& assignment, const std::string& student,
                    const std::string& seed, const std::function<bool(const Variant&)>& is_valid);
 
-/// Throws sys::SourceError unless the id is of 1 to 64 letters, digits, '.', '_', '-' and '@',
-/// begins with a letter, digit or '_', and ends neither with ".part" nor as an archive does: so
-/// that it may name a folder, is no formula in a table, and is no unfinished folder's name.
-void require_student_id(const std::string& student);
-
 }  // namespace course

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "course/assignment/assignment.hpp"
 #include "course/sandbox/sandbox.hpp"
 
 namespace course {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/build.hpp"
+
 #include <fmt/core.h>
 
 #include <array>
@@ -6,9 +8,7 @@
 #include <utility>
 
 #include "course/assignment/student_text.hpp"
-#include "course/marking/grading.hpp"
 #include "course/marking/toolkit.hpp"
-#include "course/sandbox/sandbox.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -92,7 +92,7 @@ class Compiler {
   /// What no submission can help must not look like one that does not compile.
   void require_readable_toolkit() const {
     Job job;
-    job.command = {"/usr/bin/test", "-r", in_sandbox(toolkit_.folder / "precompiled.hpp")};
+    job.command = {"/usr/bin/test", "-r", in_sandbox(toolkit_.header())};
     job.readable = {given_};
     job.output = scratch_ / "compiler.out";
     job.errors = errors();
@@ -119,7 +119,7 @@ class Compiler {
     }
     if (is_precompiled) {
       arguments.emplace_back("-include");
-      arguments.push_back(in_sandbox(toolkit_.folder / "precompiled.hpp"));
+      arguments.push_back(in_sandbox(toolkit_.header()));
     }
     arguments.push_back(file);
     return arguments;

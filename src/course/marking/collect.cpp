@@ -6,10 +6,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
-#include "course/assignment/variants.hpp"
 #include "course/marking/csv.hpp"
-#include "course/marking/submission.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/feedback_picture.hpp"
+
 #include <fmt/core.h>
 
-#include "course/marking/feedback.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"

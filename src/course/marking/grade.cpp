@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/marking/grade.hpp"
 
-#include "course/marking/program_run.hpp"
+#include "course/marking/feedback.hpp"
+#include "course/marking/results.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -55,7 +56,7 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
   graded.compile_errors = built.compile_errors;
   graded.link_error = built.link_error;
   ProgramRun run(assignment.limits, built, task.isolation);
-  graded.results = evaluate(assignment, task.checks, built, task.variant, run);
+  graded.results = try_checks(assignment, task.checks, built, task.variant, run);
   const bool has_program = built.link_error.empty();
   write(assignment, graded, has_program ? pictures_of(task, run) : std::vector<std::string>{},
         output);

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "course/marking/grading.hpp"
 #include "course/marking/lateness.hpp"
 #include "course/marking/submission.hpp"
+#include "course/marking/try_checks.hpp"
 
 namespace course {
 
@@ -37,12 +37,6 @@ const CheckResult& result_of(const Graded& graded, const std::string& check);
 
 /// What `course collect` reads.
 std::string mark_json(const Assignment& assignment, const Graded& graded);
-
-/// Gradescope's results.json: a test a check, hidden ones without their message.
-std::string gradescope_json(const Assignment& assignment, const Graded& graded);
-
-/// The same as JUnit's XML.
-std::string junit_xml(const Assignment& assignment, const Graded& graded);
 
 /// Everything, hidden checks' messages too, for the instructor.
 std::string log_text(const Assignment& assignment, const Graded& graded);

@@ -7,10 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
-#include "course/marking/grading.hpp"
-#include "course/sandbox/sandbox.hpp"
+#include "course/marking/build.hpp"
 
 namespace course {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/results.hpp"
+
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <sstream>
-
-#include "course/marking/mark.hpp"
 
 namespace course {
 namespace {

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 
+#include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
-#include "course/assignment/variants.hpp"
 #include "course/marking/csv.hpp"
-#include "course/marking/submission.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <stdexcept>
 
+#include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
 #include "course/marking/archive.hpp"
 #include "course/sandbox/file_beneath.hpp"
@@ -18,14 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* report = "report/report.tex";
-constexpr std::array<std::string_view, 5> endings = {".tar.gz", ".tar.xz", ".tgz", ".tar", ".zip"};
 constexpr int max_entries = 20'000;  ///< of a folder: more is no homework
-
-std::string_view ending_of(std::string_view name) {
-  const auto* ending =
-      std::ranges::find_if(endings, [&](std::string_view end) { return name.ends_with(end); });
-  return ending == endings.end() ? std::string_view{} : *ending;
-}
 
 std::vector<std::string> wanted_files(const Assignment& assignment) {
   std::set<std::string> files;
@@ -117,18 +110,6 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
 }
 
 }  // namespace
-
-bool names_archive(const fs::path& path) {
-  return !ending_of(path.filename().string()).empty();
-}
-
-std::string student_of(const fs::path& path) {
-  fs::path clean = fs::absolute(path).lexically_normal();
-  if (!clean.has_filename()) clean = clean.parent_path();
-  const std::string name = clean.filename().string();
-  if (fs::is_directory(fs::symlink_status(path))) return name;
-  return name.substr(0, name.size() - ending_of(name).size());
-}
 
 std::string place_of_files(const std::vector<std::string>& entries,
                            const std::vector<std::string>& wanted) {

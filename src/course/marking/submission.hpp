@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "course/marking/grading.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/files.hpp"
+#include "course/sandbox/sandbox.hpp"
 
 namespace course {
 
@@ -23,13 +25,6 @@ struct Submission {
 /// for the sandbox. Throws OutputError if the submission is neither folder nor archive.
 Submission take_submission(const Assignment& assignment, const std::filesystem::path& submission,
                            const std::filesystem::path& work, Isolation isolation);
-
-/// Whether the name ends as one of an archive that is understood: .zip, .tar, .tar.gz, .tgz,
-/// .tar.xz.
-bool names_archive(const std::filesystem::path& path);
-
-/// The name of a folder or archive without its ending: the student it is from.
-std::string student_of(const std::filesystem::path& path);
 
 /// The folder, "" or "name/", in which an archive or folder of these entries holds the files that
 /// are wanted, the top first. Throws std::invalid_argument if there are several.

@@ -16,20 +16,18 @@ struct Toolkit {
 
   std::filesystem::path project() const { return folder / "project"; }
   std::filesystem::path stub_of(const Exercise& exercise) const;
+  /// Is compiled in advance, into a file beside it.
+  std::filesystem::path header() const { return folder / "precompiled.hpp"; }
+  /// Names every file of the toolkit.
+  std::filesystem::path list() const { return folder / "files.txt"; }
   /// Holds main().
   std::filesystem::path main_object() const { return folder / "objects/provided/main.cpp.o"; }
   /// Holds all else that is given.
   std::filesystem::path archive() const { return folder / "given.a"; }
 };
 
-/// Compiles the toolkit from the assignment's template and the files of `source`/src that it
-/// provides, all or nothing. Throws ToolError with the compiler's message, OutputError,
-/// SourceError.
-void make_toolkit(const Assignment& assignment, const std::filesystem::path& source,
-                  const std::filesystem::path& output);
-
-/// Finds a toolkit that make_toolkit made; throws OutputError if the folder is none, or if it is
-/// of another assignment.
+/// Finds a toolkit that make_toolkit (course/release/make_toolkit.hpp) wrote. Throws OutputError if
+/// the folder holds none, or that of another assignment.
 Toolkit open_toolkit(const Assignment& assignment, const std::filesystem::path& folder);
 
 /// The compiler's flags, those that the precompiled header was made with; the project's folder as

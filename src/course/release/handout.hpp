@@ -6,8 +6,8 @@
 #include <string>
 
 #include "course/assignment/assignment.hpp"
+#include "course/assignment/files.hpp"
 #include "course/assignment/variant.hpp"
-#include "course/marking/grading.hpp"
 #include "course/release/markers.hpp"
 
 namespace course {

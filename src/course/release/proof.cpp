@@ -5,8 +5,7 @@
 
 #include "course/assignment/check_list.hpp"
 #include "course/assignment/variants.hpp"
-#include "course/marking/grading.hpp"
-#include "course/marking/score.hpp"
+#include "course/marking/solution_trial.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/expected_values.hpp"
 #include "course/release/leaks.hpp"
@@ -34,14 +33,14 @@ class Prover {
   ProvedClaim variant() const;
   ProvedClaim student_build() const;
   ProvedClaim floor() const;
-  ProvedClaim full_score() const;
-  ProvedClaim wrong_scores() const;
+  ProvedClaim full_points() const;
+  ProvedClaim wrong_solutions() const;
   ProvedClaim no_leaks() const;
 
  private:
-  Score score(const Files& files, const Checks& checks, const Variant& variant) const {
-    return score_of(input_.assignment, input_.toolkit, submission(input_.assignment, files), checks,
-                    variant, isolation_of(input_.n_jobs));
+  SolutionTrial trial_of(const Files& files, const Checks& checks, const Variant& variant) const {
+    return try_solution(input_.assignment, input_.toolkit, submission(input_.assignment, files),
+                        checks, variant, isolation_of(input_.n_jobs));
   }
 
   const ProofInput& input_;
@@ -71,7 +70,7 @@ ProvedClaim Prover::floor() const {
   for (const Exercise& exercise : input_.assignment.exercises) {
     files[exercise.file] = sys::read_file(input_.handout / exercise.file);
   }
-  const double points = score(files, checks_, input_.variant).points;
+  const double points = trial_of(files, checks_, input_.variant).points;
   ProvedClaim claim{.says = fmt::format("as it is, it scores {} of {} points",
                                         input_.assignment.floor, input_.assignment.points),
                     .faults = {}};
@@ -81,26 +80,26 @@ ProvedClaim Prover::floor() const {
   return claim;
 }
 
-ProvedClaim Prover::full_score() const {
+ProvedClaim Prover::full_points() const {
   return {.says = fmt::format("the solution scores all {} points", input_.assignment.points),
-          .faults = score(solution_, checks_, input_.variant).losses};
+          .faults = trial_of(solution_, checks_, input_.variant).losses};
 }
 
-ProvedClaim Prover::wrong_scores() const {
+ProvedClaim Prover::wrong_solutions() const {
   std::vector<double> points(wrong_.size());
   // The checks are those of the code itself: answers of wrong programs are no expected values.
   const Checks checks = all_checks(input_.assignment, input_.visible, input_.hidden);
   const Variant nominal = nominal_variant(input_.assignment);
   sys::for_each_parallel(wrong_.size(), input_.n_jobs, [&](std::size_t i) {
-    points[i] = score(with_mistake(solution_, wrong_[i]), checks, nominal).points;
+    points[i] = trial_of(with_mistake(solution_, wrong_[i]), checks, nominal).points;
   });
   ProvedClaim claim{
       .says = fmt::format("each of {} wrong solutions scores what the list says", wrong_.size()),
       .faults = {}};
   for (std::size_t i = 0; i < wrong_.size(); ++i) {
-    if (are_same_points(points[i], wrong_[i].score)) continue;
+    if (are_same_points(points[i], wrong_[i].points)) continue;
     claim.faults.push_back(fmt::format("wrong solution {} ({}) scores {}, the list says {}",
-                                       wrong_[i].id, wrong_[i].says, points[i], wrong_[i].score));
+                                       wrong_[i].id, wrong_[i].says, points[i], wrong_[i].points));
   }
   return claim;
 }
@@ -131,7 +130,7 @@ bool prove(const ProofInput& input, const std::function<void(const ProvedClaim&)
   bool all_hold = true;
   // In this order: what the solution answers is known when leaks are searched for.
   for (const auto claim : {&Prover::variant, &Prover::student_build, &Prover::floor,
-                           &Prover::full_score, &Prover::wrong_scores, &Prover::no_leaks}) {
+                           &Prover::full_points, &Prover::wrong_solutions, &Prover::no_leaks}) {
     const ProvedClaim proved = (prover.*claim)();
     tell(proved);
     all_hold = all_hold && proved.faults.empty();

@@ -7,8 +7,8 @@
 
 #include "course/assignment/check_list.hpp"
 #include "course/assignment/variants.hpp"
-#include "course/marking/grading.hpp"
-#include "course/marking/score.hpp"
+#include "course/marking/build.hpp"
+#include "course/marking/solution_trial.hpp"
 #include "course/release/expected_values.hpp"
 #include "course/release/leaks.hpp"
 #include "course/release/zip.hpp"
@@ -91,7 +91,7 @@ std::vector<std::string> faults_of(const VariantCheckInput& input, const Variant
   const Checks checks =
       all_checks(input.assignment, input.visible, expected.listening(input.hidden));
   std::vector<std::string> faults =
-      score_of(input.assignment, built, checks, variant, isolation_of(input.n_jobs)).losses;
+      try_solution(input.assignment, built, checks, variant, isolation_of(input.n_jobs)).losses;
   if (input.handouts.empty()) return faults;
   const auto found = faults_of_handout(input, variant, expected.values());
   faults.insert(faults.end(), found.begin(), found.end());

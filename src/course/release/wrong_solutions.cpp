@@ -34,7 +34,7 @@ WrongSolution read(const config::Table& table, const Assignment& assignment,
                       .file = table.text("file"),
                       .before = table.text("before"),
                       .after = table.text("after"),
-                      .score = table.number("score")};
+                      .points = table.number("points")};
   if (wrong.id.empty()) table.fail("id", "must not be empty");
   if (wrong.says.empty()) table.fail("says", "must not be empty");
   const auto& exercises = assignment.exercises;
@@ -42,8 +42,8 @@ WrongSolution read(const config::Table& table, const Assignment& assignment,
     table.fail("file", fmt::format("{} is no exercise's file", wrong.file));
   }
   require_once(table, wrong, solution.at(wrong.file));
-  if (wrong.score < 0 || wrong.score > assignment.points) {
-    table.fail("score", fmt::format("{} is not from 0 to {}", wrong.score, assignment.points));
+  if (wrong.points < 0 || wrong.points > assignment.points) {
+    table.fail("points", fmt::format("{} is not from 0 to {}", wrong.points, assignment.points));
   }
   return wrong;
 }

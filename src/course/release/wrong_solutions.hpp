@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "course/assignment/assignment.hpp"
-#include "course/marking/grading.hpp"
+#include "course/assignment/files.hpp"
 
 namespace course {
 
@@ -18,7 +18,7 @@ struct WrongSolution {
   std::string file;  ///< an exercise's
   std::string before;
   std::string after;
-  double score = 0;
+  double points = 0;
 };
 
 /// Reads the [[wrong]] tables of folder/wrong_solutions.toml. Throws config::Error

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "course/marking/grading.hpp"
-
 namespace course {
+
+/// Whether a job is kept apart from everything else, or only within its limits.
+enum class Isolation { sandbox, none };
 
 /// A file or folder that a job may read, and where it finds it.
 struct Readable {

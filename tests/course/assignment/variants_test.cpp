@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "course/assignment/student.hpp"
 #include "system/error.hpp"
 #include "toy.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "course/marking/feedback.hpp"
 #include "course/marking/grade.hpp"
+#include "course/marking/results.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
 #include "toy_grading.hpp"

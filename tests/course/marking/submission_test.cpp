@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
+#include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"

@@ -7,7 +7,7 @@
 
 #include "config/table.hpp"
 #include "course/assignment/variants.hpp"
-#include "course/marking/toolkit.hpp"
+#include "course/release/make_toolkit.hpp"
 #include "course/release/variant_check.hpp"
 #include "course/release/wrong_solutions.hpp"
 #include "course/sandbox/sandbox.hpp"
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_stub_that_scores_is_a_fault) {
 BOOST_AUTO_TEST_CASE(a_solution_that_loses_points_is_a_fault) {
   const Toy toy;
   toy.replace("toy/template/src/mean.cpp", "sum = 0", "sum = 1");
-  toy.replace("toy/wrong_solutions.toml", "score = 7", "score = 6");
+  toy.replace("toy/wrong_solutions.toml", "points = 7", "points = 6");
   toy.write_handout();
 
   const std::string faults = toy.prove();
@@ -197,9 +197,10 @@ BOOST_AUTO_TEST_CASE(a_wrong_solution_must_change_one_place) {
   BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"0.5 * (gues\\n\""), "stands 0 times"));
   BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"\""), ":5:10: wrong.before: must not be empty"));
   BOOST_TEST(has(error_of("\"src/root.cpp\"", "\"README.md\""), "README.md is no exercise's file"));
-  BOOST_TEST(has(error_of("score = 4", "score = 11"), ":7:9: wrong.score: 11 is not from 0 to 10"));
+  BOOST_TEST(
+      has(error_of("points = 4", "points = 11"), ":7:9: wrong.points: 11 is not from 0 to 10"));
   BOOST_TEST(has(error_of("\"one-more\"", "\"quarter\""), "\"quarter\" stands here again"));
-  BOOST_TEST(has(error_of("score = 4", "score = 4\nscores = 5"), "wrong.scores: unknown key"));
+  BOOST_TEST(has(error_of("points = 4", "points = 4\nscore = 5"), "wrong.score: unknown key"));
 }
 
 BOOST_AUTO_TEST_CASE(the_solution_holds_on_every_variant) {

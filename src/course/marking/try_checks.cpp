@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include "course/marking/try_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "course/marking/grading.hpp"
-#include "course/marking/program_run.hpp"
 #include "system/require.hpp"
 
 namespace course {
@@ -54,15 +52,8 @@ std::string obstacle(const Exercise& exercise, const Built& built) {
 
 }  // namespace
 
-std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& checks,
-                                  const Built& built, const Variant& variant, Isolation isolation) {
-  require_code(assignment, checks);
-  ProgramRun run(assignment.limits, built, isolation);
-  return evaluate(assignment, checks, built, variant, run);
-}
-
-std::vector<CheckResult> evaluate(const Assignment& assignment, const Checks& checks,
-                                  const Built& built, const Variant& variant, ProgramRun& run) {
+std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& checks,
+                                    const Built& built, const Variant& variant, ProgramRun& run) {
   require_code(assignment, checks);
   const Program program = [&](const std::string& task, const Numbers& inputs) {
     return run.answer(task, inputs);

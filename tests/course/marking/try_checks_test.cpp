@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/marking/grading.hpp"
+#include "course/marking/try_checks.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
@@ -16,11 +16,17 @@ struct Graded {
   std::vector<CheckResult> results;
 };
 
+std::vector<CheckResult> results_of(const Built& built, const Assignment& assignment,
+                                    const Checks& checks, Isolation isolation) {
+  ProgramRun run(assignment.limits, built, isolation);
+  return try_checks(assignment, checks, built, Variant{}, run);
+}
+
 Graded grade(const Files& files, const Assignment& assignment = toy::assignment()) {
   const TemporaryFolder scratch;
   Graded graded;
   graded.built = build(assignment, toy::toolkit(), files, scratch.path(), Isolation::sandbox);
-  graded.results = evaluate(assignment, toy::checks(), graded.built, Variant{}, Isolation::sandbox);
+  graded.results = results_of(graded.built, assignment, toy::checks(), Isolation::sandbox);
   return graded;
 }
 
@@ -134,8 +140,8 @@ BOOST_AUTO_TEST_CASE(half_an_exercise_has_its_half) {
 BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
   const TemporaryFolder scratch;
 
-  BOOST_CHECK_THROW(evaluate(toy::assignment(), {}, Built{}, Variant{}, Isolation::sandbox),
-                    std::logic_error);
+  const Built built{.program = scratch.path() / "program", .compile_errors = {}, .link_error = {}};
+  BOOST_CHECK_THROW(results_of(built, toy::assignment(), {}, Isolation::sandbox), std::logic_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_no_toolkit_is_named) {
@@ -188,6 +194,5 @@ BOOST_AUTO_TEST_CASE(without_walls_the_solution_has_all_points_too) {
   const Built built =
       build(toy::assignment(), toy::toolkit(), toy::solution(), scratch.path(), Isolation::none);
 
-  BOOST_TEST(total(evaluate(toy::assignment(), toy::checks(), built, Variant{}, Isolation::none)) ==
-             20);
+  BOOST_TEST(total(results_of(built, toy::assignment(), toy::checks(), Isolation::none)) == 20);
 }
