@@ -7,9 +7,9 @@
 
 #include "config/table.hpp"
 #include "course/assignment/check_list.hpp"
+#include "course/toy.hpp"
 #include "system/files.hpp"
 #include "temporary_file.hpp"
-#include "toy.hpp"
 
 using config::Error;
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "course/assignment/student.hpp"
+#include "course/toy.hpp"
 #include "system/error.hpp"
-#include "toy.hpp"
 
 using course::Variant;
 

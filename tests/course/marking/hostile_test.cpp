@@ -13,11 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "course/assignment/student.hpp"
 #include "course/marking/grade.hpp"
+#include "course/toy_grading.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
 #include "system/process.hpp"
-#include "toy_grading.hpp"
 
 using namespace course;
 namespace fs = std::filesystem;

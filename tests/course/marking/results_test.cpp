@@ -6,9 +6,9 @@
 #include "course/marking/feedback.hpp"
 #include "course/marking/grade.hpp"
 #include "course/marking/results.hpp"
+#include "course/toy_grading.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
-#include "toy_grading.hpp"
 
 using namespace course;
 

@@ -6,9 +6,9 @@
 
 #include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
+#include "course/toy_grading.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
-#include "toy_grading.hpp"
 
 using namespace course;
 namespace fs = std::filesystem;

@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 
+#include "course/toy_grading.hpp"
 #include "system/error.hpp"
-#include "toy_grading.hpp"
 
 using namespace course;
 

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "course/assignment/variants.hpp"
+#include "course/toy.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "temporary_file.hpp"
-#include "toy.hpp"
 
 namespace fs = std::filesystem;
 using course::Edition;

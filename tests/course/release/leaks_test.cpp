@@ -6,11 +6,11 @@
 
 #include "course/release/expected_values.hpp"
 #include "course/release/secret_numbers.hpp"
-#include "small_pdf.hpp"
+#include "course/small_pdf.hpp"
+#include "course/toy.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
 #include "temporary_file.hpp"
-#include "toy.hpp"
 
 namespace fs = std::filesystem;
 

@@ -11,10 +11,10 @@
 #include "course/release/variant_check.hpp"
 #include "course/release/wrong_solutions.hpp"
 #include "course/sandbox/sandbox.hpp"
+#include "course/toy.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
 #include "temporary_file.hpp"
-#include "toy.hpp"
 
 namespace fs = std::filesystem;
 
