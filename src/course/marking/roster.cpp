@@ -3,47 +3,45 @@
 
 #include <fmt/core.h>
 
+#define CSV_IO_NO_THREAD
+#include <libfccp/csv.h>
+
 #include <algorithm>
 
 #include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
-#include "course/marking/csv.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// The place of a column in the header, or its end.
-std::size_t column(const std::vector<std::string>& header, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
-}
+using Reader = io::CSVReader<3, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>,
+                             io::throw_on_overflow, io::empty_line_comment>;
 
-/// Where the columns are that count; those that are not there are at the header's end.
-struct Columns {
-  explicit Columns(const std::vector<std::string>& header)
-      : student(column(header, "student")),
-        submitted(column(header, "submitted")),
-        deadline(column(header, "deadline")) {}
-
-  std::size_t student, submitted, deadline;
-};
-
-std::optional<Time> time_in(const std::vector<std::string>& fields, std::size_t column) {
-  if (column >= fields.size() || fields[column].empty()) return std::nullopt;
-  return parse_time(fields[column]);
-}
-
-void add_student(Roster& roster, const std::vector<std::string>& fields, const Columns& columns) {
-  const std::string& student = fields[columns.student];
-  require_student_id(student);
-  const RosterEntry entry{.submitted = time_in(fields, columns.submitted),
-                          .deadline = time_in(fields, columns.deadline)};
-  if (!roster.emplace(student, entry).second) {
-    throw sys::SourceError(fmt::format("student {} is listed twice", student));
+/// What the library found wrong in a file, in this program's words.
+std::string message_of(const io::error::base& error) {
+  using namespace io::error;
+  if (dynamic_cast<const header_missing*>(&error) != nullptr) {
+    return "the class is empty; a header line with 'student' is wanted";
   }
+  if (dynamic_cast<const too_few_columns*>(&error) != nullptr) {
+    return "there are fewer fields than the header has";
+  }
+  if (dynamic_cast<const too_many_columns*>(&error) != nullptr) {
+    return "there are more fields than the header has";
+  }
+  if (dynamic_cast<const escaped_string_not_closed*>(&error) != nullptr) {
+    return "a quote is not closed";
+  }
+  const auto* doubled = dynamic_cast<const duplicated_column_in_header*>(&error);
+  return doubled == nullptr ? "the line is not CSV"
+                            : fmt::format("there are two columns '{}'", doubled->column_name);
+}
+
+std::optional<Time> time_in(const std::string& field) {
+  return field.empty() ? std::nullopt : std::optional(parse_time(field));
 }
 
 /// Why an entry of the folder is no submission; empty if it is one.
@@ -70,28 +68,28 @@ std::string refusal(const fs::path& path, const std::optional<Roster>& roster) {
 
 Roster read_roster(const fs::path& file) {
   const std::string text = sys::read_file(file);
-  const auto lines = sys::lines_of(text);
-  const auto fail = [&](std::size_t line, const std::string& message) {
-    throw sys::SourceError(fmt::format("{}:{}: {}", file.string(), line, message));
+  Reader reader(file.string(), text.data(), text.data() + text.size());
+  const auto error_in_line = [&](const std::string& message) {
+    return sys::SourceError(
+        fmt::format("{}:{}: {}", file.string(), std::max(1U, reader.get_file_line()), message));
   };
-  if (lines.empty()) fail(1, "the class is empty; a header line with 'student' is wanted");
-  std::string_view first = lines[0];
-  if (first.starts_with("\xEF\xBB\xBF")) first.remove_prefix(3);
-  const std::vector<std::string> header = csv_fields(first);
-  const Columns columns(header);
-  if (columns.student == header.size()) fail(1, "there is no column 'student'");
   Roster roster;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (sys::stripped(lines[i]).empty()) continue;
-    const std::vector<std::string> fields = csv_fields(lines[i]);
-    if (fields.size() != header.size()) {
-      fail(i + 1, fmt::format("{} fields; the header has {}", fields.size(), header.size()));
+  try {
+    reader.read_header(io::ignore_extra_column | io::ignore_missing_column, "student", "submitted",
+                       "deadline");
+    if (!reader.has_column("student")) throw sys::SourceError("there is no column 'student'");
+    std::string student, submitted, deadline;
+    while (reader.read_row(student, submitted, deadline)) {
+      require_student_id(student);
+      const RosterEntry entry{.submitted = time_in(submitted), .deadline = time_in(deadline)};
+      if (!roster.emplace(student, entry).second) {
+        throw sys::SourceError(fmt::format("student {} is listed twice", student));
+      }
     }
-    try {
-      add_student(roster, fields, columns);
-    } catch (const sys::SourceError& error) {
-      fail(i + 1, error.what());
-    }
+  } catch (const io::error::base& error) {
+    throw error_in_line(message_of(error));
+  } catch (const sys::SourceError& error) {
+    throw error_in_line(error.what());
   }
   return roster;
 }

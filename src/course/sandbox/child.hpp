@@ -8,15 +8,15 @@
 
 namespace course {
 
-/// A child process whose standard streams are files, so that a limit on file sizes holds for what
-/// it prints. It inherits no environment and no other descriptor.
+/// A child process whose standard streams are files, so that a limit on file sizes holds for
+/// what it prints. It inherits no environment and no other descriptors.
 struct Child {
-  std::vector<std::string> command;      ///< the program's whole path first
+  std::vector<std::string> command;      ///< begins with the program's absolute path
   std::vector<std::string> environment;  ///< NAME=value
-  std::filesystem::path folder;          ///< it starts in
+  std::filesystem::path folder;          ///< where it starts
   std::filesystem::path input, output, errors;
-  std::filesystem::path third = "/dev/null";  ///< to be read as descriptor 3
-  // What it and all its descendants may use together; 0: as much as there is.
+  std::filesystem::path third = "/dev/null";  ///< it can read this as descriptor 3
+  // What the child and all its descendants may use together; 0 means no limit.
   std::size_t memory_mb = 0;
   double cpu_seconds = 0;
   std::size_t tasks = 0;  ///< processes and threads
@@ -30,8 +30,8 @@ struct ChildEnd {
   Excess excess = Excess::none;
 };
 
-/// Runs a child to its end, and ends all that it leaves behind, daemons too. Throws
-/// sys::ToolError if it cannot start.
+/// Runs a child to its end and then ends all processes that it leaves behind, daemons included.
+/// Throws sys::ToolError if it cannot start.
 ChildEnd run_child(const Child& child);
 
 }  // namespace course

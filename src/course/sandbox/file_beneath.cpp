@@ -6,30 +6,16 @@
 #include <linux/openat2.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
 
+#include "system/descriptor.hpp"
+
 namespace course {
 namespace {
-
-/// A file descriptor, closed at the end of its scope.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 std::invalid_argument cannot_open(int error) {
   if (error == ENOENT || error == ENOTDIR) return std::invalid_argument("is missing");
@@ -60,12 +46,12 @@ std::string read_all(int descriptor, std::size_t max_bytes) {
 
 std::string read_beneath(const std::filesystem::path& folder, const std::string& file,
                          std::size_t max_bytes) {
-  const Descriptor base(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  const sys::Descriptor base(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (base.number() < 0) throw cannot_open(errno);
   open_how how{};
   how.flags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS;
-  const Descriptor opened(
+  const sys::Descriptor opened(
       static_cast<int>(::syscall(SYS_openat2, base.number(), file.c_str(), &how, sizeof how)));
   if (opened.number() < 0) throw cannot_open(errno);
   struct stat status {};

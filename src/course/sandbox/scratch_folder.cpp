@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <string>
@@ -17,12 +16,11 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// A lock on a folder, to be closed; -1 if another process has it, or it cannot be opened.
-int locked(const fs::path& folder, int how) {
-  const int lock = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  if (lock >= 0 && ::flock(lock, how) == 0) return lock;
-  if (lock >= 0) ::close(lock);
-  return -1;
+/// A lock on a folder, or none if another process has it or it cannot be opened.
+sys::Descriptor locked(const fs::path& folder, int how) {
+  sys::Descriptor lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (lock.number() >= 0 && ::flock(lock.number(), how) != 0) lock.close();
+  return lock;
 }
 
 /// Removes the folders below that no process holds.
@@ -30,11 +28,9 @@ void remove_left_behind(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    const int lock = locked(entry->path(), LOCK_EX | LOCK_NB);
-    if (lock < 0) continue;
+    const sys::Descriptor lock = locked(entry->path(), LOCK_EX | LOCK_NB);
     std::error_code ignored;
-    fs::remove_all(entry->path(), ignored);
-    ::close(lock);
+    if (lock.number() >= 0) fs::remove_all(entry->path(), ignored);
   }
 }
 
@@ -42,17 +38,15 @@ void remove_left_behind(const fs::path& folder) {
 
 ScratchFolder::ScratchFolder() {
   const fs::path all = private_folder(fs::temp_directory_path(), "halfspace-course");
-  const int lock_of_all = locked(all, LOCK_EX);  // one that is made is not yet locked
+  // Nobody else removes the new folder between its making and its lock.
+  const sys::Descriptor lock_of_all = locked(all, LOCK_EX);
   remove_left_behind(all);
   std::string name = (all / "XXXXXX").string();
-  const bool is_made = ::mkdtemp(name.data()) != nullptr;
-  const int error = errno;
-  if (is_made) lock_ = locked(name, LOCK_EX);
-  ::close(lock_of_all);
-  if (!is_made) {
+  if (::mkdtemp(name.data()) == nullptr) {
     throw sys::OutputError("cannot make a scratch folder such as '" + name +
-                           "': " + std::generic_category().message(error));
+                           "': " + std::generic_category().message(errno));
   }
+  lock_ = locked(name, LOCK_EX);
   path_ = name;
   using fs::perms;
   fs::permissions(path_, perms::owner_all | perms::group_exec | perms::others_exec);
@@ -61,7 +55,6 @@ ScratchFolder::ScratchFolder() {
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
-  ::close(lock_);
 }
 
 }  // namespace course

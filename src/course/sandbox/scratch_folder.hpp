@@ -3,12 +3,14 @@
 
 #include <filesystem>
 
+#include "system/descriptor.hpp"
+
 namespace course {
 
-/// A fresh folder of its own, removed with what it holds at the end of its scope; what a killed
-/// process left goes when the next one is made. Other users, as whom submissions run, may reach
-/// what they know of in it, but list neither it nor the folder that all of them are in. Throws
-/// sys::OutputError.
+/// A new folder, which is removed with everything in it at the end of its scope. Folders that a
+/// killed process left behind are removed when the next one is made. Submissions run as other
+/// users, who can reach files in it whose names they know, but can list neither it nor the folder
+/// that holds all of them. Throws sys::OutputError if no folder can be made.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -20,7 +22,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
-  int lock_ = -1;  ///< on the folder, as long as its owner lives
+  sys::Descriptor lock_;  ///< on the folder, as long as its owner lives
 };
 
 }  // namespace course

@@ -4,11 +4,11 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <memory>
 
+#include "system/descriptor.hpp"
 #include "system/error.hpp"
 
 namespace course {
@@ -40,7 +40,8 @@ void add_rules(scmp_filter_ctx filter) {
                          SCMP_SYS(memfd_create)}) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0);
   }
-  // A new user namespace; clone3 hides its flags from filters, and libraries fall back to clone.
+  // No new user namespace. A filter cannot see the flags of clone3, so clone3 is refused as a
+  // whole; libraries then use clone.
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
                    SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER));
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
@@ -50,12 +51,14 @@ void add_rules(scmp_filter_ctx filter) {
 
 void write_syscall_filter(const std::filesystem::path& file) {
   const Filter filter(seccomp_init(SCMP_ACT_ALLOW), &seccomp_release);
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (descriptor < 0 || !filter) throw sys::ToolError("cannot make a filter of system calls");
+  const sys::Descriptor descriptor(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
+  if (descriptor.number() < 0 || !filter)
+    throw sys::ToolError("cannot make a filter of system calls");
   add_rules(filter.get());
-  const int error = seccomp_export_bpf(filter.get(), descriptor);
-  ::close(descriptor);
-  if (error != 0) throw sys::ToolError("cannot write the filter of system calls");
+  if (seccomp_export_bpf(filter.get(), descriptor.number()) != 0) {
+    throw sys::ToolError("cannot write the filter of system calls");
+  }
 }
 
 }  // namespace course

@@ -5,10 +5,10 @@
 
 namespace course {
 
-/// Writes the filter of system calls, as bubblewrap reads it, that a submission runs under: those
-/// fail with EPERM that no numerical program needs and that reach what limits do not count (memory
-/// of System V and of key rings, namespaces of one's own, other processes). Throws
-/// sys::ToolError.
+/// Writes the filter of system calls under which a submission runs, in the form that bubblewrap
+/// reads. Calls fail with EPERM if no numerical program needs them and if they reach what the
+/// limits do not count: memory of System V and of key rings, new namespaces, other processes.
+/// Throws sys::ToolError if the filter cannot be made.
 void write_syscall_filter(const std::filesystem::path& file);
 
 }  // namespace course
