@@ -5,8 +5,8 @@
 
 namespace assignment {
 
-/// The checks that compare with this project's own functions. Their messages tell no number that
-/// the comparison was with.
+/// The checks that compare with this project's own functions. Their messages give none of the
+/// expected numbers.
 course::Checks hidden_checks();
 
 }  // namespace assignment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of wrong solutions fits the instructor's one. What they score is proved at release.
+// The list of wrong solutions fits the instructor's solution. Their points are proved at release.
 #include "course/release/wrong_solutions.hpp"
 
 #include <boost/test/unit_test.hpp>

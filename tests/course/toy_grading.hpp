@@ -15,7 +15,7 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
-/// An assignment of two exercises that compiles in no time: `square` and `sum`, ten points each.
+/// An assignment that compiles quickly, with two exercises of ten points each, `square` and `sum`.
 namespace toy {
 
 inline const std::filesystem::path folder =

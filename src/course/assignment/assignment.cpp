@@ -18,7 +18,7 @@ using config::Table;
 
 namespace {
 
-// Points and grids are decimal fractions; sums of a few of them are good to far more than this.
+// Points and grids are decimal fractions, so that sums of a few of them are far more accurate.
 constexpr double rel_rounding = 1e-9;
 
 std::string text(const Table& table, const std::string& key) {
@@ -50,7 +50,7 @@ int integer(const Table& table, const std::string& key, int least, int most) {
   return static_cast<int>(integer);
 }
 
-// Reads a name that identifies something, and wants it to be new.
+// Reads an identifier, which must not be among those known.
 std::string new_id(const Table& table, const std::string& key, std::set<std::string>& known) {
   const std::string id = text(table, key);
   const bool is_word = std::ranges::all_of(id, [](unsigned char c) {
@@ -75,7 +75,7 @@ bool is_empty_list(const Table& table, const std::string& key) {
   try {
     return table.has(key) && table.texts(key).empty();
   } catch (const config::Error&) {
-    return false;  // it holds something
+    return false;  // the list holds something else than texts
   }
 }
 
@@ -137,7 +137,7 @@ Quantity read_quantity(const Table& table, std::set<std::string>& names) {
   return quantity;
 }
 
-/// Reads the exercises; what one says of another is tried when all are known.
+/// Reads the exercises. References from one to another are checked when all of them are known.
 class Exercises {
  public:
   Exercises(const Table& root, const fs::path& folder) : folder_(folder) {
@@ -180,7 +180,7 @@ Exercise Exercises::read(const Table& table) {
     table.fail("file", fmt::format("{} is another exercise's file already", exercise.file));
   }
   if (table.has("builds_on")) exercise.builds_on = table.texts("builds_on");
-  // `check = []` is a list of no kind in particular, and has no tables.
+  // An empty list `check = []` is no list of tables for the parser.
   const bool has_none = is_empty_list(table, "check");
   const auto checks = has_none ? std::vector<Table>{} : table.tables("check");
   if (checks.empty()) {
@@ -264,7 +264,7 @@ Assignment read_assignment(const fs::path& folder) {
 }
 
 double on_grid(const Quantity& quantity, std::uint64_t k) {
-  // One rounding, with or without a fused multiply-add of the compiler's own.
+  // std::fma rounds once, whether or not the compiler itself would fuse the operations.
   const double exact = std::fma(static_cast<double>(k), quantity.step, quantity.from);
   const std::string digits = fmt::format("{:.12g}", exact);
   double rounded = exact;

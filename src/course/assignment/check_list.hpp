@@ -6,8 +6,8 @@
 
 namespace course {
 
-/// The code of every check that the assignment lists. Throws config::Error with the place
-/// of a listed check that no code of its visibility decides, and for code that is not listed.
+/// The code of every check that the assignment lists. Throws config::Error for a listed check,
+/// with its place, that has no code of its visibility, and for code of a check that is not listed.
 Checks all_checks(const Assignment& assignment, const Checks& visible, const Checks& hidden);
 
 }  // namespace course

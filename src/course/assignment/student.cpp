@@ -35,8 +35,8 @@ void require_student_id(const std::string& student) {
   const bool ends_ill = student.ends_with(".part") || names_archive(student);
   if (!student.empty() && student.size() <= 64 && is_plain && !begins_ill && !ends_ill) return;
   throw sys::SourceError(fmt::format(
-      "student \"{}\": an id is of 1 to 64 letters, digits, '.', '_', '-' and '@', does not begin "
-      "with '.', '-' or '@' and does not end with .part, .zip or another archive's ending",
+      "student \"{}\": an id consists of 1 to 64 letters, digits, '.', '_', '-' and '@', does not "
+      "begin with '.', '-' or '@' and does not end with .part, .zip or another archive's ending",
       shown_name(student)));
 }
 

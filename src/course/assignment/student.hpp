@@ -6,16 +6,18 @@
 
 namespace course {
 
-/// Throws sys::SourceError unless the id is of 1 to 64 letters, digits, '.', '_', '-' and '@',
-/// begins with a letter, digit or '_', and ends neither with ".part" nor as an archive does: so
-/// that it may name a folder, is no formula in a table, and is no unfinished folder's name.
+/// Throws sys::SourceError unless the id consists of 1 to 64 letters, digits, '.', '_', '-' and
+/// '@', begins with a letter, digit or '_', and ends neither with ".part" nor as an archive does.
+/// Such an id may name a folder, is no formula in a table, and is not the name of an unfinished
+/// folder.
 void require_student_id(const std::string& student);
 
-/// Whether the name ends as one of an archive that is understood: .zip, .tar, .tar.gz, .tgz,
-/// .tar.xz.
+/// Whether a file's name ends as that of an archive that can be read: .zip, .tar, .tar.gz, .tgz
+/// or .tar.xz.
 bool names_archive(const std::filesystem::path& path);
 
-/// The name of a folder or archive without its ending: the student it is from.
+/// The student from whom a submission is: the name of its folder, or of its archive without the
+/// ending.
 std::string student_of(const std::filesystem::path& path);
 
 }  // namespace course

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int n_attempts = 1000;
 
-// A number below n. Of 2^64 equally likely ones the remainder is taken; with n ≤ 1e9 no place is
-// likelier than another by more than 1e-10 of it.
+// A number below n: the remainder of one of 2^64 equally likely numbers. With n ≤ 1e9 no
+// remainder is likelier than another by more than 1e-10 of its probability.
 std::uint64_t drawn(const std::string& text, std::uint64_t n) {
   const std::string hexadecimal = sys::sha256_of_text(text).substr(0, 16);
   std::uint64_t number = 0;
@@ -37,7 +37,7 @@ Variant variant_of(const Assignment& assignment, const std::string& student,
                    const std::string& seed, const std::function<bool(const Variant&)>& is_valid) {
   require_student_id(student);
   if (seed.empty()) throw sys::SourceError("the seed of a variant is empty");
-  // Neither id nor name holds a line end, so no two draws share a text.
+  // Neither id nor name holds a line end, so the texts of any two draws differ.
   Variant variant{.student = student, .quantities = {}};
   for (int attempt = 0; attempt < n_attempts; ++attempt) {
     for (const Quantity& quantity : assignment.quantities) {

@@ -9,14 +9,16 @@
 
 namespace course {
 
-/// Each quantity at its nominal value: the handout that is for nobody.
+/// The variant with each quantity at its nominal value, for the handout that is for nobody in
+/// particular.
 Variant nominal_variant(const Assignment& assignment);
 
-/// A student's own variant: each quantity on its grid, at a place that SHA-256 of seed, student,
-/// name of the quantity and number of the attempt gives; drawn anew until `is_valid`. It is the
-/// same on every platform, and who lacks the seed cannot tell it from the student's id.
+/// Draws a student's own variant. The value of each quantity is the one on its grid that
+/// SHA-256 of seed, student, name of the quantity and number of the attempt selects; all are drawn
+/// again until `is_valid` accepts them. The variant is the same on every platform, and nobody can
+/// tell it from the student's id without the seed.
 ///
-/// Throws sys::SourceError for a student's id that is not one, an empty seed, and after 1000
+/// Throws sys::SourceError for an id that is not allowed, for an empty seed, and after 1000
 /// attempts.
 Variant variant_of(const Assignment& assignment, const std::string& student,
                    const std::string& seed, const std::function<bool(const Variant&)>& is_valid);

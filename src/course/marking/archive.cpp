@@ -22,7 +22,7 @@ std::string without_here(std::string name) {
   return name;
 }
 
-/// A name as bsdtar takes it, which reads patterns.
+/// A name as an argument of bsdtar, which would take some characters for a pattern.
 std::string as_pattern(const std::string& name) {
   std::string pattern;
   for (const char character : name) {
@@ -49,7 +49,8 @@ Archive::Archive(const Limits& limits, fs::path file, fs::path work, Isolation i
 }
 
 JobEnd Archive::run(const std::vector<std::string>& arguments, int file_kb) const {
-  // Its name is the student's; the copy has one that is not, and that every user may read.
+  // The student chose the name of the archive. The copy has a fixed name, and every user may read
+  // it.
   const fs::path copy = work_ / "archive";
   if (!fs::exists(copy)) {
     fs::copy_file(file_, copy);

@@ -10,16 +10,16 @@
 
 namespace course {
 
-/// An archive that somebody else packed, read by bsdtar in the sandbox. It is never unpacked:
-/// single entries come out through standard output.
+/// An archive that somebody else packed. bsdtar reads it in the sandbox, and writes single
+/// entries to standard output; the archive is never unpacked.
 class Archive {
  public:
-  /// Lists the archive. Throws std::invalid_argument with a line for one that is too large, or
-  /// that bsdtar cannot read within the limits.
+  /// Lists the archive. Throws std::invalid_argument, with a line for the student, if it is too
+  /// large or if bsdtar cannot read it within the limits.
   Archive(const Limits& limits, std::filesystem::path file, std::filesystem::path work,
           Isolation isolation);
 
-  /// Names as they stand in the archive, but for a "./" in front and with odd bytes escaped.
+  /// The names in the archive, without a "./" in front and with unprintable bytes escaped.
   const std::vector<std::string>& entries() const { return entries_; }
 
   /// Whether there are entries with an absolute path, or with "..".

@@ -17,7 +17,8 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t max_message = 4000;  ///< bytes of the compiler's that a student is shown
+constexpr std::size_t max_message =
+    4000;  ///< bytes of the compiler's message that a student is shown
 constexpr int max_object_kb = 64 * 1024;
 
 std::string without(std::string text, const std::string& words, const std::string& instead) {
@@ -28,8 +29,8 @@ std::string without(std::string text, const std::string& words, const std::strin
   return text;
 }
 
-/// A compiler's message with no more than three lines of who included whom in a row, so that what
-/// it is about is not cut off.
+/// A compiler's message with at most three lines «from …» in a row, which say what included
+/// what, so that the error itself is not cut off.
 std::string without_long_chains(const std::string& text) {
   std::string result;
   int n_in_a_row = 0;
@@ -42,7 +43,7 @@ std::string without_long_chains(const std::string& text) {
   return result;
 }
 
-/// Runs the compiler on what one submission holds.
+/// Runs the compiler on the files of one submission.
 class Compiler {
  public:
   Compiler(const Assignment& assignment, const fs::path& toolkit, const fs::path& scratch,
@@ -58,7 +59,7 @@ class Compiler {
 
   const Toolkit& toolkit() const { return toolkit_; }
 
-  /// The project as given, with the student's files in it.
+  /// Writes the given project with the student's files in it.
   void write_project(const Assignment& assignment, const Files& files) const {
     fs::copy(toolkit_.project(), project_.path, fs::copy_options::recursive);
     for (const Exercise& exercise : assignment.exercises) {
@@ -69,17 +70,18 @@ class Compiler {
     make_readable(project_.path);
   }
 
-  /// Compiles a file of the project to `object`; the compiler's message where it cannot.
+  /// Compiles a file of the project to `object`. Returns the compiler's message, empty if it
+  /// worked.
   std::string compile(const std::string& file, const fs::path& object) const {
     const JobEnd end = run(arguments_for(file, true), object);
     if (has_worked(end)) return "";
     std::string excess = excess_of(end);
     if (!excess.empty()) return excess;
-    // The precompiled header may bring a name that the file does not expect.
+    // The precompiled header may declare a name that the file uses for something else.
     return message_of(run(arguments_for(file, false), object));
   }
 
-  /// Links objects with what is given; the linker's message where it cannot.
+  /// Links objects with the given ones. Returns the linker's message, empty if it worked.
   std::string link(const std::vector<Readable>& objects, const fs::path& program) const {
     std::vector<std::string> arguments = {in_sandbox(toolkit_.main_object())};
     for (const Readable& object : objects) arguments.push_back(sandbox_.place(object));
@@ -89,17 +91,19 @@ class Compiler {
   }
 
  private:
-  /// What no submission can help must not look like one that does not compile.
+  /// Throws ToolError if jobs cannot read the toolkit; otherwise it would look as if the submission
+  /// did not compile.
   void require_readable_toolkit() const {
     Job job;
     job.command = {"/usr/bin/test", "-r", in_sandbox(toolkit_.header())};
     job.readable = {given_};
     job.output = scratch_ / "compiler.out";
     job.errors = errors();
-    job.seconds = 60;  // nothing, but on a machine that is busy
+    job.seconds = 60;  // far more than it takes, for a busy machine
     const JobEnd end = sandbox_.run(job);
     if (end.ending != Ending::normal) {
-      throw sys::ToolError("a program that does nothing was ended in the sandbox: too busy?");
+      throw sys::ToolError(
+          "a program that does nothing was ended in the sandbox; is the machine too busy?");
     }
     if (end.status == 0) return;
     throw sys::ToolError(fmt::format(
@@ -107,7 +111,7 @@ class Compiler {
         toolkit_.folder.string()));
   }
 
-  /// Where a job finds a file of the toolkit.
+  /// The path by which a job finds a file of the toolkit.
   std::string in_sandbox(const fs::path& file) const {
     return sandbox_.place(given_) + "/" + file.lexically_relative(toolkit_.folder).string();
   }
@@ -125,8 +129,8 @@ class Compiler {
     return arguments;
   }
 
-  /// Runs g++; the product comes out through standard output, so that nothing outside need be
-  /// writable.
+  /// Runs g++. The product is written to standard output, so that the job needs no writable
+  /// folder outside.
   JobEnd run(const std::vector<std::string>& arguments, const fs::path& product,
              const std::vector<Readable>& objects = {}) const {
     Job job;
@@ -154,7 +158,7 @@ class Compiler {
     return end.ending == Ending::normal && end.status == 0;
   }
 
-  /// Which limit was in the way; empty if none was.
+  /// Which limit was exceeded; empty if none was.
   std::string excess_of(const JobEnd& end) const {
     const std::string text = beginning_of(errors(), 16 * max_message);
     const auto says = [&](const char* words) { return text.find(words) != std::string::npos; };
@@ -163,7 +167,8 @@ class Compiler {
       return fmt::format("it takes longer than {} s to compile", limits_.compile_seconds);
     }
     if (end.ending != Ending::normal || text.empty()) return too_large();
-    // What g++ says when it runs out of memory tells how much it had by chance.
+    // These are messages of g++ when it runs out of memory. Their texts depend on chance, so the
+    // student is told the limit instead.
     for (const char* words :
          {"out of memory", "virtual memory", "cannot allocate", "Cannot allocate", "fatal signal",
           "internal compiler error", "memory exhausted", "signal terminated program",
@@ -196,7 +201,7 @@ class Compiler {
   Readable given_, project_;
 };
 
-/// The files of a submission as objects, stubs for those that do not compile.
+/// The files of a submission as objects, with stubs for those that do not compile.
 class Objects {
  public:
   Objects(const Assignment& assignment, const Compiler& compiler, fs::path folder)
@@ -221,9 +226,9 @@ class Objects {
     }
   }
 
-  /// Links all; where that fails, adds one file after another, in the exercises' order, stubs
-  /// standing for the rest, and leaves out each that breaks the link. Returns the linker's message
-  /// where it fails all the same.
+  /// Links all objects. If that fails, starts with stubs and adds one file after another in the
+  /// exercises' order, and leaves out each that breaks the link. Returns the linker's message if it
+  /// fails even then.
   std::string link(const fs::path& program) {
     if (compiler_.link(with_stubs(own_), program).empty()) return "";
     const auto all = std::exchange(own_, {});
@@ -238,7 +243,7 @@ class Objects {
     return compiler_.link(with_stubs(own_), program);
   }
 
-  /// By exercise.
+  /// The messages, by exercise.
   std::map<std::string, std::string> errors() const {
     std::map<std::string, std::string> errors;
     for (const Exercise& exercise : assignment_.exercises) {

@@ -16,7 +16,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-using Rows = std::map<std::string, std::string>;  ///< what follows the id, by student
+using Rows = std::map<std::string, std::string>;  ///< the line behind the id, by student
 
 std::vector<std::string> check_ids(const Assignment& assignment) {
   std::vector<std::string> ids;
@@ -42,7 +42,7 @@ std::string joined(const nlohmann::json& texts) {
   return all;
 }
 
-/// Throws nlohmann's exceptions for what is no mark.
+/// Throws nlohmann's exceptions if the JSON is no mark.
 std::string row_of(const Assignment& assignment, const nlohmann::json& mark) {
   std::string row = fmt::format(
       "{},{},{},{},{},{},{}", csv_field(mark.at("state").get<std::string>()),
@@ -72,7 +72,7 @@ void read_mark(const Assignment& assignment, const fs::path& folder, Rows& rows,
   }
 }
 
-/// Everybody who handed in something, be it one thing or two.
+/// Everybody who handed something in, even if it was more than one submission.
 std::vector<std::string> students_with_submission(const fs::path& submissions) {
   std::vector<std::string> students;
   for (const auto& entry : fs::directory_iterator(submissions)) {
@@ -83,7 +83,7 @@ std::vector<std::string> students_with_submission(const fs::path& submissions) {
       require_student_id(student);
       students.push_back(student);
     } catch (const sys::SourceError&) {
-      // `course list` says so.
+      // The command `list` reports it.
     }
   }
   return students;

@@ -111,8 +111,8 @@ std::string feedback_html(const Assignment& assignment, const Graded& graded,
   for (const Exercise& exercise : assignment.exercises) add_exercise(body, exercise, graded);
   add_pictures(body, pictures);
   std::ostringstream stream;
-  // Raw, as a browser would show spaces put between the lines of <pre>; no empty element is made
-  // that HTML would take for an open one.
+  // The raw format adds no spaces to the lines of <pre>, which a browser would show. Elements
+  // without content get an end tag, since HTML would take <p/> for an open element.
   document.save(stream, "",
                 pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags,
                 pugi::encoding_utf8);

@@ -8,8 +8,8 @@
 
 namespace course {
 
-/// A page for the student that stands alone and is readable on a phone: points, compile errors,
-/// messages, pictures (SVG elements).
+/// A page for the student, one file that a phone can show, with points, compile errors,
+/// messages and `pictures` (SVG elements).
 std::string feedback_html(const Assignment& assignment, const Graded& graded,
                           const std::vector<std::string>& pictures);
 

@@ -9,7 +9,7 @@
 
 namespace course {
 
-/// A picture for the feedback page: what the student's own program computed. No answer is in it.
+/// A curve for the feedback page, which the student's own program computed. It holds no answer.
 struct Curve {
   std::string title;
   std::string x_label;
@@ -18,7 +18,7 @@ struct Curve {
   Numbers y;  ///< as many as x
 };
 
-/// The pictures of a submission, by calling its program; one that fails is left out.
+/// Computes the curves of a submission by calling its program; a curve that fails is left out.
 using Curves = std::function<std::vector<Curve>(const Program&, const Variant&)>;
 
 /// A picture as an SVG element, drawn by gnuplot; empty if gnuplot cannot draw these numbers.

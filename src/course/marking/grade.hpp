@@ -10,7 +10,7 @@
 
 namespace course {
 
-/// One submission, and by what it is judged.
+/// One submission, and everything that is needed to grade it.
 struct GradingTask {
   std::filesystem::path submission;  ///< folder or archive
   std::string student;
@@ -22,9 +22,10 @@ struct GradingTask {
   Isolation isolation = Isolation::sandbox;
 };
 
-/// Grades one submission and writes results.json, junit.xml, feedback.html, mark.json and log.txt
-/// to the folder, all or none. The same submission gives the same bytes. Throws OutputError,
-/// ToolError; nothing for what is submitted, but for a path that is no submission at all.
+/// Grades one submission and writes results.json, junit.xml, feedback.html, mark.json and
+/// log.txt to the folder `output`, all of them or none. The same submission gives the same bytes.
+/// Throws OutputError if the path is no submission or a file cannot be written, and ToolError if
+/// the grader cannot work, but nothing because of what was submitted.
 Graded grade_submission(const Assignment& assignment, const GradingTask& task,
                         const std::filesystem::path& output);
 

@@ -11,10 +11,10 @@ namespace course {
 
 using Time = std::chrono::sys_seconds;
 
-/// How late a submission is, and what that takes away.
+/// How late a submission is, and how many of its points that costs.
 struct Lateness {
-  int days = 0;             ///< begun since the deadline
-  double percent = 0;       ///< of the points reached that are taken away
+  int days = 0;             ///< days begun since the deadline
+  double percent = 0;       ///< percentage of the points reached that is deducted
   bool is_refused = false;  ///< later than the policy allows: nothing counts
 };
 
@@ -22,7 +22,7 @@ struct Lateness {
 /// sys::SourceError for anything else.
 Time parse_time(const std::string& text);
 
-/// Without a time, a submission is on time.
+/// The lateness of a submission; one without a time is on time.
 Lateness lateness(const Assignment& assignment, const std::optional<Time>& submitted);
 
 }  // namespace course

@@ -12,7 +12,7 @@
 
 namespace course {
 
-/// All that grading found out about one submission.
+/// Everything that grading found out about one submission.
 struct Graded {
   std::string student;
   Lateness late;
@@ -22,9 +22,10 @@ struct Graded {
   std::vector<CheckResult> results;  ///< in the assignment's order
 };
 
+/// The sum of the results' points, before any deduction.
 double points_of(const Graded& graded);
 double deduction_of(const Graded& graded);  ///< rounded to hundredths
-double mark_of(const Graded& graded);
+double mark_of(const Graded& graded);       ///< the points minus the deduction
 
 /// "on time", "late", or "too late".
 std::string state_of(const Graded& graded);
@@ -35,10 +36,10 @@ std::string lateness_text(const Graded& graded);
 /// The result of a check; throws std::out_of_range if there is none.
 const CheckResult& result_of(const Graded& graded, const std::string& check);
 
-/// What `course collect` reads.
+/// The file mark.json, which `collect` reads.
 std::string mark_json(const Assignment& assignment, const Graded& graded);
 
-/// Everything, hidden checks' messages too, for the instructor.
+/// A text for the instructor with everything, the messages of hidden checks included.
 std::string log_text(const Assignment& assignment, const Graded& graded);
 
 /// Whether a check reached all of its points.

@@ -63,7 +63,7 @@ std::string ProgramRun::failure_of(const JobEnd& end) const {
     case Ending::normal:
       break;
   }
-  // Its status is the program's to choose, and could tell what it has seen.
+  // The status itself is not shown: the program could report hidden inputs by it.
   return end.status == 0 ? "" : "the program ended with a failure";
 }
 

@@ -12,16 +12,16 @@
 
 namespace course {
 
-/// The numbers that a program printed, separated by white space, of which nothing is believed.
-/// Throws ProgramFailure for anything but finite decimal numbers; the message repeats none of it.
+/// The numbers that a program printed, separated by white space. Throws ProgramFailure for
+/// anything but finite decimal numbers; the message repeats nothing of what the program printed.
 Numbers parse_answer(std::string_view text);
 
-/// A built submission as the checks see it. A request is two runs in the sandbox, which must agree;
-/// the same request again has the same answer. A task that took too long once is not asked again,
-/// and nothing is after all runs together took Limits::submission_seconds.
+/// A built submission as the checks see it. Each question is asked in two runs in the sandbox,
+/// which must agree; the same question again gets the same answer. A task that took too long is not
+/// asked again, and no question is asked once all runs together took Limits::submission_seconds.
 class ProgramRun {
  public:
-  /// Its files go beside the program.
+  /// Writes its files beside the program.
   ProgramRun(const Limits& limits, const Built& built, Isolation isolation);
 
   /// Throws ProgramFailure if there is no answer, ToolError if the sandbox cannot be started.

@@ -12,12 +12,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What students are told of a check: of a hidden one nothing but its points.
+/// The message of a check for students; of a hidden check they are told the points only.
 std::string message_for_student(const CheckEntry& entry, const CheckResult& result) {
   return entry.visibility == Visibility::visible ? result.message : "";
 }
 
-/// What concerns the whole submission.
+/// The text that concerns the whole submission.
 std::string general_output(const Graded& graded) {
   std::string text = "Handed in " + lateness_text(graded) + ".\n";
   for (const std::string& problem : graded.submission.problems) text += problem + "\n";

@@ -7,10 +7,11 @@
 
 namespace course {
 
-/// Gradescope's results.json: a test a check, hidden ones without their message.
+/// The file results.json for Gradescope, with one test for each check; hidden checks have no
+/// message.
 std::string gradescope_json(const Assignment& assignment, const Graded& graded);
 
-/// The same as JUnit's XML.
+/// The same in the XML format of JUnit.
 std::string junit_xml(const Assignment& assignment, const Graded& graded);
 
 }  // namespace course

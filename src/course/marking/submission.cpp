@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* report = "report/report.tex";
-constexpr int max_entries = 20'000;  ///< of a folder: more is no homework
+constexpr int max_entries = 20'000;  ///< in a folder; no homework has more
 
 std::vector<std::string> wanted_files(const Assignment& assignment) {
   std::set<std::string> files;
@@ -26,7 +26,7 @@ std::vector<std::string> wanted_files(const Assignment& assignment) {
   return {files.begin(), files.end()};
 }
 
-/// All that a folder holds, without following links; entries count no matter what they are.
+/// Everything in a folder, whatever its kind; links are not followed.
 struct Contents {
   std::vector<std::string> entries;
   std::uintmax_t bytes = 0;

@@ -9,8 +9,9 @@
 
 namespace course {
 
-/// What is compiled once for all submissions of an assignment: the files that students do not
-/// write, a stub for each that they do, and a precompiled header. No solution is in it.
+/// The folder with everything that is compiled once for all submissions of an assignment: the
+/// files that students do not write, a stub for each file that they do, and a precompiled header.
+/// No solution is in it.
 struct Toolkit {
   std::filesystem::path folder;
 
@@ -22,7 +23,7 @@ struct Toolkit {
   std::filesystem::path list() const { return folder / "files.txt"; }
   /// Holds main().
   std::filesystem::path main_object() const { return folder / "objects/provided/main.cpp.o"; }
-  /// Holds all else that is given.
+  /// Holds all other given objects.
   std::filesystem::path archive() const { return folder / "given.a"; }
 };
 
@@ -30,11 +31,11 @@ struct Toolkit {
 /// the folder holds none, or that of another assignment.
 Toolkit open_toolkit(const Assignment& assignment, const std::filesystem::path& folder);
 
-/// The compiler's flags, those that the precompiled header was made with; the project's folder as
-/// the compiler sees it.
+/// The compiler's flags, with which the precompiled header was made as well. `project` is the
+/// project's folder as the compiler sees it.
 std::vector<std::string> compile_flags(const std::string& project);
 
-/// What follows the objects when a program is linked.
+/// The linker's arguments that follow the objects.
 std::vector<std::string> link_flags();
 
 }  // namespace course

@@ -10,14 +10,14 @@
 namespace course {
 namespace {
 
-/// Points are given in hundredths: shares such as 1/3 would give a sum that nobody can check.
+/// Points are given in hundredths, since nobody could check a sum of shares such as 1/3.
 double points_of(double share, double points) {
   if (!(share > 0)) return 0;
   return std::round(std::min(share, 1.0) * points * 100) / 100;
 }
 
-/// The outcome where the program answered numbers that the check did not expect: what the check
-/// says of them is not for the student. Any other error is the grader's own, and costs the student
+/// The outcome if the program answered numbers for which the check throws; the exception's text
+/// is not for the student. Any other exception is an error of the grader and costs the student
 /// nothing.
 const Outcome without_judgement{
     0, "the program's answer cannot be judged: too few numbers, or meaningless ones"};
@@ -42,7 +42,7 @@ void require_code(const Assignment& assignment, const Checks& checks) {
   }
 }
 
-/// Why an exercise is not run at all; empty if it is.
+/// Why the checks of an exercise cannot be run; empty if they can.
 std::string obstacle(const Exercise& exercise, const Built& built) {
   if (built.compile_errors.contains(exercise.id)) {
     return exercise.file + " is missing or does not compile";

@@ -11,7 +11,7 @@
 
 namespace course {
 
-/// What a check gave.
+/// The points that a check gave, and the message to go with them.
 struct CheckResult {
   std::string id;
   double points = 0;  ///< reached, before any deduction

@@ -8,7 +8,7 @@
 namespace course {
 namespace {
 
-// Without the sign, which numbers in a text may have or not.
+// The sign is dropped, since a number in a text may stand without it.
 void add(const Numbers& numbers, std::set<double>& to) {
   for (const double number : numbers) {
     if (std::isfinite(number)) to.insert(std::abs(number));

@@ -9,14 +9,14 @@
 
 namespace course {
 
-/// Listens to what checks ask the instructor's program and what it answers: the values that a
-/// handout must not hold.
+/// Records what the checks ask the instructor's program and what it answers. These answers are
+/// the values that a handout must not hold.
 class ExpectedValues {
  public:
-  /// The same checks, listened to; they refer to this object.
+  /// The same checks, which now record in this object; it must outlive them.
   Checks listening(const Checks& checks);
 
-  /// The answers, each once, without those that an input was too.
+  /// The answers, each once, without those that were also an input.
   std::vector<double> values() const;
 
  private:

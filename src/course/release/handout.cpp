@@ -10,7 +10,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-// By this file a folder is known as one that was written here.
+// A folder that holds this file was written by this program and may be replaced.
 constexpr const char* variant_file = "provided/variant_of_this_handout.hpp";
 
 constexpr fs::perms executable =
@@ -47,12 +47,12 @@ void require_replaceable(const fs::path& folder) {
                        (fs::is_empty(folder) || fs::is_regular_file(folder / variant_file));
   if (is_ours) return;
   throw sys::OutputError(
-      fmt::format("'{}' is there and was not written by this command; name another folder or "
+      fmt::format("'{}' exists and was not written by this command; name another folder or "
                   "remove it",
                   folder.string()));
 }
 
-/// A folder beside the one that it shall replace; removed unless it did.
+/// A folder beside the one that it will replace. It is removed if it does not come to that.
 class Replacement {
  public:
   explicit Replacement(const fs::path& folder)
@@ -95,7 +95,8 @@ Project read_project(const Assignment& assignment, const fs::path& source) {
   const fs::path from = assignment.folder / "template";
   if (fs::exists(from / "build")) {
     throw sys::SourceError(
-        fmt::format("{}: somebody compiled in the template; remove it", (from / "build").string()));
+        fmt::format("{}: somebody has compiled in the template; remove this folder",
+                    (from / "build").string()));
   }
   Project project;
   for (const std::string& file : sys::files_below(from)) project[file] = read(from / file);
@@ -107,7 +108,7 @@ Project read_project(const Assignment& assignment, const fs::path& source) {
     const fs::path origin = source / "src" / file;
     if (!fs::is_regular_file(origin)) fail(fmt::format("there is no src/{}", file));
     const auto [entry, is_new] = project.try_emplace("provided/" + file, read(origin));
-    if (!is_new) fail(fmt::format("template/provided/{} is there too", file));
+    if (!is_new) fail(fmt::format("template/provided/{} exists as well", file));
   }
   if (project.contains(variant_file) || project.contains("sheet.pdf")) {
     throw sys::SourceError(
@@ -140,7 +141,7 @@ std::string variant_header(const Assignment& assignment, const Variant& variant)
                            quantity.unit.empty() ? "a pure number" : quantity.unit);
   }
   return fmt::format(
-      "// The numbers of this handout. Each student has other ones.\n"
+      "// These are the numbers of this handout. Each student has others.\n"
       "#pragma once\n"
       "\n"
       "#include \"course/assignment/variant.hpp\"\n"
@@ -159,7 +160,8 @@ void write_project(const Project& project, Edition edition, const Assignment& as
   const fs::path folder = without_trailing_slash(output);
   try {
     Replacement fresh(folder);
-    // First, so that what a broken run leaves is known as ours.
+    // This file is written first, so that the folder of a run that breaks off may be replaced
+    // later.
     write(fresh.path() / variant_file, variant_header(assignment, variant), fs::perms::none);
     for (const auto& [name, text] : texts(project, edition)) {
       write(fresh.path() / name, text, project.at(name).permissions);

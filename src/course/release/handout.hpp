@@ -24,23 +24,23 @@ using Project = std::map<std::string, ProjectFile>;
 
 enum class Edition { handout, solution };
 
-/// Reads the assignment's template/ and the provided files of source/src, which go to provided/.
-/// Throws sys::SourceError for markers that are wrong, a provided file that there is not or
-/// that the template has too, and a template that somebody compiled in.
+/// Reads the assignment's template/ and the provided files of source/src, which go to
+/// provided/. Throws sys::SourceError for wrong markers, for a provided file that does not exist or
+/// that the template also holds, and for a template in which somebody has compiled.
 Project read_project(const Assignment& assignment, const std::filesystem::path& source);
 
 /// The texts of one edition.
 Files texts(const Project& project, Edition edition);
 
-/// The exercises' files among them: what is submitted.
+/// The exercises' files among `files`, as they would be submitted.
 Files submission(const Assignment& assignment, const Files& files);
 
-/// provided/variant_of_this_handout.hpp, which defines `this_variant`.
+/// The text of provided/variant_of_this_handout.hpp, which defines `this_variant`.
 std::string variant_header(const Assignment& assignment, const Variant& variant);
 
-/// Writes an edition for a variant, with a copy of the file `sheet` as sheet.pdf unless that is
-/// empty. The folder is made anew and replaced as a whole, when all is written; scripts stay
-/// executable. Throws sys::OutputError, too for a folder that holds something else.
+/// Writes an edition for a variant, with a copy of the file `sheet` as sheet.pdf unless `sheet`
+/// is empty. The folder is replaced as a whole when everything is written; scripts stay executable.
+/// Throws sys::OutputError if it cannot be written or holds something else.
 void write_project(const Project& project, Edition edition, const Assignment& assignment,
                    const Variant& variant, const std::filesystem::path& sheet,
                    const std::filesystem::path& output);

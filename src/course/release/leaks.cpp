@@ -57,7 +57,7 @@ bool has_word(std::string_view text, std::string_view word) {
   return false;
 }
 
-// Typeset numbers have thin spaces between groups of three digits.
+// Joins the groups of three digits between which typeset numbers have thin spaces.
 std::string without_thin_spaces(std::string_view text) {
   const auto is_digit = [&](std::size_t i) {
     return i < text.size() && text[i] >= '0' && text[i] <= '9';
@@ -79,7 +79,7 @@ std::string output_of(const sys::Command& command, const fs::path& file) {
                                    result.output.substr(0, result.output.find('\n'))));
 }
 
-/// The project's own files that a source includes, "folder/name", headers with their sources.
+/// The project's own headers that a source includes, "folder/name", and the sources beside them.
 std::vector<std::string> included_files(const fs::path& file) {
   std::vector<std::string> included;
   const std::string text = sys::read_file(file);
@@ -93,7 +93,7 @@ std::vector<std::string> included_files(const fs::path& file) {
   return included;
 }
 
-/// The folders of `src` that the files include from, directly or not.
+/// The folders of `src` from which the files include, directly or indirectly.
 std::set<std::string> included_folders(const fs::path& src, const std::vector<fs::path>& files) {
   std::set<std::string> folders;
   std::set<fs::path> seen;
@@ -113,7 +113,7 @@ std::set<std::string> included_folders(const fs::path& src, const std::vector<fs
   return folders;
 }
 
-/// Searches files, and the files within them.
+/// Searches files and the files packed in them.
 class Search {
  public:
   explicit Search(const Secrets& secrets) : secrets_(secrets) {}
@@ -185,7 +185,8 @@ void Search::file(const fs::path& file, const std::string& shown) {
     return folder(unpacked.path(), shown + ": ");
   }
   for (const char* kind : {".gz", ".tgz", ".xz", ".bz2", ".zst", ".7z", ".rar", ".zip"}) {
-    if (shown.ends_with(kind)) report(shown, "what cannot be looked into");
+    if (shown.ends_with(kind))
+      report(shown, "what cannot be searched: it is an archive of an unknown kind");
   }
 }
 
@@ -237,7 +238,7 @@ std::vector<std::string> published_solutions(const Project& project) {
     }
     for (const auto& [region, counts] : lines) {
       if (counts.first < telling_lines || counts.second > 0) continue;
-      published.push_back(fmt::format("{}:{}: all of this region stands in the public part too",
+      published.push_back(fmt::format("{}:{}: all of this region also stands in the public part",
                                       file.origin.string(), region));
     }
   }

@@ -25,7 +25,7 @@ bool is_exercise(const Assignment& assignment, const std::string& file) {
          assignment.exercises.end();
 }
 
-/// Writes src/ and provided/ of the handout; returns their paths.
+/// Writes src/ and provided/ of the handout; returns the paths of their files.
 std::set<std::string> write_project(const Assignment& assignment, const fs::path& source,
                                     const fs::path& folder) {
   std::set<std::string> files;
@@ -40,8 +40,8 @@ std::set<std::string> write_project(const Assignment& assignment, const fs::path
   return files;
 }
 
-/// All library headers that the project includes, the standard ones that students will, and no
-/// more: a header that a file does not include must not turn its own names ambiguous.
+/// Includes all library headers that the project includes and the standard ones that students
+/// are likely to include, but no others: their names could clash with those in a student's file.
 std::string header_text(const fs::path& project, const std::set<std::string>& files) {
   std::set<std::string> headers = {"<algorithm>", "<array>",   "<cmath>",     "<functional>",
                                    "<limits>",    "<numbers>", "<stdexcept>", "<string>",

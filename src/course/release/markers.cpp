@@ -17,7 +17,7 @@ struct Comment {
   std::string_view begin, end;
 };
 
-// Files of other kinds than these comment as the shell does.
+// Files of all other kinds have comments like the shell.
 Comment comment_of(const std::string& file) {
   const std::string kind = std::filesystem::path(file).extension().string();
   if (kind == ".cpp" || kind == ".hpp" || kind == ".h" || kind == ".cc") return {"//", ""};
@@ -26,7 +26,7 @@ Comment comment_of(const std::string& file) {
   return {"#", ""};
 }
 
-// A line and what ends it: "\n", "\r\n" or, the last one, nothing.
+// A line and its end: "\n", "\r\n" or, at the end of the text, nothing.
 struct Line {
   std::string_view text, end;
 };
@@ -51,14 +51,15 @@ struct Marker {
   std::string text;  // the stub, or the name of hidden tests
 };
 
-// Whether a line has the words of a marker, however spelt: a slip must not give a solution away.
+// Whether a line has the words of a marker, however they are spelt. A misspelt marker would give a
+// solution away.
 bool looks_like_marker(std::string_view line) {
   static const sys::Pattern words(
       R"re((^|[^a-z])(begin|end)[ \t_-]+(solutions?|hidden[ \t_-]+tests?)\b)re", true);
   return words.is_in(line);
 }
 
-/// Walks through the lines of one file and divides them.
+/// Reads the lines of one file and divides them.
 class Divider {
  public:
   explicit Divider(const std::string& file) : file_(file), comment_(comment_of(file)) {}
@@ -113,7 +114,7 @@ std::optional<std::string_view> Divider::comment_in(std::string_view line) const
   std::string_view rest = sys::stripped(line);
   if (!rest.starts_with(comment_.begin)) return {};
   rest.remove_prefix(comment_.begin.size());
-  // nbgrader writes ### BEGIN SOLUTION.
+  // A marker may begin with several comment signs, as nbgrader writes ### BEGIN SOLUTION.
   while (comment_.end.empty() && rest.starts_with(comment_.begin.front())) rest.remove_prefix(1);
   if (!comment_.end.empty() && !rest.ends_with(comment_.end)) return {};
   rest.remove_suffix(comment_.end.size());
@@ -174,7 +175,7 @@ void Divider::end(Kind begin, const Line& line) {
   }
   region_.reset();
   takes_stubs_ = false;
-  // Nor does the handout end with a newline.
+  // If the file ends without a newline, so does the handout.
   const bool was_solution = begin == Kind::begin_solution;
   if (was_solution && line.end.empty() && result_.handout.ends_with(line_end_)) {
     result_.handout.resize(result_.handout.size() - line_end_.size());
@@ -182,7 +183,7 @@ void Divider::end(Kind begin, const Line& line) {
 }
 
 void Divider::stub(const std::string& text) {
-  if (!takes_stubs_) fail(number_, "STUB stands elsewhere than below BEGIN SOLUTION");
+  if (!takes_stubs_) fail(number_, "STUB may only stand below BEGIN SOLUTION");
   result_.handout += (text.empty() ? "" : indentation_) + text + line_end_;
 }
 

@@ -14,16 +14,17 @@ struct SecretLine {
   std::string text;
 };
 
-/// What a marked file says to whom.
+/// The editions of a marked file.
 struct MarkedText {
-  std::string handout;                      ///< to students: stubs for solutions, no hidden tests
-  std::string solution;                     ///< to the instructor: everything but markers and stubs
-  std::vector<SecretLine> secrets;          ///< of solutions and hidden tests, none blank
+  std::string handout;   ///< for students: with stubs for solutions and without hidden tests
+  std::string solution;  ///< for the instructor: everything but markers and stubs
+  std::vector<SecretLine> secrets;  ///< the lines of solutions and hidden tests that are not blank
   std::vector<std::string> hidden_regions;  ///< the names given to hidden tests
 };
 
-/// Divides a text at its markers, which are comments of the file's kind, `//`, `%`, `#` or
-/// `<!-- -->`, on lines of their own:
+/// Divides a text at its markers. These are comments on lines of their own, with `//`, `%`, `#`
+/// or
+/// `<!-- -->` depending on the kind of file:
 ///
 ///     // BEGIN SOLUTION
 ///     // STUB: return 0;
@@ -33,10 +34,10 @@ struct MarkedText {
 ///     // BEGIN HIDDEN TESTS: name
 ///     // END HIDDEN TESTS
 ///
-/// In the handout a solution is the comment YOUR SOLUTION HERE and its stub lines, with the
-/// indentation and line end of its BEGIN line; the name of hidden tests may be left out. Throws
-/// sys::SourceError «file:line: …» for a region in another, a marker without its partner, a
-/// stub line anywhere but below BEGIN SOLUTION, and words that were meant as a marker and are none.
+/// In the handout a solution becomes the comment YOUR SOLUTION HERE and its stub lines, with
+/// the indentation and line end of its BEGIN line. Hidden tests need no name. Throws
+/// sys::SourceError «file:line: …» for a region inside another, a marker without its partner, a
+/// stub line anywhere but below BEGIN SOLUTION, and a line that looks like a marker but is none.
 MarkedText apply_markers(std::string_view text, const std::string& file);
 
 }  // namespace course

@@ -19,7 +19,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// Proves the claims, one after the other.
+/// Tries the claims one after the other.
 class Prover {
  public:
   explicit Prover(const ProofInput& input)
@@ -27,7 +27,7 @@ class Prover {
         checks_(all_checks(input.assignment, input.visible, expected_.listening(input.hidden))),
         solution_(texts(input.project, Edition::solution)),
         wrong_(read_wrong_solutions(input.assignment, solution_)) {
-    open_toolkit(input.assignment, input.toolkit);  // told before the work
+    open_toolkit(input.assignment, input.toolkit);  // reports a wrong folder before the work begins
   }
 
   ProvedClaim variant() const;
@@ -87,7 +87,7 @@ ProvedClaim Prover::full_points() const {
 
 ProvedClaim Prover::wrong_solutions() const {
   std::vector<double> points(wrong_.size());
-  // The checks are those of the code itself: answers of wrong programs are no expected values.
+  // These checks do not record, because the answers of wrong programs are no expected values.
   const Checks checks = all_checks(input_.assignment, input_.visible, input_.hidden);
   const Variant nominal = nominal_variant(input_.assignment);
   sys::for_each_parallel(wrong_.size(), input_.n_jobs, [&](std::size_t i) {
@@ -128,7 +128,7 @@ ProvedClaim Prover::no_leaks() const {
 bool prove(const ProofInput& input, const std::function<void(const ProvedClaim&)>& tell) {
   const Prover prover(input);
   bool all_hold = true;
-  // In this order: what the solution answers is known when leaks are searched for.
+  // The search for leaks comes last, since it needs the answers of the solution.
   for (const auto claim : {&Prover::variant, &Prover::student_build, &Prover::floor,
                            &Prover::full_points, &Prover::wrong_solutions, &Prover::no_leaks}) {
     const ProvedClaim proved = (prover.*claim)();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t least_digits = 6;
 constexpr std::size_t most_digits = 8;
-constexpr std::size_t telling_digits = 5;  // fewer and anybody may have written the number
+constexpr std::size_t telling_digits = 5;  // anybody may have written a number with fewer
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -49,8 +49,8 @@ std::string rounded(const std::string& digits, std::size_t n) {
   return "1" + result.substr(0, n - 1);
 }
 
-// Passes over the digits of a number, point and exponent: what stands there of its significant
-// digits. `at` is left behind it.
+// Reads a number with its point and exponent, returns its significant digits, and moves `at`
+// behind it.
 std::string read_digits(std::string_view text, std::size_t& at) {
   std::string digits;
   bool has_point = false;
@@ -103,7 +103,7 @@ std::vector<std::string> SecretNumbers::printed_in(std::string_view text) const 
     const bool begins =
         is_digit(text[at]) || (text[at] == '.' && at + 1 < text.size() && is_digit(text[at + 1]));
     if (!begins) {
-      // A digit inside a word is no number's.
+      // A digit inside a word does not begin a number.
       if (!is_word(text[at++])) continue;
       while (at < text.size() && is_word(text[at])) ++at;
       continue;

@@ -9,19 +9,19 @@
 
 namespace course {
 
-/// Numbers that must not be found, printed or as a double's bytes.
+/// Numbers that a handout must not hold, neither printed nor as the bytes of a double.
 class SecretNumbers {
  public:
-  /// Leaves out numbers that everybody could write: those of less than five significant digits
-  /// when printed with six, such as 0.25 and 12000.
+  /// Leaves out numbers that anybody could write, which have less than five significant digits
+  /// when they are printed with six, such as 0.25 and 12000.
   explicit SecretNumbers(const std::vector<double>& numbers);
 
-  /// The numbers of a text, with six significant digits or more, that agree with a secret one in
-  /// the digits that both have, up to eight; where the decimal point stands does not matter, as
-  /// in another unit.
+  /// The numbers in a text that have at least six significant digits and agree with a secret
+  /// number in these, of which eight count at most. The place of the decimal point does not matter,
+  /// since the number may be in another unit.
   std::vector<std::string> printed_in(std::string_view text) const;
 
-  /// Whether the eight bytes of a secret number stand anywhere.
+  /// Whether the eight bytes of a secret number stand anywhere in `bytes`.
   bool stored_in(std::string_view bytes) const;
 
   bool empty() const { return patterns_.empty(); }

@@ -15,7 +15,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-// Without the flags and the job server of a make that started this program.
+// Runs make without the flags and the job server of another make that started this program.
 sys::ProcessResult run_make(const fs::path& folder, const std::vector<std::string>& targets,
                             std::size_t n_jobs) {
   return sys::run({.program = "make",
@@ -43,7 +43,7 @@ std::vector<std::string> warnings_in(const std::string& output) {
   return warnings;
 }
 
-// The first line that tells of an error, or the last one.
+// The first line with an error, or else the last line.
 std::string error_in(const std::string& output) {
   const auto lines = sys::lines_of(output);
   const auto error = std::ranges::find_if(
@@ -63,12 +63,12 @@ std::vector<std::string> faults_of_student_build(const Assignment& assignment,
   if (made.exit_status != 0) {
     return {fmt::format("make ends with status {}: {}", made.exit_status, error_in(made.output))};
   }
-  // CMake's own output may be put aside.
+  // The handout's makefile may write CMake's output to a file.
   std::string output = made.output;
   if (fs::exists(copy / "build.log")) output += sys::read_file(copy / "build.log");
   std::vector<std::string> faults = warnings_in(output);
 
-  // The checks need not hold yet, but each has to be tried.
+  // The checks need not hold yet, but each must be tried.
   const sys::ProcessResult checked = run_make(copy, {"check"}, n_jobs);
   for (const Exercise& exercise : assignment.exercises) {
     for (const CheckEntry& check : exercise.checks) {

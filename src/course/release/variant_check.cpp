@@ -39,7 +39,7 @@ std::vector<std::string> doubled(const std::vector<Variant>& variants) {
   return faults;
 }
 
-// The program again, in a folder where no other run writes.
+// The same program in a folder where no other run writes.
 Built in_folder(const Built& built, const fs::path& folder) {
   fs::create_directories(folder);
   Built linked = built;
@@ -48,7 +48,7 @@ Built in_folder(const Built& built, const fs::path& folder) {
   return linked;
 }
 
-// What a student gets: the project, which is proved elsewhere, their numbers, and a sheet.
+// Compares a handout with what the student must get: the project, their numbers, and a sheet.
 std::vector<std::string> differences_of_folder(const VariantCheckInput& input,
                                                const Variant& variant, const fs::path& handout) {
   Files wanted = texts(input.project, Edition::handout);
@@ -84,7 +84,7 @@ std::vector<std::string> faults_of_handout(const VariantCheckInput& input, const
   return faults;
 }
 
-// All that is wrong with one student's variant, and handout if there are any.
+// Everything that is wrong with one student's variant and, if there are handouts, with theirs.
 std::vector<std::string> faults_of(const VariantCheckInput& input, const Variant& variant,
                                    const Built& built) {
   ExpectedValues expected;

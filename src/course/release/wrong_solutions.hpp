@@ -10,20 +10,19 @@
 
 namespace course {
 
-/// The instructor's solution with one mistake, and what it must score with the nominal numbers: how
-/// many points of a check a mistake spoils may depend on the variant.
+/// The instructor's solution with one mistake, and the points that it must reach with the
+/// nominal numbers; how many points a mistake costs may depend on the variant.
 struct WrongSolution {
   std::string id;
   std::string says;  ///< what is wrong, such as "a sign is lost"
-  std::string file;  ///< an exercise's
+  std::string file;  ///< the file of an exercise
   std::string before;
   std::string after;
   double points = 0;
 };
 
 /// Reads the [[wrong]] tables of folder/wrong_solutions.toml. Throws config::Error
-/// «file:line:column: …», among others for `before` that does not stand exactly once in the
-/// solution.
+/// «file:line:column: …», for instance if `before` does not stand exactly once in the solution.
 std::vector<WrongSolution> read_wrong_solutions(const Assignment& assignment,
                                                 const Files& solution);
 

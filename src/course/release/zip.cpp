@@ -14,7 +14,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-// A packed project is a folder, or the files as they are.
+// The zip may hold one folder or the files themselves.
 fs::path root_of(const fs::path& unpacked) {
   std::vector<fs::path> entries;
   for (const auto& entry : fs::directory_iterator(unpacked)) entries.push_back(entry.path());
@@ -39,10 +39,10 @@ std::vector<std::string> differences_of_zip(const fs::path& zip, const fs::path&
   const auto packed = sys::files_below(root);
   const auto loose = sys::files_below(folder);
   std::vector<std::string> faults;
-  std::vector<std::string> lonely;
-  std::ranges::set_symmetric_difference(packed, loose, std::back_inserter(lonely));
-  for (const std::string& file : lonely) {
-    faults.push_back(fmt::format("zip and folder: {} is in one and not the other", file));
+  std::vector<std::string> unmatched;
+  std::ranges::set_symmetric_difference(packed, loose, std::back_inserter(unmatched));
+  for (const std::string& file : unmatched) {
+    faults.push_back(fmt::format("zip and folder: {} is in one but not in the other", file));
   }
   for (const std::string& file : packed) {
     if (!std::ranges::binary_search(loose, file)) continue;

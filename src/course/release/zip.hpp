@@ -7,12 +7,12 @@
 
 namespace course {
 
-/// Unpacks a zip of the project's own making into an existing folder. Throws sys::ToolError if
-/// bsdtar is missing or cannot read it.
+/// Unpacks a zip that this project made into an existing folder. Throws sys::ToolError if
+/// bsdtar is missing or cannot read the zip.
 void unpack_zip(const std::filesystem::path& zip, const std::filesystem::path& folder);
 
-/// A line for each file that is in a zip and not in a folder, or the other way round, or differs.
-/// The zip may hold the folder's files as they are, or in one folder. Throws as unpack_zip does.
+/// A line for each file that differs between a zip and a folder or is missing in one of them.
+/// The zip may hold the files at its top or in one folder. Throws as unpack_zip does.
 std::vector<std::string> differences_of_zip(const std::filesystem::path& zip,
                                             const std::filesystem::path& folder);
 

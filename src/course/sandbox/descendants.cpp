@@ -16,8 +16,8 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// A file of /proc; nothing of a process that has gone. (Read by getline, which takes an error in
-/// the middle for the end; iterators of a stream throw it.)
+/// The text of a file of /proc, empty if its process has ended. (If the process ends while the
+/// file is read, getline stops there, whereas stream iterators would throw.)
 std::string text_of(const std::string& file) {
   std::ifstream stream(file);
   std::string text;
@@ -25,7 +25,7 @@ std::string text_of(const std::string& file) {
   return text;
 }
 
-/// The entries of a folder in /proc that are numbers.
+/// The numbers among the names in a folder of /proc.
 std::vector<pid_t> numbers_in(const std::string& folder) {
   std::vector<pid_t> numbers;
   std::error_code error;
@@ -37,7 +37,7 @@ std::vector<pid_t> numbers_in(const std::string& folder) {
   return numbers;
 }
 
-/// The fields of /proc/PID/stat from the third on; the second, a name, may hold anything.
+/// The fields of /proc/PID/stat from the third on. The second is a name, which may hold anything.
 std::vector<std::string> statistics_of(pid_t process) {
   const std::string text = text_of(fmt::format("/proc/{}/stat", process));
   const auto end_of_name = text.rfind(')');
@@ -67,7 +67,7 @@ Usage usage_of(const std::vector<pid_t>& processes) {
   Usage usage;
   for (const pid_t process : processes) {
     const std::vector<std::string> fields = statistics_of(process);
-    if (fields.size() < 22) continue;  // it is gone
+    if (fields.size() < 22) continue;  // it has ended
     for (std::size_t i = 11; i < 15; ++i) usage.cpu_seconds += std::stod(fields[i]) / ticks;
     usage.tasks += std::stoul(fields[17]);
     usage.bytes += std::stoul(fields[21]) * page;

@@ -8,20 +8,20 @@
 
 namespace course {
 
-/// All processes below one, whichever thread started them, itself left out. One that starts or ends
-/// meanwhile may be in it or not.
+/// All processes below a process, whichever of its threads started them, without the process
+/// itself. A process that starts or ends meanwhile may be among them or not.
 std::vector<pid_t> descendants(pid_t process);
 
-/// What processes use together.
+/// What some processes use together.
 struct Usage {
-  std::size_t bytes = 0;   ///< in memory; a page that two of them share counts twice
-  double cpu_seconds = 0;  ///< with that of their children that have ended
+  std::size_t bytes = 0;   ///< of memory; a page that two processes share counts twice
+  double cpu_seconds = 0;  ///< including that of their children that have ended
   std::size_t tasks = 0;   ///< processes and threads
 };
 
 Usage usage_of(const std::vector<pid_t>& processes);
 
-/// Processes and threads of this process's user.
+/// The number of processes and threads of this process's user.
 std::size_t own_tasks();
 
 }  // namespace course

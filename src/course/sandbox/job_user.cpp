@@ -20,8 +20,8 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-/// The first of the users to choose from: where there are so many, none that a person or a service
-/// has; else, in a container, of those that are seldom given.
+/// The first of the users to choose from. Where the system has enough of them, these numbers
+/// belong to no person or service; in a container with fewer users they seldom do.
 unsigned first_user() {
   std::istringstream map(sys::read_file("/proc/self/uid_map"));
   unsigned long inside = 0;
@@ -31,8 +31,8 @@ unsigned first_user() {
   return n_users > 2'000'000'000UL ? 1'900'000'000U : 20'000U;
 }
 
-/// Takes the first user whose lock is free. The lock ends with this process, and is never opened
-/// again; its file stays.
+/// Takes the first user whose lock is free. The lock is released when this process ends; its
+/// file stays.
 unsigned locked_user() {
   const fs::path locks = private_folder(fs::exists("/run") ? "/run" : "/tmp", "halfspace-users");
   constexpr unsigned n_users = 40'000;
@@ -54,7 +54,7 @@ unsigned job_user() {
   static unsigned user = 0;
   static pid_t owner = 0;
   const std::scoped_lock lock(mutex);
-  if (owner != ::getpid()) {  // a fork has its parent's lock, but is another grading
+  if (owner != ::getpid()) {  // after a fork the lock is the parent's
     user = locked_user();
     owner = ::getpid();
   }

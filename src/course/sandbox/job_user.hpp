@@ -3,8 +3,8 @@
 
 namespace course {
 
-/// The user as whom root's jobs run: this process's alone, as long as it lives. Throws
-/// sys::ToolError if there is none left or no lock can be made.
+/// The user as whom root's jobs run. No other process uses it as long as this one lives. Throws
+/// sys::ToolError if no user is left or no lock can be made.
 unsigned job_user();
 
 }  // namespace course

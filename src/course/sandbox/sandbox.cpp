@@ -24,7 +24,8 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Parts of /usr that a distribution's compiler does not need and an instructor may keep things in.
+/// Parts of /usr that the distribution's compiler does not need and where an instructor may keep
+/// things.
 std::vector<std::string> hidden_folders() {
   const fs::path compiler = fs::canonical(sys::find_tool("g++"));
   std::vector<std::string> hidden;
@@ -48,7 +49,7 @@ JobEnd ending_of(const ChildEnd& end) {
   return {Ending::normal, status};
 }
 
-/// The user of the job, without any capability.
+/// The start of a command line that runs the rest as another user without any capability.
 std::vector<std::string> as_user(unsigned user) {
   return {"/usr/bin/setpriv",
           fmt::format("--reuid={}", user),
@@ -59,8 +60,9 @@ std::vector<std::string> as_user(unsigned user) {
           "--bounding-set=-all"};
 }
 
-/// The processor's time is what is limited, so that a busy machine does no injustice; the clock's,
-/// twice as long, ends what sleeps.
+/// The start of a command line that runs the rest within limits. Processor time is limited, so
+/// that a busy machine does nobody an injustice; a limit by the clock, twice as long, ends what
+/// sleeps.
 std::vector<std::string> within_limits(const Job& job) {
   return {"/usr/bin/prlimit",
           "--core=0",
@@ -97,7 +99,8 @@ Sandbox::Sandbox(Isolation isolation, const fs::path& work)
   probe();
 }
 
-/// Jobs of another grading must not find the way, whose names the list of processes tells.
+/// Lets this process's jobs into its folder and no others: its path stands in the list of
+/// processes, where jobs of another grading can read it.
 void Sandbox::make_reachable() const {
   using fs::perms;
   fs::permissions(work_, perms::owner_all | perms::group_exec);
@@ -154,7 +157,7 @@ std::vector<std::string> Sandbox::walls(const Job& job) const {
                  "--remount-ro",
                  "/dev"});
   for (const auto& [path, place] : job.readable) {
-    // Folders on the way would be the superuser's alone.
+    // bubblewrap would make the folders on the way readable to the superuser only.
     const std::string parent = fs::path(place).parent_path().string();
     if (parent != "/") append(walls, {"--perms", "0755", "--dir", parent});
     append(walls, {"--ro-bind", fs::absolute(path).string(), place});
@@ -168,17 +171,18 @@ std::vector<std::string> Sandbox::walls(const Job& job) const {
 }
 
 std::vector<std::string> Sandbox::command(const Job& job) const {
-  // A grading that is killed takes its job along.
+  // If the grading is killed, its job is killed too.
   std::vector<std::string> command = {"/usr/bin/setpriv", "--pdeathsig=KILL", "/usr/bin/timeout"};
-  // In a group of its own `timeout` would not hear Ctrl-C; without walls the group is all there is
-  // to end the children with.
+  // In a process group of its own `timeout` would not receive Ctrl-C. Without walls it needs
+  // that group to end the children.
   if (isolation_ == Isolation::sandbox) command.emplace_back("--foreground");
   append(command, {"--kill-after=1", fmt::format("{}", 2 * job.seconds)});
   if (isolation_ == Isolation::sandbox) append(command, walls(job));
   if (is_root_) append(command, as_user(user_));
   append(command, within_limits(job));
-  // Of a person grading without walls, all processes count: there the watchdog has to count the
-  // job's, and this only ends what outruns it.
+  // The limit counts all processes of the user. If a person grades without walls, these include
+  // the person's own; then run_child counts the job's processes, and this limit only stops a job
+  // that starts processes faster than they are counted.
   const bool counts_alone = is_root_ || isolation_ == Isolation::sandbox;
   command.push_back(fmt::format(
       "--nproc={}", counts_alone ? static_cast<std::size_t>(job.processes)
@@ -190,7 +194,7 @@ std::vector<std::string> Sandbox::command(const Job& job) const {
 JobEnd Sandbox::run(const Job& job) const {
   const bool has_walls = isolation_ == Isolation::sandbox;
   if (!has_walls) prepare_scratch();
-  // One more is `timeout`.
+  // `timeout` is one process more.
   const std::size_t max_tasks =
       has_walls || is_root_ ? 0 : static_cast<std::size_t>(job.processes) + 1;
   const ChildEnd end = run_child({.command = command(job),
@@ -225,7 +229,7 @@ void Sandbox::probe() const {
                           .folder = "",
                           .output = work_ / "probe.out",
                           .errors = errors,
-                          .seconds = 60});  // nothing, but on a machine that is busy
+                          .seconds = 60});  // far more than it takes, for a busy machine
   if (end.ending == Ending::normal && end.status == 0) return;
   std::string why = sys::read_file(errors);
   why = why.substr(0, why.find('\n'));

@@ -17,7 +17,7 @@ namespace {
 
 const std::string toy_text = sys::read_file(toy::folder / "assignment.toml");
 
-// Reads the toy's assignment with `before`, which stands there, replaced.
+// Reads the toy's assignment with `before`, which must stand in it, replaced.
 course::Assignment read_with(const std::string& before, const std::string& after,
                              const TemporaryFolder& folder) {
   std::string text = toy_text;
@@ -29,7 +29,8 @@ course::Assignment read_with(const std::string& before, const std::string& after
   return course::read_assignment(folder.path());
 }
 
-// Wants an error in the line of the toy's assignment where `before` begins, or `n_below` later.
+// Checks that the error is in the line of the toy's assignment where `before` begins, or `n_below`
+// lines later.
 void check_error(const std::string& before, const std::string& after, const std::string& expected,
                  int n_below = 0) {
   const TemporaryFolder folder;

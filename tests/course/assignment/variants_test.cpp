@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(every_place_of_the_grid_is_drawn_about_equally_often) {
   BOOST_TEST(n_drawn.size() == 89U);
   BOOST_TEST(n_drawn.begin()->first == 1.1);
   BOOST_TEST(n_drawn.rbegin()->first == 9.9);
-  // 100 each on average; five standard deviations are 50.
+  // Each is drawn 100 times on average; five standard deviations are 50.
   for (const auto& [value, n] : n_drawn) BOOST_TEST(std::abs(n - 100) < 50, value << ": " << n);
 }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# grade_test.sh PROGRAM SOURCE: a small class through `make grade`'s script, with the real assignment.
+# grade_test.sh PROGRAM SOURCE: grades a small class of the real assignment with the script of `make grade`.
 course=$1
 shift
 # shellcheck source=tests/toolchain/shell_test.sh
@@ -22,7 +22,7 @@ printf '%s\n' alice,2027-01-15T23:59:00Z, bob,, carol,2027-01-16T23:59:00Z, dave
   frank,2027-01-18T23:59:00Z,2027-01-18T23:59:00Z \
   >>"$scratch/class.csv"
 
-# grade WORK JOBS [SUBMISSIONS [ROSTER]]: by the script.
+# grade WORK JOBS [SUBMISSIONS [ROSTER]]: runs the script.
 grade() {
   runs env SUBMISSIONS="${3:-sub missions}" ROSTER="${4:-class.csv}" J="$2" HALFSPACE_COURSE="${program:-$course}" WORK="$scratch/$1" \
     CALLER="$scratch" bash "$source_dir/src/toolchain/course/grade"
@@ -41,7 +41,7 @@ grade two 1
 claim 'marks do not depend on how many are graded at a time' \
   -z "$(diff -r "$scratch/one/grades" "$scratch/two/grades" && diff "$scratch/one/grades.csv" "$scratch/two/grades.csv")"
 
-# A grader that fails for one. (The contact builds on the influence coefficients: bob has lost both.)
+# This grader fails for one student. (The contact builds on the influence coefficients, so bob has lost both.)
 program="$scratch/failing"
 cat >"$program" <<EOF
 #!/bin/sh
@@ -55,7 +55,7 @@ claim 'and says for whom' "$(says 'bob was not graded (exit 3)')" = yes
 claim 'the old mark is gone' "$(grep -c '^bob,not graded' "$scratch/two/grades.csv")" = 1
 claim 'the others are graded' "$(grep -c '^carol,late,100,10,90' "$scratch/two/grades.csv")" = 1
 
-# What cannot begin leaves everything as it was.
+# If grading cannot begin, the old grades stay.
 program=
 cp -R "$scratch/one/grades" "$scratch/before"
 unchanged() {
@@ -88,7 +88,7 @@ claim 'nor does a name that is none' "$status $(says 'an id is of')" = '2 yes'
 runs env SUBMISSIONS=nowhere HALFSPACE_COURSE="$course" WORK="$scratch/one" bash "$source_dir/src/toolchain/course/grade"
 claim 'a folder that there is not is named' "$(says 'SUBMISSIONS: there is no nowhere')" = yes
 
-# A Slurm array's second task.
+# This is the second task of a Slurm array.
 mkdir -p "$scratch/slurm/build/course" "$scratch/slurm/src/toolchain"
 ln -s "$source_dir/src/toolchain/course" "$scratch/slurm/src/toolchain/course"
 ln -s "$scratch/one/course/toolkit" "$scratch/slurm/build/course/toolkit"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Submissions that are broken or mean harm: tests/course/hostile, and those that cannot be kept as
-// files. Each is graded in a process of its own, as a class is.
+// Grades submissions that are broken or mean harm: those in tests/course/hostile, and others that
+// cannot be kept as files. Each is graded in a process of its own, as in a class.
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <sys/wait.h>
@@ -27,7 +27,7 @@ namespace {
 
 const fs::path fixtures = fs::path(HALFSPACE_SOURCE_DIR) / "tests/course/hostile";
 
-/// What the log must say of each; all but `honest` have no points.
+/// What the log must say about each of them; all but `honest` have no points.
 const std::map<std::string, std::string> reasons = {
     {"answers_by_the_clock", "different answers to the same question"},
     {"answers_commas", "no decimal number"},
@@ -123,7 +123,7 @@ void tar(const fs::path& folder, std::vector<std::string> arguments) {
   BOOST_REQUIRE_MESSAGE(result.exit_status == 0, result.output);
 }
 
-/// Those that are one file of a kind.
+/// The submissions that consist of a special kind of file.
 void make_odd_files(const TemporaryFolder& made) {
   made.write("binary_file/src/square.cpp", std::string("int x = \0;", 10));
   made.write("empty_file/src/square.cpp", "");
@@ -142,7 +142,7 @@ void make_odd_files(const TemporaryFolder& made) {
   BOOST_REQUIRE(::mkfifo((made.path() / "pipe_for_file/src/square.cpp").c_str(), 0600) == 0);
   if (::mknod((made.path() / "device/src/square.cpp").c_str(), S_IFCHR | 0666, makedev(1, 5)) !=
       0) {
-    fs::remove_all(made.path() / "device");  // only root may
+    fs::remove_all(made.path() / "device");  // only root can make one
   }
 }
 
@@ -183,8 +183,8 @@ std::vector<fs::path> all_submissions(const fs::path& made) {
   return submissions;
 }
 
-/// Grades in a child, as a child's number is what keeps the jobs of two gradings apart; false if it
-/// fails.
+/// Grades in a child process, because the jobs of two gradings are kept apart by their processes;
+/// false if it fails.
 bool grade_apart(const fs::path& submission, const fs::path& grades) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -207,7 +207,7 @@ bool grade_apart(const fs::path& submission, const fs::path& grades) {
   return status == 0;
 }
 
-/// The names of all processes that there are.
+/// The names of all processes of the machine.
 std::vector<std::string> processes() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -232,7 +232,7 @@ class Class {
   const fs::path& made() const { return made_.path(); }
   const fs::path& parts() const { return parts_.path(); }
 
-  /// Grades all, by `n_jobs` at a time.
+  /// Grades all submissions, `n_jobs` at a time.
   void grade(const fs::path& grades, std::size_t n_jobs, bool is_backwards) const {
     const std::size_t n = submissions_.size();
     std::vector<char> has_worked(n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What students get back: results.json, junit.xml, feedback.html.
+// The files that students get back: results.json, junit.xml and feedback.html.
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 

@@ -138,7 +138,8 @@ BOOST_AUTO_TEST_CASE(a_template_that_cannot_be_right_is_refused) {
   check_error<sys::SourceError>(read, "assignment.toml: provided: there is no src/course/no");
   assignment.provided = {"course/assignment/check.hpp"};
   folder.write("toy/template/provided/course/assignment/check.hpp", "");
-  check_error<sys::SourceError>(read, "template/provided/course/assignment/check.hpp is there too");
+  check_error<sys::SourceError>(read,
+                                "template/provided/course/assignment/check.hpp exists as well");
   assignment.provided = {};
   folder.write("toy/template/src/root.cpp", "// BEGIN SOLUTION\n");
   check_error<sys::SourceError>(read, "root.cpp:1: BEGIN SOLUTION has no END");
@@ -146,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_template_that_cannot_be_right_is_refused) {
   folder.write("toy/template/sheet.pdf", "");
   check_error<sys::SourceError>(read, "are made for each handout");
   folder.write("toy/template/build/root.o", "");
-  check_error<sys::SourceError>(read, "somebody compiled in the template");
+  check_error<sys::SourceError>(read, "somebody has compiled in the template");
 }
 
 BOOST_AUTO_TEST_CASE(binary_files_are_copied_as_they_are) {

@@ -21,7 +21,7 @@ course::Secrets secrets() {
                             {toy::folder / "hidden/hidden_checks.hpp"}, {1.5165750888103102, 0.25});
 }
 
-// What is found in a file of the name and the bytes.
+// The leaks that are found in a file with this name and these bytes.
 std::vector<std::string> leaks_in(const std::string& name, const std::string& bytes) {
   const TemporaryFolder folder;
   folder.write(name, bytes);
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_zip_is_unpacked_and_other_archives_are_refused) {
 
   BOOST_REQUIRE(found.size() == 1);
   BOOST_TEST(found[0].starts_with("x.zip: src/a b.txt holds the line "));
-  check_leak("a.tar.gz", "", "what cannot be looked into");
+  check_leak("a.tar.gz", "", "what cannot be searched: it is an archive of an unknown kind");
   BOOST_CHECK_THROW(leaks_in("broken.pdf", "%PDF-1.4"), sys::ToolError);
 }
 

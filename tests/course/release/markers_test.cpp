@@ -111,9 +111,10 @@ BOOST_AUTO_TEST_CASE(a_region_needs_both_its_ends) {
 }
 
 BOOST_AUTO_TEST_CASE(a_stub_stands_below_begin_solution_and_nowhere_else) {
-  check_error("// STUB: return 0;\n", "1: STUB stands elsewhere");
-  check_error("// BEGIN SOLUTION\nx\n// STUB: y\n// END SOLUTION\n", "3: STUB stands elsewhere");
-  check_error("// BEGIN HIDDEN TESTS\n// STUB: y\n", "2: STUB stands elsewhere");
+  check_error("// STUB: return 0;\n", "1: STUB may only stand below");
+  check_error("// BEGIN SOLUTION\nx\n// STUB: y\n// END SOLUTION\n",
+              "3: STUB may only stand below");
+  check_error("// BEGIN HIDDEN TESTS\n// STUB: y\n", "2: STUB may only stand below");
 }
 
 BOOST_AUTO_TEST_CASE(a_misspelt_marker_gives_no_solution_away) {

@@ -45,7 +45,7 @@ class Toy {
   course::Assignment assignment() const { return course::read_assignment(folder_.path() / "toy"); }
   course::Project project() const { return course::read_project(assignment(), toy::source); }
 
-  // Of the variant, and packed.
+  // Writes the handout of the variant and packs it.
   fs::path write_handout(const course::Variant& variant) const {
     course::write_project(project(), course::Edition::handout, assignment(), variant, {},
                           folder_.path() / "handout");
@@ -57,7 +57,7 @@ class Toy {
 
   fs::path write_handout() const { return write_handout(course::nominal_variant(assignment())); }
 
-  // What does not hold, and why, by the first words of the claim.
+  // The claims that do not hold, by their first words, with the reasons.
   std::string prove(const course::Variant& variant, const fs::path& zip = {}) const {
     const course::Assignment assignment = this->assignment();
     const course::Project project = this->project();
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(a_solution_left_in_a_handout_is_a_fault) {
 
   const std::string faults = toy.prove(course::nominal_variant(toy.assignment()), toy.zip());
   BOOST_TEST(faults.find("src/mean.cpp.orig holds the line ") != std::string::npos);
-  BOOST_TEST(faults.find("zip and folder: src/mean.cpp.orig is in one and not the other") !=
+  BOOST_TEST(faults.find("zip and folder: src/mean.cpp.orig is in one but not in the other") !=
              std::string::npos);
   BOOST_TEST(faults.find("compiles") == std::string::npos);
 }
@@ -286,6 +286,6 @@ BOOST_AUTO_TEST_CASE(each_students_handout_is_proved_to_be_theirs) {
   BOOST_TEST(found.find("ada: notes.txt is not what it must be") != std::string::npos);
   BOOST_TEST(found.find("ada: notes.txt holds the id of the hidden check mean-reference") !=
              std::string::npos);
-  BOOST_TEST(found.find("ada: zip and folder: notes.txt is in one and not the other") !=
+  BOOST_TEST(found.find("ada: zip and folder: notes.txt is in one but not in the other") !=
              std::string::npos);
 }

@@ -56,7 +56,7 @@ JobEnd run_freely(const TemporaryFolder& work, Job job) {
   return sandbox.run(job);
 }
 
-/// What `action` returns in a process of its own; of a user that is not root, if there is a choice.
+/// What `action` returns in a process of its own, which gives up the rights of root if it has them.
 bool as_nobody(const TemporaryFolder& work, const std::function<bool()>& action) {
   constexpr uid_t nobody = 65534;
   if (::geteuid() == 0) BOOST_REQUIRE(::chown(work.path().c_str(), nobody, nobody) == 0);
