@@ -11,7 +11,7 @@
 namespace assignment {
 namespace {
 
-// An answer that no property can be tried on.
+// An answer on which no property can be tried.
 class NoAnswer : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -34,7 +34,7 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
     throw NoAnswer("task " + task + ": no number is finite");
   }
   if (greatest(numbers) == 0) throw NoAnswer("task " + task + ": all numbers are zero");
-  // No comparison holds for a NaN; for an infinity some do.
+  // No comparison holds for a NaN, but some hold for an infinity.
   std::replace_if(
       numbers.begin(), numbers.end(), [](double number) { return !is_finite(number); },
       std::numeric_limits<double>::quiet_NaN());

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all checks share: asking the student's program, and counting how much holds. Part of the
-// handout, so only the standard library is used.
+// What all checks share: they ask the student's program and count how much holds. This header is
+// part of the handout, so it uses the standard library only.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "course/check.hpp"
+#include "course/assignment/check.hpp"
 
 namespace assignment {
 
 /// The answer of a task: exactly `count` numbers, at least one of which is finite and not zero
 /// (zeros have every symmetry there is).
 ///
-/// Anything else ends the check: guarded() turns that into share 0 and a message. A NaN or an
-/// infinity among other numbers is returned as NaN, and no part holds in which it is compared. What
-/// the program itself throws (course::ProgramFailure) goes through.
+/// Throws for anything else, and guarded() turns that into share 0 and a message. A NaN or an
+/// infinity among other numbers is returned as NaN, with which no comparison holds. Passes on what
+/// the program itself throws (course::ProgramFailure).
 course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
                                const course::Numbers& inputs, std::size_t count);
 
@@ -24,7 +24,7 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
 course::Numbers finite_answer(const course::Program& program, const std::string& task,
                               const course::Numbers& inputs, std::size_t count);
 
-/// The check with share 0 and a message for an answer that is no answer.
+/// The same check, which gives share 0 and a message where finite_answer or nonzero_answer throws.
 course::Check guarded(course::Check check);
 
 /// Counts the parts of a check that hold. Each part counts the same.
@@ -47,16 +47,16 @@ class Tally {
 /// «name = number» with up to six digits, to say where a part failed.
 std::string at(const std::string& name, double number);
 
-/// |a − b| ≤ tolerance; not for a NaN or an infinity.
+/// Whether |a − b| ≤ tolerance; false for a NaN or an infinity.
 bool near(double a, double b, double tolerance);
 
-/// The greatest magnitude of those that are finite; 0 for none.
+/// The greatest magnitude among the finite numbers; 0 if there is none.
 double greatest(const course::Numbers& numbers);
 
 /// Each number times the factor.
 course::Numbers times(double factor, course::Numbers numbers);
 
-/// The one list after the other.
+/// The second list appended to the first.
 course::Numbers joined(course::Numbers first, const course::Numbers& second);
 
 }  // namespace assignment

@@ -16,7 +16,7 @@ using course::Numbers;
 using course::Program;
 using course::Variant;
 
-// From −3 to 3 half-widths of the load.
+// Abscissas from −3 to 3 half-widths of the load.
 Numbers places() {
   Numbers xi;
   for (int i = -30; i <= 30; ++i) xi.push_back(0.1 * i);
@@ -75,7 +75,7 @@ std::vector<Curve> curves(const Program& program, const Variant& variant) {
     } catch (const sys::ToolError&) {
       throw;
     } catch (const std::exception&) {
-      // No answer, no picture.
+      // An exercise without an answer has no curve.
     }
   }
   return all;

@@ -3,15 +3,15 @@
 
 #include <vector>
 
-#include "course/check.hpp"
-#include "course/feedback.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/variant.hpp"
+#include "course/marking/feedback_picture.hpp"
 
 namespace assignment {
 
-/// What the feedback page draws: the student's own slope, displacement and contact pressure, how
-/// far their eqs. (2) and (3) are apart, and what gap their contact leaves. An exercise without an
-/// answer has no curve. Throws ToolError.
+/// Computes the curves of the feedback page: the student's own slope, displacement and contact
+/// pressure, the difference of their eqs. (2) and (3), and the gap that their contact leaves. An
+/// exercise without an answer has no curve. Throws ToolError if the program cannot be run.
 std::vector<course::Curve> curves(const course::Program& program, const course::Variant& variant);
 
 }  // namespace assignment

@@ -47,7 +47,7 @@ Outcome influence_is_right(const Program& program, const Variant& variant) {
 Outcome influence_keeps_digits(const Program& program, const Variant& variant) {
   const Cylinders c = cylinders_of(variant);
   const Numbers k = {30, 300, 3e3, -3e4, 1e5};
-  const double datum = 2 * c.spacing;  // not so far that it hides the digits
+  const double datum = 2 * c.spacing;  // near, so that its part of A_k does not hide the digits
   const Numbers found = ask_influence(program, c.contact_modulus(), c.spacing, datum, k);
   Tally tally("the coefficients far away are right to nine digits");
   for (std::size_t i = 0; i < k.size(); ++i) {
@@ -66,7 +66,8 @@ std::vector<std::pair<std::string, Cylinders>> pairs_of(const Variant& variant) 
   std::swap(swapped.young1, swapped.young2);
   std::swap(swapped.poisson1, swapped.poisson2);
   swapped.line_load *= 0.8;
-  Cylinders soft = own;  // half-width as before: modulus, load and curvature go together
+  Cylinders soft =
+      own;  // modulus, load and curvature change together, so the half-width is the same
   soft.young2 *= 0.2;
   soft.poisson2 = 0.45;
   soft.radius1 *= 2.2;
@@ -93,7 +94,7 @@ Reference solve(const Cylinders& c) {
       Radius::of_cylinder("radius2", c.radius2));
   const contact::Solution solution = contact::solve_by_matrix_inversion(
       {pair.profile(), pair.contact_modulus(), {c.n_nodes, c.spacing}}, c.line_load);
-  // Each coefficient is zero at the datum, not at one spacing: Σ φ T(datum/c) more.
+  // Each coefficient is zero at the datum instead of at one spacing, which adds Σ φ T(datum/c).
   const double total_phi = 2 * c.line_load / (std::numbers::pi * pair.contact_modulus());
   const double to_datum = contact::influence_coefficient(Element::triangular, c.datum / c.spacing);
   return {solution.approach_at_spacing + total_phi * to_datum, solution.half_width(),

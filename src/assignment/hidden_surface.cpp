@@ -22,7 +22,7 @@ using course::Outcome;
 using course::Program;
 using course::Variant;
 
-// Near the kinks 0 and ±1, under the load and beside it; in half-widths.
+// Abscissas in half-widths, under the load, beside it, and near the kinks 0 and ±1.
 const Numbers near_the_load = {1e-3, 0.2, -0.5, 0.7071, -0.999, 1, 1.001, -1.5, 4, -15};
 
 // The reference at each x.
@@ -44,8 +44,7 @@ elasticity::SurfaceQuadrature quadrature_of(const Surface& s) {
   return {elasticity::Material(s.young, s.poisson), load_of(s), s.datum};
 }
 
-// The greatest slope under a load of that shape, to three digits; in units of 2(1−ν²)p₀/(πE) it is
-// a pure number.
+// The greatest slope under a load of that shape in units of 2(1−ν²)p₀/(πE), to three digits.
 double greatest_slope(const Surface& s) {
   const double unit =
       2 * (1 - s.poisson * s.poisson) * s.peak_pressure / (std::numbers::pi * s.young);
@@ -60,12 +59,12 @@ double greatest_slope(const Surface& s) {
   return 0;
 }
 
-// p₀a/E, what displacements are measured with.
+// p₀a/E, the unit of the tolerances of displacements.
 double unit_displacement(const Surface& surface) {
   return surface.peak_pressure * surface.half_width / surface.young;
 }
 
-// A shape of the load, and where its surface is tried, in half-widths.
+// A shape of the load, and the abscissas in half-widths at which its surface is tried.
 struct Places {
   Shape shape;
   Numbers xi;
@@ -75,7 +74,7 @@ std::string place(double xi, Shape shape) {
   return at("x/a", xi) + at(", pressure", static_cast<double>(shape));
 }
 
-// Compares at x/a = xi; `tolerance` is absolute.
+// Compares the slopes at x/a = xi; `tolerance` is absolute.
 Outcome compare(const char* property, const Numbers& xi, const Numbers& found,
                 const Numbers& reference, double tolerance) {
   Tally tally(property);
@@ -106,7 +105,7 @@ Outcome gradient_keeps_digits(const Program& program, const Variant& variant) {
   return tally.outcome();
 }
 
-// The triangle has a closed form, and so counts little.
+// The triangle has few points, because it has a closed form.
 const std::vector<Places> quadrature_places = {
     {Shape::triangle, {1}},
     {Shape::smooth, {1e-3, 0.3, -0.9, 1, -1.8}},
@@ -152,7 +151,7 @@ Outcome quadrature_is_honest(const Program& program, const Variant& variant) {
   return tally.outcome();
 }
 
-// How much of u_z is right, at these places, with the surface's datum.
+// Counts at how many of these places u_z is right, with the surface's datum.
 void try_displacement(const Program& program, Surface surface, const Places& places, Tally& tally) {
   surface.shape = places.shape;
   const Numbers x = times(surface.half_width, places.xi);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "course/check.hpp"
+#include "course/assignment/check.hpp"
 
 namespace assignment {
 

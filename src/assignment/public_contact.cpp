@@ -18,7 +18,7 @@ using course::Variant;
 
 constexpr double pressure_roundings = 1e-8;
 
-// The same with a part of the load, whose contact the grid holds as well.
+// The same cylinders with a part of the load, so that the contact still fits into the grid.
 Cylinders with_load(Cylinders cylinders, double share) {
   cylinders.line_load *= share;
   return cylinders;
@@ -74,7 +74,7 @@ Outcome contact_closes_the_gap(const Program& program, const Variant& variant) {
   return tally.outcome();
 }
 
-// Whether both lists are the same to `tolerance` of the greatest.
+// Whether both lists agree to `tolerance` times the greatest number.
 bool same(const Numbers& a, const Numbers& b, double tolerance) {
   bool all = true;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -106,8 +106,8 @@ Outcome contact_scales(const Program& program, const Variant& variant) {
   return tally.outcome();
 }
 
-// The half-width found with `spacings` and three eighths of them over the half-width a: always the
-// same part of a spacing, as the end of the contact between two nodes decides the error.
+// The half-width found with `spacings` and three eighths of a spacing over the half-width a. The
+// fraction is always the same, because the error depends on where the contact ends between nodes.
 double half_width_on(const Program& program, Cylinders c, double a, int spacings) {
   c.spacing = a / (spacings + 0.375);
   c.n_nodes = 2 * static_cast<int>(1.3 * spacings) + 1;

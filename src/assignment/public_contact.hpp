@@ -2,12 +2,12 @@
 #pragma once
 
 #include "assignment/tasks.hpp"
-#include "course/check.hpp"
+#include "course/assignment/check.hpp"
 
 namespace assignment {
 
 /// The gap u_z1 + u_z2 + h − δ at each node, eqs. (1a) and (1b), with the coefficients that the
-/// program itself gives. NaN where one of them is.
+/// program itself gives; NaN where a coefficient is NaN.
 course::Numbers gaps(const course::Program& program, const Cylinders& cylinders,
                      const ContactAnswer& contact);
 

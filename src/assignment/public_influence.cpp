@@ -45,7 +45,7 @@ Outcome influence_refines(const Program& program, const Variant& variant) {
     return fine[2 * i] / 2 + fine[2 * i + 1] + fine[2 * i + 2] / 2;
   };
 
-  // Differences, since the small triangles are not all as far from the datum.
+  // Differences are compared, since the small triangles lie at different distances from the datum.
   Tally tally("a triangle over four spacings is half, one and half of three over two");
   for (std::size_t i = 1; i < k.size(); ++i) {
     const double scale = large[0] - large[i];
@@ -61,7 +61,7 @@ Outcome influence_is_displacement(const Program& program, const Variant& variant
   const double modulus = c.contact_modulus();
   const Numbers k = {0, 1, 2, 7, 30};
   const Numbers coefficients = ask_influence(program, modulus, c.spacing, c.datum, k);
-  // One body with E/(1−ν²) = E* in place of two.
+  // One body with E/(1−ν²) = E* takes the place of two.
   const Surface surface{modulus * (1 - c.poisson1 * c.poisson1), c.poisson1, 1, c.spacing, c.datum};
   const Numbers u = ask_displacement(program, surface, times(c.spacing, k));
 

@@ -16,11 +16,11 @@ using course::Outcome;
 using course::Program;
 using course::Variant;
 
-// A handful of roundings, and what a sum of logarithms near the load loses.
+// Allows for a few roundings and for the digits that a sum of logarithms loses near the load.
 constexpr double roundings = 1e-9;
 
-// The least agreement of eqs. (2) and (3), over the greatest slope; the most that an error
-// estimate may be.
+// Eqs. (2) and (3) must agree to this part of the greatest slope, and error estimates may not be
+// larger.
 constexpr double agreement = 1e-7;
 constexpr double most_reported = 1e-6;
 
@@ -57,12 +57,12 @@ Outcome gradient_falls_as_1_over_x(const Program& program, const Variant& varian
   return tally.outcome();
 }
 
-// The slopes at two points of the same x/a, whatever the half-width.
+// The slopes at two fixed values of x/a.
 Numbers two_slopes(const Program& program, const Surface& surface) {
   return ask_gradient(program, surface, {0.4 * surface.half_width, -2.3 * surface.half_width});
 }
 
-// Whether the one are `factor` times the other.
+// Whether the first numbers are `factor` times the second ones.
 bool is_multiple(const Numbers& one, const Numbers& other, double factor) {
   const double tolerance = roundings * greatest(one);
   return near(one[0], factor * other[0], tolerance) && near(one[1], factor * other[1], tolerance);
@@ -150,7 +150,8 @@ Outcome displacement_has_the_slope(const Program& program, const Variant& varian
   const Surface surface = surface_of(variant);
   const double a = surface.half_width;
   const Numbers xi = {0.25, -0.5, 0.7, 1.4, 4};
-  const double step = 0.02;  // a tenth of the way to the next kink: an error of 1e-5
+  const double step =
+      0.02;  // a tenth of the distance to the next kink, which gives an error of 1e-5
   Numbers x;
   for (const double middle : xi) {
     for (const int k : {-2, -1, 0, 1, 2}) x.push_back((middle + k * step) * a);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pressures of exercises 2 and 3, which the tasks name by number. Part of the handout, so only
-// the standard library is used.
+// The pressures of exercises 2 and 3, which the tasks name by number. This header is part of the
+// handout, so it uses the standard library only.
 #pragma once
 
 #include <cmath>
@@ -9,14 +9,14 @@
 
 namespace assignment {
 
-/// How a pressure goes with ξ = s/a; zero for |ξ| > 1.
+/// The shape of a pressure over ξ = s/a. It is zero for |ξ| > 1.
 enum class Shape {
   triangle = 0,   ///< p₀(1 − |ξ|), eq. (4)
   smooth = 1,     ///< p₀(1 − ξ²)²
   one_sided = 2,  ///< p₀(1 − ξ²)(1 + ξ/2), greater on the right
 };
 
-/// The shape of that number. Throws std::invalid_argument for a number that has none.
+/// The shape with this number. Throws std::invalid_argument if there is none.
 inline Shape shape_of(double number) {
   for (const Shape shape : {Shape::triangle, Shape::smooth, Shape::one_sided}) {
     if (number == static_cast<double>(shape)) return shape;

@@ -25,7 +25,7 @@ using literate::Value;
 
 namespace {
 
-// What a quantity of assignment.toml is called in the formulas, and in words.
+// The symbol of a quantity of assignment.toml in the formulas, and its name.
 struct Meaning {
   std::string symbol;
   std::string words;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "course/assignment.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/variant.hpp"
 #include "literate/document/document.hpp"
 
 namespace assignment {
 
-/// Registers what the assignment sheet (report/assignment/sheet.tex) names: its facts (`sheet.…`),
-/// the points and a table of checks of each exercise (`points.ID`, `checks-ID`), the limits
+/// Registers everything that the assignment sheet (report/assignment/sheet.tex) names: its facts
+/// (`sheet.…`), the points and a table of checks of each exercise (`points.ID`, `checks-ID`), the
+/// limits
 /// (`limit.…`), all exercises with their files (`exercises`), the variant's numbers (`quantities`),
 /// and its figures.
 ///
-/// No id of a hidden check and no number that a check expects is among them. Throws
+/// It registers no id of a hidden check and no number that a check expects. Throws
 /// std::out_of_range for a quantity that the variant lacks.
 void register_sheet(literate::Document& document, const course::Assignment& assignment,
                     const course::Variant& variant);

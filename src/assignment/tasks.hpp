@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tasks of the student's program as the checks ask for them: names, and inputs from a variant.
-// All numbers are in SI units. Part of the handout, so only the standard library is used.
+// All numbers are in SI units. This header is part of the handout, so it uses the standard library
+// only.
 #pragma once
 
 #include "assignment/shapes.hpp"
-#include "course/check.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/variant.hpp"
 
 namespace assignment {
 
@@ -22,11 +23,11 @@ struct Surface {
 /// The first body of a variant, under the variant's triangle.
 Surface surface_of(const course::Variant& variant);
 
-/// «gradient»: ∂u_z/∂x at each x by eq. (3), which is for the triangle whatever the shape.
+/// «gradient»: ∂u_z/∂x at each x by eq. (3), which is for the triangle; the shape does not count.
 course::Numbers ask_gradient(const course::Program& program, const Surface& surface,
                              const course::Numbers& x);
 
-/// What «gradient_by_quadrature» gives: ∂u_z/∂x at each x by eq. (2), and its error.
+/// The answer of «gradient_by_quadrature»: ∂u_z/∂x at each x by eq. (2), and its error.
 struct Quadratures {
   course::Numbers value;
   course::Numbers abs_error;
@@ -62,7 +63,7 @@ struct Cylinders {
 
 Cylinders cylinders_of(const course::Variant& variant);
 
-/// What «contact» gives: the approach δ, the half-width a, and the pressure at each node.
+/// The answer of «contact»: the approach δ, the half-width a, and the pressure at each node.
 struct ContactAnswer {
   double approach;
   double half_width;

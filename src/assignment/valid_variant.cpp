@@ -10,14 +10,14 @@
 namespace assignment {
 namespace {
 
-// The half-space stands for a cylinder while the contact is this small beside the radii.
+// A half-space may stand for a cylinder if the contact is this small compared with the radii.
 constexpr double most_of_radius = 0.1;
 
-// Pressures beyond this part of E* would strain metals beyond what is linear.
+// Pressures beyond this fraction of E* would strain metals beyond the linear range.
 constexpr double most_of_modulus = 0.02;
 
-// Spacings over the half-width: enough to tell the shape, and a grid that ends neither in the
-// contact nor far off.
+// Spacings over the half-width. There must be enough to show the shape, and the grid must end
+// neither inside the contact nor far from it.
 constexpr double fewest_spacings = 25;
 constexpr double least_margin = 1.1;
 constexpr double greatest_margin = 1.6;

@@ -11,12 +11,13 @@
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
 #include "command_line/options.hpp"
-#include "course/check_list.hpp"
-#include "course/collect.hpp"
-#include "course/grade.hpp"
-#include "course/roster.hpp"
-#include "course/toolkit.hpp"
-#include "course/variants.hpp"
+#include "course/assignment/check_list.hpp"
+#include "course/assignment/student.hpp"
+#include "course/assignment/variants.hpp"
+#include "course/marking/collect.hpp"
+#include "course/marking/grade.hpp"
+#include "course/marking/roster.hpp"
+#include "course/release/make_toolkit.hpp"
 #include "course_app/commands.hpp"
 #include "course_app/options.hpp"
 #include "system/files.hpp"
@@ -38,7 +39,7 @@ struct GradeOptions : CourseOptions {
   bool is_unsafe = false;
 };
 
-/// What the roster says of a student; options that say it are stronger.
+/// The times of a student in the roster, replaced by those that options give.
 
 course::RosterEntry times_of(const GradeOptions& options, const std::string& student) {
   course::RosterEntry times;
@@ -110,8 +111,7 @@ ExitCode collect(const CollectOptions& options) {
 }  // namespace
 
 void add_toolkit_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "toolkit",
-              "Compile once what students do not write, for `grade`; no solution is in it",
+  add_command(program, "toolkit", "Compile for `grade`, once, what students do not write",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<ToolkitOptions>();
                 add_assignment(command, *options);
@@ -132,17 +132,17 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
                                   "A folder, .zip, .tar, .tar.gz, .tgz or .tar.xz");
                 add_assignment(command, *options);
                 add_required_text(command, "--toolkit", options->toolkit, "DIR",
-                                  "What `toolkit` wrote");
+                                  "Folder that `toolkit` wrote");
                 add_required_text(command, "--output", options->output, "DIR", "Folder to write");
                 add_text(command, "--student", options->student, "ID",
-                         "Whose it is; else the submission's name without its ending");
+                         "The student; by default the submission's name without its ending");
                 add_seed(command, *options);
                 add_text(command, "--submitted", options->submitted, "TIME",
-                         "When, as 2027-01-15T23:59:00+01:00");
+                         "When it was handed in, as 2027-01-15T23:59:00+01:00");
                 add_text(command, "--deadline", options->deadline, "TIME",
                          "For this student, instead of the assignment's");
                 add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class, whose columns `submitted` and `deadline` tell when");
+                         "CSV of the class, with columns `submitted` and `deadline`");
                 add_switch(command, "--unsafe", options->is_unsafe,
                            "Grade without bubblewrap: with limits, but with no walls");
                 return [options] { return grade(*options); };
@@ -150,7 +150,7 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
 }
 
 void add_list_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "list", "List what there is to grade, a line each", exit_code,
+  add_command(program, "list", "List the submissions in a folder, a line each", exit_code,
               [](CLI::App& command) {
                 auto options = std::make_shared<ListOptions>();
                 add_required_text(command, "submissions", options->submissions, "DIR",
@@ -163,8 +163,8 @@ void add_list_command(CLI::App& program, ExitCode& exit_code) {
 }
 
 void add_student_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "student", "Tell whose a submission is, by its name", exit_code,
-              [](CLI::App& command) {
+  add_command(program, "student", "Print the student from whom a submission is, by its name",
+              exit_code, [](CLI::App& command) {
                 auto submission = std::make_shared<std::string>();
                 add_required_text(command, "submission", *submission, "FOLDER|ARCHIVE",
                                   "A folder or archive that `list` lists");
@@ -200,9 +200,9 @@ void add_collect_command(CLI::App& program, ExitCode& exit_code) {
                 add_assignment(command, *options);
                 add_required_text(command, "--output", options->output, "FILE", "CSV to write");
                 add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class: who is missing gets a line");
+                         "CSV of the class; students without a mark get a line");
                 add_text(command, "--submissions", options->submissions, "DIR",
-                         "What was handed in: what has no mark gets a line");
+                         "Folder of the submissions; those without a mark get a line");
                 return [options] { return collect(*options); };
               });
 }

@@ -7,8 +7,8 @@
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
 #include "command_line/options.hpp"
-#include "course/check_list.hpp"
-#include "course/variants.hpp"
+#include "course/assignment/check_list.hpp"
+#include "course/assignment/variants.hpp"
 #include "course_app/commands.hpp"
 #include "system/files.hpp"
 
@@ -24,15 +24,15 @@ void add_source(CLI::App& command, CourseOptions& options) {
 
 void add_student(CLI::App& command, CourseOptions& options) {
   add_text(command, "--student", options.student, "ID",
-           "Whose numbers; the assignment's nominal ones without");
+           "Use this student's numbers; by default the nominal ones");
   add_seed(command, options);
 }
 
 void add_seed(CLI::App& command, CourseOptions& options) {
   add_text(command, "--seed", options.seed, "TEXT",
-           "What the variants are drawn from; without it everybody has the nominal numbers");
+           "The variants are drawn from it; by default everybody has the nominal numbers");
   add_text(command, "--seed-file", options.seed_file, "FILE",
-           "File of the seed, which other users see in no list of processes");
+           "File of the seed, which keeps it out of the list of processes");
 }
 
 std::string seed_of(const CourseOptions& options) {

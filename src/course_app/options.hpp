@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the subcommands of `halfspace-course` have in common.
+// Options that several subcommands of `halfspace-course` have.
 #pragma once
 
 #include <string>
 
-#include "course/assignment.hpp"
-#include "course/variant.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/variant.hpp"
 
 namespace CLI {
 class App;
@@ -24,15 +24,15 @@ void add_source(CLI::App& command, CourseOptions& options);
 void add_student(CLI::App& command, CourseOptions& options);
 void add_seed(CLI::App& command, CourseOptions& options);
 
-/// Reads the assignment and asks whether each of its checks has code, before any work.
+/// Reads the assignment and makes sure that each of its checks has code.
 course::Assignment read_assignment(const CourseOptions& options);
 
-/// The seed, or that in the seed's file without the line end; empty without either. Throws
-/// sys::InputError if both are given or the file holds none.
+/// The seed, given as such or in a file, without the line end; empty if neither is given. Throws
+/// sys::InputError if both are given or the file holds no seed.
 std::string seed_of(const CourseOptions& options);
 
-/// The student's numbers, or the nominal ones where there is no student. Throws sys::InputError
-/// where there is no seed for the student, or no student for the seed.
+/// The student's numbers, or the nominal ones if no student is given. Throws sys::InputError if
+/// only one of student and seed is given.
 course::Variant variant_of(const CourseOptions& options, const course::Assignment& assignment);
 
 }  // namespace course_app

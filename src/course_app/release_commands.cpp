@@ -13,10 +13,10 @@
 #include "assignment/valid_variant.hpp"
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
-#include "course/handout.hpp"
-#include "course/proof.hpp"
-#include "course/roster.hpp"
-#include "course/variant_check.hpp"
+#include "course/marking/roster.hpp"
+#include "course/release/handout.hpp"
+#include "course/release/proof.hpp"
+#include "course/release/variant_check.hpp"
 #include "course_app/commands.hpp"
 #include "course_app/options.hpp"
 #include "system/files.hpp"
@@ -35,7 +35,7 @@ void add_place(CLI::App& command, Options& options) {
 }
 
 void add_toolkit(CLI::App& command, Options& options) {
-  add_required_text(command, "--toolkit", options.toolkit, "DIR", "What `toolkit` made");
+  add_required_text(command, "--toolkit", options.toolkit, "DIR", "Folder that `toolkit` wrote");
 }
 
 std::size_t count_of(const NumberOption& option, long otherwise, long most) {
@@ -60,7 +60,7 @@ ExitCode write(const Options& options, course::Edition edition) {
   return ExitCode::success;
 }
 
-// What the answers are compared with.
+// The sources of the hidden checks, with which the answers are compared.
 std::vector<fs::path> secret_files(const std::string& source) {
   const fs::path folder = fs::path(source) / "src/assignment";
   std::vector<fs::path> files;
@@ -125,9 +125,9 @@ ExitCode check_variants(const Options& options, const std::vector<std::string>& 
                                                   .n_jobs = n_jobs,
                                                   .handouts = options.handouts,
                                                   .secret_files = secret_files(options.source)});
-  const std::string good = options.handouts.empty() ? "" : ", nothing is given away";
+  const std::string good = options.handouts.empty() ? "" : ", and nothing is given away";
   const std::string found = faults.empty()
-                                ? "no two alike, the solution scores all points on each" + good
+                                ? "no two are alike, the solution scores all points on each" + good
                                 : fmt::format("{} faults", faults.size());
   stage.done(fmt::format("{} variants: {}", students.size(), found));
   return answer_faults(faults);
@@ -162,14 +162,14 @@ void add_solution_command(CLI::App& program, ExitCode& exit_code) {
 
 void add_prove_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "prove",
-              "Prove a handout: it compiles, scores its floor, gives nothing away; the solution "
-              "and the wrong ones score what they must",
+              "Prove that a handout compiles and gives nothing away, and that the solution and "
+              "wrong ones score what they must",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<Options>();
                 add_required_text(command, "handout", options->handout, "HANDOUT",
                                   "Folder that `handout` wrote");
                 add_toolkit(command, *options);
-                add_text(command, "--zip", options->zip, "FILE", "The same packed");
+                add_text(command, "--zip", options->zip, "FILE", "The same handout packed");
                 add_student(command, *options);
                 auto jobs = std::make_shared<NumberOption>(command, "--jobs", "How many at a time");
                 add_place(command, *options);
@@ -183,10 +183,10 @@ void add_check_variants_command(CLI::App& program, ExitCode& exit_code) {
                 auto options = std::make_shared<Options>();
                 auto count = std::make_shared<NumberOption>(command, "--count", "How many; 300");
                 add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class, whose own variants are tried");
+                         "CSV of the class whose variants are tried");
                 add_seed(command, *options);
                 add_text(command, "--handouts", options->handouts, "DIR",
-                         "The students' handouts and zips, which are proved to be theirs");
+                         "The students' handouts and zips, to be proved as well");
                 add_toolkit(command, *options);
                 auto jobs = std::make_shared<NumberOption>(command, "--jobs", "How many at a time");
                 add_place(command, *options);

@@ -7,7 +7,7 @@
 #include "assignment/hidden_checks.hpp"
 #include "assignment/programs.hpp"
 #include "assignment/public_checks.hpp"
-#include "course/check_list.hpp"
+#include "course/assignment/check_list.hpp"
 
 using course::Numbers;
 using course::Outcome;
@@ -23,7 +23,7 @@ course::Checks all_checks() {
                             assignment::hidden_checks());
 }
 
-// What each check says to a program whose answers are all changed alike.
+// The outcome of each check for a program whose answers are all changed in the same way.
 void require_refused(const Program& program, const std::string& reason) {
   const course::Variant variant = course::nominal_variant(programs::assignment());
   for (const auto& [id, check] : all_checks()) {

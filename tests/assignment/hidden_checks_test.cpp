@@ -6,8 +6,8 @@
 #include <set>
 
 #include "assignment/programs.hpp"
-#include "course/expected_values.hpp"
-#include "course/secret_numbers.hpp"
+#include "course/release/expected_values.hpp"
+#include "course/release/secret_numbers.hpp"
 
 using course::Numbers;
 using course::Program;
@@ -40,7 +40,7 @@ void require_failed(const Program& program, const std::set<std::string>& expecte
   BOOST_TEST(found == expected, boost::test_tools::per_element());
 }
 
-// Programs that are wrong in every task, each in another way.
+// Programs that are wrong in every task, each of them in a different way.
 std::vector<Program> wrong_programs() {
   std::vector<Program> list;
   for (const double factor : {-1., 2., 1 + 1e-5}) {
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_takes_the_second_body_for_the_first_is_wrong
   BOOST_TEST(found.at("contact-half-width") < 1);
 }
 
-// Exercise 1 in place of exercises 2 and 3.
+// A program that answers exercises 2 and 3 by exercise 1.
 Numbers without_quadrature(const std::string& task, const Numbers& in) {
   if (task != "gradient_by_quadrature" && task != "displacement") return programs::right(task, in);
   Numbers triangle = in;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs of students: this project's own functions behind the tasks, and the same made wrong.
+// Programs as students write them: this project's own functions answer the tasks, rightly or with a
+// planted mistake.
 #pragma once
 
 #include <cmath>
@@ -14,9 +15,9 @@
 #include "contact/cylinder_pair.hpp"
 #include "contact/element.hpp"
 #include "contact/matrix_inversion.hpp"
-#include "course/assignment.hpp"
-#include "course/check.hpp"
-#include "course/variants.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/variants.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
 
@@ -29,7 +30,7 @@ inline course::Assignment assignment() {
   return course::read_assignment(HALFSPACE_SOURCE_DIR "/report/assignment");
 }
 
-/// The nominal variant, and some students'.
+/// The nominal variant and those of some students.
 inline std::vector<course::Variant> variants() {
   const course::Assignment description = assignment();
   std::vector<course::Variant> list = {course::nominal_variant(description)};
@@ -47,7 +48,7 @@ inline Numbers gradient(const Numbers& in) {
   return out;
 }
 
-/// The load of shape, p₀ and a.
+/// The load with this shape, p₀ and a.
 inline elasticity::Load load_of(double shape, double unit_pressure, double half_width) {
   const auto pressure = [=](double s) {
     return assignment::pressure(assignment::shape_of(shape), unit_pressure, half_width, s);
@@ -100,7 +101,7 @@ inline Numbers contact_of(const Numbers& in) {
   return out;
 }
 
-/// This project's functions.
+/// The right program, by this project's functions.
 inline Numbers right(const std::string& task, const Numbers& in) {
   if (task == "gradient") return gradient(in);
   if (task == "gradient_by_quadrature") return quadrature(in);
@@ -110,7 +111,7 @@ inline Numbers right(const std::string& task, const Numbers& in) {
   throw std::logic_error("no task " + task);
 }
 
-/// The right program, but for one task whose answer `spoil` changes.
+/// The right program, except that `spoil` changes the answer of one task.
 inline Program spoiled(const std::string& task, const std::function<void(Numbers&)>& spoil) {
   return [=](const std::string& asked, const Numbers& in) {
     Numbers out = right(asked, in);
@@ -119,7 +120,7 @@ inline Program spoiled(const std::string& task, const std::function<void(Numbers
   };
 }
 
-/// The right program, but for one task that is given other inputs.
+/// The right program, except that one task is given other inputs.
 inline Program misled(const std::string& task, const std::function<void(Numbers&)>& mislead) {
   return [=](const std::string& asked, Numbers in) {
     if (asked == task) mislead(in);

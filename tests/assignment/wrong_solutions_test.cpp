@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of wrong solutions fits the instructor's one. What they score is proved at release.
-#include "course/wrong_solutions.hpp"
+// The list of wrong solutions fits the instructor's solution. Their points are proved at release.
+#include "course/release/wrong_solutions.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <set>
 
 #include "assignment/programs.hpp"
-#include "course/handout.hpp"
+#include "course/release/handout.hpp"
 #include "system/files.hpp"
 
 namespace {
@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(every_mistake_fits_into_the_solution_and_costs_points) {
 
   BOOST_TEST(list.size() >= 12U);
   for (const course::WrongSolution& wrong : list) {
-    BOOST_TEST(wrong.score < description.points, wrong.id);
+    BOOST_TEST(wrong.points < description.points, wrong.id);
   }
 }
 

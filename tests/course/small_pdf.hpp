@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-/// A PDF of one page that holds the text operators given, and an attachment, coded in hexadecimal,
-/// unless that is empty.
+/// A PDF of one page with these text operators and, unless it is empty, an attachment coded in
+/// hexadecimal.
 inline std::string small_pdf(const std::string& text, const std::string& attachment = "") {
   std::string hexadecimal;
-  for (const char c : attachment) {  // of ASCII
+  for (const char c : attachment) {  // all of them ASCII
     hexadecimal += {"0123456789abcdef"[c / 16], "0123456789abcdef"[c % 16]};
   }
   const auto stream = [](const std::string& entries, const std::string& body) {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "course/assignment.hpp"
-#include "course/handout.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/release/handout.hpp"
 #include "toy/hidden/hidden_checks.hpp"
 #include "toy/template/provided/toy_checks.hpp"
 

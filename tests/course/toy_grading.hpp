@@ -5,14 +5,17 @@
 #include <filesystem>
 #include <string>
 
-#include "course/grading.hpp"
-#include "course/markers.hpp"
-#include "course/sandbox.hpp"
-#include "course/toolkit.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/check.hpp"
+#include "course/assignment/files.hpp"
+#include "course/marking/toolkit.hpp"
+#include "course/release/make_toolkit.hpp"
+#include "course/release/markers.hpp"
+#include "course/sandbox/sandbox.hpp"
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
-/// An assignment of two exercises that compiles in no time: `square` and `sum`, ten points each.
+/// An assignment that compiles quickly, with two exercises of ten points each, `square` and `sum`.
 namespace toy {
 
 inline const std::filesystem::path folder =

@@ -1,8 +1,9 @@
 # shellcheck shell=bash
-# Sourced by scripts of this folder before they go to another.
+# The scripts of this folder source this file before they change to another folder.
 caller=${CALLER:-$PWD}
 
-# given SCRIPT VARIABLE PATH: what the user named, from where they called.
+# given SCRIPT VARIABLE PATH: prints the absolute path of what the user named; a relative PATH starts from the folder in
+# which the user called make.
 given() {
   if (cd "$caller" && [[ -e $3 ]]); then
     (cd "$caller" && realpath -- "$3")
@@ -12,7 +13,8 @@ given() {
   fi
 }
 
-# keep_seed FILE: writes SEED there for the user alone; on a command line everybody on the machine could read it.
+# keep_seed FILE: writes SEED to a file that only the user can read. On a command line everybody on the machine could
+# read it.
 keep_seed() {
   rm -f "$1"
   (umask 077 && printf '%s\n' "$SEED" >"$1")

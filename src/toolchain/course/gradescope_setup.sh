@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Run once by Gradescope, as root in /autograder/source: compiles the grader and the toolkit.
+# Gradescope runs this script once, as root in /autograder/source. It compiles the grader and the toolkit.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 here=$PWD
 autograder=${AUTOGRADER:-/autograder}
 
-# What the report needs, but for TeX, and what grading needs.
+# These are the packages of the report except for TeX, and those of grading.
 if [[ -z ${IS_SET_UP:-} ]]; then
   packages=$(awk '$2 == "report" && $1 !~ /^(texlive|latexmk|lmodern|#)/ { print $1 }' \
     halfspace/src/toolchain/packages.txt)
@@ -19,5 +19,5 @@ ninja -C halfspace/build/release halfspace-course
 halfspace/build/release/halfspace-course toolkit --assignment halfspace/report/assignment --source halfspace \
   --output "$autograder/toolkit"
 
-# Submissions run as another user, who finds the toolkit and neither the checks nor the seed.
+# Submissions run as another user, who can read the toolkit but neither the checks nor the seed.
 chmod -R go-rwx "$here"

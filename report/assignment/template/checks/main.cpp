@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/checks [PART]: tries the public checks on your functions, a line each, exercise by
-// exercise; those whose id begins with PART, or all. Exits 1 if one does not hold in full.
+// build/checks [PART]: tries the public checks on your functions and prints a line for each, either
+// for all or for those whose id begins with PART. The exit code is 1 if a check does not hold in
+// full.
 #include <gsl/gsl_errno.h>
 
 #include <cmath>
@@ -32,7 +33,7 @@ course::Outcome outcome_of(const course::Check& check) {
   }
 }
 
-// Prints what came of the exercise's checks; true if they all hold.
+// Prints the outcome of the exercise's checks; true if they all hold.
 bool try_exercise(const std::string& title, const std::string& first_word,
                   const std::string& wanted) {
   bool all_hold = true;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/assignment TASK: reads numbers from standard input, prints the answer, one number a line.
-// What there is to compute stands in tasks.hpp. Exits 2, with a line on standard error, for what it
-// cannot take. GSL does not abort here when a quadrature fails, but returns an error code.
+// build/assignment TASK: reads numbers from standard input and prints the answer, one number a
+// line. The tasks are listed in tasks.hpp. The exit code is 2, with a line on standard error, for
+// an input that does not fit. GSL does not abort here when a quadrature fails, but returns an error
+// code.
 #include <gsl/gsl_errno.h>
 
 #include <exception>

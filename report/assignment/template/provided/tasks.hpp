@@ -15,6 +15,6 @@
 #include <string>
 #include <vector>
 
-/// The answer of a task. Throws std::invalid_argument for a task that there is not, or inputs that
-/// do not fit it.
+/// The answer of a task. Throws std::invalid_argument for an unknown task and for inputs that do
+/// not fit it.
 std::vector<double> run_task(const std::string& task, const std::vector<double>& inputs);

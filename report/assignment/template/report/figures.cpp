@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/figures DIR: your curves as DIR/*.dat and your numbers as DIR/numbers.tex, for the report.
+// build/figures DIR: writes your curves to DIR/*.dat and your numbers to DIR/numbers.tex for the
+// report.
 #include <gsl/gsl_errno.h>
 
 #include <cmath>
@@ -26,8 +27,8 @@ const Material material2{this_variant("young2"), this_variant("poisson2")};
 const TriangularLoad triangle{this_variant("peak_pressure"), this_variant("half_width")};
 const double datum = this_variant("datum");
 
-// The number, or 0 with a warning for an exercise that gives none yet: the report can be made all
-// the same.
+// The number, or 0 with a warning if the exercise gives none yet, so that the report can be made
+// nevertheless.
 double number_of(const std::string& exercise, double number) {
   static std::set<std::string> warned;
   if (std::isfinite(number)) return number;

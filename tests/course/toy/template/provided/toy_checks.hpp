@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "course/check.hpp"
+#include "course/assignment/check.hpp"
 
 namespace toy {
 

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/assignment/assignment.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "config/table.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+using config::Table;
+
+namespace {
+
+// Points and grids are decimal fractions, so that sums of a few of them are far more accurate.
+constexpr double rel_rounding = 1e-9;
+
+std::string text(const Table& table, const std::string& key) {
+  std::string text = table.text(key);
+  if (text.empty()) table.fail(key, "must not be empty");
+  if (text.find_first_of("\r\n") != std::string::npos) table.fail(key, "must be one line");
+  return text;
+}
+
+double number(const Table& table, const std::string& key, double least, double most) {
+  const double number = table.number(key);
+  if (number < least || number > most) {
+    table.fail(key, fmt::format("{} is not from {} to {}", number, least, most));
+  }
+  return number;
+}
+
+double positive(const Table& table, const std::string& key) {
+  const double number = table.number(key);
+  if (number <= 0) table.fail(key, fmt::format("{} is not positive", number));
+  return number;
+}
+
+int integer(const Table& table, const std::string& key, int least, int most) {
+  const long integer = table.integer(key);
+  if (integer < least || integer > most) {
+    table.fail(key, fmt::format("{} is not from {} to {}", integer, least, most));
+  }
+  return static_cast<int>(integer);
+}
+
+// Reads an identifier, which must not be among those known.
+std::string new_id(const Table& table, const std::string& key, std::set<std::string>& known) {
+  const std::string id = text(table, key);
+  const bool is_word = std::ranges::all_of(id, [](unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+  if (!is_word) {
+    table.fail(key, fmt::format("\"{}\" is not of letters, digits, '_' and '-' alone", id));
+  }
+  if (!known.insert(id).second) table.fail(key, fmt::format("\"{}\" stands here again", id));
+  return id;
+}
+
+void require_below(const Table& table, const std::string& key, const fs::path& file) {
+  const bool climbs = std::ranges::find(file, "..") != file.end();
+  if (file.empty() || file.is_absolute() || climbs || file != file.lexically_normal()) {
+    table.fail(key, fmt::format("\"{}\" is not a plain path to a file below", file.string()));
+  }
+}
+
+bool is_empty_list(const Table& table, const std::string& key) {
+  try {
+    return table.has(key) && table.texts(key).empty();
+  } catch (const config::Error&) {
+    return false;  // the list holds something else than texts
+  }
+}
+
+LatePolicy read_late(const Table& table) {
+  return {.percent_per_day = number(table, "percent_per_day", 0, 100),
+          .days = integer(table, "days", 0, 366)};
+}
+
+// A limit that is not given stays at its default.
+Limits read_limits(const Table& table) {
+  constexpr int day = 86400;
+  constexpr int tebibyte_in_mb = 1 << 20;
+  Limits limits;
+  const auto read = [&](const std::string& key, int& limit, int most) {
+    if (table.has(key)) limit = integer(table, key, 1, most);
+  };
+  read("compile_seconds", limits.compile_seconds, day);
+  read("run_seconds", limits.run_seconds, day);
+  read("submission_seconds", limits.submission_seconds, day);
+  read("memory_mb", limits.memory_mb, tebibyte_in_mb);
+  read("processes", limits.processes, 100000);
+  read("output_kb", limits.output_kb, tebibyte_in_mb);
+  read("file_kb", limits.file_kb, tebibyte_in_mb);
+  read("submission_mb", limits.submission_mb, tebibyte_in_mb);
+  return limits;
+}
+
+CheckEntry read_check(const Table& table, std::set<std::string>& ids) {
+  CheckEntry check;
+  check.id = new_id(table, "id", ids);
+  check.place = table.place("id");
+  check.points = positive(table, "points");
+  const std::string visibility = table.text("visibility");
+  if (visibility != "public" && visibility != "hidden") {
+    table.fail("visibility", fmt::format("\"{}\" is not \"public\" or \"hidden\"", visibility));
+  }
+  check.visibility = visibility == "public" ? Visibility::visible : Visibility::hidden;
+  check.says = text(table, "says");
+  return check;
+}
+
+Quantity read_quantity(const Table& table, std::set<std::string>& names) {
+  Quantity quantity;
+  quantity.name = new_id(table, "name", names);
+  quantity.unit = table.text("unit");
+  quantity.from = table.number("from");
+  quantity.to = number(table, "to", quantity.from, HUGE_VAL);
+  quantity.step = positive(table, "step");
+  if ((quantity.to - quantity.from) / quantity.step > 1e9) {
+    table.fail("step", fmt::format("{} makes more than 1e9 values", quantity.step));
+  }
+  quantity.nominal = number(table, "nominal", quantity.from, quantity.to);
+  const double k = std::round((quantity.nominal - quantity.from) / quantity.step);
+  const double nearest = on_grid(quantity, static_cast<std::uint64_t>(k));
+  if (std::abs(nearest - quantity.nominal) > rel_rounding * quantity.step) {
+    table.fail("nominal", fmt::format("{} is not {} + k {}; the nearest that is is {}",
+                                      quantity.nominal, quantity.from, quantity.step, nearest));
+  }
+  return quantity;
+}
+
+/// Reads the exercises. References from one to another are checked when all of them are known.
+class Exercises {
+ public:
+  Exercises(const Table& root, const fs::path& folder) : folder_(folder) {
+    tables_ = root.tables("exercise");
+    if (tables_.empty()) root.fail("exercise", "missing; there must be one at least");
+    for (const Table& table : tables_) exercises_.push_back(read(table));
+    for (std::size_t i = 0; i < tables_.size(); ++i) require_order(i);
+  }
+
+  std::vector<Exercise> take() && { return std::move(exercises_); }
+
+  double points() const {
+    double sum = 0;
+    for (const Exercise& exercise : exercises_) sum += exercise.points();
+    return sum;
+  }
+
+ private:
+  Exercise read(const Table& table);
+  void require_order(std::size_t index) const;
+  bool leads_to(const std::string& from, const std::string& to, std::set<std::string>& seen) const;
+  const Exercise* find(const std::string& id) const;
+
+  fs::path folder_;
+  std::vector<Table> tables_;
+  std::vector<Exercise> exercises_;
+  std::set<std::string> ids_, check_ids_, files_;
+};
+
+Exercise Exercises::read(const Table& table) {
+  Exercise exercise;
+  exercise.id = new_id(table, "id", ids_);
+  exercise.title = text(table, "title");
+  exercise.file = text(table, "file");
+  require_below(table, "file", exercise.file);
+  if (!fs::is_regular_file(folder_ / "template" / exercise.file)) {
+    table.fail("file", fmt::format("there is no template/{}", exercise.file));
+  }
+  if (!files_.insert(exercise.file).second) {
+    table.fail("file", fmt::format("{} is another exercise's file already", exercise.file));
+  }
+  if (table.has("builds_on")) exercise.builds_on = table.texts("builds_on");
+  // An empty list `check = []` is no list of tables for the parser.
+  const bool has_none = is_empty_list(table, "check");
+  const auto checks = has_none ? std::vector<Table>{} : table.tables("check");
+  if (checks.empty()) {
+    table.fail("id", fmt::format("exercise \"{}\" has no [[exercise.check]]", exercise.id));
+  }
+  for (const Table& check : checks) exercise.checks.push_back(read_check(check, check_ids_));
+  return exercise;
+}
+
+const Exercise* Exercises::find(const std::string& id) const {
+  const auto found = std::ranges::find(exercises_, id, &Exercise::id);
+  return found == exercises_.end() ? nullptr : &*found;
+}
+
+bool Exercises::leads_to(const std::string& from, const std::string& to,
+                         std::set<std::string>& seen) const {
+  const Exercise* exercise = find(from);
+  if (exercise == nullptr || !seen.insert(from).second) return false;
+  return std::ranges::any_of(exercise->builds_on, [&](const std::string& next) {
+    return next == to || leads_to(next, to, seen);
+  });
+}
+
+void Exercises::require_order(std::size_t index) const {
+  const Exercise& exercise = exercises_[index];
+  for (const std::string& needed : exercise.builds_on) {
+    if (find(needed) == nullptr) {
+      tables_[index].fail("builds_on", fmt::format("there is no exercise \"{}\"", needed));
+    }
+  }
+  std::set<std::string> seen;
+  if (leads_to(exercise.id, exercise.id, seen)) {
+    tables_[index].fail("builds_on",
+                        fmt::format("exercise \"{}\" builds on itself in the end", exercise.id));
+  }
+}
+
+std::vector<std::string> read_provided(const Table& root) {
+  std::vector<std::string> files = root.texts("provided");
+  std::set<std::string> known;
+  for (const std::string& file : files) {
+    require_below(root, "provided", file);
+    if (!known.insert(file).second)
+      root.fail("provided", fmt::format("{} stands here twice", file));
+  }
+  return files;
+}
+
+}  // namespace
+
+double Exercise::points() const {
+  double sum = 0;
+  for (const CheckEntry& check : checks) sum += check.points;
+  return sum;
+}
+
+Assignment read_assignment(const fs::path& folder) {
+  const Table root = Table::parse_file(folder / "assignment.toml");
+  Assignment assignment;
+  assignment.folder = folder;
+  assignment.title = text(root, "title");
+  assignment.deadline = root.instant("deadline");
+  assignment.points = positive(root, "points");
+  assignment.floor = number(root, "floor", 0, assignment.points);
+  if (root.has("provided")) assignment.provided = read_provided(root);
+  if (root.has("late")) assignment.late = read_late(root.table("late"));
+  if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
+  Exercises exercises(root, folder);
+  const double sum = exercises.points();
+  assignment.exercises = std::move(exercises).take();
+  std::set<std::string> names;
+  for (const Table& table : root.tables("quantity")) {
+    assignment.quantities.push_back(read_quantity(table, names));
+  }
+  root.reject_unknown_keys();
+  if (std::abs(sum - assignment.points) > rel_rounding * sum) {
+    root.fail("points",
+              fmt::format("{}, but the checks' points add up to {}", assignment.points, sum));
+  }
+  return assignment;
+}
+
+double on_grid(const Quantity& quantity, std::uint64_t k) {
+  // std::fma rounds once, whether or not the compiler itself would fuse the operations.
+  const double exact = std::fma(static_cast<double>(k), quantity.step, quantity.from);
+  const std::string digits = fmt::format("{:.12g}", exact);
+  double rounded = exact;
+  std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
+  return rounded;
+}
+
+std::uint64_t n_values(const Quantity& quantity) {
+  const double steps = (quantity.to - quantity.from) / quantity.step;
+  return static_cast<std::uint64_t>(std::floor(steps * (1 + rel_rounding))) + 1;
+}
+
+}  // namespace course

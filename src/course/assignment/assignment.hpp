@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+enum class Visibility { visible, hidden };
+
+/// One line of the marking scheme.
+struct CheckEntry {
+  std::string id;  ///< names the code that decides
+  double points = 0;
+  Visibility visibility = Visibility::hidden;
+  std::string says;   ///< what is tried, in words for students
+  std::string place;  ///< where the id stands: «file:line:column»
+};
+
+/// What students write one file for.
+struct Exercise {
+  std::string id;
+  std::string title;
+  std::string file;                    ///< in the student's project, such as "src/closed_form.cpp"
+  std::vector<std::string> builds_on;  ///< ids of exercises whose functions it calls
+  std::vector<CheckEntry> checks;
+
+  double points() const;
+};
+
+/// A number that variants differ in: from + k·step with whole k ≥ 0, up to `to`.
+struct Quantity {
+  std::string name;
+  std::string unit;  ///< as printed; the number is in this unit
+  double from = 0;
+  double to = 0;
+  double step = 0;
+  double nominal = 0;  ///< the value in the handout that is for nobody in particular
+};
+
+struct LatePolicy {
+  double percent_per_day = 0;  ///< percentage of the points reached, for each day begun
+  int days = 0;                ///< later than this counts nothing
+};
+
+/// What a submission may use at most.
+struct Limits {
+  int compile_seconds = 20;
+  int run_seconds = 5;           ///< of processor time, for one answer
+  int submission_seconds = 120;  ///< by the clock, for all answers together
+  int memory_mb = 1024;
+  int processes = 32;
+  int output_kb = 256;
+  int file_kb = 256;       ///< size of one submitted file
+  int submission_mb = 20;  ///< size of the whole submission
+};
+
+/// The assignment as `assignment.toml` describes it.
+struct Assignment {
+  std::filesystem::path folder;  ///< holds assignment.toml and template/
+  std::string title;
+  std::chrono::sys_seconds deadline;
+  double points = 0;
+  double floor = 0;                   ///< points that the untouched handout reaches
+  std::vector<std::string> provided;  ///< files below src/ that the handout gets a copy of
+  LatePolicy late;
+  Limits limits;
+  std::vector<Exercise> exercises;
+  std::vector<Quantity> quantities;
+};
+
+/// Reads folder/assignment.toml. Throws config::Error «file:line:column: …» for an entry that
+/// is malformed or contradicts another.
+Assignment read_assignment(const std::filesystem::path& folder);
+
+/// The value from + k·step of a quantity, rounded to 12 digits, so that it is 0.28 and not
+/// 0.28000000000000003.
+double on_grid(const Quantity& quantity, std::uint64_t k);
+
+/// The number of values that a quantity may have.
+std::uint64_t n_values(const Quantity& quantity);
+
+}  // namespace course

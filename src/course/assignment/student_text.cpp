@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/assignment/student_text.hpp"
+
+#include <fstream>
+
+#include "system/utf8.hpp"
+
+namespace course {
+namespace {
+
+/// Whether a character may be shown: it is no control character but tab and line end, and neither
+/// U+FFFE nor U+FFFF, which XML does not take.
+bool is_shown(char32_t code) {
+  if (code == '\n' || code == '\t') return true;
+  const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+  return !is_control && code != 0xFFFE && code != 0xFFFF;
+}
+
+}  // namespace
+
+std::string shown(std::string_view text, std::size_t max_bytes) {
+  std::string result;
+  while (!text.empty()) {
+    const auto [bytes, code_point] = sys::first_character(text);
+    const std::string_view good = code_point && is_shown(*code_point) ? bytes : "?";
+    if (result.size() + good.size() > max_bytes) return result + "\n[… cut]";
+    result += good;
+    text.remove_prefix(bytes.size());
+  }
+  return result;
+}
+
+std::string shown_name(std::string_view name) {
+  std::string result = shown(name.substr(0, 200), 200);
+  for (char& character : result) {
+    if (character == '\n' || character == '\t') character = '?';
+  }
+  return name.size() > 200 ? result + "…" : result;
+}
+
+std::string beginning_of(const std::filesystem::path& file, std::size_t max_bytes) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(max_bytes, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(max_bytes));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+}  // namespace course

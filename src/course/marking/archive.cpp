@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/archive.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "course/assignment/student_text.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int listing_kb = 1024;
+constexpr int archive_seconds = 10;
+
+std::string without_here(std::string name) {
+  while (name.starts_with("./")) name.erase(0, 2);
+  return name;
+}
+
+/// A name as an argument of bsdtar, which would take some characters for a pattern.
+std::string as_pattern(const std::string& name) {
+  std::string pattern;
+  for (const char character : name) {
+    if (std::string_view("*?[]\\").find(character) != std::string_view::npos) pattern += '\\';
+    pattern += character;
+  }
+  return pattern;
+}
+
+bool leads_out(const std::string& name) {
+  const fs::path path(name);
+  return path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end();
+}
+
+}  // namespace
+
+Archive::Archive(const Limits& limits, fs::path file, fs::path work, Isolation isolation)
+    : limits_(limits), file_(std::move(file)), work_(std::move(work)), sandbox_(isolation, work_) {
+  if (fs::file_size(file_) > static_cast<std::uintmax_t>(limits.submission_mb) * 1'048'576) {
+    throw std::invalid_argument(
+        fmt::format("the submission is larger than {} MB", limits.submission_mb));
+  }
+  list();
+}
+
+JobEnd Archive::run(const std::vector<std::string>& arguments, int file_kb) const {
+  // The student chose the name of the archive. The copy has a fixed name, and every user may read
+  // it.
+  const fs::path copy = work_ / "archive";
+  if (!fs::exists(copy)) {
+    fs::copy_file(file_, copy);
+    make_readable(copy);
+  }
+  const Readable archive{copy, "/archive"};
+  Job job;
+  job.command = {"/usr/bin/env", "LC_ALL=C.UTF-8", sys::find_tool("bsdtar")};
+  job.command.insert(job.command.end(), arguments.begin(), arguments.end());
+  job.command.insert(job.command.begin() + 4, sandbox_.place(archive));
+  job.readable = {archive};
+  job.output = work_ / "archive.out";
+  job.errors = work_ / "archive.err";
+  job.seconds = archive_seconds;
+  job.memory_mb = limits_.memory_mb;
+  job.processes = limits_.processes;
+  job.file_kb = file_kb;
+  return sandbox_.run(job);
+}
+
+void Archive::list() {
+  const JobEnd end = run({"-tf"}, listing_kb);
+  if (end.ending == Ending::too_slow)
+    throw std::invalid_argument("the archive takes too long to list");
+  if (end.ending == Ending::too_much_output) {
+    throw std::invalid_argument("the archive has more entries than any homework");
+  }
+  if (end.ending != Ending::normal || end.status != 0) {
+    std::string why = beginning_of(work_ / "archive.err", 1000);
+    why = shown_name(why.substr(0, why.find('\n')));
+    if (why.starts_with("bsdtar: ")) why.erase(0, 8);
+    throw std::invalid_argument(fmt::format("the archive cannot be read: {}", why));
+  }
+  const std::string listing = beginning_of(work_ / "archive.out", listing_kb * 1024);
+  for (const std::string_view line : sys::lines_of(listing)) {
+    raw_entries_.emplace_back(line);
+    entries_.push_back(without_here(std::string(line)));
+  }
+  if (entries_.empty()) throw std::invalid_argument("the archive is empty");
+}
+
+bool Archive::climbs_out() const {
+  return std::ranges::any_of(raw_entries_, leads_out);
+}
+
+std::string Archive::read(const std::string& entry) const {
+  const auto n_such = std::ranges::count(entries_, entry);
+  if (n_such == 0) throw std::invalid_argument("is missing");
+  if (n_such > 1) throw std::invalid_argument("is in the archive more than once");
+  const auto at = std::ranges::find(entries_, entry) - entries_.begin();
+  const std::string& name = raw_entries_[static_cast<std::size_t>(at)];
+  const JobEnd end = run({"-xOf", "--", as_pattern(name)}, limits_.file_kb);
+  if (end.ending == Ending::too_much_output) {
+    throw std::invalid_argument(fmt::format("is larger than {} kB", limits_.file_kb));
+  }
+  if (end.ending == Ending::too_slow) throw std::invalid_argument("takes too long to unpack");
+  if (end.ending != Ending::normal || end.status != 0) {
+    throw std::invalid_argument("cannot be unpacked: the archive is damaged or locked");
+  }
+  const std::string text =
+      beginning_of(work_ / "archive.out", static_cast<std::size_t>(limits_.file_kb) * 1024);
+  if (text.empty()) throw std::invalid_argument("is empty, or not a file");
+  return text;
+}
+
+}  // namespace course

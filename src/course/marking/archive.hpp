@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "course/assignment/assignment.hpp"
+#include "course/sandbox/sandbox.hpp"
+
+namespace course {
+
+/// An archive that somebody else packed. bsdtar reads it in the sandbox, and writes single
+/// entries to standard output; the archive is never unpacked.
+class Archive {
+ public:
+  /// Lists the archive. Throws std::invalid_argument, with a line for the student, if it is too
+  /// large or if bsdtar cannot read it within the limits.
+  Archive(const Limits& limits, std::filesystem::path file, std::filesystem::path work,
+          Isolation isolation);
+
+  /// The names in the archive, without a "./" in front and with unprintable bytes escaped.
+  const std::vector<std::string>& entries() const { return entries_; }
+
+  /// Whether there are entries with an absolute path, or with "..".
+  bool climbs_out() const;
+
+  /// The bytes of one entry. Throws std::invalid_argument whose message completes «file …».
+  std::string read(const std::string& entry) const;
+
+ private:
+  JobEnd run(const std::vector<std::string>& arguments, int file_kb) const;
+  void list();
+
+  Limits limits_;
+  std::filesystem::path file_;
+  std::filesystem::path work_;
+  Sandbox sandbox_;
+  std::vector<std::string> entries_;
+  std::vector<std::string> raw_entries_;
+};
+
+}  // namespace course

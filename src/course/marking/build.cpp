@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/build.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <csignal>
+#include <utility>
+
+#include "course/assignment/student_text.hpp"
+#include "course/marking/toolkit.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t max_message =
+    4000;  ///< bytes of the compiler's message that a student is shown
+constexpr int max_object_kb = 64 * 1024;
+
+std::string without(std::string text, const std::string& words, const std::string& instead) {
+  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
+    text.replace(at, words.size(), instead);
+    at += instead.size();
+  }
+  return text;
+}
+
+/// A compiler's message with at most three lines «from …» in a row, which say what included
+/// what, so that the error itself is not cut off.
+std::string without_long_chains(const std::string& text) {
+  std::string result;
+  int n_in_a_row = 0;
+  for (const std::string_view line : sys::lines_of(text)) {
+    n_in_a_row = line.starts_with("                 from ") ? n_in_a_row + 1 : 0;
+    if (n_in_a_row > 3) continue;
+    result += line;
+    result += '\n';
+  }
+  return result;
+}
+
+/// Runs the compiler on the files of one submission.
+class Compiler {
+ public:
+  Compiler(const Assignment& assignment, const fs::path& toolkit, const fs::path& scratch,
+           Isolation isolation)
+      : toolkit_(open_toolkit(assignment, toolkit)),
+        limits_(assignment.limits),
+        scratch_(scratch),
+        sandbox_(isolation, scratch),
+        given_{toolkit_.folder, "/toolkit"},
+        project_{scratch / "project", "/project"} {
+    require_readable_toolkit();
+  }
+
+  const Toolkit& toolkit() const { return toolkit_; }
+
+  /// Writes the given project with the student's files in it.
+  void write_project(const Assignment& assignment, const Files& files) const {
+    fs::copy(toolkit_.project(), project_.path, fs::copy_options::recursive);
+    for (const Exercise& exercise : assignment.exercises) {
+      const auto file = files.find(exercise.file);
+      if (file == files.end()) continue;
+      sys::write_file_atomically(project_.path / exercise.file, file->second);
+    }
+    make_readable(project_.path);
+  }
+
+  /// Compiles a file of the project to `object`. Returns the compiler's message, empty if it
+  /// worked.
+  std::string compile(const std::string& file, const fs::path& object) const {
+    const JobEnd end = run(arguments_for(file, true), object);
+    if (has_worked(end)) return "";
+    std::string excess = excess_of(end);
+    if (!excess.empty()) return excess;
+    // The precompiled header may declare a name that the file uses for something else.
+    return message_of(run(arguments_for(file, false), object));
+  }
+
+  /// Links objects with the given ones. Returns the linker's message, empty if it worked.
+  std::string link(const std::vector<Readable>& objects, const fs::path& program) const {
+    std::vector<std::string> arguments = {in_sandbox(toolkit_.main_object())};
+    for (const Readable& object : objects) arguments.push_back(sandbox_.place(object));
+    arguments.push_back(in_sandbox(toolkit_.archive()));
+    for (const std::string& flag : link_flags()) arguments.push_back(flag);
+    return message_of(run(arguments, program, objects));
+  }
+
+ private:
+  /// Throws ToolError if jobs cannot read the toolkit; otherwise it would look as if the submission
+  /// did not compile.
+  void require_readable_toolkit() const {
+    Job job;
+    job.command = {"/usr/bin/test", "-r", in_sandbox(toolkit_.header())};
+    job.readable = {given_};
+    job.output = scratch_ / "compiler.out";
+    job.errors = errors();
+    job.seconds = 60;  // far more than it takes, for a busy machine
+    const JobEnd end = sandbox_.run(job);
+    if (end.ending != Ending::normal) {
+      throw sys::ToolError(
+          "a program that does nothing was ended in the sandbox; is the machine too busy?");
+    }
+    if (end.status == 0) return;
+    throw sys::ToolError(fmt::format(
+        "the toolkit '{}' is not readable to other users, as whom submissions are compiled",
+        toolkit_.folder.string()));
+  }
+
+  /// The path by which a job finds a file of the toolkit.
+  std::string in_sandbox(const fs::path& file) const {
+    return sandbox_.place(given_) + "/" + file.lexically_relative(toolkit_.folder).string();
+  }
+
+  std::vector<std::string> arguments_for(const std::string& file, bool is_precompiled) const {
+    std::vector<std::string> arguments = compile_flags(sandbox_.place(project_));
+    for (const char* flag : {"-fmax-errors=10", "-ftemplate-backtrace-limit=4", "-pipe", "-c"}) {
+      arguments.emplace_back(flag);
+    }
+    if (is_precompiled) {
+      arguments.emplace_back("-include");
+      arguments.push_back(in_sandbox(toolkit_.header()));
+    }
+    arguments.push_back(file);
+    return arguments;
+  }
+
+  /// Runs g++. The product is written to standard output, so that the job needs no writable
+  /// folder outside.
+  JobEnd run(const std::vector<std::string>& arguments, const fs::path& product,
+             const std::vector<Readable>& objects = {}) const {
+    Job job;
+    job.command = {"/bin/sh", "-c", R"(out=$1; shift; g++ "$@" -o "$out" || exit; cat "$out")",
+                   "sh", sandbox_.scratch() + "/out"};
+    job.command.insert(job.command.end(), arguments.begin(), arguments.end());
+    job.readable = {given_, project_};
+    job.readable.insert(job.readable.end(), objects.begin(), objects.end());
+    job.folder = sandbox_.place(project_);
+    job.output = product;
+    job.errors = errors();
+    job.seconds = limits_.compile_seconds;
+    job.memory_mb = limits_.memory_mb;
+    job.processes = limits_.processes;
+    job.file_kb = max_object_kb;
+    job.scratch_mb = 2 * max_object_kb / 1024;
+    const JobEnd end = sandbox_.run(job);
+    make_readable(product);
+    return end;
+  }
+
+  fs::path errors() const { return scratch_ / "compiler.err"; }
+
+  static bool has_worked(const JobEnd& end) {
+    return end.ending == Ending::normal && end.status == 0;
+  }
+
+  /// Which limit was exceeded; empty if none was.
+  std::string excess_of(const JobEnd& end) const {
+    const std::string text = beginning_of(errors(), 16 * max_message);
+    const auto says = [&](const char* words) { return text.find(words) != std::string::npos; };
+    if (end.ending == Ending::too_slow || says("CPU time limit exceeded") ||
+        says("Killed signal terminated")) {
+      return fmt::format("it takes longer than {} s to compile", limits_.compile_seconds);
+    }
+    if (end.ending != Ending::normal || text.empty()) return too_large();
+    // These are messages of g++ when it runs out of memory. Their texts depend on chance, so the
+    // student is told the limit instead.
+    for (const char* words :
+         {"out of memory", "virtual memory", "cannot allocate", "Cannot allocate", "fatal signal",
+          "internal compiler error", "memory exhausted", "signal terminated program",
+          "ile too large", "No space left", "File size limit"}) {
+      if (says(words)) return too_large();
+    }
+    return "";
+  }
+
+  std::string message_of(const JobEnd& end) const {
+    if (has_worked(end)) return "";
+    std::string excess = excess_of(end);
+    if (!excess.empty()) return excess;
+    const std::string text = without_long_chains(beginning_of(errors(), 16 * max_message));
+    return shown(without(without(without(text, project_.path.string() + "/", ""),
+                                 toolkit_.folder.string() + "/", ""),
+                         sandbox_.scratch() + "/", ""),
+                 max_message);
+  }
+
+  std::string too_large() const {
+    return fmt::format("it takes more than {} MB of memory to compile, or gives more than {} MB",
+                       limits_.memory_mb, max_object_kb / 1024);
+  }
+
+  Toolkit toolkit_;
+  Limits limits_;
+  fs::path scratch_;
+  Sandbox sandbox_;
+  Readable given_, project_;
+};
+
+/// The files of a submission as objects, with stubs for those that do not compile.
+class Objects {
+ public:
+  Objects(const Assignment& assignment, const Compiler& compiler, fs::path folder)
+      : assignment_(assignment), compiler_(compiler), folder_(std::move(folder)) {
+    fs::create_directories(folder_);
+  }
+
+  void compile(const Files& files) {
+    for (const Exercise& exercise : assignment_.exercises) {
+      if (errors_.contains(exercise.file) || own_.contains(exercise.file)) continue;
+      if (!files.contains(exercise.file)) {
+        errors_[exercise.file] = exercise.file + " is missing";
+        continue;
+      }
+      const fs::path object = folder_ / fmt::format("{}.o", own_.size() + errors_.size());
+      const std::string error = compiler_.compile(exercise.file, object);
+      if (error.empty()) {
+        own_[exercise.file] = object;
+      } else {
+        errors_[exercise.file] = error;
+      }
+    }
+  }
+
+  /// Links all objects. If that fails, starts with stubs and adds one file after another in the
+  /// exercises' order, and leaves out each that breaks the link. Returns the linker's message if it
+  /// fails even then.
+  std::string link(const fs::path& program) {
+    if (compiler_.link(with_stubs(own_), program).empty()) return "";
+    const auto all = std::exchange(own_, {});
+    for (const Exercise& exercise : assignment_.exercises) {
+      const auto object = all.find(exercise.file);
+      if (object == all.end() || !own_.insert(*object).second) continue;
+      const std::string error = compiler_.link(with_stubs(own_), program);
+      if (error.empty()) continue;
+      errors_[exercise.file] = error;
+      own_.erase(exercise.file);
+    }
+    return compiler_.link(with_stubs(own_), program);
+  }
+
+  /// The messages, by exercise.
+  std::map<std::string, std::string> errors() const {
+    std::map<std::string, std::string> errors;
+    for (const Exercise& exercise : assignment_.exercises) {
+      const auto error = errors_.find(exercise.file);
+      if (error != errors_.end()) errors[exercise.id] = error->second;
+    }
+    return errors;
+  }
+
+ private:
+  std::vector<Readable> with_stubs(const std::map<std::string, fs::path>& own) const {
+    std::map<std::string, fs::path> objects = own;
+    for (const Exercise& exercise : assignment_.exercises) {
+      objects.emplace(exercise.file, compiler_.toolkit().stub_of(exercise));
+    }
+    std::vector<Readable> readable;
+    for (const auto& [file, object] : objects) {
+      readable.push_back({object, "/objects/" + fs::path(file).filename().string() + ".o"});
+    }
+    return readable;
+  }
+
+  const Assignment& assignment_;
+  const Compiler& compiler_;
+  fs::path folder_;
+  std::map<std::string, fs::path> own_;
+  std::map<std::string, std::string> errors_;  ///< by file
+};
+
+}  // namespace
+
+Built build(const Assignment& assignment, const fs::path& toolkit, const Files& files,
+            const fs::path& scratch, Isolation isolation) {
+  const fs::path folder = fs::absolute(scratch);
+  fs::create_directories(folder);
+  const Compiler compiler(assignment, toolkit, folder, isolation);
+  compiler.write_project(assignment, files);
+  Objects objects(assignment, compiler, folder / "objects");
+  objects.compile(files);
+
+  Built built;
+  built.program = folder / "program";
+  built.link_error = objects.link(built.program);
+  built.compile_errors = objects.errors();
+  if (!built.link_error.empty()) return built;
+  using fs::perms;
+  fs::permissions(built.program, perms::owner_all | perms::group_read | perms::group_exec |
+                                     perms::others_read | perms::others_exec);
+  return built;
+}
+
+}  // namespace course

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/files.hpp"
+#include "course/sandbox/sandbox.hpp"
+
+namespace course {
+
+/// A submission, compiled.
+struct Built {
+  std::filesystem::path program;
+  /// The compiler's message by exercise, for each exercise whose file is missing or does not
+  /// compile and is replaced by its stub.
+  std::map<std::string, std::string> compile_errors;
+  std::string link_error;  ///< empty if there is a program
+};
+
+/// Compiles the exercises' files into the folder `scratch`; `toolkit` is the folder of the
+/// toolkit. Throws ToolError if the compiler or the sandbox cannot be started, never because of
+/// what was submitted.
+Built build(const Assignment& assignment, const std::filesystem::path& toolkit, const Files& files,
+            const std::filesystem::path& scratch, Isolation isolation);
+
+}  // namespace course

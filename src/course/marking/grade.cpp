@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/grade.hpp"
+
+#include "course/marking/feedback.hpp"
+#include "course/marking/results.hpp"
+#include "course/sandbox/scratch_folder.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/staging.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<std::string> pictures_of(const GradingTask& task, ProgramRun& run) {
+  if (!task.curves) return {};
+  const Program program = [&](const std::string& name, const Numbers& inputs) {
+    return run.answer(name, inputs);
+  };
+  std::vector<std::string> pictures;
+  for (const Curve& curve : task.curves(program, task.variant)) {
+    std::string svg = svg_of(curve);
+    if (!svg.empty()) pictures.push_back(std::move(svg));
+  }
+  return pictures;
+}
+
+void write(const Assignment& assignment, const Graded& graded,
+           const std::vector<std::string>& pictures, const fs::path& output) {
+  sys::Staging staging(output);
+  const auto put = [&](const char* name, const std::string& text) {
+    sys::write_file_atomically(staging.path() / name, text);
+  };
+  put("results.json", gradescope_json(assignment, graded));
+  put("junit.xml", junit_xml(assignment, graded));
+  put("feedback.html", feedback_html(assignment, graded, pictures));
+  put("log.txt", log_text(assignment, graded));
+  put("mark.json", mark_json(assignment, graded));
+  staging.publish({});
+}
+
+}  // namespace
+
+Graded grade_submission(const Assignment& assignment, const GradingTask& task,
+                        const fs::path& output) {
+  const ScratchFolder scratch;
+  const fs::path taking = scratch.path() / "taking";
+  fs::create_directory(taking);
+  Graded graded;
+  graded.student = task.student;
+  graded.late = lateness(assignment, task.submitted);
+  graded.submission = take_submission(assignment, task.submission, taking, task.isolation);
+
+  const Built built = build(assignment, task.toolkit, graded.submission.files,
+                            scratch.path() / "build", task.isolation);
+  graded.compile_errors = built.compile_errors;
+  graded.link_error = built.link_error;
+  ProgramRun run(assignment.limits, built, task.isolation);
+  graded.results = try_checks(assignment, task.checks, built, task.variant, run);
+  const bool has_program = built.link_error.empty();
+  write(assignment, graded, has_program ? pictures_of(task, run) : std::vector<std::string>{},
+        output);
+  return graded;
+}
+
+}  // namespace course

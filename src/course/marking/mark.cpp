@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/mark.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace course {
+namespace {
+
+double in_hundredths(double number) {
+  return std::round(number * 100) / 100;
+}
+
+std::string indented(const std::string& text) {
+  std::string result = "    ";
+  for (const char character : text) {
+    result += character;
+    if (character == '\n') result += "    ";
+  }
+  return result + "\n";
+}
+
+}  // namespace
+
+double points_of(const Graded& graded) {
+  return total(graded.results);
+}
+
+double deduction_of(const Graded& graded) {
+  return in_hundredths(points_of(graded) * graded.late.percent / 100);
+}
+
+double mark_of(const Graded& graded) {
+  return in_hundredths(points_of(graded) - deduction_of(graded));
+}
+
+std::string state_of(const Graded& graded) {
+  if (graded.late.days == 0) return "on time";
+  return graded.late.is_refused ? "too late" : "late";
+}
+
+std::string lateness_text(const Graded& graded) {
+  const Lateness& late = graded.late;
+  if (late.days == 0) return "on time";
+  const char* days = late.days == 1 ? "day" : "days";
+  if (late.is_refused) return fmt::format("{} {} late: nothing counts any more", late.days, days);
+  return fmt::format("{} {} late: {} % of the points are deducted", late.days, days, late.percent);
+}
+
+const CheckResult& result_of(const Graded& graded, const std::string& check) {
+  const auto result = std::ranges::find(graded.results, check, &CheckResult::id);
+  if (result == graded.results.end()) throw std::out_of_range("no result of the check " + check);
+  return *result;
+}
+
+bool is_passed(const CheckEntry& entry, const CheckResult& result) {
+  return result.points >= entry.points;
+}
+
+std::string mark_json(const Assignment& assignment, const Graded& graded) {
+  nlohmann::ordered_json json = {{"student", graded.student},
+                                 {"state", state_of(graded)},
+                                 {"days_late", graded.late.days},
+                                 {"points", points_of(graded)},
+                                 {"deduction", deduction_of(graded)},
+                                 {"mark", mark_of(graded)},
+                                 {"most", assignment.points},
+                                 {"has_report", graded.submission.has_report},
+                                 {"missing", nlohmann::ordered_json::array()},
+                                 {"not_compiling", nlohmann::ordered_json::array()},
+                                 {"checks", nlohmann::ordered_json::object()}};
+  for (const Exercise& exercise : assignment.exercises) {
+    if (!graded.compile_errors.contains(exercise.id)) continue;
+    const bool is_there = graded.submission.files.contains(exercise.file);
+    json[is_there ? "not_compiling" : "missing"].push_back(exercise.id);
+  }
+  for (const CheckResult& result : graded.results) json["checks"][result.id] = result.points;
+  return json.dump(2) + "\n";
+}
+
+std::string log_text(const Assignment& assignment, const Graded& graded) {
+  std::string text = fmt::format("{}, {}: {} of {} points, {}\n", assignment.title, graded.student,
+                                 mark_of(graded), assignment.points, lateness_text(graded));
+  for (const std::string& problem : graded.submission.problems) text += "taken: " + problem + "\n";
+  if (!graded.link_error.empty()) text += "link:\n" + indented(graded.link_error);
+  for (const auto& [exercise, message] : graded.compile_errors) {
+    text += fmt::format("compile {}:\n{}", exercise, indented(message));
+  }
+  for (const Exercise& exercise : assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) {
+      const CheckResult& result = result_of(graded, entry.id);
+      text += fmt::format("{:<24} {:>6} of {:<6} {}\n", entry.id, result.points, entry.points,
+                          result.message);
+    }
+  }
+  return text;
+}
+
+}  // namespace course

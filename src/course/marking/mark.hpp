@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "course/marking/lateness.hpp"
+#include "course/marking/submission.hpp"
+#include "course/marking/try_checks.hpp"
+
+namespace course {
+
+/// Everything that grading found out about one submission.
+struct Graded {
+  std::string student;
+  Lateness late;
+  Submission submission;
+  std::map<std::string, std::string> compile_errors;  ///< by exercise
+  std::string link_error;
+  std::vector<CheckResult> results;  ///< in the assignment's order
+};
+
+/// The sum of the results' points, before any deduction.
+double points_of(const Graded& graded);
+double deduction_of(const Graded& graded);  ///< rounded to hundredths
+double mark_of(const Graded& graded);       ///< the points minus the deduction
+
+/// "on time", "late", or "too late".
+std::string state_of(const Graded& graded);
+
+/// "on time" or "2 days late: 20 % of the points are deducted", for students.
+std::string lateness_text(const Graded& graded);
+
+/// The result of a check; throws std::out_of_range if there is none.
+const CheckResult& result_of(const Graded& graded, const std::string& check);
+
+/// The file mark.json, which `collect` reads.
+std::string mark_json(const Assignment& assignment, const Graded& graded);
+
+/// A text for the instructor with everything, the messages of hidden checks included.
+std::string log_text(const Assignment& assignment, const Graded& graded);
+
+/// Whether a check reached all of its points.
+bool is_passed(const CheckEntry& entry, const CheckResult& result);
+
+}  // namespace course

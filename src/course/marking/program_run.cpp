@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/program_run.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+
+#include "course/assignment/student_text.hpp"
+#include "system/files.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+
+Numbers parse_answer(std::string_view text) {
+  constexpr std::string_view blank = " \t\r\n";
+  Numbers numbers;
+  for (auto begin = text.find_first_not_of(blank); begin != text.npos;
+       begin = text.find_first_not_of(blank)) {
+    text.remove_prefix(begin);
+    const std::string_view word = text.substr(0, text.find_first_of(blank));
+    const char* end = word.data() + word.size();
+    double number = 0;
+    const auto [stop, error] = std::from_chars(word.data(), end, number);
+    if (error != std::errc{} || stop != end) {
+      throw ProgramFailure(fmt::format(
+          "the program's answer holds, as entry {}, something that is no decimal number",
+          numbers.size() + 1));
+    }
+    if (!std::isfinite(number)) {
+      throw ProgramFailure(
+          fmt::format("number {} of the program's answer is infinite or NaN", numbers.size() + 1));
+    }
+    numbers.push_back(number);
+    text.remove_prefix(word.size());
+  }
+  if (numbers.empty()) throw ProgramFailure("the program answered nothing");
+  return numbers;
+}
+
+ProgramRun::ProgramRun(const Limits& limits, const Built& built, Isolation isolation)
+    : limits_(limits),
+      program_(fs::absolute(built.program)),
+      sandbox_(isolation, program_.parent_path()) {}
+
+std::string ProgramRun::failure_of(const JobEnd& end) const {
+  switch (end.ending) {
+    case Ending::too_slow:
+      return fmt::format("the program takes longer than {} s", limits_.run_seconds);
+    case Ending::too_large:
+      return fmt::format("the program uses more than {} MB", limits_.memory_mb);
+    case Ending::too_many_processes:
+      return fmt::format("the program starts more than {} processes", limits_.processes);
+    case Ending::too_much_output:
+      return fmt::format("the program prints more than {} kB", limits_.output_kb);
+    case Ending::crash: {
+      const char* name = ::sigabbrev_np(end.status);
+      return name == nullptr ? fmt::format("the program crashed (signal {})", end.status)
+                             : fmt::format("the program crashed (SIG{})", name);
+    }
+    case Ending::normal:
+      break;
+  }
+  // The status itself is not shown: the program could report hidden inputs by it.
+  return end.status == 0 ? "" : "the program ended with a failure";
+}
+
+JobEnd ProgramRun::run(const std::string& task, const Numbers& inputs) {
+  const fs::path folder = program_.parent_path();
+  std::string text;
+  for (const double number : inputs) text += fmt::format("{}\n", number);
+  sys::write_file_atomically(folder / "input", text);
+
+  const Readable program{program_, "/program"};
+  Job job;
+  job.command = {sandbox_.place(program), task};
+  job.readable = {program};
+  job.input = folder / "input";
+  job.output = folder / "output";
+  job.errors = folder / "errors";
+  job.seconds = limits_.run_seconds;
+  job.memory_mb = limits_.memory_mb;
+  job.processes = limits_.processes;
+  job.file_kb = limits_.output_kb;
+  const auto begin = std::chrono::steady_clock::now();
+  const JobEnd end = sandbox_.run(job);
+  time_ += std::chrono::steady_clock::now() - begin;
+  return end;
+}
+
+ProgramRun::Answer ProgramRun::ask_once(const std::string& task, const Numbers& inputs) {
+  if (time_ > std::chrono::seconds(limits_.submission_seconds)) {
+    return {{},
+            fmt::format("the submission took more than {} s in all", limits_.submission_seconds)};
+  }
+  const JobEnd end = run(task, inputs);
+  Answer answer{{}, failure_of(end)};
+  if (end.ending == Ending::too_slow) given_up_[task] = answer.failure;
+  if (!answer.failure.empty()) return answer;
+  try {
+    const auto max_bytes = static_cast<std::size_t>(limits_.output_kb) * 1024;
+    answer.numbers = parse_answer(beginning_of(program_.parent_path() / "output", max_bytes));
+  } catch (const ProgramFailure& failure) {
+    answer.failure = failure.what();
+  }
+  return answer;
+}
+
+ProgramRun::Answer ProgramRun::ask(const std::string& task, const Numbers& inputs) {
+  const Answer first = ask_once(task, inputs);
+  if (!first.failure.empty()) return first;
+  const Answer second = ask_once(task, inputs);
+  const bool is_over =
+      given_up_.contains(task) || time_ > std::chrono::seconds(limits_.submission_seconds);
+  if (!second.failure.empty() && is_over) return second;
+  if (second.failure.empty() && second.numbers == first.numbers) return first;
+  return {{}, "the program gives different answers to the same question"};
+}
+
+Numbers ProgramRun::answer(const std::string& task, const Numbers& inputs) {
+  const auto key = std::pair{task, inputs};
+  auto known = answers_.find(key);
+  if (known == answers_.end()) {
+    const auto failure = given_up_.find(task);
+    known = answers_
+                .emplace(key, failure == given_up_.end() ? ask(task, inputs)
+                                                         : Answer{{}, failure->second})
+                .first;
+  }
+  if (!known->second.failure.empty()) throw ProgramFailure(known->second.failure);
+  return known->second.numbers;
+}
+
+}  // namespace course

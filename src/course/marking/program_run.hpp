@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "course/assignment/check.hpp"
+#include "course/marking/build.hpp"
+
+namespace course {
+
+/// The numbers that a program printed, separated by white space. Throws ProgramFailure for
+/// anything but finite decimal numbers; the message repeats nothing of what the program printed.
+Numbers parse_answer(std::string_view text);
+
+/// A built submission as the checks see it. Each question is asked in two runs in the sandbox,
+/// which must agree; the same question again gets the same answer. A task that took too long is not
+/// asked again, and no question is asked once all runs together took Limits::submission_seconds.
+class ProgramRun {
+ public:
+  /// Writes its files beside the program.
+  ProgramRun(const Limits& limits, const Built& built, Isolation isolation);
+
+  /// Throws ProgramFailure if there is no answer, ToolError if the sandbox cannot be started.
+  Numbers answer(const std::string& task, const Numbers& inputs);
+
+ private:
+  struct Answer {
+    Numbers numbers;
+    std::string failure;
+  };
+  Answer ask(const std::string& task, const Numbers& inputs);
+  Answer ask_once(const std::string& task, const Numbers& inputs);
+  JobEnd run(const std::string& task, const Numbers& inputs);
+  std::string failure_of(const JobEnd& end) const;
+
+  Limits limits_;
+  std::filesystem::path program_;
+  Sandbox sandbox_;
+  std::map<std::pair<std::string, Numbers>, Answer> answers_;
+  std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
+  std::chrono::duration<double> time_{};         ///< of all runs so far
+};
+
+}  // namespace course

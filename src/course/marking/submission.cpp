@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/submission.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "course/assignment/student.hpp"
+#include "course/assignment/student_text.hpp"
+#include "course/marking/archive.hpp"
+#include "course/sandbox/file_beneath.hpp"
+#include "system/error.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* report = "report/report.tex";
+constexpr int max_entries = 20'000;  ///< in a folder; no homework has more
+
+std::vector<std::string> wanted_files(const Assignment& assignment) {
+  std::set<std::string> files;
+  for (const Exercise& exercise : assignment.exercises) files.insert(exercise.file);
+  return {files.begin(), files.end()};
+}
+
+/// Everything in a folder, whatever its kind; links are not followed.
+struct Contents {
+  std::vector<std::string> entries;
+  std::uintmax_t bytes = 0;
+};
+
+Contents contents_of(const fs::path& folder) {
+  Contents contents;
+  std::error_code error;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator entry(folder, options, error), end;
+       !error && entry != end && contents.entries.size() < max_entries; entry.increment(error)) {
+    contents.entries.push_back(entry->path().lexically_relative(folder).generic_string());
+    std::error_code unreadable;
+    if (!entry->is_symlink(unreadable) && entry->is_regular_file(unreadable)) {
+      contents.bytes += entry->file_size(unreadable);
+    }
+  }
+  return contents;
+}
+
+/// Reads the wanted files through `read`, which throws std::invalid_argument with a reason.
+template <class Read>
+void take_files(const std::vector<std::string>& wanted, const std::string& place, const Read& read,
+                Submission& submission) {
+  for (const std::string& file : wanted) {
+    try {
+      const std::string text = read(place + file);
+      const std::string fault = fault_of(text);
+      if (!fault.empty()) throw std::invalid_argument(fault);
+      submission.files[file] = text;
+    } catch (const std::invalid_argument& error) {
+      submission.problems.push_back(fmt::format("{} {}", file, error.what()));
+    }
+  }
+}
+
+/// Throws std::invalid_argument for a folder that holds nothing, or more than homework.
+void require_homework(const Limits& limits, const Contents& contents) {
+  if (contents.entries.empty()) {
+    throw std::invalid_argument("the submission is empty, or cannot be read");
+  }
+  if (contents.entries.size() >= max_entries) {
+    throw std::invalid_argument(fmt::format("the submission has {} files or more", max_entries));
+  }
+  if (contents.bytes > static_cast<std::uintmax_t>(limits.submission_mb) * 1'048'576) {
+    throw std::invalid_argument(
+        fmt::format("the submission is larger than {} MB", limits.submission_mb));
+  }
+}
+
+Submission take_folder(const Assignment& assignment, const fs::path& folder) {
+  Submission submission;
+  const Contents contents = contents_of(folder);
+  require_homework(assignment.limits, contents);
+  const std::vector<std::string> wanted = wanted_files(assignment);
+  const std::string place = place_of_files(contents.entries, wanted);
+  submission.has_report =
+      std::ranges::find(contents.entries, place + report) != contents.entries.end();
+  const auto max_bytes = static_cast<std::size_t>(assignment.limits.file_kb) * 1024;
+  take_files(
+      wanted, place, [&](const std::string& file) { return read_beneath(folder, file, max_bytes); },
+      submission);
+  return submission;
+}
+
+Submission take_archive(const Assignment& assignment, const fs::path& file, const fs::path& work,
+                        Isolation isolation) {
+  Submission submission;
+  const Archive archive(assignment.limits, file, work, isolation);
+  const std::vector<std::string> wanted = wanted_files(assignment);
+  const std::string place = place_of_files(archive.entries(), wanted);
+  if (archive.climbs_out()) {
+    submission.problems.emplace_back(
+        "the archive has entries that lead out of its folder; they are ignored");
+  }
+  submission.has_report =
+      std::ranges::find(archive.entries(), place + report) != archive.entries().end();
+  take_files(
+      wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
+  return submission;
+}
+
+}  // namespace
+
+std::string place_of_files(const std::vector<std::string>& entries,
+                           const std::vector<std::string>& wanted) {
+  std::set<std::string> places;
+  for (const std::string& entry : entries) {
+    for (const std::string& file : wanted) {
+      if (entry == file) return "";
+      if (!entry.ends_with("/" + file)) continue;
+      const std::string place = entry.substr(0, entry.size() - file.size());
+      const bool is_one_folder = place.find('/') == place.size() - 1 && place.size() > 1;
+      if (is_one_folder && place != "../" && place != "./") places.insert(place);
+    }
+  }
+  if (places.size() <= 1) return places.empty() ? "" : *places.begin();
+  throw std::invalid_argument(
+      fmt::format("the submission holds the files twice, in '{}' and in '{}'",
+                  shown_name(*places.begin()), shown_name(*std::next(places.begin()))));
+}
+
+std::string fault_of(std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") == text.npos) return "is empty";
+  const auto null = text.find('\0');
+  if (null != text.npos) {
+    return fmt::format("is no text: byte {} is zero", null + 1);
+  }
+  return "";
+}
+
+Submission take_submission(const Assignment& assignment, const fs::path& path, const fs::path& work,
+                           Isolation isolation) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
+  const bool is_archive = fs::is_regular_file(status) && names_archive(path);
+  if (!is_archive && !fs::is_directory(status)) {
+    throw sys::OutputError(
+        fmt::format("'{}' is neither a folder nor an archive (.zip, .tar, .tar.gz, .tgz, .tar.xz)",
+                    shown_name(path.string())));
+  }
+  try {
+    return is_archive ? take_archive(assignment, path, work, isolation)
+                      : take_folder(assignment, path);
+  } catch (const std::invalid_argument& fault) {
+    Submission nothing;
+    nothing.problems.emplace_back(fault.what());
+    return nothing;
+  }
+}
+
+}  // namespace course

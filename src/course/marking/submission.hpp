@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/files.hpp"
+#include "course/sandbox/sandbox.hpp"
+
+namespace course {
+
+/// The files taken from a submission, and what is wrong with it.
+struct Submission {
+  Files files;              ///< those of the exercises that can be given to the compiler
+  bool has_report = false;  ///< whether there is a report/report.tex, which a person marks
+  std::vector<std::string> problems;  ///< a line each, which may be shown
+};
+
+/// Takes the exercises' files from a folder or archive and reads nothing else in it. They may
+/// be at the top or in one folder below. A file that is no regular text file within the limits is
+/// left out with a line in `problems`, and so are all files of an archive that cannot be read.
+/// `work` is a folder for the sandbox. Throws OutputError if the submission is neither a folder nor
+/// an archive.
+Submission take_submission(const Assignment& assignment, const std::filesystem::path& submission,
+                           const std::filesystem::path& work, Isolation isolation);
+
+/// The folder, "" or "name/", that holds the wanted files among these entries; the top is
+/// preferred. Throws std::invalid_argument if several folders hold them.
+std::string place_of_files(const std::vector<std::string>& entries,
+                           const std::vector<std::string>& wanted);
+
+/// Why a text cannot be the file of an exercise; empty if it can.
+std::string fault_of(std::string_view text);
+
+}  // namespace course

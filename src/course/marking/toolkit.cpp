@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/toolkit.hpp"
+
+#include <fmt/core.h>
+
+#include "system/error.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+
+fs::path Toolkit::stub_of(const Exercise& exercise) const {
+  return folder / "stubs" / (exercise.file + ".o");
+}
+
+std::vector<std::string> compile_flags(const std::string& project) {
+  return {"-std=c++20",
+          "-O2",
+          "-w",
+          "-I",
+          project + "/provided",
+          "-I",
+          project + "/src",
+          "-isystem",
+          "/usr/include/eigen3"};
+}
+
+std::vector<std::string> link_flags() {
+  return {"-Wl,--as-needed", "-lgsl", "-lgslcblas", "-lfmt", "-lm"};
+}
+
+Toolkit open_toolkit(const Assignment& assignment, const fs::path& folder) {
+  Toolkit toolkit{fs::absolute(folder)};
+  if (!fs::exists(toolkit.list())) {
+    throw sys::OutputError(
+        fmt::format("'{}' is no toolkit; `halfspace-course toolkit` makes one", folder.string()));
+  }
+  for (const Exercise& exercise : assignment.exercises) {
+    if (!fs::exists(toolkit.stub_of(exercise))) {
+      throw sys::OutputError(
+          fmt::format("the toolkit '{}' is of another assignment: it has no stub of {}",
+                      folder.string(), exercise.file));
+    }
+  }
+  return toolkit;
+}
+
+}  // namespace course

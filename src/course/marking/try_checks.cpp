@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/try_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "system/require.hpp"
+
+namespace course {
+namespace {
+
+/// Points are given in hundredths, since nobody could check a sum of shares such as 1/3.
+double points_of(double share, double points) {
+  if (!(share > 0)) return 0;
+  return std::round(std::min(share, 1.0) * points * 100) / 100;
+}
+
+/// The outcome if the program answered numbers for which the check throws; the exception's text
+/// is not for the student. Any other exception is an error of the grader and costs the student
+/// nothing.
+const Outcome without_judgement{
+    0, "the program's answer cannot be judged: too few numbers, or meaningless ones"};
+
+Outcome outcome_of(const Check& check, const Program& program, const Variant& variant) {
+  try {
+    return check(program, variant);
+  } catch (const ProgramFailure& failure) {
+    return {0, failure.what()};
+  } catch (const sys::InvalidQuantity&) {
+    return without_judgement;
+  } catch (const std::logic_error&) {
+    return without_judgement;
+  }
+}
+
+void require_code(const Assignment& assignment, const Checks& checks) {
+  for (const Exercise& exercise : assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) {
+      if (!checks.contains(entry.id)) throw std::logic_error("no code of the check " + entry.id);
+    }
+  }
+}
+
+/// Why the checks of an exercise cannot be run; empty if they can.
+std::string obstacle(const Exercise& exercise, const Built& built) {
+  if (built.compile_errors.contains(exercise.id)) {
+    return exercise.file + " is missing or does not compile";
+  }
+  return built.link_error.empty() ? "" : "the program does not link";
+}
+
+}  // namespace
+
+std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& checks,
+                                    const Built& built, const Variant& variant, ProgramRun& run) {
+  require_code(assignment, checks);
+  const Program program = [&](const std::string& task, const Numbers& inputs) {
+    return run.answer(task, inputs);
+  };
+  std::vector<CheckResult> results;
+  for (const Exercise& exercise : assignment.exercises) {
+    const std::string why_not = obstacle(exercise, built);
+    for (const CheckEntry& entry : exercise.checks) {
+      const Outcome outcome =
+          why_not.empty() ? outcome_of(checks.at(entry.id), program, variant) : Outcome{0, why_not};
+      results.push_back({entry.id, points_of(outcome.share, entry.points), outcome.message});
+    }
+  }
+  return results;
+}
+
+double total(const std::vector<CheckResult>& results) {
+  double sum = 0;
+  for (const CheckResult& result : results) sum += result.points;
+  return std::round(sum * 100) / 100;
+}
+
+}  // namespace course

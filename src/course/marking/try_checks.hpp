@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/check.hpp"
+#include "course/marking/build.hpp"
+#include "course/marking/program_run.hpp"
+
+namespace course {
+
+/// The points that a check gave, and the message to go with them.
+struct CheckResult {
+  std::string id;
+  double points = 0;  ///< reached, before any deduction
+  std::string message;
+};
+
+/// Tries every check of the assignment, in its order, on a program. Throws std::logic_error for a
+/// check that `checks` does not hold.
+std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& checks,
+                                    const Built& built, const Variant& variant, ProgramRun& run);
+
+/// The sum of the points, in hundredths.
+double total(const std::vector<CheckResult>& results);
+
+}  // namespace course

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/release/handout.hpp"
+
+#include <fmt/core.h>
+
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+// A folder that holds this file was written by this program and may be replaced.
+constexpr const char* variant_file = "provided/variant_of_this_handout.hpp";
+
+constexpr fs::perms executable =
+    fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+
+// Binary files are copied as they are.
+MarkedText marked(const fs::path& file, const std::string& shown_as) {
+  const std::string text = sys::read_file(file);
+  if (text.find('\0') == std::string::npos) return apply_markers(text, shown_as);
+  return {.handout = text, .solution = text, .secrets = {}, .hidden_regions = {}};
+}
+
+ProjectFile read(const fs::path& file) {
+  return {.origin = file,
+          .text = marked(file, file.string()),
+          .permissions = fs::status(file).permissions()};
+}
+
+// A C++ literal of type double that reads back as the same number.
+std::string literal(double number) {
+  const std::string digits = fmt::format("{}", number);
+  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
+}
+
+fs::path without_trailing_slash(const fs::path& folder) {
+  const fs::path normal = fs::absolute(folder).lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+void require_replaceable(const fs::path& folder) {
+  const auto status = fs::symlink_status(folder);
+  if (!fs::exists(status)) return;
+  const bool is_ours = fs::is_directory(status) &&
+                       (fs::is_empty(folder) || fs::is_regular_file(folder / variant_file));
+  if (is_ours) return;
+  throw sys::OutputError(
+      fmt::format("'{}' exists and was not written by this command; name another folder or "
+                  "remove it",
+                  folder.string()));
+}
+
+/// A folder beside the one that it will replace. It is removed if it does not come to that.
+class Replacement {
+ public:
+  explicit Replacement(const fs::path& folder)
+      : folder_(folder), fresh_(folder.string() + ".new"), old_(folder.string() + ".old") {
+    require_replaceable(folder_);
+    for (const fs::path& beside : {fresh_, old_}) require_replaceable(beside);
+    fs::remove_all(fresh_);
+    fs::create_directories(fresh_);
+  }
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+  ~Replacement() {
+    std::error_code ignored;
+    fs::remove_all(fresh_, ignored);
+  }
+
+  const fs::path& path() const { return fresh_; }
+
+  void replace() {
+    fs::remove_all(old_);
+    if (fs::exists(folder_)) fs::rename(folder_, old_);
+    fs::rename(fresh_, folder_);
+    fs::remove_all(old_);
+  }
+
+ private:
+  fs::path folder_, fresh_, old_;
+};
+
+void write(const fs::path& file, const std::string& text, fs::perms permissions) {
+  sys::write_file_atomically(file, text);
+  if ((permissions & fs::perms::owner_exec) != fs::perms::none) {
+    fs::permissions(file, executable, fs::perm_options::add);
+  }
+}
+
+}  // namespace
+
+Project read_project(const Assignment& assignment, const fs::path& source) {
+  const fs::path from = assignment.folder / "template";
+  if (fs::exists(from / "build")) {
+    throw sys::SourceError(
+        fmt::format("{}: somebody has compiled in the template; remove this folder",
+                    (from / "build").string()));
+  }
+  Project project;
+  for (const std::string& file : sys::files_below(from)) project[file] = read(from / file);
+  for (const std::string& file : assignment.provided) {
+    const auto fail = [&](const std::string& what) {
+      throw sys::SourceError(
+          fmt::format("{}: provided: {}", (assignment.folder / "assignment.toml").string(), what));
+    };
+    const fs::path origin = source / "src" / file;
+    if (!fs::is_regular_file(origin)) fail(fmt::format("there is no src/{}", file));
+    const auto [entry, is_new] = project.try_emplace("provided/" + file, read(origin));
+    if (!is_new) fail(fmt::format("template/provided/{} exists as well", file));
+  }
+  if (project.contains(variant_file) || project.contains("sheet.pdf")) {
+    throw sys::SourceError(
+        fmt::format("{}: {} and sheet.pdf are made for each handout", from.string(), variant_file));
+  }
+  return project;
+}
+
+Files texts(const Project& project, Edition edition) {
+  Files files;
+  for (const auto& [name, file] : project) {
+    files[name] = edition == Edition::handout ? file.text.handout : file.text.solution;
+  }
+  return files;
+}
+
+Files submission(const Assignment& assignment, const Files& files) {
+  Files submitted;
+  for (const Exercise& exercise : assignment.exercises) {
+    submitted[exercise.file] = files.at(exercise.file);
+  }
+  return submitted;
+}
+
+std::string variant_header(const Assignment& assignment, const Variant& variant) {
+  std::string entries;
+  for (const Quantity& quantity : assignment.quantities) {
+    entries += fmt::format("        {{\"{}\", {}}},  // {}\n", quantity.name,
+                           literal(variant(quantity.name)),
+                           quantity.unit.empty() ? "a pure number" : quantity.unit);
+  }
+  return fmt::format(
+      "// These are the numbers of this handout. Each student has others.\n"
+      "#pragma once\n"
+      "\n"
+      "#include \"course/assignment/variant.hpp\"\n"
+      "\n"
+      "inline const course::Variant this_variant{{\n"
+      "    \"{}\",\n"
+      "    {{\n"
+      "{}"
+      "    }},\n"
+      "}};\n",
+      variant.student, entries);
+}
+
+void write_project(const Project& project, Edition edition, const Assignment& assignment,
+                   const Variant& variant, const fs::path& sheet, const fs::path& output) {
+  const fs::path folder = without_trailing_slash(output);
+  try {
+    Replacement fresh(folder);
+    // This file is written first, so that the folder of a run that breaks off may be replaced
+    // later.
+    write(fresh.path() / variant_file, variant_header(assignment, variant), fs::perms::none);
+    for (const auto& [name, text] : texts(project, edition)) {
+      write(fresh.path() / name, text, project.at(name).permissions);
+    }
+    if (!sheet.empty()) {
+      write(fresh.path() / "sheet.pdf", sys::read_file(sheet), fs::perms::none);
+    }
+    fresh.replace();
+  } catch (const fs::filesystem_error& error) {
+    throw sys::OutputError(
+        fmt::format("cannot write the folder '{}': {}", folder.string(), error.code().message()));
+  }
+}
+
+}  // namespace course

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/files.hpp"
+#include "course/assignment/variant.hpp"
+#include "course/release/markers.hpp"
+
+namespace course {
+
+/// A file of the student's project.
+struct ProjectFile {
+  std::filesystem::path origin;  ///< the marked file
+  MarkedText text;
+  std::filesystem::perms permissions = std::filesystem::perms::none;
+};
+
+/// The student's project with its solution, by path in the project.
+using Project = std::map<std::string, ProjectFile>;
+
+enum class Edition { handout, solution };
+
+/// Reads the assignment's template/ and the provided files of source/src, which go to
+/// provided/. Throws sys::SourceError for wrong markers, for a provided file that does not exist or
+/// that the template also holds, and for a template in which somebody has compiled.
+Project read_project(const Assignment& assignment, const std::filesystem::path& source);
+
+/// The texts of one edition.
+Files texts(const Project& project, Edition edition);
+
+/// The exercises' files among `files`, as they would be submitted.
+Files submission(const Assignment& assignment, const Files& files);
+
+/// The text of provided/variant_of_this_handout.hpp, which defines `this_variant`.
+std::string variant_header(const Assignment& assignment, const Variant& variant);
+
+/// Writes an edition for a variant, with a copy of the file `sheet` as sheet.pdf unless `sheet`
+/// is empty. The folder is replaced as a whole when everything is written; scripts stay executable.
+/// Throws sys::OutputError if it cannot be written or holds something else.
+void write_project(const Project& project, Edition edition, const Assignment& assignment,
+                   const Variant& variant, const std::filesystem::path& sheet,
+                   const std::filesystem::path& output);
+
+}  // namespace course

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/release/proof.hpp"
+
+#include <fmt/core.h>
+
+#include "course/assignment/check_list.hpp"
+#include "course/assignment/variants.hpp"
+#include "course/marking/solution_trial.hpp"
+#include "course/marking/toolkit.hpp"
+#include "course/release/expected_values.hpp"
+#include "course/release/leaks.hpp"
+#include "course/release/student_build.hpp"
+#include "course/release/wrong_solutions.hpp"
+#include "course/release/zip.hpp"
+#include "system/files.hpp"
+#include "system/parallel.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// Tries the claims one after the other.
+class Prover {
+ public:
+  explicit Prover(const ProofInput& input)
+      : input_(input),
+        checks_(all_checks(input.assignment, input.visible, expected_.listening(input.hidden))),
+        solution_(texts(input.project, Edition::solution)),
+        wrong_(read_wrong_solutions(input.assignment, solution_)) {
+    open_toolkit(input.assignment, input.toolkit);  // reports a wrong folder before the work begins
+  }
+
+  ProvedClaim variant() const;
+  ProvedClaim student_build() const;
+  ProvedClaim floor() const;
+  ProvedClaim full_points() const;
+  ProvedClaim wrong_solutions() const;
+  ProvedClaim no_leaks() const;
+
+ private:
+  SolutionTrial trial_of(const Files& files, const Checks& checks, const Variant& variant) const {
+    return try_solution(input_.assignment, input_.toolkit, submission(input_.assignment, files),
+                        checks, variant, isolation_of(input_.n_jobs));
+  }
+
+  const ProofInput& input_;
+  ExpectedValues expected_;
+  Checks checks_;
+  Files solution_;
+  std::vector<WrongSolution> wrong_;
+};
+
+ProvedClaim Prover::variant() const {
+  ProvedClaim claim{.says = "the handout is of this variant", .faults = {}};
+  const std::string header = "provided/variant_of_this_handout.hpp";
+  if (sys::read_file(input_.handout / header) !=
+      variant_header(input_.assignment, input_.variant)) {
+    claim.faults.push_back(fmt::format("{} has other numbers", (input_.handout / header).string()));
+  }
+  return claim;
+}
+
+ProvedClaim Prover::student_build() const {
+  return {.says = "it compiles without a warning, and its checks run",
+          .faults = faults_of_student_build(input_.assignment, input_.handout, input_.n_jobs)};
+}
+
+ProvedClaim Prover::floor() const {
+  Files files;
+  for (const Exercise& exercise : input_.assignment.exercises) {
+    files[exercise.file] = sys::read_file(input_.handout / exercise.file);
+  }
+  const double points = trial_of(files, checks_, input_.variant).points;
+  ProvedClaim claim{.says = fmt::format("as it is, it scores {} of {} points",
+                                        input_.assignment.floor, input_.assignment.points),
+                    .faults = {}};
+  if (!are_same_points(points, input_.assignment.floor)) {
+    claim.faults.push_back(fmt::format("the untouched handout scores {}", points));
+  }
+  return claim;
+}
+
+ProvedClaim Prover::full_points() const {
+  return {.says = fmt::format("the solution scores all {} points", input_.assignment.points),
+          .faults = trial_of(solution_, checks_, input_.variant).losses};
+}
+
+ProvedClaim Prover::wrong_solutions() const {
+  std::vector<double> points(wrong_.size());
+  // These checks do not record, because the answers of wrong programs are no expected values.
+  const Checks checks = all_checks(input_.assignment, input_.visible, input_.hidden);
+  const Variant nominal = nominal_variant(input_.assignment);
+  sys::for_each_parallel(wrong_.size(), input_.n_jobs, [&](std::size_t i) {
+    points[i] = trial_of(with_mistake(solution_, wrong_[i]), checks, nominal).points;
+  });
+  ProvedClaim claim{
+      .says = fmt::format("each of {} wrong solutions scores what the list says", wrong_.size()),
+      .faults = {}};
+  for (std::size_t i = 0; i < wrong_.size(); ++i) {
+    if (are_same_points(points[i], wrong_[i].points)) continue;
+    claim.faults.push_back(fmt::format("wrong solution {} ({}) scores {}, the list says {}",
+                                       wrong_[i].id, wrong_[i].says, points[i], wrong_[i].points));
+  }
+  return claim;
+}
+
+ProvedClaim Prover::no_leaks() const {
+  const auto values = expected_.values();
+  const Secrets secrets =
+      secrets_of(input_.assignment, input_.project, input_.secret_files, values);
+  ProvedClaim claim{
+      .says = fmt::format("none of {} solution lines, {} names and {} values is in it",
+                          secrets.lines.size(), secrets.words.size(), values.size()),
+      .faults = published_solutions(input_.project)};
+  const auto add = [&](const std::vector<std::string>& faults) {
+    claim.faults.insert(claim.faults.end(), faults.begin(), faults.end());
+  };
+  add(published_references(input_.assignment, input_.source, input_.secret_files));
+  add(leaks(secrets, input_.handout));
+  if (input_.zip.empty()) return claim;
+  add(leaks(secrets, input_.zip));
+  add(differences_of_zip(input_.zip, input_.handout));
+  return claim;
+}
+
+}  // namespace
+
+bool prove(const ProofInput& input, const std::function<void(const ProvedClaim&)>& tell) {
+  const Prover prover(input);
+  bool all_hold = true;
+  // The search for leaks comes last, since it needs the answers of the solution.
+  for (const auto claim : {&Prover::variant, &Prover::student_build, &Prover::floor,
+                           &Prover::full_points, &Prover::wrong_solutions, &Prover::no_leaks}) {
+    const ProvedClaim proved = (prover.*claim)();
+    tell(proved);
+    all_hold = all_hold && proved.faults.empty();
+  }
+  return all_hold;
+}
+
+}  // namespace course

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace course {
+
+/// Numbers that a handout must not hold, neither printed nor as the bytes of a double.
+class SecretNumbers {
+ public:
+  /// Leaves out numbers that anybody could write, which have less than five significant digits
+  /// when they are printed with six, such as 0.25 and 12000.
+  explicit SecretNumbers(const std::vector<double>& numbers);
+
+  /// The numbers in a text that have at least six significant digits and agree with a secret
+  /// number in these, of which eight count at most. The place of the decimal point does not matter,
+  /// since the number may be in another unit.
+  std::vector<std::string> printed_in(std::string_view text) const;
+
+  /// Whether the eight bytes of a secret number stand anywhere in `bytes`.
+  bool stored_in(std::string_view bytes) const;
+
+  bool empty() const { return patterns_.empty(); }
+
+ private:
+  bool is_secret(const std::string& digits) const;
+
+  std::set<std::string, std::less<>> digits_;  // of six to eight digits, cut and rounded
+  std::vector<std::uint64_t> patterns_;        // sorted
+};
+
+}  // namespace course

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/files.hpp"
+
+namespace course {
+
+/// The instructor's solution with one mistake, and the points that it must reach with the
+/// nominal numbers; how many points a mistake costs may depend on the variant.
+struct WrongSolution {
+  std::string id;
+  std::string says;  ///< what is wrong, such as "a sign is lost"
+  std::string file;  ///< the file of an exercise
+  std::string before;
+  std::string after;
+  double points = 0;
+};
+
+/// Reads the [[wrong]] tables of folder/wrong_solutions.toml. Throws config::Error
+/// «file:line:column: …», for instance if `before` does not stand exactly once in the solution.
+std::vector<WrongSolution> read_wrong_solutions(const Assignment& assignment,
+                                                const Files& solution);
+
+/// The solution with the mistake in it.
+Files with_mistake(Files solution, const WrongSolution& wrong);
+
+}  // namespace course

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/sandbox/child.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "course/sandbox/descendants.hpp"
+#include "system/spawn.hpp"
+
+namespace course {
+namespace {
+
+void set_streams(sys::FileActions& actions, const Child& child) {
+  constexpr int written = O_WRONLY | O_CREAT | O_TRUNC;
+  actions.open(STDIN_FILENO, child.input, O_RDONLY);
+  actions.open(STDOUT_FILENO, child.output, written, 0600);
+  actions.open(STDERR_FILENO, child.errors, written, 0600);
+  actions.open(3, child.third, O_RDONLY);
+  actions.close_from(4);
+  actions.change_folder(child.folder);
+}
+
+/// What the attendant reports: why the child could not start, or its status as of wait.
+struct Report {
+  int error = 0;
+  int status = SIGKILL;
+};
+
+/// The attendant's life: it starts the child, reports how that ended, and stays until no process is
+/// left below it, since orphans become its own. It was forked from a process that may have threads,
+/// so it allocates nothing.
+[[noreturn]] void attend(const sys::FileActions& actions, char* const* command,
+                         char* const* environment, int reports) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  Report report;
+  pid_t child = 0;
+  report.error = posix_spawn(&child, command[0], actions.get(), nullptr, command, environment);
+  if (report.error == 0) {
+    pid_t ended = 0;
+    do {
+      ended = ::wait(&report.status);
+    } while (ended != child && (ended > 0 || errno == EINTR));
+  }
+  while (::write(reports, &report, sizeof report) < 0 && errno == EINTR) {
+  }
+  while (::wait(nullptr) > 0 || errno == EINTR) {
+  }
+  ::_exit(0);
+}
+
+/// A child with the attendant above it.
+class Attended {
+ public:
+  explicit Attended(const Child& child) : pipe_(sys::open_pipe(O_NONBLOCK)) {
+    std::vector<std::string> command = child.command;
+    std::vector<std::string> environment = child.environment;
+    const std::vector<char*> command_pointers = sys::exec_pointers(command);
+    const std::vector<char*> environment_pointers = sys::exec_pointers(environment);
+    sys::FileActions actions;
+    set_streams(actions, child);
+    attendant_ = ::fork();
+    if (attendant_ == 0) {
+      attend(actions, command_pointers.data(), environment_pointers.data(), pipe_.writing.number());
+    }
+    if (attendant_ < 0) throw sys::cannot_start(child.command.front(), errno);
+    pipe_.writing.close();
+  }
+  Attended(const Attended&) = delete;
+  Attended& operator=(const Attended&) = delete;
+  ~Attended() { end_all(); }
+
+  /// Waits for the child's end, and looks at what it uses 20 times a second, since limits of single
+  /// processes do not count what many of them hold together.
+  Excess watch(const Child& child) {
+    pollfd poll{pipe_.reading.number(), POLLIN, 0};
+    for (int ready = 0; (ready = ::poll(&poll, 1, 50)) <= 0;) {
+      if (ready < 0 && errno != EINTR) break;
+      const Usage usage = usage_of(descendants(attendant_));
+      if (child.memory_mb > 0 && usage.bytes > child.memory_mb * 1'048'576) return Excess::memory;
+      if (child.cpu_seconds > 0 && usage.cpu_seconds > child.cpu_seconds) return Excess::time;
+      if (child.tasks > 0 && usage.tasks > child.tasks) return Excess::tasks;
+      if (has_ended()) break;  // something else killed the attendant
+    }
+    return Excess::none;
+  }
+
+  /// What the attendant reported; to be asked for after watch() found no excess.
+  Report report() const {
+    Report report;
+    const ssize_t n_read = ::read(pipe_.reading.number(), &report, sizeof report);
+    return n_read == sizeof report ? report : Report{};
+  }
+
+ private:
+  bool has_ended() {
+    if (is_over_) return true;
+    const pid_t ended = ::waitpid(attendant_, nullptr, WNOHANG);
+    is_over_ = ended > 0 || (ended < 0 && errno != EINTR);
+    return is_over_;
+  }
+
+  void end_all() {
+    while (!has_ended()) {
+      for (const pid_t process : descendants(attendant_)) ::kill(process, SIGKILL);
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+  }
+
+  sys::Pipe pipe_;
+  pid_t attendant_ = 0;
+  bool is_over_ = false;
+};
+
+}  // namespace
+
+ChildEnd run_child(const Child& child) {
+  Attended attended(child);
+  ChildEnd end;
+  end.excess = attended.watch(child);
+  if (end.excess != Excess::none) return end;
+  const auto [error, status] = attended.report();
+  if (error != 0) throw sys::cannot_start(child.command.front(), error);
+  end.status = sys::shell_status(status);
+  return end;
+}
+
+}  // namespace course

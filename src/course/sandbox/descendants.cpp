@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/sandbox/descendants.hpp"
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// The text of a file of /proc, empty if its process has ended. (If the process ends while the
+/// file is read, getline stops there, whereas stream iterators would throw.)
+std::string text_of(const std::string& file) {
+  std::ifstream stream(file);
+  std::string text;
+  std::getline(stream, text, '\0');
+  return text;
+}
+
+/// The numbers among the names in a folder of /proc.
+std::vector<pid_t> numbers_in(const std::string& folder) {
+  std::vector<pid_t> numbers;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.find_first_not_of("0123456789") == name.npos) numbers.push_back(std::stoi(name));
+  }
+  return numbers;
+}
+
+/// The fields of /proc/PID/stat from the third on. The second is a name, which may hold anything.
+std::vector<std::string> statistics_of(pid_t process) {
+  const std::string text = text_of(fmt::format("/proc/{}/stat", process));
+  const auto end_of_name = text.rfind(')');
+  if (end_of_name == text.npos) return {};
+  std::istringstream rest(text.substr(end_of_name + 1));
+  return {std::istream_iterator<std::string>(rest), {}};
+}
+
+}  // namespace
+
+std::vector<pid_t> descendants(pid_t process) {
+  std::vector<pid_t> found = {process};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::string tasks = fmt::format("/proc/{}/task", found[i]);
+    for (const pid_t task : numbers_in(tasks)) {
+      std::istringstream children(text_of(fmt::format("{}/{}/children", tasks, task)));
+      for (pid_t child = 0; children >> child;) found.push_back(child);
+    }
+  }
+  found.erase(found.begin());
+  return found;
+}
+
+Usage usage_of(const std::vector<pid_t>& processes) {
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const auto ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
+  Usage usage;
+  for (const pid_t process : processes) {
+    const std::vector<std::string> fields = statistics_of(process);
+    if (fields.size() < 22) continue;  // it has ended
+    for (std::size_t i = 11; i < 15; ++i) usage.cpu_seconds += std::stod(fields[i]) / ticks;
+    usage.tasks += std::stoul(fields[17]);
+    usage.bytes += std::stoul(fields[21]) * page;
+  }
+  return usage;
+}
+
+std::size_t own_tasks() {
+  std::size_t n_tasks = 0;
+  for (const pid_t process : numbers_in("/proc")) {
+    struct stat status {};
+    const std::string folder = fmt::format("/proc/{}", process);
+    if (::stat(folder.c_str(), &status) != 0 || status.st_uid != ::geteuid()) continue;
+    n_tasks += usage_of({process}).tasks;
+  }
+  return n_tasks;
+}
+
+}  // namespace course

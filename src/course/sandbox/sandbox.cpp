@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/sandbox/sandbox.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <system_error>
+
+#include "course/sandbox/child.hpp"
+#include "course/sandbox/descendants.hpp"
+#include "course/sandbox/job_user.hpp"
+#include "course/sandbox/syscall_filter.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+/// Parts of /usr that the distribution's compiler does not need and where an instructor may keep
+/// things.
+std::vector<std::string> hidden_folders() {
+  const fs::path compiler = fs::canonical(sys::find_tool("g++"));
+  std::vector<std::string> hidden;
+  for (const char* folder : {"/usr/local", "/usr/src"}) {
+    const bool has_compiler = compiler.string().starts_with(std::string(folder) + "/");
+    if (fs::is_directory(folder) && !has_compiler) hidden.emplace_back(folder);
+  }
+  return hidden;
+}
+
+JobEnd ending_of(const ChildEnd& end) {
+  const int status = end.status;
+  if (end.excess == Excess::memory) return {Ending::too_large, 0};
+  if (end.excess == Excess::time) return {Ending::too_slow, 0};
+  if (end.excess == Excess::tasks) return {Ending::too_many_processes, 0};
+  if (status == 124 || status == 128 + SIGKILL || status == 128 + SIGXCPU) {
+    return {Ending::too_slow, 0};
+  }
+  if (status == 128 + SIGXFSZ) return {Ending::too_much_output, 0};
+  if (status > 128) return {Ending::crash, status - 128};
+  return {Ending::normal, status};
+}
+
+/// The start of a command line that runs the rest as another user without any capability.
+std::vector<std::string> as_user(unsigned user) {
+  return {"/usr/bin/setpriv",
+          fmt::format("--reuid={}", user),
+          fmt::format("--regid={}", user),
+          "--clear-groups",
+          "--no-new-privs",
+          "--inh-caps=-all",
+          "--bounding-set=-all"};
+}
+
+/// The start of a command line that runs the rest within limits. Processor time is limited, so
+/// that a busy machine does nobody an injustice; a limit by the clock, twice as long, ends what
+/// sleeps.
+std::vector<std::string> within_limits(const Job& job) {
+  return {"/usr/bin/prlimit",
+          "--core=0",
+          "--nofile=64",
+          fmt::format("--cpu={}:{}", job.seconds, job.seconds + 1),
+          fmt::format("--as={}", job.memory_mb * 1048576L),
+          fmt::format("--fsize={}", job.file_kb * 1024L)};
+}
+
+}  // namespace
+
+void make_readable(const fs::path& path) {
+  using fs::perms;
+  const auto allow = [](const fs::path& one) {
+    const perms read = perms::owner_read | perms::group_read | perms::others_read;
+    const perms enter = perms::owner_exec | perms::group_exec | perms::others_exec;
+    fs::permissions(one, fs::is_directory(one) ? read | enter : read, fs::perm_options::add);
+  };
+  allow(path);
+  if (!fs::is_directory(path)) return;
+  for (const auto& entry : fs::recursive_directory_iterator(path)) allow(entry.path());
+}
+
+Sandbox::Sandbox(Isolation isolation, const fs::path& work)
+    : isolation_(isolation),
+      work_(fs::absolute(work)),
+      is_root_(::geteuid() == 0),
+      user_(is_root_ ? job_user() : ::geteuid()) {
+  if (isolation_ == Isolation::sandbox) {
+    write_syscall_filter(work_ / "filter");
+  } else {
+    make_reachable();
+  }
+  probe();
+}
+
+/// Lets this process's jobs into its folder and no others: its path stands in the list of
+/// processes, where jobs of another grading can read it.
+void Sandbox::make_reachable() const {
+  using fs::perms;
+  fs::permissions(work_, perms::owner_all | perms::group_exec);
+  if (is_root_ && ::chown(work_.c_str(), 0, user_) != 0) {
+    throw sys::ToolError(fmt::format("cannot give '{}' to another group", work_.string()));
+  }
+}
+
+std::string Sandbox::place(const Readable& readable) const {
+  return isolation_ == Isolation::sandbox ? readable.place : fs::absolute(readable.path).string();
+}
+
+std::string Sandbox::scratch() const {
+  return isolation_ == Isolation::sandbox ? "/tmp" : (work_ / "scratch").string();
+}
+
+std::vector<std::string> Sandbox::walls(const Job& job) const {
+  std::vector<std::string> walls = {
+      sys::find_tool("bwrap"), "--unshare-ipc",        "--unshare-pid",     "--unshare-net",
+      "--unshare-uts",         "--unshare-cgroup-try", "--die-with-parent", "--new-session"};
+  if (is_root_) {
+    append(walls,
+           {"--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_SETPCAP"});
+  } else {
+    append(walls, {"--unshare-user", "--disable-userns"});
+  }
+  append(walls, {"--ro-bind", "/usr", "/usr"});
+  for (const std::string& folder : hidden_folders()) {
+    append(walls, {"--perms", "0755", "--tmpfs", folder, "--remount-ro", folder});
+  }
+  append(walls, {"--symlink",
+                 "usr/bin",
+                 "/bin",
+                 "--symlink",
+                 "usr/lib",
+                 "/lib",
+                 "--symlink",
+                 "usr/lib64",
+                 "/lib64",
+                 "--perms",
+                 "0755",
+                 "--dir",
+                 "/etc",
+                 "--ro-bind-try",
+                 "/etc/alternatives",
+                 "/etc/alternatives",
+                 "--ro-bind-try",
+                 "/etc/ld.so.cache",
+                 "/etc/ld.so.cache",
+                 "--proc",
+                 "/proc",
+                 "--dev",
+                 "/dev",
+                 "--remount-ro",
+                 "/dev"});
+  for (const auto& [path, place] : job.readable) {
+    // bubblewrap would make the folders on the way readable to the superuser only.
+    const std::string parent = fs::path(place).parent_path().string();
+    if (parent != "/") append(walls, {"--perms", "0755", "--dir", parent});
+    append(walls, {"--ro-bind", fs::absolute(path).string(), place});
+  }
+  const std::string size = fmt::format("{}", std::max(1L, job.scratch_mb * 1048576L));
+  append(walls, {"--size", size, "--perms", "1777", "--tmpfs", "/tmp"});
+  if (job.scratch_mb == 0) append(walls, {"--remount-ro", "/tmp"});
+  append(walls, {"--remount-ro", "/", "--chdir", job.folder.empty() ? "/tmp" : job.folder,
+                 "--seccomp", "3", "--"});
+  return walls;
+}
+
+std::vector<std::string> Sandbox::command(const Job& job) const {
+  // If the grading is killed, its job is killed too.
+  std::vector<std::string> command = {"/usr/bin/setpriv", "--pdeathsig=KILL", "/usr/bin/timeout"};
+  // In a process group of its own `timeout` would not receive Ctrl-C. Without walls it needs
+  // that group to end the children.
+  if (isolation_ == Isolation::sandbox) command.emplace_back("--foreground");
+  append(command, {"--kill-after=1", fmt::format("{}", 2 * job.seconds)});
+  if (isolation_ == Isolation::sandbox) append(command, walls(job));
+  if (is_root_) append(command, as_user(user_));
+  append(command, within_limits(job));
+  // The limit counts all processes of the user. If a person grades without walls, these include
+  // the person's own; then run_child counts the job's processes, and this limit only stops a job
+  // that starts processes faster than they are counted.
+  const bool counts_alone = is_root_ || isolation_ == Isolation::sandbox;
+  command.push_back(fmt::format(
+      "--nproc={}", counts_alone ? static_cast<std::size_t>(job.processes)
+                                 : own_tasks() + 8 * static_cast<std::size_t>(job.processes)));
+  append(command, job.command);
+  return command;
+}
+
+JobEnd Sandbox::run(const Job& job) const {
+  const bool has_walls = isolation_ == Isolation::sandbox;
+  if (!has_walls) prepare_scratch();
+  // `timeout` is one process more.
+  const std::size_t max_tasks =
+      has_walls || is_root_ ? 0 : static_cast<std::size_t>(job.processes) + 1;
+  const ChildEnd end = run_child({.command = command(job),
+                                  .environment = {"PATH=/usr/bin:/bin", "LC_ALL=C",
+                                                  "HOME=" + scratch(), "TMPDIR=" + scratch()},
+                                  .folder = has_walls            ? "/"
+                                            : job.folder.empty() ? scratch()
+                                                                 : job.folder,
+                                  .input = job.input,
+                                  .output = job.output,
+                                  .errors = job.errors,
+                                  .third = has_walls ? work_ / "filter" : "/dev/null",
+                                  .memory_mb = static_cast<std::size_t>(job.memory_mb),
+                                  .cpu_seconds = static_cast<double>(job.seconds),
+                                  .tasks = max_tasks});
+  std::error_code ignored;
+  if (!has_walls) fs::remove_all(scratch(), ignored);
+  return ending_of(end);
+}
+
+void Sandbox::prepare_scratch() const {
+  fs::create_directories(scratch());
+  if (is_root_ && ::chown(scratch().c_str(), user_, user_) != 0) {
+    throw sys::ToolError(fmt::format("cannot give '{}' to another user", scratch()));
+  }
+}
+
+void Sandbox::probe() const {
+  const fs::path errors = work_ / "probe.err";
+  const JobEnd end = run({.command = {"/usr/bin/true"},
+                          .readable = {},
+                          .folder = "",
+                          .output = work_ / "probe.out",
+                          .errors = errors,
+                          .seconds = 60});  // far more than it takes, for a busy machine
+  if (end.ending == Ending::normal && end.status == 0) return;
+  std::string why = sys::read_file(errors);
+  why = why.substr(0, why.find('\n'));
+  throw sys::ToolError(
+      isolation_ == Isolation::sandbox
+          ? fmt::format("bubblewrap cannot keep submissions apart here: {}; --unsafe grades "
+                        "without it, with limits only",
+                        why)
+          : fmt::format("cannot run a program within limits: {}", why));
+}
+
+}  // namespace course

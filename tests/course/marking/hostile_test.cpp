@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grades submissions that are broken or mean harm: those in tests/course/hostile, and others that
+// cannot be kept as files. Each is graded in a process of its own, as in a class.
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "course/assignment/student.hpp"
+#include "course/marking/grade.hpp"
+#include "course/toy_grading.hpp"
+#include "system/files.hpp"
+#include "system/parallel.hpp"
+#include "system/process.hpp"
+
+using namespace course;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path fixtures = fs::path(HALFSPACE_SOURCE_DIR) / "tests/course/hostile";
+
+/// What the log must say about each of them; all but `honest` have no points.
+const std::map<std::string, std::string> reasons = {
+    {"answers_by_the_clock", "different answers to the same question"},
+    {"answers_commas", "no decimal number"},
+    {"answers_hexadecimal", "no decimal number"},
+    {"answers_infinity", "no decimal number"},
+    {"answers_markup", "no decimal number"},
+    {"answers_nan", "infinite or NaN"},
+    {"answers_nothing", "answered nothing"},
+    {"answers_too_few", "does not grow"},
+    {"answers_too_many", "does not grow"},
+    {"archive_bomb", "src/square.cpp is larger than 64 kB"},
+    {"archive_climbs", "entries that lead out of its folder"},
+    {"archive_is_none", "the archive cannot be read"},
+    {"archive_is_empty", "the archive is empty"},
+    {"archive_of_odd_names", "src/square.cpp is missing"},
+    {"archive_of_two", "holds the files twice"},
+    {"archive_through_link", "does not grow"},
+    {"attacks_linker", "the program crashed (SIGSEGV)"},
+    {"becomes_root", "does not grow"},
+    {"binary_file", "src/square.cpp is no text: byte 9 is zero"},
+    {"closes_streams", "answered nothing"},
+    {"constexpr_bomb", "to compile"},
+    {"defines_the_other_exercise", "multiple definition of `sum"},
+    {"device", "src/square.cpp is a device, not a file"},
+    {"edits_makefile", "does not grow"},
+    {"empty_file", "src/square.cpp is empty"},
+    {"empty_folder", "the submission is empty"},
+    {"endless_constructor", "the program takes longer than 1 s"},
+    {"endless_loop", "the program takes longer than 1 s"},
+    {"fills_many_files", "does not grow"},
+    {"fills_one_file", "does not grow"},
+    {"floods_errors", "the program prints more than 16 kB"},
+    {"floods_output", "the program prints more than 16 kB"},
+    {"folder_for_file", "src/square.cpp is a folder, not a file"},
+    {"fork_bomb", "the program takes longer than 1 s"},
+    {"honest", "20 of 20 points"},
+    {"huge_file", "src/square.cpp is larger than 64 kB"},
+    {"huge_object", "to compile"},
+    {"huge_submission", "the submission is larger than 1 MB"},
+    {"incbin_of_passwords", "file not found: /etc/shadow"},
+    {"includes_hidden_checks", "No such file or directory"},
+    {"includes_itself", "nested depth 200 exceeds maximum"},
+    {"includes_noise", "to compile"},
+    {"includes_passwords", "/etc/passwd: No such file or directory"},
+    {"includes_standard_input", "does not grow"},
+    {"includes_zeros", "to compile"},
+    {"is_no_cpp", "src/square.cpp:2:1: error: stray"},
+    {"kills_others", "does not grow"},
+    {"leaves_a_daemon", "does not grow"},
+    {"link_for_file", "src/square.cpp is a symbolic link"},
+    {"link_for_folder", "src/square.cpp is a symbolic link, or lies behind one"},
+    {"macro_bomb", "to compile"},
+    {"memory_bomb", "the program crashed (SIGABRT)"},
+    {"memory_bomb_in_children", "does not grow"},
+    {"memory_bomb_of_a_thread", "the program uses more than 512 MB"},
+    {"missing_file", "src/square.cpp is missing"},
+    {"patches_in_constructor", "does not grow"},
+    {"pipe_for_file", "src/square.cpp is a pipe, not a file"},
+    {"pragmas", "No such file or directory"},
+    {"prints_numbers_early", "does not grow"},
+    {"prints_passed", "no decimal number"},
+    {"prints_results", "no decimal number"},
+    {"raises_limits", "does not grow"},
+    {"reads_environments", "does not grow"},
+    {"reads_neighbour", "does not grow"},
+    {"recurses_for_ever", "the program crashed (SIGSEGV)"},
+    {"redefines_main", "multiple definition"},
+    {"replaces_checks", "does not grow"},
+    {"replaces_header", "../provided/answers.hpp: No such file or directory"},
+    {"searches_for_tests", "does not grow"},
+    {"signals_itself", "the program crashed (SIGSEGV)"},
+    {"sleeps", "the program takes longer than 1 s"},
+    {"spins_in_children", "the program takes longer than 1 s"},
+    {"template_bomb", "to compile"},
+    {"thread_bomb", "the program"},
+    {"throws", "the program crashed (SIGABRT)"},
+    {"traces_parent", "does not grow"},
+    {"uses_network", "does not grow"},
+    {"writes_results", "does not grow"},
+    {"writes_results_when_compiled", "results.json"},
+};
+
+Assignment hostile_assignment() {
+  Assignment assignment = toy::assignment();
+  assignment.limits.compile_seconds = 5;
+  return assignment;
+}
+
+void tar(const fs::path& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"--format=pax"});
+  const sys::ProcessResult result =
+      sys::run({.program = "bsdtar", .arguments = arguments, .working_directory = folder});
+  BOOST_REQUIRE_MESSAGE(result.exit_status == 0, result.output);
+}
+
+/// The submissions that consist of a special kind of file.
+void make_odd_files(const TemporaryFolder& made) {
+  made.write("binary_file/src/square.cpp", std::string("int x = \0;", 10));
+  made.write("empty_file/src/square.cpp", "");
+  made.write("huge_file/src/square.cpp", std::string(65 * 1024, '\n'));
+  made.write("huge_submission/notes.txt", std::string(1'100'000, 'x'));
+  made.write("huge_submission/src/square.cpp", "double square(double x) { return x * x; }\n");
+  made.write("missing_file/src/squares.cpp", "double square(double x) { return x * x; }\n");
+  made.write("missing_file/src/line\nend '\" $(touch x).cpp", "\n");
+  made.write("folder_for_file/src/square.cpp/square.cpp", "\n");
+  for (const char* name : {"link_for_file/src", "pipe_for_file/src", "device/src", "empty_folder",
+                           "link_for_folder"}) {
+    fs::create_directories(made.path() / name);
+  }
+  fs::create_symlink("/etc/shadow", made.path() / "link_for_file/src/square.cpp");
+  fs::create_directory_symlink(toy::folder / "template/src", made.path() / "link_for_folder/src");
+  BOOST_REQUIRE(::mkfifo((made.path() / "pipe_for_file/src/square.cpp").c_str(), 0600) == 0);
+  if (::mknod((made.path() / "device/src/square.cpp").c_str(), S_IFCHR | 0666, makedev(1, 5)) !=
+      0) {
+    fs::remove_all(made.path() / "device");  // only root can make one
+  }
+}
+
+void make_archives(const TemporaryFolder& made, const TemporaryFolder& parts) {
+  const std::string source = "double square(double) { return 0; }\n";
+  const auto archive = [&](const char* name) { return (made.path() / name).string(); };
+  parts.write("up/src/square.cpp", source);
+  parts.write("up/escaped.txt", "climbed out\n");
+  tar(parts.path() / "up", {"-cf", archive("archive_climbs.zip"), "--format=zip", "-s",
+                            ",^escaped,../../escaped,", "escaped.txt", "src/square.cpp"});
+
+  fs::create_directories(parts.path() / "link");
+  fs::create_directory_symlink(parts.path(), parts.path() / "link/src");
+  tar(parts.path() / "link", {"-cf", archive("archive_through_link.tar.gz"), "-z", "src", "-C",
+                              "../up", "src/square.cpp"});
+
+  parts.write("bomb/src/square.cpp", std::string(50'000'000, '\n'));
+  tar(parts.path() / "bomb", {"-cf", archive("archive_bomb.tar.xz"), "-J", "src/square.cpp"});
+
+  parts.write("odd/src/squ\nare.cpp", source);
+  parts.write("odd/-rf/src/$(touch x)", source);
+  tar(parts.path() / "odd", {"-cf", archive("archive_of_odd_names.tgz"), "-z", "."});
+
+  parts.write("two/a/src/square.cpp", source);
+  parts.write("two/b/src/square.cpp", source);
+  tar(parts.path() / "two", {"-cf", archive("archive_of_two.tar"), "a", "b"});
+
+  made.write("archive_is_none.zip", "this is no archive\n");
+  made.write("archive_is_empty.zip", "");
+}
+
+std::vector<fs::path> all_submissions(const fs::path& made) {
+  std::vector<fs::path> submissions;
+  for (const fs::path& folder : {fixtures, made}) {
+    for (const auto& entry : fs::directory_iterator(folder)) submissions.push_back(entry.path());
+  }
+  std::ranges::sort(submissions, {}, [](const fs::path& path) { return student_of(path); });
+  return submissions;
+}
+
+/// Grades in a child process, because the jobs of two gradings are kept apart by their processes;
+/// false if it fails.
+bool grade_apart(const fs::path& submission, const fs::path& grades) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    try {
+      GradingTask task;
+      task.submission = submission;
+      task.student = student_of(submission);
+      task.submitted = hostile_assignment().deadline;
+      task.toolkit = toy::toolkit();
+      task.checks = toy::checks();
+      grade_submission(hostile_assignment(), task, grades / task.student);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s: %s\n", submission.c_str(), error.what());
+      ::_exit(1);
+    }
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status == 0;
+}
+
+/// The names of all processes of the machine.
+std::vector<std::string> processes() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream stream(entry.path() / "comm");
+    std::string name;
+    if (std::getline(stream, name)) names.push_back(name);
+  }
+  return names;
+}
+
+class Class {
+ public:
+  Class() {
+    make_odd_files(made_);
+    make_archives(made_, parts_);
+    submissions_ = all_submissions(made_.path());
+    ::setenv("HALFSPACE_SECRET", "hidden", 1);
+    toy::toolkit();
+  }
+
+  const std::vector<fs::path>& submissions() const { return submissions_; }
+  const fs::path& made() const { return made_.path(); }
+  const fs::path& parts() const { return parts_.path(); }
+
+  /// Grades all submissions, `n_jobs` at a time.
+  void grade(const fs::path& grades, std::size_t n_jobs, bool is_backwards) const {
+    const std::size_t n = submissions_.size();
+    std::vector<char> has_worked(n);
+    sys::for_each_parallel(n, n_jobs, [&](std::size_t i) {
+      const std::size_t which = is_backwards ? n - 1 - i : i;
+      has_worked[which] = grade_apart(submissions_[which], grades);
+    });
+    for (std::size_t i = 0; i < n; ++i) {
+      BOOST_TEST(has_worked[i], submissions_[i].string() << " was not graded");
+    }
+  }
+
+ private:
+  TemporaryFolder made_, parts_;
+  std::vector<fs::path> submissions_;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(no_hostile_submission_gains_a_point_does_harm_or_hinders_the_others) {
+  const Class students;
+  const TemporaryFolder grades;
+  const auto files_before = sys::files_below(students.made());
+
+  const auto begin = std::chrono::steady_clock::now();
+  students.grade(grades.path() / "forwards", 2, false);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  students.grade(grades.path() / "backwards", 1, true);
+
+  BOOST_TEST_MESSAGE(students.submissions().size() << " submissions in " << time.count() << " s");
+  for (const fs::path& submission : students.submissions()) {
+    const std::string name = student_of(submission);
+    const std::string log = sys::read_file(grades.path() / "forwards" / name / "log.txt");
+    BOOST_REQUIRE_MESSAGE(reasons.contains(name), name << " has no reason");
+    const std::string sum = name == "honest" ? ": 20 of 20 points" : ": 0 of 20 points";
+    BOOST_TEST(log.find(name + sum) != log.npos, log);
+    BOOST_TEST(log.find(reasons.at(name)) != log.npos, reasons.at(name) << " is not in\n" << log);
+    for (const char* file :
+         {"results.json", "junit.xml", "feedback.html", "mark.json", "log.txt"}) {
+      const std::string forwards = sys::read_file(grades.path() / "forwards" / name / file);
+      const std::string backwards = sys::read_file(grades.path() / "backwards" / name / file);
+      BOOST_TEST(forwards == backwards, name << "/" << file << " depends on order or parallelism");
+      BOOST_TEST(forwards.find("/tmp/") == forwards.find("/tmp/results.json"),
+                 name << "/" << file << " names a scratch folder:\n"
+                      << forwards);
+    }
+  }
+  BOOST_TEST(sys::files_below(students.made()) == files_before);
+  for (const char* written : {"/tmp/fill", "/tmp/0", "/tmp/results.json", "/tmp/made-by-makefile",
+                              "/autograder/results/results.json", "/results.json"}) {
+    BOOST_TEST(!fs::exists(written), written);
+  }
+  BOOST_TEST(!fs::exists(students.parts().parent_path() / "escaped.txt"));
+  BOOST_TEST(std::ranges::count(processes(), "left-behind") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_reason_is_of_a_submission) {
+  const Class students;
+
+  for (const auto& [name, reason] : reasons) {
+    BOOST_TEST(!reason.empty(), name);
+    const bool is_there = std::ranges::any_of(
+        students.submissions(), [&](const fs::path& path) { return student_of(path) == name; });
+    BOOST_TEST((is_there || name == "device"), name);
+  }
+  BOOST_TEST(students.submissions().size() >= 25U);
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files that students get back: results.json, junit.xml and feedback.html.
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+
+#include "course/marking/feedback.hpp"
+#include "course/marking/grade.hpp"
+#include "course/marking/results.hpp"
+#include "course/toy_grading.hpp"
+#include "system/error.hpp"
+#include "system/process.hpp"
+
+using namespace course;
+
+namespace {
+
+Graded graded() {
+  Graded one;
+  one.student = "alice";
+  one.late = {.days = 1, .percent = 10};
+  one.compile_errors = {{"sum", "src/sum.cpp:1: error: <script>alert('&')</script>\n"}};
+  one.results = {{"square-growth", 4, ""},
+                 {"square-values", 1.5, "hidden message"},
+                 {"sum-order", 0, "of <b>sums</b>"},
+                 {"sum-values", 0, "hidden message"}};
+  return one;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(gradescope_gets_a_test_a_check_and_the_mark) {
+  const auto json = nlohmann::json::parse(gradescope_json(toy::assignment(), graded()));
+
+  BOOST_TEST(json["score"].get<double>() == 4.95);
+  BOOST_TEST(json["tests"].size() == 4U);
+  BOOST_TEST(json["tests"][0]["status"] == "passed");
+  BOOST_TEST(json["tests"][1]["status"] == "failed");
+  BOOST_TEST(json["tests"][1]["score"].get<double>() == 1.5);
+  BOOST_TEST(json["tests"][1]["max_score"].get<double>() == 6);
+  BOOST_TEST(json["tests"][2]["output"] == "of <b>sums</b>");
+  BOOST_TEST(json["output"].get<std::string>().starts_with(
+      "Handed in 1 day late: 10 % of the points are deducted.\nExercise sum is not compiled:\n"));
+}
+
+BOOST_AUTO_TEST_CASE(hidden_checks_tell_their_points_and_nothing_more) {
+  for (const std::string& text :
+       {gradescope_json(toy::assignment(), graded()), junit_xml(toy::assignment(), graded()),
+        feedback_html(toy::assignment(), graded(), {})}) {
+    BOOST_TEST(text.find("hidden message") == text.npos, text);
+    BOOST_TEST(text.find("squares at points of your own") != text.npos);
+  }
+  BOOST_TEST(log_text(toy::assignment(), graded()).find("hidden message") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(what_students_write_is_no_markup) {
+  for (const std::string& text :
+       {junit_xml(toy::assignment(), graded()), feedback_html(toy::assignment(), graded(), {})}) {
+    BOOST_TEST(text.find("<script>") == text.npos);
+    BOOST_TEST(text.find("<b>") == text.npos);
+    BOOST_TEST(text.find("&lt;script&gt;alert('&amp;')&lt;/script&gt;") != text.npos, text);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(junit_counts_what_failed) {
+  const std::string xml = junit_xml(toy::assignment(), graded());
+
+  BOOST_TEST(xml.find("<testsuite name=\"Squares\" tests=\"2\" failures=\"1\">") != xml.npos, xml);
+  BOOST_TEST(xml.find("<failure message=\"1.5 of 6 points\"") != xml.npos, xml);
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_is_drawn_and_the_same_numbers_give_the_same_picture) {
+  const Curve curve{"Your own", "x in m", "p in Pa", {-1, 0, 1}, {2, 3e6, 2}};
+
+  const std::string svg = svg_of(curve);
+
+  BOOST_TEST(svg.find("<svg") != svg.npos);
+  BOOST_TEST(svg_of(curve) == svg);
+  const std::string page = feedback_html(toy::assignment(), graded(), {svg});
+  BOOST_TEST(page.find("<figure><svg") != page.npos);
+  BOOST_TEST(page.find("Your own") != page.npos);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_cannot_be_drawn_are_left_out) {
+  BOOST_TEST(svg_of({"none", "x", "y", {}, {}}) == "");
+  BOOST_TEST(svg_of({"unequal", "x", "y", {1, 2}, {1}}) == "");
+  BOOST_CHECK_NO_THROW(svg_of({"huge", "x", "y", {0, 1}, {-1.7e308, 1.7e308}}));
+}
+
+BOOST_AUTO_TEST_CASE(a_submission_becomes_a_folder_and_regrading_changes_no_byte) {
+  const TemporaryFolder folder;
+  for (const auto& [file, text] : toy::solution()) folder.write("alice/" + file, text);
+  GradingTask task;
+  task.submission = folder.path() / "alice";
+  task.student = "alice";
+  task.submitted = toy::assignment().deadline + std::chrono::hours(1);
+  task.toolkit = toy::toolkit();
+  task.checks = toy::checks();
+  task.curves = [](const Program& program, const Variant&) {
+    return std::vector<Curve>{{"Squares", "x", "y", {1, 2, 3}, program("square", {1, 2, 3})}};
+  };
+
+  const Graded first = grade_submission(toy::assignment(), task, folder.path() / "first");
+  grade_submission(toy::assignment(), task, folder.path() / "second");
+
+  BOOST_TEST(mark_of(first) == 18);
+  const auto files = sys::files_below(folder.path() / "first");
+  BOOST_TEST(files == (std::vector<std::string>{"feedback.html", "junit.xml", "log.txt",
+                                                "mark.json", "results.json"}),
+             boost::test_tools::per_element());
+  for (const std::string& file : files) {
+    BOOST_TEST(sys::read_file(folder.path() / "first" / file) ==
+               sys::read_file(folder.path() / "second" / file));
+  }
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/submission.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+
+#include "course/assignment/student.hpp"
+#include "course/assignment/student_text.hpp"
+#include "course/toy_grading.hpp"
+#include "system/error.hpp"
+#include "system/process.hpp"
+
+using namespace course;
+namespace fs = std::filesystem;
+
+namespace {
+
+Submission take(const fs::path& path) {
+  const TemporaryFolder work;
+  return take_submission(toy::assignment(), path, work.path(), Isolation::sandbox);
+}
+
+fs::path packed(const TemporaryFolder& folder, const std::string& name, const fs::path& what) {
+  const fs::path archive = folder.path() / name;
+  const auto result = sys::run({.program = "bsdtar",
+                                .arguments = {"-caf", archive.string(), what.string()},
+                                .working_directory = folder.path()});
+  BOOST_REQUIRE_MESSAGE(result.exit_status == 0, result.output);
+  return archive;
+}
+
+std::string problem_of(const fs::path& path) {
+  const Submission submission = take(path);
+  return submission.problems.empty() ? "" : submission.problems.front();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_exercises_files_and_nothing_else_are_taken) {
+  const TemporaryFolder folder;
+  folder.write("alice/src/square.cpp", "int a;\n");
+  folder.write("alice/src/sum.cpp", "int b;\n");
+  folder.write("alice/src/toy.hpp", "#error\n");
+  folder.write("alice/Makefile", "all:\n");
+
+  const Submission submission = take(folder.path() / "alice");
+
+  BOOST_TEST(submission.files.size() == 2U);
+  BOOST_TEST(submission.files.at("src/sum.cpp") == "int b;\n");
+  BOOST_TEST(submission.problems.empty());
+  BOOST_TEST(!submission.has_report);
+}
+
+BOOST_AUTO_TEST_CASE(every_kind_of_archive_gives_the_same_files) {
+  for (const char* name : {"a.zip", "a.tar", "a.tar.gz", "a.tgz", "a.tar.xz"}) {
+    const TemporaryFolder folder;
+    folder.write("Alice's work, ü [1]/src/square.cpp", "int a;\n");
+    folder.write("Alice's work, ü [1]/src/sum.cpp", "int b;\n");
+    folder.write("Alice's work, ü [1]/report/report.tex", "x\n");
+
+    const Submission submission = take(packed(folder, name, "Alice's work, ü [1]"));
+
+    BOOST_TEST(submission.files.size() == 2U, name);
+    BOOST_TEST(submission.has_report, name);
+    for (const auto& problem : submission.problems) BOOST_TEST(problem == "", name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_of_one_folder_is_that_folder) {
+  const TemporaryFolder folder;
+  folder.write("alice/project/src/square.cpp", "int a;\n");
+
+  const Submission submission = take(folder.path() / "alice");
+
+  BOOST_TEST(submission.files.contains("src/square.cpp"));
+  BOOST_TEST(submission.problems == std::vector<std::string>{"src/sum.cpp is missing"},
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_neither_folder_nor_archive_is_refused) {
+  const TemporaryFolder folder;
+
+  for (const fs::path& path : {folder.write("notes\n'1'.txt", "x"), folder.path() / "nothing"}) {
+    BOOST_CHECK_THROW(take(path), sys::OutputError);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_archive_larger_than_allowed_is_not_opened) {
+  const TemporaryFolder folder;
+
+  BOOST_TEST(problem_of(folder.write("a.zip", std::string(1'200'000, 'x'))) ==
+             "the submission is larger than 1 MB");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_archive_says_so_in_one_line) {
+  const TemporaryFolder folder;
+
+  BOOST_TEST(problem_of(folder.write("a.zip", "no archive at all\n")) ==
+             "the archive cannot be read: Error opening archive: Unrecognized archive format");
+}
+
+BOOST_AUTO_TEST_CASE(two_places_are_one_too_many) {
+  BOOST_TEST(place_of_files({"src/a.cpp", "old/src/a.cpp"}, {"src/a.cpp"}) == "");
+  BOOST_TEST(place_of_files({"x/src/a.cpp", "x/src/b.cpp"}, {"src/a.cpp", "src/b.cpp"}) == "x/");
+  BOOST_TEST(place_of_files({"x/y/src/a.cpp", "/src/a.cpp", "../src/a.cpp"}, {"src/a.cpp"}) == "");
+  BOOST_CHECK_THROW(place_of_files({"x/src/a.cpp", "y/src/b.cpp"}, {"src/a.cpp", "src/b.cpp"}),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(the_student_is_the_name_without_its_ending) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "carol.zip");
+
+  BOOST_TEST(student_of("some/where/alice.tar.gz") == "alice");
+  BOOST_TEST(student_of("bob.b.zip") == "bob.b");
+  BOOST_TEST(student_of(folder.path() / "carol.zip/") == "carol.zip");
+}
+
+BOOST_AUTO_TEST_CASE(shown_texts_are_utf8_without_control_characters) {
+  BOOST_TEST(shown("a\x1b[31m\xff\xc3\xa4\n\xed\xa0\x80", 100) == "a?[31m?ä\n???");
+  BOOST_TEST(shown("aää", 4) == "aä\n[… cut]");
+  BOOST_TEST(shown_name("line\nend") == "line?end");
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/try_checks.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+
+#include "course/toy_grading.hpp"
+#include "system/error.hpp"
+
+using namespace course;
+
+namespace {
+
+struct Graded {
+  Built built;
+  std::vector<CheckResult> results;
+};
+
+std::vector<CheckResult> results_of(const Built& built, const Assignment& assignment,
+                                    const Checks& checks, Isolation isolation) {
+  ProgramRun run(assignment.limits, built, isolation);
+  return try_checks(assignment, checks, built, Variant{}, run);
+}
+
+Graded grade(const Files& files, const Assignment& assignment = toy::assignment()) {
+  const TemporaryFolder scratch;
+  Graded graded;
+  graded.built = build(assignment, toy::toolkit(), files, scratch.path(), Isolation::sandbox);
+  graded.results = results_of(graded.built, assignment, toy::checks(), Isolation::sandbox);
+  return graded;
+}
+
+Files with(const std::string& file, const std::string& text) {
+  Files files = toy::solution();
+  files[file] = text;
+  return files;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_solution_has_all_points) {
+  const Graded graded = grade(toy::solution());
+
+  BOOST_TEST(total(graded.results) == 20);
+  BOOST_TEST(graded.built.compile_errors.empty());
+}
+
+BOOST_AUTO_TEST_CASE(stubs_have_none) {
+  const Graded graded = grade({});
+
+  BOOST_TEST(total(graded.results) == 0);
+  BOOST_TEST(graded.built.compile_errors.at("sum") == "src/sum.cpp is missing");
+  BOOST_TEST(graded.results[0].message == "src/square.cpp is missing or does not compile");
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_compile_costs_its_own_exercise_and_keeps_its_message) {
+  const Graded graded = grade(with("src/sum.cpp", "double x = missing;\n"));
+
+  BOOST_TEST(total(graded.results) == 10);
+  BOOST_TEST(graded.built.compile_errors.at("sum") ==
+             "src/sum.cpp:1:12: error: 'missing' was not declared in this scope\n"
+             "    1 | double x = missing;\n"
+             "      |            ^~~~~~~\n");
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_link_costs_its_own_exercise) {
+  const Graded graded = grade(with("src/sum.cpp", "int main() {}\n"));
+
+  BOOST_TEST(total(graded.results) == 10);
+  BOOST_TEST(graded.built.compile_errors.at("sum").find("multiple definition of `main'") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_helper_of_the_same_name_in_two_files_costs_the_second_only) {
+  const std::string helper = "#include \"toy.hpp\"\ndouble twice(double x) { return 2 * x; }\n";
+  Files files = toy::solution();
+  for (auto& [file, text] : files) text = helper + text;
+
+  const Graded graded = grade(files);
+
+  BOOST_TEST(total(graded.results) == 10);
+  BOOST_TEST(graded.built.link_error == "");
+  BOOST_TEST(!graded.built.compile_errors.contains("square"));
+  BOOST_TEST(graded.built.compile_errors.at("sum").find("multiple definition of `twice(double)'") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(answers_that_differ_from_run_to_run_are_none) {
+  const Graded graded = grade(with("src/square.cpp",
+                                   "#include <chrono>\n"
+                                   "double square(double x) {\n"
+                                   "  const auto now = std::chrono::steady_clock::now();\n"
+                                   "  return x * x + 1e-12 * now.time_since_epoch().count();\n"
+                                   "}\n"));
+
+  BOOST_TEST(graded.results[0].message ==
+             "the program gives different answers to the same question");
+  BOOST_TEST(total(graded.results) == 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
+  Assignment assignment = toy::assignment();
+  assignment.limits.submission_seconds = 1;
+
+  const Graded graded = grade(with("src/square.cpp",
+                                   "#include <unistd.h>\n"
+                                   "double square(double x) { usleep(400000); return x * x; }\n"),
+                              assignment);
+
+  BOOST_TEST(graded.results[0].message == "the submission took more than 1 s in all");
+  BOOST_TEST(graded.results[3].message == graded.results[0].message);
+  BOOST_TEST(total(graded.results) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_programs_own_status_is_not_told) {
+  const Graded graded = grade(
+      with("src/square.cpp", "#include <cstdlib>\ndouble square(double) { std::exit(42); }\n"));
+
+  BOOST_TEST(graded.results[0].message == "the program ended with a failure");
+}
+
+BOOST_AUTO_TEST_CASE(a_name_that_only_the_precompiled_header_brings_does_no_harm) {
+  const Graded graded = grade(with("src/square.cpp",
+                                   "#include \"toy.hpp\"\nusing namespace std;\nint vector;\n"
+                                   "int distance, advance, max;\n"
+                                   "double square(double x) { return x * x + ::max; }\n"));
+
+  BOOST_TEST(total(graded.results) == 20);
+}
+
+BOOST_AUTO_TEST_CASE(half_an_exercise_has_its_half) {
+  const Graded graded = grade(with("src/square.cpp",
+                                   "#include \"toy.hpp\"\n"
+                                   "double square(double x) { return 2 * x * x; }\n"));
+
+  BOOST_TEST(total(graded.results) == 14);
+  BOOST_TEST(graded.results[1].message == "differs");
+}
+
+BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
+  const TemporaryFolder scratch;
+
+  const Built built{.program = scratch.path() / "program", .compile_errors = {}, .link_error = {}};
+  BOOST_CHECK_THROW(results_of(built, toy::assignment(), {}, Isolation::sandbox), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_that_is_no_toolkit_is_named) {
+  const TemporaryFolder scratch;
+
+  BOOST_CHECK_EXCEPTION(
+      build(toy::assignment(), scratch.path(), {}, scratch.path() / "work", Isolation::sandbox),
+      sys::OutputError, [](const auto& error) {
+        return std::string(error.what())
+            .ends_with("is no toolkit; `halfspace-course toolkit` makes one");
+      });
+}
+
+BOOST_AUTO_TEST_CASE(a_toolkit_replaces_a_toolkit_and_nothing_else) {
+  const TemporaryFolder folder;
+  const std::filesystem::path output = folder.path() / "toolkit";
+
+  make_toolkit(toy::assignment(), HALFSPACE_SOURCE_DIR, output);
+  BOOST_CHECK_NO_THROW(make_toolkit(toy::assignment(), HALFSPACE_SOURCE_DIR, output));
+  folder.write("letters/one.txt", "mine\n");
+  BOOST_CHECK_THROW(
+      make_toolkit(toy::assignment(), HALFSPACE_SOURCE_DIR, folder.path() / "letters"),
+      sys::OutputError);
+  Assignment other = toy::assignment();
+  other.exercises[0].file = "src/cube.cpp";
+  BOOST_CHECK_THROW(open_toolkit(other, output), sys::OutputError);
+}
+
+BOOST_AUTO_TEST_CASE(no_solution_is_in_the_toolkit) {
+  for (const std::string& file : sys::files_below(toy::toolkit())) {
+    const std::string text = sys::read_file(toy::toolkit() / file);
+    BOOST_TEST(text.find("total += number") == text.npos, file);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_task_that_took_too_long_is_not_asked_again) {
+  const auto begin = std::chrono::steady_clock::now();
+
+  const Graded graded = grade(with("src/square.cpp", "double square(double) { for (;;) {} }\n"));
+
+  BOOST_TEST(graded.results[1].message == "the program takes longer than 1 s");
+  BOOST_TEST(graded.results[1].message == graded.results[0].message);
+  BOOST_TEST(total(graded.results) == 10);
+  BOOST_TEST((std::chrono::steady_clock::now() - begin < std::chrono::seconds(20)));
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_the_solution_has_all_points_too) {
+  const TemporaryFolder scratch;
+
+  const Built built =
+      build(toy::assignment(), toy::toolkit(), toy::solution(), scratch.path(), Isolation::none);
+
+  BOOST_TEST(total(results_of(built, toy::assignment(), toy::checks(), Isolation::none)) == 20);
+}

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/release/proof.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "config/table.hpp"
+#include "course/assignment/variants.hpp"
+#include "course/release/make_toolkit.hpp"
+#include "course/release/variant_check.hpp"
+#include "course/release/wrong_solutions.hpp"
+#include "course/sandbox/sandbox.hpp"
+#include "course/toy.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
+#include "temporary_file.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path& toolkit() {
+  static const TemporaryFolder made;
+  static const fs::path folder = [] {
+    course::make_toolkit(toy::assignment(), toy::source, made.path() / "toolkit");
+    course::make_readable(made.path());
+    return made.path() / "toolkit";
+  }();
+  return folder;
+}
+
+/// A copy of the toy, its handout, and the proof of it.
+class Toy {
+ public:
+  Toy() { fs::copy(toy::folder, folder_.path() / "toy", fs::copy_options::recursive); }
+
+  void replace(const std::string& file, const std::string& before, const std::string& after) const {
+    std::string text = sys::read_file(folder_.path() / file);
+    BOOST_REQUIRE(text.find(before) != std::string::npos);
+    text.replace(text.find(before), before.size(), after);
+    folder_.write(file, text);
+  }
+
+  course::Assignment assignment() const { return course::read_assignment(folder_.path() / "toy"); }
+  course::Project project() const { return course::read_project(assignment(), toy::source); }
+
+  // Writes the handout of the variant and packs it.
+  fs::path write_handout(const course::Variant& variant) const {
+    course::write_project(project(), course::Edition::handout, assignment(), variant, {},
+                          folder_.path() / "handout");
+    sys::run({.program = "zip",
+              .arguments = {"-q", "-r", "handout.zip", "handout"},
+              .working_directory = folder_.path()});
+    return folder_.path() / "handout";
+  }
+
+  fs::path write_handout() const { return write_handout(course::nominal_variant(assignment())); }
+
+  // The claims that do not hold, by their first words, with the reasons.
+  std::string prove(const course::Variant& variant, const fs::path& zip = {}) const {
+    const course::Assignment assignment = this->assignment();
+    const course::Project project = this->project();
+    std::string faults;
+    const bool all_hold = course::prove({.assignment = assignment,
+                                         .project = project,
+                                         .visible = toy::public_checks(),
+                                         .hidden = toy::hidden_checks(),
+                                         .variant = variant,
+                                         .handout = folder_.path() / "handout",
+                                         .zip = zip,
+                                         .toolkit = toolkit(),
+                                         .secret_files = {toy::folder / "hidden/hidden_checks.hpp"},
+                                         .source = toy::source,
+                                         .n_jobs = 2},
+                                        [&](const course::ProvedClaim& claim) {
+                                          for (const std::string& fault : claim.faults)
+                                            faults += claim.says + ": " + fault + "\n";
+                                        });
+    BOOST_TEST(all_hold == faults.empty());
+    BOOST_TEST_MESSAGE(faults);
+    return faults;
+  }
+
+  std::string prove() const { return prove(course::nominal_variant(assignment())); }
+
+  fs::path zip() const { return folder_.path() / "handout.zip"; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+void check_only(const std::string& faults, const std::string& expected) {
+  BOOST_TEST(faults.find(expected) != std::string::npos, "no «" << expected << "» in " << faults);
+  BOOST_TEST(std::count(faults.begin(), faults.end(), '\n') == 1, faults);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_students_handout_is_proved_with_its_zip) {
+  const Toy toy;
+  const course::Variant ada{"ada", {{"first", 4.7}, {"second", 77}}};
+  toy.write_handout(ada);
+
+  BOOST_TEST(toy.prove(ada, toy.zip()) == "");
+}
+
+BOOST_AUTO_TEST_CASE(what_a_student_would_trip_over_is_a_fault) {
+  const Toy toy;
+  toy.write_handout();
+
+  toy.replace("handout/src/root.cpp", "(void)x;", "");
+  check_only(toy.prove(), "compiles without a warning, and its checks run: make: ");
+  toy.replace("handout/src/root.cpp", "return -1;", "(void)x; return -1;");
+  toy.replace("handout/checks/main.cpp", "<< id", "<< 0");
+  const std::string faults = toy.prove();
+  BOOST_TEST(faults.find("make check says nothing of root-square") != std::string::npos);
+  BOOST_TEST(faults.find("make check says nothing of mean-zeros") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_handout_that_does_not_compile_is_a_fault) {
+  const Toy toy;
+  toy.write_handout();
+
+  toy.replace("handout/checks/main.cpp", "int main", "int man");
+
+  check_only(toy.prove(), "its checks run: make ends with status 2: ");
+}
+
+BOOST_AUTO_TEST_CASE(a_stub_that_scores_is_a_fault) {
+  const Toy toy;
+  toy.replace("toy/template/src/root.cpp", "STUB: return -1;", "STUB: return 1.5165750888103102;");
+  toy.write_handout();
+
+  const std::string faults = toy.prove();
+
+  BOOST_TEST(faults.find("the untouched handout scores 5.5") != std::string::npos);
+  BOOST_TEST(faults.find("src/root.cpp holds the expected value 1.5165750888103102") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_that_loses_points_is_a_fault) {
+  const Toy toy;
+  toy.replace("toy/template/src/mean.cpp", "sum = 0", "sum = 1");
+  toy.replace("toy/wrong_solutions.toml", "points = 7", "points = 6");
+  toy.write_handout();
+
+  const std::string faults = toy.prove();
+
+  BOOST_TEST(faults.find("scores all 10 points: mean-reference: 0 of 3 points: differs") !=
+             std::string::npos);
+  BOOST_TEST(faults.find("wrong solution quarter (a quarter stands where a half should) scores 0, "
+                         "the list says 4") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_left_in_a_handout_is_a_fault) {
+  const Toy toy;
+  const fs::path handout = toy.write_handout();
+
+  fs::copy(toy::folder / "template/src/mean.cpp", handout / "src/mean.cpp.orig");
+
+  const std::string faults = toy.prove(course::nominal_variant(toy.assignment()), toy.zip());
+  BOOST_TEST(faults.find("src/mean.cpp.orig holds the line ") != std::string::npos);
+  BOOST_TEST(faults.find("zip and folder: src/mean.cpp.orig is in one but not in the other") !=
+             std::string::npos);
+  BOOST_TEST(faults.find("compiles") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_handout_of_another_variant_is_a_fault) {
+  const Toy toy;
+  toy.write_handout();
+
+  toy.replace("handout/provided/variant_of_this_handout.hpp", "2.3", "2.4");
+
+  check_only(toy.prove(), "variant_of_this_handout.hpp has other numbers");
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_solution_must_change_one_place) {
+  const auto error_of = [&](const std::string& before, const std::string& after) {
+    const Toy changed;
+    changed.replace("toy/wrong_solutions.toml", before, after);
+    try {
+      course::read_wrong_solutions(changed.assignment(),
+                                   course::texts(changed.project(), course::Edition::solution));
+      return std::string("none");
+    } catch (const config::Error& e) {
+      BOOST_TEST_MESSAGE(e.what());
+      return std::string(e.what());
+    }
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+
+  BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"guess\""),
+                 ":5:10: wrong.before: stands 5 times in the solution's src/root.cpp, not once"));
+  BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"0.5 * (gues\\n\""), "stands 0 times"));
+  BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"\""), ":5:10: wrong.before: must not be empty"));
+  BOOST_TEST(has(error_of("\"src/root.cpp\"", "\"README.md\""), "README.md is no exercise's file"));
+  BOOST_TEST(
+      has(error_of("points = 4", "points = 11"), ":7:9: wrong.points: 11 is not from 0 to 10"));
+  BOOST_TEST(has(error_of("\"one-more\"", "\"quarter\""), "\"quarter\" stands here again"));
+  BOOST_TEST(has(error_of("points = 4", "points = 4\nscore = 5"), "wrong.score: unknown key"));
+}
+
+BOOST_AUTO_TEST_CASE(the_solution_holds_on_every_variant) {
+  const auto assignment = toy::assignment();
+  const auto project = toy::project();
+  const course::VariantCheckInput input{.assignment = assignment,
+                                        .project = project,
+                                        .visible = toy::public_checks(),
+                                        .hidden = toy::hidden_checks(),
+                                        .toolkit = toolkit(),
+                                        .is_valid = [](const course::Variant&) { return true; },
+                                        .seed = "winter",
+                                        .students = course::invented_students(20),
+                                        .n_jobs = 3};
+
+  BOOST_TEST(course::faults_of_variants(input).empty());
+}
+
+BOOST_AUTO_TEST_CASE(two_students_with_one_variant_and_lost_points_are_told) {
+  const auto assignment = toy::assignment();
+  const auto project = toy::project();
+  course::Checks hidden = toy::hidden_checks();
+  hidden["mean-reference"] = [](const course::Program&, const course::Variant& variant) {
+    return variant("first") < 5 ? course::Outcome{1, ""} : course::Outcome{0.5, "differs"};
+  };
+  const auto faults = course::faults_of_variants(
+      {.assignment = assignment,
+       .project = project,
+       .visible = toy::public_checks(),
+       .hidden = hidden,
+       .toolkit = toolkit(),
+       .is_valid = [](const course::Variant& v) { return v("first") > 4.75 && v("second") < 14; },
+       .seed = "winter",
+       .students = course::invented_students(200),
+       .n_jobs = 2});
+
+  const auto has = [&](const std::string& part) {
+    return std::ranges::any_of(
+        faults, [&](const auto& fault) { return fault.find(part) != std::string::npos; });
+  };
+  BOOST_TEST(has("has the same variant as student-"));
+  BOOST_TEST(has(": mean-reference: 1.5 of 3 points: differs"));
+}
+
+BOOST_AUTO_TEST_CASE(each_students_handout_is_proved_to_be_theirs) {
+  const auto assignment = toy::assignment();
+  const auto project = toy::project();
+  const TemporaryFolder folder;
+  course::VariantCheckInput input{.assignment = assignment,
+                                  .project = project,
+                                  .visible = toy::public_checks(),
+                                  .hidden = toy::hidden_checks(),
+                                  .toolkit = toolkit(),
+                                  .is_valid = [](const course::Variant&) { return true; },
+                                  .seed = "winter",
+                                  .students = {"ada", "build"},
+                                  .n_jobs = 2,
+                                  .handouts = folder.path(),
+                                  .secret_files = {toy::folder / "hidden/hidden_checks.hpp"}};
+  const auto write = [&](const std::string& student, const std::string& numbers_of) {
+    const auto variant = course::variant_of(assignment, numbers_of, "winter", input.is_valid);
+    course::write_project(project, course::Edition::handout, assignment, variant, {},
+                          folder.path() / student);
+    sys::run({.program = "zip",
+              .arguments = {"-q", "-r", student + ".zip", student},
+              .working_directory = folder.path()});
+  };
+  const auto faults = [&] {
+    std::string all;
+    for (const std::string& fault : course::faults_of_variants(input)) all += fault + "\n";
+    return all;
+  };
+
+  write("ada", "ada");
+  check_only(faults(), "build: '" + (folder.path() / "build").string() + "' or its zip is missing");
+  write("build", "build");
+  BOOST_TEST(faults() == "");
+  write("build", "ada");
+  check_only(faults(), "build: provided/variant_of_this_handout.hpp is not what it must be");
+  write("build", "build");
+  folder.write("ada/notes.txt", "mean-reference");
+  const std::string found = faults();
+  BOOST_TEST(found.find("ada: notes.txt is not what it must be") != std::string::npos);
+  BOOST_TEST(found.find("ada: notes.txt holds the id of the hidden check mean-reference") !=
+             std::string::npos);
+  BOOST_TEST(found.find("ada: zip and folder: notes.txt is in one but not in the other") !=
+             std::string::npos);
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/sandbox/child.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <csignal>
+
+#include "course/sandbox/descendants.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "temporary_file.hpp"
+
+using course::Child;
+using course::Excess;
+
+namespace {
+
+struct Shell {
+  TemporaryFolder folder;
+
+  Child child(const std::string& script) const {
+    return {.command = {"/bin/sh", "-c", script},
+            .environment = {"LC_ALL=C", "PATH=/usr/bin:/bin"},
+            .folder = folder.path(),
+            .input = "/dev/null",
+            .output = folder.path() / "output",
+            .errors = folder.path() / "errors"};
+  }
+  std::string output() const { return sys::read_file(folder.path() / "output"); }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_streams_of_a_child_are_the_files_it_was_given) {
+  const Shell shell;
+  Child child = shell.child("cat; cat <&3; pwd; echo wrong >&2; exit 7");
+  child.input = shell.folder.write("input", "asked\n");
+  child.third = shell.folder.write("third", "filter\n");
+
+  const course::ChildEnd end = run_child(child);
+
+  BOOST_TEST(end.status == 7);
+  BOOST_TEST((end.excess == Excess::none));
+  BOOST_TEST(shell.output() == "asked\nfilter\n" + shell.folder.path().string() + "\n");
+  BOOST_TEST(sys::read_file(child.errors) == "wrong\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_child_inherits_neither_environment_nor_descriptors) {
+  const Shell shell;
+  ::setenv("HALFSPACE_SECRET", "seed", 1);
+
+  run_child(shell.child("env; ls /proc/self/fd"));
+
+  BOOST_TEST(shell.output().find("SECRET") == std::string::npos);
+  // ls itself opens descriptor 4 to read the folder.
+  BOOST_TEST(shell.output().ends_with("\n0\n1\n2\n3\n4\n"), shell.output());
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_that_ends_a_child_is_its_status) {
+  const Shell shell;
+
+  BOOST_TEST(run_child(shell.child("kill -SEGV $$")).status == 128 + SIGSEGV);
+}
+
+BOOST_AUTO_TEST_CASE(a_program_that_cannot_start_is_named) {
+  const Shell shell;
+  Child child = shell.child("");
+  child.command = {"/no/such/program"};
+
+  BOOST_CHECK_EXCEPTION(run_child(child), sys::ToolError, [](const auto& error) {
+    return std::string(error.what()) == "cannot start /no/such/program: No such file or directory";
+  });
+}
+
+BOOST_AUTO_TEST_CASE(what_a_child_leaves_behind_ends_with_it) {
+  const Shell shell;
+
+  run_child(shell.child("setsid sleep 100 & sleep 100 & exit 0"));
+
+  BOOST_TEST(course::descendants(::getpid()).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_child_that_exceeds_a_limit_is_ended_and_the_limit_named) {
+  const Shell shell;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto excess_of = [&](const std::string& script, auto set_limit) {
+    Child child = shell.child(script);
+    set_limit(child);
+    return run_child(child).excess;
+  };
+
+  BOOST_TEST((excess_of("(sleep 100 & sleep 100 & sleep 100)& wait; sleep 100",
+                        [](Child& child) { child.tasks = 3; }) == Excess::tasks));
+  BOOST_TEST((excess_of("while :; do :; done", [](Child& child) { child.cpu_seconds = 0.2; }) ==
+              Excess::time));
+  BOOST_TEST((excess_of("head -c 200000000 /dev/zero | tail -c 150000000 >/dev/null; sleep 100",
+                        [](Child& child) { child.memory_mb = 50; }) == Excess::memory));
+  BOOST_TEST((std::chrono::steady_clock::now() - begin < std::chrono::seconds(50)));
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/sandbox/descendants.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <vector>
+
+BOOST_AUTO_TEST_CASE(processes_that_end_while_they_are_looked_at_are_no_error) {
+  using std::chrono::steady_clock;
+  const auto end = steady_clock::now() + std::chrono::seconds(1);
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    while (steady_clock::now() < end) {
+      for (int i = 0; i < 20; ++i) {
+        if (::fork() == 0) ::_exit(0);
+      }
+      while (::waitpid(-1, nullptr, 0) > 0) {
+      }
+    }
+    ::_exit(0);
+  }
+
+  std::size_t n_seen = 0;
+  while (steady_clock::now() < end) {
+    const std::vector<pid_t> processes = course::descendants(::getpid());
+    course::usage_of(processes);
+    n_seen += processes.size();
+  }
+  ::waitpid(parent, nullptr, 0);
+
+  BOOST_TEST(n_seen > 0U);
+  BOOST_TEST(course::descendants(::getpid()).empty());
+}

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/sandbox/sandbox.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include "course/sandbox/child.hpp"
+#include "course/sandbox/descendants.hpp"
+#include "course/sandbox/job_user.hpp"
+#include "course/sandbox/scratch_folder.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "temporary_file.hpp"
+
+using namespace course;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Ended {
+  JobEnd end;
+  std::string output, errors;
+};
+
+Ended run(const TemporaryFolder& work, Job job) {
+  const Sandbox sandbox(Isolation::sandbox, work.path());
+  job.output = work.path() / "out";
+  job.errors = work.path() / "err";
+  const JobEnd end = sandbox.run(job);
+  return {end, sys::read_file(job.output), sys::read_file(job.errors)};
+}
+
+Job shell(const std::string& script) {
+  Job job;
+  job.command = {"/bin/sh", "-c", script};
+  job.seconds = 3;
+  job.memory_mb = 256;
+  return job;
+}
+
+/// A job without walls.
+JobEnd run_freely(const TemporaryFolder& work, Job job) {
+  const Sandbox sandbox(Isolation::none, work.path());
+  job.output = work.path() / "out";
+  job.errors = work.path() / "err";
+  return sandbox.run(job);
+}
+
+/// What `action` returns in a process of its own, which gives up the rights of root if it has them.
+bool as_nobody(const TemporaryFolder& work, const std::function<bool()>& action) {
+  constexpr uid_t nobody = 65534;
+  if (::geteuid() == 0) BOOST_REQUIRE(::chown(work.path().c_str(), nobody, nobody) == 0);
+  const pid_t process = ::fork();
+  if (process == 0) {
+    try {
+      if (::geteuid() == 0 && (::setgid(nobody) != 0 || ::setuid(nobody) != 0)) ::_exit(2);
+      ::_exit(action() ? 0 : 1);
+    } catch (...) {
+      ::_exit(3);
+    }
+  }
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// Whether any process of the machine was started as `sleep seconds`.
+bool is_sleeping(const std::string& seconds) {
+  std::string command = "sleep " + seconds + " ";
+  std::ranges::replace(command, ' ', '\0');
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream stream(entry.path() / "cmdline", std::ios::binary);
+    if (std::string(std::istreambuf_iterator<char>(stream), {}) == command) return true;
+  }
+  return false;
+}
+
+const std::string leaves_daemons =
+    "setsid sh -c 'setsid sleep 98761 & setsid sleep 98761' & exit 0";
+const std::string many_processes = "for i in $(seq 40); do sleep 3 & done; sleep 3; wait";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_job_has_its_streams_and_its_status) {
+  const TemporaryFolder work;
+  Job job = shell("cat; echo complaint >&2; exit 7");
+  job.input = work.write("in", "2.385\n");
+
+  const Ended ended = run(work, job);
+
+  BOOST_TEST(ended.output == "2.385\n");
+  BOOST_TEST(ended.errors == "complaint\n");
+  BOOST_TEST((ended.end.ending == Ending::normal));
+  BOOST_TEST(ended.end.status == 7);
+}
+
+BOOST_AUTO_TEST_CASE(a_job_sees_what_it_may_read_and_cannot_write_it) {
+  const TemporaryFolder work;
+  Job job = shell("cat /given/part/file; echo x > /given/part/file || echo refused");
+  job.readable = {{work.write("file", "given\n"), "/given/part/file"}};
+  make_readable(work.path() / "file");
+
+  BOOST_TEST(run(work, job).output == "given\nrefused\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_job_sees_nothing_else) {
+  const TemporaryFolder work;
+  const fs::path secret = work.write("secret", "hidden\n");
+
+  const Ended ended = run(work, shell("cat '" + secret.string() + "'; ls /; ls /tmp"));
+
+  BOOST_TEST(ended.output == "bin\ndev\netc\nlib\nlib64\nproc\ntmp\nusr\n");
+  BOOST_TEST(ended.errors.find("secret': No such file") != std::string::npos, ended.errors);
+  BOOST_TEST(run(work, shell("ls -A /usr/local /usr/src | grep -v :")).output == "\n");
+  BOOST_TEST(run(work, shell("ls /proc/1/root/home")).output == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_job_inherits_no_environment) {
+  const TemporaryFolder work;
+  ::setenv("HALFSPACE_SECRET", "hidden", 1);
+
+  const Ended ended = run(work, shell("env; cat /proc/*/environ"));
+
+  BOOST_TEST(ended.output.find("hidden") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_job_writes_to_nothing_but_its_streams_unless_it_is_given_room) {
+  const TemporaryFolder work;
+  const std::string script =
+      "for f in / /tmp /dev /dev/shm /etc /usr; do touch $f/x && echo $f; done";
+  Job with_room = shell(script);
+  with_room.scratch_mb = 1;
+
+  BOOST_TEST(run(work, shell(script)).output == "");
+  BOOST_TEST(run(work, with_room).output == "/tmp\n");
+}
+
+BOOST_AUTO_TEST_CASE(room_is_what_was_given_and_empty_each_time) {
+  const TemporaryFolder work;
+  Job job = shell("ls /tmp; head -c 2000000 /dev/zero > /tmp/a || wc -c < /tmp/a");
+  job.scratch_mb = 1;
+  job.file_kb = 4096;
+
+  BOOST_TEST(run(work, job).output == "1048576\n");
+  BOOST_TEST(run(work, job).output == "1048576\n");
+}
+
+BOOST_AUTO_TEST_CASE(there_is_no_network_and_no_other_process) {
+  const TemporaryFolder work;
+
+  const Ended ended = run(work, shell("cat /proc/net/route | wc -l; ls -d /proc/[0-9]* | wc -l"));
+
+  BOOST_TEST(ended.output.substr(0, 2) == "1\n");
+  BOOST_TEST(std::stoi(ended.output.substr(2)) <= 4);
+}
+
+BOOST_AUTO_TEST_CASE(a_job_that_takes_too_long_is_ended_with_all_it_started) {
+  const TemporaryFolder work;
+  Job job = shell("trap '' TERM; (trap '' TERM; sleep 100) & sleep 100");
+  job.seconds = 1;
+
+  BOOST_TEST((run(work, job).end.ending == Ending::too_slow));
+}
+
+BOOST_AUTO_TEST_CASE(output_is_cut_at_its_limit) {
+  const TemporaryFolder work;
+  Job job = shell("exec yes");
+  job.file_kb = 8;
+
+  const Ended ended = run(work, job);
+
+  BOOST_TEST((ended.end.ending == Ending::too_much_output));
+  BOOST_TEST(ended.output.size() == 8192U);
+}
+
+BOOST_AUTO_TEST_CASE(a_crash_tells_its_signal) {
+  const TemporaryFolder work;
+
+  const JobEnd end = run(work, shell("kill -SEGV $$")).end;
+
+  BOOST_TEST((end.ending == Ending::crash));
+  BOOST_TEST(end.status == 11);
+}
+
+BOOST_AUTO_TEST_CASE(processes_are_counted_for_each_job) {
+  const TemporaryFolder work;
+  Job job = shell("for i in 1 2 3 4 5 6 7 8 9; do sleep 0.2 & done 2>/dev/null; wait");
+  job.processes = 4;
+
+  BOOST_TEST((run(work, job).end.status != 0));
+  job.processes = 20;
+  BOOST_TEST(run(work, job).end.status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(memory_is_that_of_all_processes_together) {
+  const TemporaryFolder work;
+  Job job = shell("for i in 1 2 3 4 5 6; do cat /dev/zero | tail -c 150m & done; wait");
+  job.seconds = 20;
+
+  const Ended ended = run(work, job);
+
+  BOOST_TEST((ended.end.ending == Ending::too_large), ended.end.status << ": " << ended.errors);
+}
+
+BOOST_AUTO_TEST_CASE(the_processors_time_is_that_of_all_processes_together) {
+  const TemporaryFolder work;
+  Job job = shell("for i in 1 2 3 4; do (while :; do :; done) & done; wait");
+  job.seconds = 4;
+
+  const auto begin = std::chrono::steady_clock::now();
+  BOOST_TEST((run(work, job).end.ending == Ending::too_slow));
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  BOOST_TEST_MESSAGE(time.count() << " s");
+
+  const Child child{.command = job.command,
+                    .environment = {"PATH=/usr/bin"},
+                    .folder = work.path(),
+                    .input = "/dev/null",
+                    .output = work.path() / "out",
+                    .errors = work.path() / "err",
+                    .cpu_seconds = 1};
+  BOOST_TEST((run_child(child).excess == Excess::time));
+}
+
+BOOST_AUTO_TEST_CASE(a_program_that_is_not_there_is_no_error_of_the_grader) {
+  const TemporaryFolder work;
+  Job job;
+  job.command = {"/no/such/program"};
+
+  BOOST_TEST(run(work, job).end.status == 127);
+}
+
+BOOST_AUTO_TEST_CASE(without_bubblewrap_nothing_is_graded_and_the_message_names_the_way_out) {
+  const TemporaryFolder work;
+  work.write("bin/bwrap", "#!/bin/sh\necho no permission >&2\nexit 1\n");
+  fs::permissions(work.path() / "bin/bwrap",
+                  fs::perms::owner_all | fs::perms::others_exec | fs::perms::others_read);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", ((work.path() / "bin").string() + ":" + path).c_str(), 1);
+
+  BOOST_CHECK_EXCEPTION(Sandbox(Isolation::sandbox, work.path()), sys::ToolError,
+                        [](const auto& error) {
+                          return std::string(error.what()) ==
+                                 "bubblewrap cannot keep submissions apart here: no permission; "
+                                 "--unsafe grades without it, with limits only";
+                        });
+  ::setenv("PATH", path.c_str(), 1);
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_limits_hold) {
+  const TemporaryFolder work;
+  Job job = shell("exec yes");
+  job.file_kb = 8;
+
+  BOOST_TEST((run_freely(work, job).ending == Ending::too_much_output));
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_nothing_is_left_behind) {
+  const TemporaryFolder work;
+
+  BOOST_TEST((run_freely(work, shell(leaves_daemons)).ending == Ending::normal));
+  BOOST_TEST(!is_sleeping("98761"));
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_and_rights_nothing_is_left_behind_and_processes_are_counted) {
+  const TemporaryFolder work;
+  Job many = shell(many_processes);
+  many.processes = 8;
+
+  BOOST_TEST(as_nobody(
+      work, [&] { return run_freely(work, shell(leaves_daemons)).ending == Ending::normal; }));
+  BOOST_TEST(!is_sleeping("98761"));
+  BOOST_TEST(
+      as_nobody(work, [&] { return run_freely(work, many).ending == Ending::too_many_processes; }));
+}
+
+BOOST_AUTO_TEST_CASE(the_children_of_every_thread_are_found) {
+  const auto before = descendants(::getpid()).size();
+  std::size_t during = 0;
+
+  std::thread([&] {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::pause();
+      ::_exit(0);
+    }
+    during = descendants(::getpid()).size();
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+  }).join();
+
+  BOOST_TEST(during == before + 1);
+}
+
+BOOST_AUTO_TEST_CASE(gradings_at_the_same_time_run_as_different_users) {
+  if (::geteuid() != 0) return;
+  const unsigned user = job_user();
+  BOOST_TEST(job_user() == user);
+  const pid_t process = ::fork();
+  if (process == 0) ::_exit(job_user() == user ? 1 : 0);
+  int status = 1;
+  ::waitpid(process, &status, 0);
+
+  BOOST_TEST(status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_a_job_cannot_reach_the_folder_of_another_grading) {
+  if (::geteuid() != 0) return;
+  const ScratchFolder scratch;
+  const Sandbox sandbox(Isolation::none, scratch.path());
+  std::ofstream(scratch.path() / "secret") << "hidden\n";
+  const TemporaryFolder work;
+  const pid_t other = ::fork();
+  if (other == 0) {
+    const Sandbox own(Isolation::none, work.path());
+    Job job = shell("cat '" + (scratch.path() / "secret").string() + "'; ls '" +
+                    scratch.path().parent_path().string() + "'");
+    job.output = work.path() / "out";
+    job.errors = work.path() / "err";
+    own.run(job);
+    ::_exit(0);
+  }
+  ::waitpid(other, nullptr, 0);
+
+  BOOST_TEST(sys::read_file(work.path() / "out") == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_killed_grading_takes_its_job_along) {
+  const TemporaryFolder work;
+  const pid_t process = ::fork();
+  if (process == 0) {
+    Job job = shell("sleep 98762");
+    job.seconds = 50;
+    run(work, job);
+    ::_exit(0);
+  }
+  for (int i = 0; i < 500 && !is_sleeping("98762"); ++i) ::usleep(10'000);
+  BOOST_TEST(is_sleeping("98762"));
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  for (int i = 0; i < 500 && is_sleeping("98762"); ++i) ::usleep(10'000);
+
+  BOOST_TEST(!is_sleeping("98762"));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_killed_grading_left_goes_at_the_next) {
+  std::array<int, 2> pipe{};
+  BOOST_REQUIRE(::pipe(pipe.data()) == 0);
+  const pid_t process = ::fork();
+  if (process == 0) {
+    const ScratchFolder scratch;
+    const std::string path = scratch.path().string();
+    const auto n = ::write(pipe[1], path.data(), path.size());
+    ::kill(::getpid(), n > 0 ? SIGKILL : SIGTERM);
+  }
+  ::waitpid(process, nullptr, 0);
+  std::string left(200, '\0');
+  left.resize(static_cast<std::size_t>(::read(pipe[0], left.data(), left.size())));
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+  BOOST_TEST_REQUIRE(fs::exists(left));
+
+  const ScratchFolder mine;
+  const ScratchFolder other;
+
+  BOOST_TEST(!fs::exists(left));
+  BOOST_TEST(fs::exists(mine.path()));
+}
