@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <vector>
 
 #include "literate/text/latex.hpp"
@@ -13,11 +15,28 @@
 namespace literate {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The shortest digits that read back as the same double, without an exponent, which TeX does not
+/// read in a length.
+std::string bare_digits(double number) {
+  std::array<char, 400> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                 std::chars_format::fixed)
+                       .ptr;
+  return {digits.data(), end};
+}
+
+}  // namespace
+
 std::string values_tex(const Registered& registered) {
   std::string text;
   for (const auto& [key, value] : registered.values) {
     text += fmt::format("\\LiterateValue{{{}}}{{{}}}{{{}}}\n", key, value.latex(),
                         escape_bookmark(value.printed()));
+    if (value.number()) {
+      text += fmt::format("\\LiterateRaw{{{}}}{{{}}}\n", key, bare_digits(*value.number()));
+    }
   }
   for (const auto& [key, is_set] : registered.flags) {
     text += fmt::format("\\LiterateFlag{{{}}}{{{}}}\n", key, is_set ? "true" : "false");

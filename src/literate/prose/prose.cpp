@@ -16,7 +16,7 @@ const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
     "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "href", "hspace", "hypertarget",
     "ifflag", "include", "includegraphics", "input", "label", "pageref", "parbox", "phantom",
-    "raisebox", "ref", "tab", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
+    "raisebox", "rawval", "ref", "tab", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
 const std::set<std::string_view> two_silent = {
     "addtocounter", "addtolength", "crefrange", "fontsize", "rule", "setcounter", "setlength"};
 const std::set<std::string_view> three_silent = {"addcontentsline", "definecolor"};

@@ -72,7 +72,8 @@ bool prints_ledger(std::string_view text) {
 ReferenceReport check_references(const std::filesystem::path& source_dir, const Names& names) {
   std::set<std::string> flags;
   for (const auto& [flag, is_set] : names.flags) flags.insert(flag);
-  const std::array<ReferenceKind, 6> kinds{{{"val", "value", names.values},
+  const std::array<ReferenceKind, 7> kinds{{{"val", "value", names.values},
+                                            {"rawval", "value", names.values},
                                             {"ifflag", "flag", flags},
                                             {"tab", "table", names.tables},
                                             {"fig", "figure", names.figures},
@@ -90,7 +91,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     }
     for (const auto& use : commands_in(text, commands)) {
       const ReferenceKind& kind = *std::ranges::find(kinds, use.name, &ReferenceKind::command);
-      used.emplace(use.name, use.argument);
+      used.emplace(kind.noun, use.argument);
       if (kind.names.contains(use.argument) || is_left_out(use, names)) continue;
       report.errors.push_back(
           fmt::format("{}/{}:{}:{}: unknown {} '{}'{}", source_label(source_dir), file, use.line,
@@ -99,8 +100,9 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
   }
   for (const ReferenceKind& kind : kinds) {
     if (kind.noun == std::string_view("excerpt")) continue;  // another document may print it
+    if (kind.command == std::string_view("rawval")) continue;  // told already, as \val
     for (const std::string& name : kind.names) {
-      if (!used.contains({kind.command, name})) {
+      if (!used.contains({kind.noun, name})) {
         report.unused.push_back(fmt::format("{} '{}'", kind.noun, name));
       }
     }

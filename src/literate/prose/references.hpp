@@ -18,7 +18,8 @@ struct ReferenceReport {
   std::vector<std::string> unused;
 };
 
-/// Looks up each \val, \ifflag, \tab, \fig, \excerpt and \claim of the *.tex files below a folder.
+/// Looks up each \val, \rawval, \ifflag, \tab, \fig, \excerpt and \claim of the *.tex files below a
+/// folder.
 /// Names in a branch of \ifflag that the document does not take need not be registered.
 ///
 /// Messages put source_label in front of the files' names. Throws sys::OutputError if the folder or

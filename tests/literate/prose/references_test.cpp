@@ -51,6 +51,16 @@ BOOST_AUTO_TEST_CASE(each_kind_is_looked_up_among_its_own) {
                  .errors.size() == 5U);
 }
 
+BOOST_AUTO_TEST_CASE(bare_digits_are_a_use_of_their_value) {
+  const auto report = report_on("\\rule{\\rawval{load}cm}{1ex}\\rawval{lode}");
+
+  BOOST_TEST(report.errors ==
+                 (Lines{"report/part/a.tex:1:24: unknown value 'lode', did you mean 'load'?"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(std::ranges::count(report.unused, "value 'load'") == 0);
+  BOOST_TEST(std::ranges::count(report.unused, "value 'peak.pressure'") == 1);
+}
+
 BOOST_AUTO_TEST_CASE(a_branch_that_is_not_taken_may_use_what_is_not_registered) {
   const std::string taken = "\\ifflag{converged}{\\val{a}}{\\val{load}}\\val{load}";
   const std::string left_out =

@@ -86,6 +86,7 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
   document.value("length", Value::exact(parameters.length, "m"));
   document.value("relative-period", Value::estimate(relative));
   document.value("period", Value::significant(small * relative, 6, "s"));
+  document.flag("is-wide", parameters.angle > 60);
   document.check("longer-than-small", relative.value > 1, "Far swings take longer than small ones.");
   register_table(document);
   register_figure(document);
