@@ -16,7 +16,7 @@
 namespace app {
 namespace {
 
-struct Options {
+struct CheckReportCommandOptions {
   std::string document, generated;
 };
 
@@ -24,7 +24,7 @@ void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) fmt::print(stderr, "halfspace: {}\n", line);
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const CheckReportCommandOptions& options) {
   const literate::Names names =
       literate::read_names(std::filesystem::path(options.generated) / "names.json");
   const literate::ReferenceReport references = literate::check_references(options.document, names);
@@ -47,7 +47,7 @@ void add_check_report_command(CLI::App& program, ExitCode& exit_code) {
               "Check the prose of the report against what `report` wrote: unknown names, unused "
               "ones, typed numbers, what does not hold",
               exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<Options>();
+                auto options = std::make_shared<CheckReportCommandOptions>();
                 add_required_text(command, "--document", options->document, "DIR",
                                   "Folder of the LaTeX document");
                 add_required_text(command, "--generated", options->generated, "DIR",

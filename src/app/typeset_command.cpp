@@ -29,7 +29,7 @@ namespace {
 
 constexpr const char* project = "halfspace";
 
-struct Options {
+struct TypesetCommandOptions {
   std::string document, main_file = "report.tex", generated, build, output;
   std::string digest, manifest, case_file, source = ".", against;
 };
@@ -46,7 +46,7 @@ literate::Manifest::Texts sources_below(const fs::path& source, const std::strin
 }
 
 // What the report is made from. A case from outside the checkout goes by its name alone.
-literate::Manifest::Texts inputs(const Options& options) {
+literate::Manifest::Texts inputs(const TypesetCommandOptions& options) {
   const fs::path root = fs::weakly_canonical(options.source);
   literate::Manifest::Texts files = sources_below(root, "src", {".cpp", ".hpp", ".in", ".sty"});
   files.merge(sources_below(root, "figures", {".cpp", ".hpp"}));
@@ -63,7 +63,7 @@ literate::Manifest::Texts inputs(const Options& options) {
   return files;
 }
 
-literate::Manifest manifest_of(const Options& options, const literate::Names& names) {
+literate::Manifest manifest_of(const TypesetCommandOptions& options, const literate::Names& names) {
   const fs::path generated = options.generated;
   const fs::path pdf = options.output;
   literate::Manifest manifest{.project = project,
@@ -111,7 +111,7 @@ ExitCode compare_with(const std::string& file, const literate::Manifest& theirs,
   return ExitCode::success;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const TypesetCommandOptions& options) {
   // A manifest that cannot be read is told before the work.
   literate::Manifest theirs;
   if (!options.against.empty()) theirs = literate::read_manifest(options.against, project);
@@ -152,7 +152,7 @@ void add_typeset_command(CLI::App& program, ExitCode& exit_code) {
   add_command(
       program, "typeset", "Typeset the report with LaTeX from what `report` wrote", exit_code,
       [](CLI::App& command) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<TypesetCommandOptions>();
         add_required_text(command, "--document", options->document, "DIR",
                           "Folder of the LaTeX document");
         add_text(command, "--main", options->main_file, "FILE", "Its main file");

@@ -35,15 +35,15 @@ function(export_headers target folder)
   endif()
 endfunction()
 
-# add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] [BATCHES] SOURCES … LINK …
+# add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] SOURCES … LINK …
 # PRIVATE_LINK …): the library of one folder of src (or of figures). LINK and PRIVATE_LINK are the architecture: the
 # headers of other folders are found through them only. HEADERS: those that are exported, if not all of the folder.
 # ROOMS: the folders within, in their order; each uses only those before it (tests/toolchain/architecture_test.cpp).
-# NO_HEAVY_COMPUTING: what the compiler would take to optimise it fully is more than that would ever save. BATCHES:
-# eight files are compiled as one, in a third of the time; for folders that one seldom changes, since a change then
-# compiles eight. (The preset sanitize, which is always compiled anew, has batches everywhere.)
+# NO_HEAVY_COMPUTING: optimising it fully would take the compiler longer than it would ever save. The presets release,
+# bench and sanitize compile up to eight files of a folder as one (CMAKE_UNITY_BUILD), which takes half of the time;
+# dev and tidy compile each file by itself and so prove that each includes what it uses.
 function(add_folder_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING;BATCHES" "FOLDER" "HEADERS;ROOMS;SOURCES;LINK;PRIVATE_LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING" "FOLDER" "HEADERS;ROOMS;SOURCES;LINK;PRIVATE_LINK")
   if(NOT arg_FOLDER)
     cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME arg_FOLDER)
   endif()
@@ -56,9 +56,6 @@ function(add_folder_library name)
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} project_warnings)
   if(arg_NO_HEAVY_COMPUTING)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  endif()
-  if(arg_BATCHES)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endif()
   add_sanitizers(${name})
   target_link_libraries(${name} PRIVATE precompiled)
