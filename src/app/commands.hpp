@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "command_line/exit_codes.hpp"
 
 namespace CLI {
@@ -19,5 +21,10 @@ void add_stress_command(CLI::App& program, ExitCode& exit_code);
 void add_report_command(CLI::App& program, ExitCode& exit_code);
 void add_typeset_command(CLI::App& program, ExitCode& exit_code);
 void add_check_report_command(CLI::App& program, ExitCode& exit_code);
+
+/// All subcommands, in the order in which the help lists them.
+inline const std::vector<void (*)(CLI::App& program, ExitCode& exit_code)> all_commands{
+    add_displacement_command, add_block_command,   add_contact_command,     add_stress_command,
+    add_report_command,       add_typeset_command, add_check_report_command};
 
 }  // namespace app
