@@ -87,36 +87,44 @@ function(add_test_options target)
   add_sanitizers(${target})
 endfunction()
 
-# add_test_program(target source [HEAVY_COMPUTING] LINK …): a program of Boost tests. HEAVY_COMPUTING: one that would run
-# longer under the sanitizers than optimising it takes.
+# add_test_program(target source LINK …): a program of Boost tests.
 function(add_test_program target source)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "HEAVY_COMPUTING" "" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK")
   add_executable(${target} "${source}")
   target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main precompiled_tests project_warnings)
-  if(arg_HEAVY_COMPUTING AND HALFSPACE_SANITIZE)
-    add_sanitizers(${target})
+  add_test_options(${target})
+  target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+endfunction()
+
+# add_unit_test(folder/name [SLOW seconds] LINK …): tests/folder/name_test.cpp as one program and one
+# CTest test unit/folder/name, which `make test` and the sanitizers run. SLOW: it takes so many seconds, so that only
+# `make test-all` runs it, as slow/folder/name, and begins it before shorter ones.
+function(add_unit_test test)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SLOW" "LINK")
+  string(REPLACE "/" "_" target "${test}_test")
+  add_test_program(${target} "${PROJECT_SOURCE_DIR}/tests/${test}_test.cpp" LINK ${arg_LINK})
+  if(DEFINED arg_SLOW)
+    add_test(NAME "slow/${test}" COMMAND ${target} --color_output=no)
+    label_test("slow/${test}" slow COST ${arg_SLOW})
   else()
-    add_test_options(${target})
-    target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+    add_test(NAME "unit/${test}" COMMAND ${target} --color_output=no)
+    label_test("unit/${test}" unit TARGET ${target})
   endif()
 endfunction()
 
-# add_unit_test(folder/name [SLOW seconds] [HEAVY_COMPUTING] LINK …): tests/folder/name_test.cpp as one program and one CTest test, labelled
-# `unit` and part of the target unit_tests, or `slow` and begun before shorter ones.
-function(add_unit_test test)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAVY_COMPUTING" "SLOW" "LINK")
-  string(REPLACE "/" "_" target "${test}_test")
-  set(kind "")
-  if(arg_HEAVY_COMPUTING)
-    set(kind HEAVY_COMPUTING)
+# label_test(test label [TARGET program] [COST seconds]): who runs the CTest test. `unit`: `make test` and the
+# sanitizers; `everyday`: `make test`; `slow`: `make test-all` alone, which runs every test. TARGET is the program that
+# the test needs and that is compiled for it.
+function(label_test test label)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "TARGET;COST" "")
+  set_property(TEST "${test}" PROPERTY LABELS ${label})
+  if(DEFINED arg_COST)
+    set_property(TEST "${test}" PROPERTY COST ${arg_COST})
   endif()
-  add_test_program(${target} "${PROJECT_SOURCE_DIR}/tests/${test}_test.cpp" ${kind} LINK ${arg_LINK})
-  if(DEFINED arg_SLOW)
-    add_test(NAME "slow/${test}" COMMAND ${target} --color_output=no)
-    set_tests_properties("slow/${test}" PROPERTIES LABELS slow COST ${arg_SLOW})
-  else()
-    add_test(NAME "unit/${test}" COMMAND ${target} --color_output=no)
-    set_tests_properties("unit/${test}" PROPERTIES LABELS unit)
-    add_dependencies(unit_tests ${target})
+  if(arg_TARGET AND NOT label STREQUAL "slow")
+    add_dependencies(everyday_tests ${arg_TARGET})
+  endif()
+  if(arg_TARGET AND label STREQUAL "unit")
+    add_dependencies(unit_tests ${arg_TARGET})
   endif()
 endfunction()
