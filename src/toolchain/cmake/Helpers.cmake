@@ -81,7 +81,8 @@ function(add_sanitizers target)
   endif()
 endfunction()
 
-# add_test_options(target): tests compute little, and half of the time to build them would go into optimising.
+# add_test_options(target): optimises little, because tests compute little and full optimisation would double the time
+# to build them.
 function(add_test_options target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<BOOL:${HALFSPACE_SANITIZE}>:-O0>)
   add_sanitizers(${target})
