@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The front door. CMake (CMakePresets.json) and Ninja know what depends on what; here are only the names.
+# The targets of the project. CMake (CMakePresets.json) and Ninja know the dependencies; this file only names targets.
 #
 #   CASE=file.toml   another parameter file than report/ruggiero2001.toml; relative to where you call make
 #   CASES='cases/*.toml' J=2 KEYS='key …'   reports: the parameter files, how many at a time, what to compare
@@ -14,17 +14,17 @@
 #   N=300            check-variants: how many
 #   V=1              show the commands
 
-# Paths never pass through make, which would split them at spaces: the scripts read them and CALLER.
+# The scripts read the paths and CALLER from the environment, because make would split paths at spaces.
 export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.
 export LC_ALL := C
 
-# Two targets at once would be two Ninjas in one folder; Ninja itself runs in parallel.
+# Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report reports html figures figure check-report test mutants bench verify dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report reports html figures figure check-report test test-all mutants bench verify dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
@@ -45,8 +45,11 @@ figure: ## one figure to look at, build/figures/NAME.png
 check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
 	@bash src/toolchain/build check-report
 
-test: ## every test
+test: ## the everyday tests, which take a few minutes
 	@bash src/toolchain/build test
+
+test-all: ## every test, also those that take minutes each; continuous integration runs this
+	@bash src/toolchain/build test-all
 
 mutants: ## plants faults, each of which must turn a test or the report red
 	@bash src/toolchain/build mutants

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fifty-digit arithmetic for reference values: the paper's formulas as they stand, with no
+// Hundred-digit arithmetic for reference values: the paper's formulas as they stand, with no
 // rearrangement, so that a test does not repeat the mistake it looks for.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <mpreal.h>
 
-using Precise = boost::multiprecision::cpp_bin_float_50;
+using Precise = mpfr::mpreal;
+
+inline const bool has_a_hundred_digits =
+    (mpfr::mpreal::set_default_prec(mpfr::digits2bits(100)), true);
 
 /// tⁿ ln|t|, 0 at t = 0.
 inline Precise power_log(const Precise& t, int n) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "command_line/exit_codes.hpp"
+#include <vector>
 
-namespace CLI {
-class App;
-}
+#include "command_line/options.hpp"
 
 namespace app {
 using namespace command_line;  // the commands are made of its functions
@@ -19,5 +17,10 @@ void add_stress_command(CLI::App& program, ExitCode& exit_code);
 
 /// Adds compute, draw, typeset and check: what makes the report.
 void add_report_stages(CLI::App& program, ExitCode& exit_code);
+
+/// All subcommands, in the order in which the help lists them.
+inline const std::vector<AddCommand> all_commands{
+    add_displacement_command, add_block_command, add_contact_command, add_stress_command,
+    add_report_stages};
 
 }  // namespace app

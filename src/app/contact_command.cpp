@@ -11,14 +11,14 @@
 namespace app {
 namespace {
 
-struct Options {
-  explicit Options(CLI::App& command) : contact(command) { output.add_to(command); }
+struct ContactCommandOptions {
+  explicit ContactCommandOptions(CLI::App& command) : contact(command) { output.add_to(command); }
 
   ContactOptions contact;
   OutputOptions output;
 };
 
-ExitCode run(const Options& options) {
+ExitCode run(const ContactCommandOptions& options) {
   std::optional<parameters::Case> from_file;
   if (!options.contact.case_file().empty()) {
     from_file = parameters::read_case(options.contact.case_file());
@@ -46,7 +46,7 @@ ExitCode run(const Options& options) {
 void add_contact_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "contact", "Two bodies pressed together along a line: pressure and gap",
               exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<Options>(command);
+                auto options = std::make_shared<ContactCommandOptions>(command);
                 return [options] { return run(*options); };
               });
 }

@@ -8,8 +8,8 @@
 
 #include "app/commands.hpp"
 #include "app/displacement_table.hpp"
-#include "command_line/options.hpp"
 #include "app/output_format.hpp"
+#include "command_line/options.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"

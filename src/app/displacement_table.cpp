@@ -13,26 +13,26 @@
 namespace app {
 namespace {
 
-constexpr std::array columns = {"x",
-                                "gradient_quadrature",
-                                "gradient_abs_error",
-                                "gradient_closed_form",
-                                "displacement_quadrature",
-                                "displacement_abs_error",
-                                "displacement_closed_form"};
+constexpr std::array column_names = {"x",
+                                     "gradient_quadrature",
+                                     "gradient_abs_error",
+                                     "gradient_closed_form",
+                                     "displacement_quadrature",
+                                     "displacement_abs_error",
+                                     "displacement_closed_form"};
 
 // The numbers of a row in the order of the columns; throws sys::InputError for one that is not
 // finite.
-std::array<double, columns.size()> numbers_of(const DisplacementRow& row) {
-  const std::array<double, columns.size()> numbers = {row.x,
-                                                      row.gradient_quadrature.value,
-                                                      row.gradient_quadrature.abs_error,
-                                                      row.gradient_closed_form,
-                                                      row.displacement_quadrature.value,
-                                                      row.displacement_quadrature.abs_error,
-                                                      row.displacement_closed_form};
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    command_line::finite_result(fmt::format("{} at x = {}", columns[i], row.x), numbers[i]);
+std::array<double, column_names.size()> numbers_of(const DisplacementRow& row) {
+  const std::array<double, column_names.size()> numbers = {row.x,
+                                                           row.gradient_quadrature.value,
+                                                           row.gradient_quadrature.abs_error,
+                                                           row.gradient_closed_form,
+                                                           row.displacement_quadrature.value,
+                                                           row.displacement_quadrature.abs_error,
+                                                           row.displacement_closed_form};
+  for (std::size_t i = 0; i < column_names.size(); ++i) {
+    command_line::finite_result(fmt::format("{} at x = {}", column_names[i], row.x), numbers[i]);
   }
   return numbers;
 }
@@ -40,7 +40,7 @@ std::array<double, columns.size()> numbers_of(const DisplacementRow& row) {
 }  // namespace
 
 std::string displacement_csv(const std::vector<DisplacementRow>& rows) {
-  std::string text = fmt::format("{}\n", fmt::join(columns, ","));
+  std::string text = fmt::format("{}\n", fmt::join(column_names, ","));
   for (const DisplacementRow& row : rows)
     text += fmt::format("{}\n", fmt::join(numbers_of(row), ","));
   return text;
@@ -51,7 +51,7 @@ std::string displacement_json(const std::vector<DisplacementRow>& rows) {
   for (const DisplacementRow& row : rows) {
     nlohmann::ordered_json object;
     const auto numbers = numbers_of(row);
-    for (std::size_t i = 0; i < columns.size(); ++i) object[columns[i]] = numbers[i];
+    for (std::size_t i = 0; i < column_names.size(); ++i) object[column_names[i]] = numbers[i];
     array.push_back(object);
   }
   return json_text(array);

@@ -9,7 +9,5 @@ int main(int argc, char** argv) {
        .description = "Surface displacements and contact of elastic half-spaces: Ruggiero (2001) "
                       "rebuilt from its equations.",
        .version = literate::version_text(literate::this_paper())},
-      {app::add_displacement_command, app::add_block_command, app::add_contact_command,
-       app::add_stress_command, app::add_report_stages},
-      argc, argv);
+      app::all_commands, argc, argv);
 }

@@ -11,16 +11,16 @@
 #include "app/contact_options.hpp"
 #include "app/csv_columns.hpp"
 #include "app/json_text.hpp"
-#include "command_line/number_text.hpp"
 #include "app/output_format.hpp"
+#include "command_line/number_text.hpp"
 #include "contact/mcewen.hpp"
 #include "contact/traction.hpp"
 
 namespace app {
 namespace {
 
-struct Options {
-  explicit Options(CLI::App& command) : contact(command) {
+struct StressCommandOptions {
+  explicit StressCommandOptions(CLI::App& command) : contact(command) {
     add_text(command, "--x", x, "LIST", "Positions along the surface, as 0,0.01");
     add_text(command, "--z", z, "LIST", "Depths; every x is taken with every z");
     add_text(command, "--points", points, "FILE", "Or a CSV file with the columns x,z");
@@ -41,7 +41,7 @@ struct Point {
   std::optional<elasticity::Stress> mcewen;
 };
 
-std::vector<Point> points_of(const Options& options) {
+std::vector<Point> points_of(const StressCommandOptions& options) {
   std::vector<Point> points;
   const bool is_list = !options.x.empty() || !options.z.empty();
   if (is_list == !options.points.empty()) {
@@ -127,7 +127,7 @@ std::string stress_text(const std::vector<Point>& points, double poisson,
   return text;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const StressCommandOptions& options) {
   std::optional<parameters::Case> from_file;
   if (!options.contact.case_file().empty()) {
     from_file = parameters::read_case(options.contact.case_file());
@@ -162,7 +162,7 @@ ExitCode run(const Options& options) {
 void add_stress_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "stress", "Stresses inside one of two bodies pressed together", exit_code,
               [](CLI::App& command) {
-                auto options = std::make_shared<Options>(command);
+                auto options = std::make_shared<StressCommandOptions>(command);
                 return [options] { return run(*options); };
               });
 }

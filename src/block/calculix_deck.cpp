@@ -2,7 +2,8 @@
 #include "block/calculix_deck.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ostream.h>
+
+#include <ostream>
 
 #include <algorithm>
 #include <array>
@@ -29,11 +30,11 @@ std::vector<double> subdivided(const std::vector<double>& lines, int n_parts) {
 }
 
 void write_nodes(std::ostream& out, const Mesh& mesh) {
-  fmt::print(out, "*NODE, NSET=ALL\n");
+  out << "*NODE, NSET=ALL\n";
   for (Index node = 0; node < mesh.n_nodes(); ++node) {
     if (mesh.is_interior(node)) continue;  // the centre of an element, which CPE8 has not
     const Eigen::Vector2d position = mesh.position(node);
-    fmt::print(out, "{}, {:.13g}, {:.13g}\n", node + 1, position.x(), 0.0 - position.y());
+    out << fmt::format("{}, {:.13g}, {:.13g}\n", node + 1, position.x(), 0.0 - position.y());
   }
 }
 
@@ -41,12 +42,12 @@ void write_nodes(std::ostream& out, const Mesh& mesh) {
 void write_elements(std::ostream& out, const Mesh& mesh) {
   constexpr std::array<std::array<int, 2>, 8> steps{
       {{0, 2}, {2, 2}, {2, 0}, {0, 0}, {1, 2}, {2, 1}, {1, 0}, {0, 1}}};
-  fmt::print(out, "*ELEMENT, TYPE=CPE8, ELSET=BLOCK\n");
+  out << "*ELEMENT, TYPE=CPE8, ELSET=BLOCK\n";
   for (Index index = 0; index < mesh.n_elements(); ++index) {
     const Element element = mesh.element(index);
     std::string line = fmt::format("{}", index + 1);
     for (const auto& [i, j] : steps) line += fmt::format(", {}", mesh.node(element, i, j) + 1);
-    fmt::print(out, "{}\n", line);
+    out << fmt::format("{}\n", line);
   }
 }
 
@@ -65,16 +66,16 @@ void write_supports(std::ostream& out, const Mesh& mesh, const Supports& support
     hold(step.y() == 0, supports.top, node, 2);
     hold(step.y() == mesh.n_nodes_along_z() - 1, supports.bottom, node, 2);
   }
-  fmt::print(out, "*BOUNDARY\n{}", held);
+  out << fmt::format("*BOUNDARY\n{}", held);
 }
 
 void write_loads(std::ostream& out, const Eigen::VectorXd& forces) {
-  fmt::print(out, "*CLOAD\n");
+  out << "*CLOAD\n";
   for (Index k = 0; k < forces.size(); ++k) {
     if (forces[k] == 0) continue;
     const bool is_vertical = k % 2 == 1;
-    fmt::print(out, "{}, {}, {:.13g}\n", k / 2 + 1, is_vertical ? 2 : 1,
-               is_vertical ? -forces[k] : forces[k]);
+    out << fmt::format("{}, {}, {:.13g}\n", k / 2 + 1, is_vertical ? 2 : 1,
+                       is_vertical ? -forces[k] : forces[k]);
   }
 }
 
@@ -111,19 +112,19 @@ void write_calculix_deck(std::ostream& out, const Mesh& quadratic,
   require_no_rigid_motion(supports);
   const Eigen::VectorXd forces = surface_forces(quadratic, LobattoBasis(2), load);
 
-  fmt::print(out, "*HEADING\nRectangular block in plane strain, unit thickness, y up\n");
+  out << "*HEADING\nRectangular block in plane strain, unit thickness, y up\n";
   write_nodes(out, quadratic);
   write_elements(out, quadratic);
-  fmt::print(out, "*NSET, NSET=POINTS\n");
-  for (const double x : points) fmt::print(out, "{}\n", calculix_node(quadratic, x));
-  fmt::print(out, "*MATERIAL, NAME=SOLID\n*ELASTIC\n{:.13g}, {:.13g}\n", material.young(),
-             material.poisson());
-  fmt::print(out, "*SOLID SECTION, ELSET=BLOCK, MATERIAL=SOLID\n1.\n");
+  out << "*NSET, NSET=POINTS\n";
+  for (const double x : points) out << fmt::format("{}\n", calculix_node(quadratic, x));
+  out << fmt::format("*MATERIAL, NAME=SOLID\n*ELASTIC\n{:.13g}, {:.13g}\n", material.young(),
+                     material.poisson());
+  out << "*SOLID SECTION, ELSET=BLOCK, MATERIAL=SOLID\n1.\n";
   write_supports(out, quadratic, supports);
-  fmt::print(out, "*STEP\n*STATIC\n");
+  out << "*STEP\n*STATIC\n";
   write_loads(out, forces);
-  fmt::print(out,
-             "*NODE PRINT, NSET=POINTS\nU\n*NODE FILE, OUTPUT=2D\nU\n*EL FILE\nS\n*END STEP\n");
+  out << fmt::format(
+      "*NODE PRINT, NSET=POINTS\nU\n*NODE FILE, OUTPUT=2D\nU\n*EL FILE\nS\n*END STEP\n");
 }
 
 }  // namespace block

@@ -2,7 +2,8 @@
 #include "block/vtu.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ostream.h>
+
+#include <ostream>
 
 #include <string>
 #include <string_view>
@@ -17,55 +18,56 @@ namespace {
 template <class Write>
 void write_point_array(std::ostream& out, const std::vector<PointState>& states,
                        std::string_view attributes, Write write) {
-  fmt::print(out, "<DataArray type=\"Float64\" {} format=\"ascii\">\n", attributes);
+  out << fmt::format("<DataArray type=\"Float64\" {} format=\"ascii\">\n", attributes);
   for (const PointState& state : states) write(state);
-  fmt::print(out, "</DataArray>\n");
+  out << "</DataArray>\n";
 }
 
 void write_points(std::ostream& out, const std::vector<PointState>& states) {
-  fmt::print(out, "<Points>\n");
+  out << "<Points>\n";
   write_point_array(out, states, "NumberOfComponents=\"3\"", [&](const PointState& s) {
-    fmt::print(out, "{:.9g} {:.9g} 0\n", s.position.x(), 0.0 - s.position.y());
+    out << fmt::format("{:.9g} {:.9g} 0\n", s.position.x(), 0.0 - s.position.y());
   });
-  fmt::print(out, "</Points>\n");
+  out << "</Points>\n";
 }
 
 void write_point_data(std::ostream& out, const std::vector<PointState>& states) {
-  fmt::print(out, "<PointData Vectors=\"displacement\" Scalars=\"von_mises\">\n");
+  out << "<PointData Vectors=\"displacement\" Scalars=\"von_mises\">\n";
   write_point_array(
       out, states, "Name=\"displacement\" NumberOfComponents=\"3\"", [&](const PointState& s) {
-        fmt::print(out, "{:.9g} {:.9g} 0\n", s.displacement.x(), 0.0 - s.displacement.y());
+        out << fmt::format("{:.9g} {:.9g} 0\n", s.displacement.x(), 0.0 - s.displacement.y());
       });
   write_point_array(out, states, "Name=\"stress\" NumberOfComponents=\"6\"",
                     [&](const PointState& s) {
-                      fmt::print(out, "{:.9g} {:.9g} {:.9g} {:.9g} 0 0\n", s.stress.xx, s.stress.zz,
-                                 s.stress.yy, 0.0 - s.stress.xz);
+                      out << fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} 0 0\n", s.stress.xx,
+                                         s.stress.zz, s.stress.yy, 0.0 - s.stress.xz);
                     });
-  write_point_array(out, states, "Name=\"von_mises\"",
-                    [&](const PointState& s) { fmt::print(out, "{:.9g}\n", von_mises(s.stress)); });
-  fmt::print(out, "</PointData>\n");
+  write_point_array(out, states, "Name=\"von_mises\"", [&](const PointState& s) {
+    out << fmt::format("{:.9g}\n", von_mises(s.stress));
+  });
+  out << "</PointData>\n";
 }
 
 void write_cells(std::ostream& out, Index n_elements, Index n_cells) {
   const Index n_points = n_cells + 1;
-  fmt::print(out, "<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n");
+  out << "<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
   for (Index e = 0; e < n_elements; ++e) {
     for (Index j = 0; j < n_cells; ++j) {
       for (Index i = 0; i < n_cells; ++i) {
         // Counter-clockwise with y up, rows of points following each other downwards
         const Index corner = (e * n_points + j) * n_points + i;
-        fmt::print(out, "{} {} {} {}\n", corner + n_points, corner + n_points + 1, corner + 1,
-                   corner);
+        out << fmt::format("{} {} {} {}\n", corner + n_points, corner + n_points + 1, corner + 1,
+                           corner);
       }
     }
   }
   constexpr int vtk_quad = 9;
   const Index n_all = n_elements * n_cells * n_cells;
-  fmt::print(out, "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n");
-  for (Index k = 1; k <= n_all; ++k) fmt::print(out, "{}\n", 4 * k);
-  fmt::print(out, "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n");
-  for (Index k = 0; k < n_all; ++k) fmt::print(out, "{}\n", vtk_quad);
-  fmt::print(out, "</DataArray>\n</Cells>\n");
+  out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  for (Index k = 1; k <= n_all; ++k) out << fmt::format("{}\n", 4 * k);
+  out << "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n";
+  for (Index k = 0; k < n_all; ++k) out << fmt::format("{}\n", vtk_quad);
+  out << "</DataArray>\n</Cells>\n";
 }
 
 }  // namespace
@@ -83,16 +85,16 @@ void write_vtu(std::ostream& out, const Solution& solution, int n_cells) {
     states.insert(states.end(), sampled.begin(), sampled.end());
   }
 
-  fmt::print(out,
-             "<?xml version=\"1.0\"?>\n"
-             "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-             "header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-             "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-             states.size(), mesh.n_elements() * n_cells * n_cells);
+  out << fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+      "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+      states.size(), mesh.n_elements() * n_cells * n_cells);
   write_points(out, states);
   write_point_data(out, states);
   write_cells(out, mesh.n_elements(), n_cells);
-  fmt::print(out, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 }  // namespace block

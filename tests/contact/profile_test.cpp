@@ -24,7 +24,7 @@ const std::vector<double> measured_x{-2.1, -1.3, 0.2385, 0.7, 1.9, 2.6};
 const std::vector<double> measured_gap{1.7, 0.4, 0.013, 0.2, 0.2, 3.1};
 const Profile measured = Profile::tabulated(measured_x, measured_gap);
 
-// A profile and its formula in fifty digits.
+// A profile and its formula in a hundred digits.
 struct Formula {
   const char* name;
   Profile profile;

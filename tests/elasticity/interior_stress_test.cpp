@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "multiprecision.hpp"
 #include "numerics/kernel_integrals.hpp"
 #include "numerics/quadrature.hpp"
 #include "random_inputs.hpp"
@@ -25,8 +25,6 @@ using sys::InvalidQuantity;
 using tolerance::relative_difference;
 
 namespace {
-
-using Exact = boost::multiprecision::cpp_bin_float_100;
 
 // What the docstring promises, in units of the scale it names.
 constexpr double promised = 1e-14;
@@ -75,44 +73,46 @@ Stress integrated(const LinearSegment& e, double x, double z) {
 // In 100 digits, as far away they cancel: the antiderivatives of Johnson (2.23) in t = x − s with p
 // = c + m t, one by one.
 struct ExactStress {
-  Exact xx, zz, xz;
+  Precise xx, zz, xz;
 };
 ExactStress exact_stress(const LinearSegment& e, double x_, double z_) {
-  const Exact x = x_;
-  const Exact z = z_;
-  const Exact length = Exact(e.x2) - e.x1;
+  const Precise x = x_;
+  const Precise z = z_;
+  const Precise length = Precise(e.x2) - e.x1;
   const auto between = [&](auto antiderivative) {
-    return antiderivative(Exact(x - e.x1)) - antiderivative(Exact(x - e.x2));
+    return antiderivative(Precise(x - e.x1)) - antiderivative(Precise(x - e.x2));
   };
   // ∫ tᵏ/(t²+z²)² dt, k = 0 … 4
-  const auto r2 = [&](const Exact& t) { return Exact(t * t + z * z); };
-  const auto angle = [&](const Exact& t) { return Exact(atan(t / z)); };
-  const Exact I0 = between(
-      [&](const Exact& t) { return Exact(t / (2 * z * z * r2(t)) + angle(t) / (2 * z * z * z)); });
-  const Exact I1 = between([&](const Exact& t) { return Exact(-1 / (2 * r2(t))); });
-  const Exact I2 =
-      between([&](const Exact& t) { return Exact(-t / (2 * r2(t)) + angle(t) / (2 * z)); });
-  const Exact I3 =
-      between([&](const Exact& t) { return Exact(log(r2(t)) / 2 + z * z / (2 * r2(t))); });
-  const Exact I4 = between(
-      [&](const Exact& t) { return Exact(t + z * z * t / (2 * r2(t)) - 3 * z * angle(t) / 2); });
-  const Exact mp = -(Exact(e.p2) - e.p1) / length;
-  const Exact mq = -(Exact(e.q2) - e.q1) / length;
-  const Exact cp = e.p1 - mp * (x - e.x1);
-  const Exact cq = e.q1 - mq * (x - e.x1);
-  const Exact factor = -2 / boost::math::constants::pi<Exact>();
+  const auto r2 = [&](const Precise& t) { return Precise(t * t + z * z); };
+  const auto angle = [&](const Precise& t) { return Precise(atan(t / z)); };
+  const Precise I0 = between([&](const Precise& t) {
+    return Precise(t / (2 * z * z * r2(t)) + angle(t) / (2 * z * z * z));
+  });
+  const Precise I1 = between([&](const Precise& t) { return Precise(-1 / (2 * r2(t))); });
+  const Precise I2 =
+      between([&](const Precise& t) { return Precise(-t / (2 * r2(t)) + angle(t) / (2 * z)); });
+  const Precise I3 =
+      between([&](const Precise& t) { return Precise(log(r2(t)) / 2 + z * z / (2 * r2(t))); });
+  const Precise I4 = between([&](const Precise& t) {
+    return Precise(t + z * z * t / (2 * r2(t)) - 3 * z * angle(t) / 2);
+  });
+  const Precise mp = -(Precise(e.p2) - e.p1) / length;
+  const Precise mq = -(Precise(e.q2) - e.q1) / length;
+  const Precise cp = e.p1 - mp * (x - e.x1);
+  const Precise cq = e.q1 - mq * (x - e.x1);
+  const Precise factor = -2 / mpfr::const_pi();
   return {factor * (z * (cp * I2 + mp * I3) + cq * I3 + mq * I4),
           factor * (z * z * z * (cp * I0 + mp * I1) + z * z * (cq * I1 + mq * I2)),
           factor * (z * z * (cp * I1 + mp * I2) + z * (cq * I2 + mq * I3))};
 }
 
 double distance(const Stress& a, const ExactStress& b) {
-  const Exact error =
-      std::max({Exact(abs(a.xx - b.xx)), Exact(abs(a.zz - b.zz)), Exact(abs(a.xz - b.xz))});
-  return error.convert_to<double>();
+  const Precise error =
+      std::max({Precise(abs(a.xx - b.xx)), Precise(abs(a.zz - b.zz)), Precise(abs(a.xz - b.xz))});
+  return error.toDouble();
 }
 double largest(const ExactStress& s) {
-  return std::max({Exact(abs(s.xx)), Exact(abs(s.zz)), Exact(abs(s.xz))}).convert_to<double>();
+  return std::max({Precise(abs(s.xx)), Precise(abs(s.zz)), Precise(abs(s.xz))}).toDouble();
 }
 
 struct Point {

@@ -21,7 +21,7 @@ struct PreciseElementPotential {
   Precise begin, end, middle;
 };
 
-// ∫ uᵏ ln|u| du from the antiderivatives as they stand: fifty digits leave room for their
+// ∫ uᵏ ln|u| du from the antiderivatives as they stand: a hundred digits leave room for their
 // cancellation, which is (far/ℓ)³ at most.
 Precise power_moment(const Precise& begin, const Precise& end, int k) {
   const auto antiderivative = [k](const Precise& u) -> Precise {
@@ -47,7 +47,7 @@ double far_logarithm(double begin, double end) {
 }
 
 double error(double value, const Precise& exact) {
-  return abs(value - exact).convert_to<double>();
+  return abs(value - exact).toDouble();
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(what_two_neighbours_differ_in_far_away_is_not_lost) {
     const Precise slope = exact.end - exact.begin;
     BOOST_TEST(error((potential.end - potential.begin), slope) <
                tolerance::rounding * (1 + std::log(distance)));
-    BOOST_TEST(relative_difference(slope.convert_to<double>() * distance, 2.0 / 3) < 0.2);
+    BOOST_TEST(relative_difference(slope.toDouble() * distance, 2.0 / 3) < 0.2);
   }
 }
 

@@ -41,8 +41,7 @@ BOOST_AUTO_TEST_CASE(gradient_is_right_to_1e_13_from_the_centre_to_1e9_half_widt
     if (x == 0) continue;
     const Precise exact =
         -gradient_unit(steel, triangle) * precise_gradient_bracket(Precise(x) / Precise(a));
-    const double error =
-        abs((normal_gradient(steel, triangle, x) - exact) / exact).convert_to<double>();
+    const double error = abs((normal_gradient(steel, triangle, x) - exact) / exact).toDouble();
     BOOST_TEST_CONTEXT("x/a = " << x / a) {
       BOOST_TEST(error < tolerance::gradient);
     }
@@ -64,7 +63,7 @@ BOOST_AUTO_TEST_CASE(displacement_is_right_to_1e_14_of_its_scale_to_1e9_half_wid
     // As stated for |x| up to the datum; beyond it ln(|x|/a) is the scale.
     const double scale = unit * (1 + std::log(std::max(zero_at, std::abs(x)) / a));
     BOOST_TEST_CONTEXT("x/a = " << x / a << ", datum/a = " << zero_at / a) {
-      BOOST_TEST(abs(difference).convert_to<double>() < tolerance::displacement * scale);
+      BOOST_TEST(abs(difference).toDouble() < tolerance::displacement * scale);
     }
   }
 }

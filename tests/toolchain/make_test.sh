@@ -1,11 +1,11 @@
 #!/bin/sh
-# The front door: what make says before anything starts.
+# What make says before it starts anything.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 unset MAKEFLAGS MFLAGS MAKELEVEL CASE V
 export PWD
 
-# A checkout without a project: whatever gets past the first checks fails at once.
+# A checkout without a project: a command that passes the first checks fails at once.
 mkdir -p "$scratch/check out/src" "$scratch/cases"
 cp "$source_dir/Makefile" "$scratch/check out"
 cp -r "$source_dir/src/toolchain" "$scratch/check out/src"
@@ -15,7 +15,7 @@ cd "$scratch/check out" || exit 1
 
 runs make help
 claim 'help succeeds' "$status" -eq 0
-for target in report reports html figures figure check-report test mutants bench verify dist why watch tidy format setup clean help; do
+for target in report reports html figures figure check-report test test-all mutants bench verify dist why watch tidy format setup clean help; do
   claim "help tells what $target does" "$(says "make $target ")" = yes
 done
 

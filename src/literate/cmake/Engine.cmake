@@ -10,6 +10,8 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   set(HALFSPACE_PREFIX literate_) # the other project may have a target of its own called `system`
 endif()
 
+set(CMAKE_UNITY_BUILD ON) # eight files compiled as one take half of the time
+
 set(toolchain "${CMAKE_CURRENT_LIST_DIR}/../../toolchain/cmake")
 include("${toolchain}/Dependencies.cmake")
 include("${toolchain}/Helpers.cmake")

@@ -37,17 +37,17 @@ function(export_headers target folder)
   target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${exported}>")
 endfunction()
 
-# add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] [BATCHES] SOURCES … LINK …
+# add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] SOURCES … LINK …
 # PRIVATE_LINK …): the library of one folder of src (or of figures). LINK and PRIVATE_LINK are the architecture: the
 # headers of other folders are found through them only. HEADERS: those that are exported, if not all of the folder.
 # ROOMS: the folders within, in their order; each uses only those before it (tests/toolchain/architecture_test.cpp).
-# NO_HEAVY_COMPUTING: what the compiler would take to optimise it fully is more than that would ever save. BATCHES:
-# eight files are compiled as one, in a third of the time; for folders that one seldom changes, since a change then
-# compiles eight. (The preset sanitize, which is always compiled anew, has batches everywhere.)
+# NO_HEAVY_COMPUTING: optimising it fully would take the compiler longer than it would ever save. The presets release,
+# bench and sanitize compile up to eight files of a folder as one (CMAKE_UNITY_BUILD), which takes half of the time;
+# dev and tidy compile each file by itself and so prove that each includes what it uses.
 #
 # HALFSPACE_PREFIX, where it is set, stands before the target's name: inside another project, which has names of its own.
 function(add_folder_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING;BATCHES" "FOLDER" "HEADERS;ROOMS;SOURCES;LINK;PRIVATE_LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING" "FOLDER" "HEADERS;ROOMS;SOURCES;LINK;PRIVATE_LINK")
   if(NOT arg_FOLDER)
     cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME arg_FOLDER)
   endif()
@@ -65,9 +65,6 @@ function(add_folder_library name)
   target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK})
   if(arg_NO_HEAVY_COMPUTING)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  endif()
-  if(arg_BATCHES)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endif()
   add_sanitizers(${target})
   if(HALFSPACE_EVERYTHING)
@@ -95,46 +92,55 @@ function(add_sanitizers target)
   endif()
 endfunction()
 
-# add_test_options(target): tests compute little, and half of the time to build them would go into optimising.
+# add_test_options(target): optimises little, because tests compute little and full optimisation would double the time
+# to build them.
 function(add_test_options target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<BOOL:${HALFSPACE_SANITIZE}>:-O0>)
   add_sanitizers(${target})
 endfunction()
 
-# add_test_program(target source [HEAVY_COMPUTING] LINK …): a program of Boost tests. HEAVY_COMPUTING: one that would run
-# longer under the sanitizers than optimising it takes.
+# add_test_program(target source LINK …): a program of Boost tests.
 function(add_test_program target source)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "HEAVY_COMPUTING" "" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK")
   add_executable(${target} "${source}")
   target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main)
   if(NOT HALFSPACE_EVERYTHING)
     return()
   endif()
   target_link_libraries(${target} PRIVATE precompiled_tests project_warnings)
-  if(arg_HEAVY_COMPUTING AND HALFSPACE_SANITIZE)
-    add_sanitizers(${target})
+  add_test_options(${target})
+  target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+endfunction()
+
+# add_unit_test(folder/name [SLOW seconds] LINK …): tests/folder/name_test.cpp as one program and one
+# CTest test unit/folder/name, which `make test` and the sanitizers run. SLOW: it takes so many seconds, so that only
+# `make test-all` runs it, as slow/folder/name, and begins it before shorter ones.
+function(add_unit_test test)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SLOW" "LINK")
+  string(REPLACE "/" "_" target "${test}_test")
+  add_test_program(${target} "${HALFSPACE_ROOT}/tests/${test}_test.cpp" LINK ${arg_LINK})
+  if(DEFINED arg_SLOW)
+    add_test(NAME "slow/${test}" COMMAND ${target} --color_output=no)
+    label_test("slow/${test}" slow COST ${arg_SLOW})
   else()
-    add_test_options(${target})
-    target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+    add_test(NAME "unit/${test}" COMMAND ${target} --color_output=no)
+    label_test("unit/${test}" unit TARGET ${target})
   endif()
 endfunction()
 
-# add_unit_test(folder/name [SLOW seconds] [HEAVY_COMPUTING] LINK …): tests/folder/name_test.cpp as one program and one CTest test, labelled
-# `unit` and part of the target unit_tests, or `slow` and begun before shorter ones.
-function(add_unit_test test)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAVY_COMPUTING" "SLOW" "LINK")
-  string(REPLACE "/" "_" target "${test}_test")
-  set(kind "")
-  if(arg_HEAVY_COMPUTING)
-    set(kind HEAVY_COMPUTING)
+# label_test(test label [TARGET program] [COST seconds]): who runs the CTest test. `unit`: `make test` and the
+# sanitizers; `everyday`: `make test`; `slow`: `make test-all` alone, which runs every test. TARGET is the program that
+# the test needs and that is compiled for it.
+function(label_test test label)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "TARGET;COST" "")
+  set_property(TEST "${test}" PROPERTY LABELS ${label})
+  if(DEFINED arg_COST)
+    set_property(TEST "${test}" PROPERTY COST ${arg_COST})
   endif()
-  add_test_program(${target} "${HALFSPACE_ROOT}/tests/${test}_test.cpp" ${kind} LINK ${arg_LINK})
-  if(DEFINED arg_SLOW)
-    add_test(NAME "slow/${test}" COMMAND ${target} --color_output=no)
-    set_tests_properties("slow/${test}" PROPERTIES LABELS slow COST ${arg_SLOW})
-  else()
-    add_test(NAME "unit/${test}" COMMAND ${target} --color_output=no)
-    set_tests_properties("unit/${test}" PROPERTIES LABELS unit)
-    add_dependencies(unit_tests ${target})
+  if(arg_TARGET AND NOT label STREQUAL "slow")
+    add_dependencies(everyday_tests ${arg_TARGET})
+  endif()
+  if(arg_TARGET AND label STREQUAL "unit")
+    add_dependencies(unit_tests ${arg_TARGET})
   endif()
 endfunction()

@@ -11,8 +11,8 @@ target_compile_options(project_warnings INTERFACE
   -Wfloat-conversion         # digits dropped without a word
   -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual)
 
-# A warning left standing is soon not read. Only with the compiler whose warnings are known (Debian 12's):
-# a reader with the next g++ wants the report, not our warnings.
+# Warnings are errors only with Debian 12's compiler, whose warnings are known: a reader with a newer g++ wants the
+# report, not its new warnings.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.")
   target_compile_options(project_warnings INTERFACE -Werror)
 endif()
