@@ -50,6 +50,7 @@ literate::Manifest::Texts inputs(const Options& options) {
   const fs::path root = fs::weakly_canonical(options.source);
   literate::Manifest::Texts files = sources_below(root, "src", {".cpp", ".hpp", ".in", ".sty"});
   files.merge(sources_below(root, "figures", {".cpp", ".hpp"}));
+  files.merge(literate::imported_files(fs::path(options.generated) / "names.json"));
   const fs::path document = fs::weakly_canonical(options.document);
   const std::string folder = document.filename().string();
   files.merge(literate::digests(document, literate::document_files(document), folder + "/"));

@@ -47,6 +47,7 @@ void Document::append(Document part) {
   for (const auto& [kind_and_name, place] : part.places_) {
     remember(kind_and_name.first, kind_and_name.second, place);
   }
+  attachments_.add(part.attachments_);
   values_.merge(part.values_);
   flags_.merge(part.flags_);
   tables_.merge(part.tables_);
@@ -56,8 +57,12 @@ void Document::append(Document part) {
 }
 
 void Document::value(const std::string& key, Value value, Location location) {
+  this->value(key, std::move(value), place_of(location));
+}
+
+void Document::value(const std::string& key, Value value, const SourcePlace& place) {
   require_key(key);
-  remember("value", key, place_of(location));
+  remember("value", key, place);
   values_.emplace(key, std::move(value));
 }
 
@@ -68,8 +73,12 @@ void Document::flag(const std::string& key, bool is_set, Location location) {
 }
 
 void Document::table(const std::string& name, Table table, Location location) {
+  this->table(name, std::move(table), place_of(location));
+}
+
+void Document::table(const std::string& name, Table table, const SourcePlace& place) {
   require_file_name(name);
-  remember("table", name, place_of(location));
+  remember("table", name, place);
   tables_.emplace(name, std::move(table));
 }
 
@@ -142,6 +151,7 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   sys::write_file_atomically(staging.path() / "excerpts" / "characters.def", listings_characters());
   for (const Excerpt& excerpt : excerpts) write_excerpt(staging.path() / "excerpts", excerpt);
 
+  attachments_.write(staging.path() / "imports");
   fs::create_directory(staging.path() / "figures");
   draw_figures(staging.path() / "figures", figures_);
   sys::write_file_atomically(staging.path() / "provenance.tex",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "literate/claims/claim.hpp"
+#include "literate/document/attachments.hpp"
 #include "literate/excerpts/excerpt.hpp"
 #include "literate/figures/gnuplot.hpp"
 #include "literate/tables/table.hpp"
@@ -52,6 +53,15 @@ class Document {
   /// computed value, route or tolerance is empty.
   void claim(const std::string& id, Claim claim, Location location = Location::current());
 
+  /// Registers what comes from another program's file, with the place in that file.
+  void value(const std::string& key, Value value, const SourcePlace& place);
+  void table(const std::string& name, Table table, const SourcePlace& place);
+
+  /// Keeps a file that values came from: it is written to imports/, listed with its SHA-256 and
+  /// attached to the PDF. Throws std::logic_error as Attachments::add does.
+  void attach(const AttachedFile& file) { attachments_.add(file); }
+  const Attachments& attachments() const { return attachments_; }
+
   /// Adds all that another document registered, behind what this one has; parts of a document can
   /// then be computed at the same time. Throws std::logic_error for what both registered.
   void append(Document part);
@@ -75,7 +85,7 @@ class Document {
   const SourcePlace& place(const std::string& kind, const std::string& name) const;
 
   /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, figures/,
-  /// excerpts/ and names.json.
+  /// excerpts/, imports/ and names.json.
   ///
   /// All is made in output_dir + ".part" and moved in place only when everything succeeded, figures
   /// included; files with the same content keep their time stamp, files no longer made are removed.
@@ -94,6 +104,7 @@ class Document {
   std::map<std::string, Figure> figures_;
   std::vector<Check> checks_;
   std::vector<std::pair<std::string, Claim>> claims_;
+  Attachments attachments_;
   std::map<std::pair<std::string, std::string>, SourcePlace> places_;  // by kind and name
 };
 

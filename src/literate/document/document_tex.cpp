@@ -144,7 +144,7 @@ std::string provenance_tex(const Document& document, const fs::path& folder) {
   for (const auto& [name, table] : document.tables()) {
     text += entry(document, folder, "table", "tables", name);
   }
-  return text;
+  return text + document.attachments().latex("imports");
 }
 
 }  // namespace literate

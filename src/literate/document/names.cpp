@@ -83,6 +83,7 @@ std::string names_json(const Document& document, const std::vector<Excerpt>& exc
   names["excerpts"] = excerpts_json(excerpts);
   names["checks"] = checks_json(document.checks());
   names["claims"] = claims_json(document);
+  names["imports"] = document.attachments().digests();
   names["faults"] = document.faults();
   names["files"] = files;
   return names.dump(2) + "\n";
