@@ -47,6 +47,7 @@ void Document::append(Document part) {
   for (const auto& [kind_and_name, place] : part.registered_.places) {
     remember(kind_and_name.first, kind_and_name.second, place);
   }
+  registered_.attachments.add(part.registered_.attachments);
   registered_.values.merge(part.registered_.values);
   registered_.flags.merge(part.registered_.flags);
   registered_.tables.merge(part.registered_.tables);
@@ -56,8 +57,12 @@ void Document::append(Document part) {
 }
 
 void Document::value(const std::string& key, Value value, Location location) {
+  this->value(key, std::move(value), place_of(location));
+}
+
+void Document::value(const std::string& key, Value value, const SourcePlace& place) {
   require_key(key);
-  remember("value", key, place_of(location));
+  remember("value", key, place);
   registered_.values.emplace(key, std::move(value));
 }
 
@@ -68,8 +73,12 @@ void Document::flag(const std::string& key, bool is_set, Location location) {
 }
 
 void Document::table(const std::string& name, Table table, Location location) {
+  this->table(name, std::move(table), place_of(location));
+}
+
+void Document::table(const std::string& name, Table table, const SourcePlace& place) {
   require_file_name(name);
-  remember("table", name, place_of(location));
+  remember("table", name, place);
   registered_.tables.emplace(name, std::move(table));
 }
 
@@ -123,6 +132,7 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   for (const auto& [name, figure] : registered_.figures) {
     write_figure(staging.path() / "figures" / name, name, figure);
   }
+  registered_.attachments.write(staging.path() / "imports");
   sys::write_file_atomically(staging.path() / "provenance.tex",
                              provenance_tex(registered_, staging.path()));
 

@@ -41,6 +41,15 @@ class Document {
   /// place, computed value, route or tolerance is empty.
   void claim(const std::string& id, Claim claim, Location location = Location::current());
 
+  /// Registers what comes from another program's file, with the place in that file.
+  void value(const std::string& key, Value value, const SourcePlace& place);
+  void table(const std::string& name, Table table, const SourcePlace& place);
+
+  /// Keeps a file that values came from: it is written to imports/, listed with its SHA-256 and
+  /// attached to the PDF. Throws std::logic_error as Attachments::add does.
+  void attach(const AttachedFile& file) { registered_.attachments.add(file); }
+  const Attachments& attachments() const { return registered_.attachments; }
+
   /// Adds all that another document registered, after what this one has, so that parts of a
   /// document can be computed at the same time. Throws std::logic_error if both registered the same
   /// key.
@@ -67,7 +76,7 @@ class Document {
   }
 
   /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, excerpts/,
-  /// names.json, and into figures/ what draw_figures draws from.
+  /// imports/, names.json, and into figures/ what draw_figures draws from.
   ///
   /// All files are written to output_dir + ".part" and moved to output_dir only after everything
   /// succeeded. Files whose content is the same keep their time stamp, and files of the previous

@@ -149,7 +149,7 @@ std::string provenance_tex(const Registered& registered, const fs::path& folder)
         entry(registered, "table", name,
               fmt::format("\\LiterateFile{{{}}}{{{}}}", file, sys::sha256_of_file(folder / file)));
   }
-  return text;
+  return text + registered.attachments.latex("imports");
 }
 
 }  // namespace literate

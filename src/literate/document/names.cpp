@@ -92,6 +92,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["excerpts"] = excerpts_json(excerpts);
   names["checks"] = checks_json(registered.checks);
   names["claims"] = claims_json(registered);
+  names["imports"] = registered.attachments.digests();
   names["faults"] = faults(registered);
   names["files"] = files;
   return names.dump(2) + "\n";

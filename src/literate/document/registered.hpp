@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "literate/claims/claim.hpp"
+#include "literate/document/attachments.hpp"
 #include "literate/document/source_place.hpp"
 #include "literate/figures/figure.hpp"
 #include "literate/tables/table.hpp"
@@ -29,6 +30,7 @@ struct Registered {
   std::map<std::string, Figure> figures;
   std::vector<Check> checks;                          ///< in the order of registration
   std::vector<std::pair<std::string, Claim>> claims;  ///< by id, in the order of registration
+  Attachments attachments;                            ///< files that values came from
   std::map<std::pair<std::string, std::string>, SourcePlace> places;  ///< by kind and name
 };
 

@@ -69,6 +69,7 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   for (const std::string& folder : paper.source_folders) {
     files.merge(sources_below(root, folder, {".cpp", ".hpp", ".in", ".sty", ".gp"}));
   }
+  files.merge(imported_files(fs::path(options.generated) / "names.json"));
   const fs::path document = fs::weakly_canonical(options.document);
   const std::string folder = name_within(root, document);
   const std::string prefix = folder == "." ? "" : folder + "/";

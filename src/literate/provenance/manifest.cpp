@@ -64,6 +64,14 @@ std::map<std::string, ManifestNumber> numbers_in(const fs::path& names_json) {
   }
 }
 
+Manifest::Texts imported_files(const fs::path& names_json) {
+  try {
+    return parsed(names_json).at("imports").get<Manifest::Texts>();
+  } catch (const json::exception&) {
+    throw sys::OutputError(fmt::format("'{}' is not a list of names", names_json.string()));
+  }
+}
+
 std::string manifest_json(const Manifest& manifest) {
   const json text{{"project", manifest.project},
                   {"made_with", manifest.facts},

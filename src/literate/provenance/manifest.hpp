@@ -38,6 +38,10 @@ Manifest::Texts digests(const std::filesystem::path& folder, const std::vector<s
 /// sys::OutputError naming a file that is missing or malformed.
 std::map<std::string, ManifestNumber> numbers_in(const std::filesystem::path& names_json);
 
+/// The SHA-256 of the files that values were imported from, with their scripts, by name, as
+/// names.json lists them. Throws sys::OutputError as numbers_in does.
+Manifest::Texts imported_files(const std::filesystem::path& names_json);
+
 /// Writes the manifest as JSON with sorted keys.
 std::string manifest_json(const Manifest& manifest);
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/imports/import_csv.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "literate/imports/csv_file.hpp"
+#include "literate/imports/import_error.hpp"
+#include "literate/imports/source_files.hpp"
+#include "literate/text/latex.hpp"
+#include "literate/text/name.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+/// Which fields of a line are cells of one printed column.
+struct Fields {
+  std::size_t number = 0;
+  std::optional<std::size_t> abs_error = {};
+};
+
+/// Splits «x (in)» into a heading for LaTeX and a unit.
+ImportedColumn column_of(const std::string& field) {
+  ImportedColumn column;
+  const auto parenthesis = field.rfind(" (");
+  if (parenthesis == std::string::npos || !field.ends_with(')')) {
+    column.heading = escape_latex(field);
+  } else {
+    column.heading = escape_latex(field.substr(0, parenthesis));
+    column.unit = field.substr(parenthesis + 2, field.size() - parenthesis - 3);
+  }
+  return column;
+}
+
+std::vector<Fields> fields_of(const std::string& file, const CsvRow& heading) {
+  std::vector<Fields> columns;
+  for (std::size_t i = 0; i < heading.fields.size(); ++i) {
+    if (heading.fields[i] != "abs_error") {
+      columns.push_back({i});
+    } else if (columns.empty() || columns.back().abs_error) {
+      throw ImportError(fmt::format("{}:{}:{}: abs_error has no column of numbers to its left",
+                                    file, heading.line, i + 1));
+    } else {
+      columns.back().abs_error = i;
+    }
+  }
+  return columns;
+}
+
+/// Takes headings and units from the file where the caller has given none.
+void complete(std::vector<ImportedColumn>& columns, const std::string& file, const CsvRow& heading,
+              const std::vector<Fields>& fields) {
+  const bool are_given = !columns.empty();
+  if (are_given && columns.size() != fields.size()) {
+    throw ImportError(fmt::format("{}:{}: {} columns, where {} are described", file, heading.line,
+                                  fields.size(), columns.size()));
+  }
+  columns.resize(fields.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ImportedColumn from_file = column_of(heading.fields[fields[i].number]);
+    if (columns[i].heading.empty()) columns[i].heading = from_file.heading;
+    if (columns[i].unit.empty()) columns[i].unit = from_file.unit;
+  }
+}
+
+ImportedCell cell_of(const std::string& file, const CsvRow& row, const Fields& fields,
+                     bool is_text) {
+  const std::string& text = row.fields[fields.number];
+  ImportedCell cell{.at = fmt::format("{}:{}:{}", file, row.line, fields.number + 1)};
+  if (text.empty()) return cell;
+  const auto number = written_number(text);
+  if (number && !is_text) {
+    cell.content = *number;
+  } else {
+    cell.content = text;
+  }
+  if (!fields.abs_error || row.fields[*fields.abs_error].empty()) return cell;
+  const auto error = written_number(row.fields[*fields.abs_error]);
+  if (!error) {
+    throw ImportError(fmt::format("{}:{}:{}: abs_error '{}' is not a number", file, row.line,
+                                  *fields.abs_error + 1, row.fields[*fields.abs_error]));
+  }
+  cell.abs_error = error->number;
+  return cell;
+}
+
+bool holds_a_number(const std::vector<CsvRow>& rows, std::size_t field) {
+  return std::any_of(rows.begin() + 1, rows.end(), [field](const CsvRow& row) {
+    return written_number(row.fields[field]).has_value();
+  });
+}
+
+}  // namespace
+
+void import_csv(Document& document, const std::string& name, const fs::path& file_path,
+                const fs::path& script, std::vector<ImportedColumn> columns,
+                const ImportOptions& options) {
+  const std::string file = file_path.string();
+  const std::string text = read_numbers(file_path);
+  const NumbersAndScript sources = with_script(file_path, text, script, options.root);
+  const std::string key = options.prefix + name;
+  if (!is_file_name(key)) {
+    throw ImportError(
+        fmt::format("{}: the table's name '{}' must be letters, digits, '-' and '_'", file, key));
+  }
+  if (document.tables().contains(key)) {
+    throw ImportError(fmt::format("{}: table '{}' is registered already, at {}", file, key,
+                                  text_of(document.place("table", key))));
+  }
+
+  const std::vector<CsvRow> rows = csv_rows(file, text);
+  if (rows.empty()) throw ImportError(fmt::format("{}:1: there is no line of headings", file));
+  const std::vector<Fields> fields = fields_of(file, rows.front());
+  complete(columns, file, rows.front(), fields);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool keeps_digits = columns[i].format == NumberFormat::as_written;
+    if (keeps_digits && !holds_a_number(rows, fields[i].number))
+      columns[i].format = NumberFormat::text;
+  }
+
+  std::vector<std::vector<ImportedCell>> cells;
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    cells.emplace_back();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      cells.back().push_back(
+          cell_of(file, *row, fields[i], columns[i].format == NumberFormat::text));
+    }
+  }
+  Table table = table_of(columns, cells, fmt::format("{}:{}", file, rows.front().line));
+
+  document.attach(sources.numbers);
+  document.attach(sources.script);
+  document.table(key, std::move(table),
+                 SourcePlace{sources.numbers.name, sources.script.name, rows.front().line});
+}
+
+}  // namespace literate

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "literate/document/document.hpp"
+#include "literate/imports/import_json.hpp"
+#include "literate/imports/imported_table.hpp"
+
+namespace literate {
+
+/// Registers a CSV file that another program wrote as a table.
+///
+/// The first line holds the headings, each with its unit in parentheses behind it: «x (in)». A
+/// column whose heading is abs_error holds the error bounds of the column to its left and is not
+/// printed itself; its cells may be empty. `columns` says how the other columns print and what they
+/// are called, one for each; an empty heading or unit there is taken from the file, the heading as
+/// plain text. With no `columns` each number keeps the digits of the file, and a column without any
+/// number is one of texts.
+///
+/// File and script are attached to the document and are the table's source place. Throws
+/// ImportError, «file:line:column: what is wrong» where column counts fields: for what csv_rows and
+/// table_of refuse, a name that is malformed or registered already, an abs_error without a column
+/// to its left, and a count of `columns` that is not the file's.
+void import_csv(Document& document, const std::string& name, const std::filesystem::path& file,
+                const std::filesystem::path& script, std::vector<ImportedColumn> columns = {},
+                const ImportOptions& options = {});
+
+}  // namespace literate

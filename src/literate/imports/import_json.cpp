@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/imports/import_json.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "literate/imports/import_error.hpp"
+#include "literate/imports/imported_table.hpp"
+#include "literate/imports/json_file.hpp"
+#include "literate/imports/source_files.hpp"
+#include "literate/text/name.hpp"
+#include "system/files.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+std::string text_field(const JsonFile& file, const Json::Value& object, const std::string& what,
+                       const std::string& field) {
+  if (!object.isMember(field)) file.fail(object, fmt::format("{} has no {}", what, field));
+  const Json::Value& value = object[field];
+  if (!value.isString()) file.fail(value, fmt::format("{}: {} must be a text", what, field));
+  return value.asString();
+}
+
+std::string unit_field(const JsonFile& file, const Json::Value& object, const std::string& what) {
+  return object.isMember("unit") ? text_field(file, object, what, "unit") : "";
+}
+
+WrittenNumber number_field(const JsonFile& file, const Json::Value& object, const std::string& what,
+                           const std::string& field) {
+  if (!object.isMember(field)) file.fail(object, fmt::format("{} has no {}", what, field));
+  const Json::Value& value = object[field];
+  if (value.isNull()) {
+    file.fail(value,
+              fmt::format("{}: {} is null, as programs write NaN: it must be a finite number", what,
+                          field));
+  }
+  const auto written = value.isNumeric() ? written_number(file.written(value)) : std::nullopt;
+  if (!written || !std::isfinite(written->number)) {
+    file.fail(value, fmt::format("{}: {} must be a finite number", what, field));
+  }
+  return *written;
+}
+
+int whole_field(const JsonFile& file, const Json::Value& object, const std::string& what,
+                const std::string& field, int least, int most) {
+  const Json::Value& value = object[field];
+  if (!value.isInt() || value.asInt() < least || value.asInt() > most) {
+    file.fail(value, fmt::format("{}: {} = {} must be a whole number from {} to {}", what, field,
+                                 file.written(value), least, most));
+  }
+  return value.asInt();
+}
+
+double error_field(const JsonFile& file, const Json::Value& object, const std::string& what) {
+  const double error = number_field(file, object, what, "abs_error").number;
+  if (error < 0) {
+    file.fail(object["abs_error"], what + ": abs_error must not be negative");
+  }
+  return error;
+}
+
+constexpr int max_digits = 100;
+
+Value value_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
+  if (entry.isObject() && entry.isMember("text")) {
+    file.require_fields(entry, what, {"text"});
+    return Value::text(text_field(file, entry, what, "text"));
+  }
+  file.require_fields(entry, what, {"value", "abs_error", "unit", "digits"});
+  const double number = number_field(file, entry, what, "value").number;
+  const double error = error_field(file, entry, what);
+  const std::string unit = unit_field(file, entry, what);
+  try {
+    if (!entry.isMember("digits")) return Value::estimate({number, error}, unit);
+    const int digits = whole_field(file, entry, what, "digits", 1, max_digits);
+    return Value::significant(number, digits, unit).within(error);
+  } catch (const std::invalid_argument& reason) {
+    file.fail(entry, fmt::format("{}: {}", what, reason.what()));
+  }
+}
+
+ImportedColumn column_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
+  file.require_fields(entry, what,
+                      {"heading", "unit", "decimals", "exponent", "digits", "integer", "text"});
+  ImportedColumn column{.heading = text_field(file, entry, what, "heading"),
+                        .unit = unit_field(file, entry, what)};
+  int n_formats = 0;
+  const auto is_set = [&](const char* field) {
+    if (!entry.isMember(field)) return false;
+    ++n_formats;
+    return true;
+  };
+  const auto require_true = [&](const char* field) {
+    if (!entry[field].isBool() || !entry[field].asBool()) {
+      file.fail(entry[field], fmt::format("{}: {} can only be true", what, field));
+    }
+  };
+  if (is_set("decimals")) {
+    column.format = NumberFormat::decimals;
+    column.digits = whole_field(file, entry, what, "decimals", 0, max_digits);
+  }
+  if (is_set("digits")) {
+    column.format = NumberFormat::digits;
+    column.digits = whole_field(file, entry, what, "digits", 1, max_digits);
+  }
+  if (is_set("integer")) {
+    column.format = NumberFormat::integer;
+    require_true("integer");
+  }
+  if (is_set("text")) {
+    column.format = NumberFormat::text;
+    require_true("text");
+  }
+  if (n_formats > 1)
+    file.fail(entry, what + " has more than one of decimals, digits, integer, text");
+  if (entry.isMember("exponent")) {
+    if (column.format != NumberFormat::decimals) {
+      file.fail(entry["exponent"], what + ": exponent needs decimals beside it");
+    }
+    constexpr int largest_exponent = 300;
+    column.exponent =
+        whole_field(file, entry, what, "exponent", -largest_exponent, largest_exponent);
+  }
+  return column;
+}
+
+ImportedCell cell_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
+  ImportedCell cell{.at = fmt::format("{}: {}", file.at(entry), what)};
+  if (entry.isNull()) return cell;
+  if (entry.isString()) {
+    cell.content = entry.asString();
+  } else if (entry.isNumeric()) {
+    cell.content = written_number(file.written(entry)).value();
+  } else {
+    file.require_fields(entry, what + ": a cell", {"value", "abs_error"});
+    cell.content = number_field(file, entry, what, "value");
+    cell.abs_error = error_field(file, entry, what);
+  }
+  return cell;
+}
+
+Table table_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
+  file.require_fields(entry, what, {"columns", "rows"});
+  for (const char* field : {"columns", "rows"}) {
+    if (!entry[field].isArray()) file.fail(entry, fmt::format("{} has no list of {}", what, field));
+  }
+  std::vector<ImportedColumn> columns;
+  for (const Json::Value& column : entry["columns"]) {
+    columns.push_back(
+        column_of(file, column, fmt::format("{}, column {}", what, columns.size() + 1)));
+  }
+  std::vector<std::vector<ImportedCell>> rows;
+  for (const Json::Value& row : entry["rows"]) {
+    const std::string row_name = fmt::format("{}, row {}", what, rows.size() + 1);
+    if (!row.isArray() || row.size() != columns.size()) {
+      file.fail(row, fmt::format("{} must be a list of {} cells", row_name, columns.size()));
+    }
+    rows.emplace_back();
+    for (const Json::Value& cell : row) rows.back().push_back(cell_of(file, cell, row_name));
+  }
+  return literate::table_of(columns, rows, fmt::format("{}: {}", file.at(entry), what));
+}
+
+/// Calls visit(name, entry) for each field of an object that need not be there.
+template <typename Visit>
+void for_each_field(const JsonFile& file, const std::string& field, Visit&& visit) {
+  if (!file.root().isMember(field)) return;
+  const Json::Value& entries = file.root()[field];
+  if (!entries.isObject()) file.fail(entries, field + " must be an object");
+  for (const std::string& name : entries.getMemberNames()) visit(name, entries[name]);
+}
+
+NumbersAndScript sources_of(const JsonFile& file, const fs::path& path, const fs::path& root) {
+  const std::string what = "the file";
+  const fs::path script = path.parent_path() / text_field(file, file.root(), what, "script");
+  NumbersAndScript sources = with_script(path, file.text(), script, root);
+  if (!file.root().isMember("script_sha256")) return sources;
+  if (text_field(file, file.root(), what, "script_sha256") !=
+      sys::sha256_of_text(sources.script.text)) {
+    file.fail(file.root()["script_sha256"],
+              fmt::format("'{}' has changed since it wrote these numbers: run it again",
+                          sources.script.name));
+  }
+  return sources;
+}
+
+void require_new(const JsonFile& file, const Json::Value& entry, const std::string& what,
+                 bool is_well_formed, const SourcePlace* known) {
+  if (!is_well_formed)
+    file.fail(entry, what +
+                         ": a name must be letters, digits, '-' and '_', "
+                         "and a key may hold '.' besides");
+  if (known != nullptr) {
+    file.fail(entry, fmt::format("{} is registered already, at {}", what, text_of(*known)));
+  }
+}
+
+}  // namespace
+
+void import_json(Document& document, const fs::path& file_path, const ImportOptions& options) {
+  const JsonFile file(file_path);
+  file.require_fields(file.root(), "the file", {"script", "script_sha256", "values", "tables"});
+  const NumbersAndScript sources = sources_of(file, file_path, options.root);
+  const auto place_of = [&](const Json::Value& entry) {
+    return SourcePlace{sources.numbers.name, sources.script.name, file.line(entry)};
+  };
+
+  // Collect everything in a part of its own, so that an error leaves the document as it was.
+  Document part;
+  for_each_field(file, "values", [&](const std::string& name, const Json::Value& entry) {
+    const std::string key = options.prefix + name;
+    const std::string what = fmt::format("value '{}'", key);
+    const bool is_known = document.values().contains(key);
+    require_new(file, entry, what, is_key(key), is_known ? &document.place("value", key) : nullptr);
+    part.value(key, value_of(file, entry, what), place_of(entry));
+  });
+  for_each_field(file, "tables", [&](const std::string& name, const Json::Value& entry) {
+    const std::string key = options.prefix + name;
+    const std::string what = fmt::format("table '{}'", key);
+    const bool is_known = document.tables().contains(key);
+    require_new(file, entry, what, is_file_name(key),
+                is_known ? &document.place("table", key) : nullptr);
+    part.table(key, table_of(file, entry, what), place_of(entry));
+  });
+  part.attach(sources.numbers);
+  part.attach(sources.script);
+  document.append(std::move(part));
+}
+
+}  // namespace literate

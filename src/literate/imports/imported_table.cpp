@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/imports/imported_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "literate/imports/import_error.hpp"
+#include "literate/values/decimal.hpp"
+
+namespace literate {
+namespace {
+
+using Rows = std::vector<std::vector<ImportedCell>>;
+
+bool has_exponents(const Rows& rows, std::size_t column) {
+  return std::ranges::any_of(rows, [column](const auto& row) {
+    const auto* number = std::get_if<WrittenNumber>(&row[column].content);
+    return number != nullptr && number->has_exponent;
+  });
+}
+
+Column column_of(const ImportedColumn& column, bool writes_exponents) {
+  switch (column.format) {
+    case NumberFormat::decimals:
+      return Column::scaled(column.heading, column.unit, column.exponent, column.digits);
+    case NumberFormat::digits:
+      return Column::scientific(column.heading, column.unit, column.digits);
+    case NumberFormat::integer:
+      return Column::integer(column.heading, column.unit);
+    case NumberFormat::text:
+      return Column::text(column.heading);
+    case NumberFormat::as_written:
+      break;
+  }
+  return writes_exponents ? Column::scientific(column.heading, column.unit, 1)
+                          : Column::fixed(column.heading, column.unit, 0);
+}
+
+/// The power of ten of the last digit that a number of this column is printed with.
+int printed_place(const ImportedColumn& column, const WrittenNumber& written) {
+  switch (column.format) {
+    case NumberFormat::decimals:
+      return column.exponent - column.digits;
+    case NumberFormat::digits:
+      return rounded_to_digits(written.number, column.digits).place;
+    case NumberFormat::as_written:
+      return written.place;
+    default:
+      return 0;
+  }
+}
+
+void require_earned(const ImportedCell& cell, const WrittenNumber& written, int place) {
+  if (!cell.abs_error) return;
+  const double error = *cell.abs_error;
+  if (!std::isfinite(error) || error < 0) {
+    throw ImportError(fmt::format("{}: abs_error = {}: must be finite and not negative", cell.at,
+                                  round_trip(error)));
+  }
+  if (std::pow(10.0, place) < error) {
+    throw ImportError(
+        fmt::format("{}: {} is printed to the place 1e{}, more digits than its error of "
+                    "{} supports",
+                    cell.at, round_trip(written.number), place, round_trip(error)));
+  }
+}
+
+Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
+                 const WrittenNumber& written) {
+  if (column.format == NumberFormat::text) {
+    throw ImportError(fmt::format("{}: {} is a number in the column of texts '{}'", cell.at,
+                                  round_trip(written.number), column.heading));
+  }
+  if (!std::isfinite(written.number)) {
+    throw ImportError(fmt::format("{}: the number is not finite", cell.at));
+  }
+  if (column.format == NumberFormat::integer && std::trunc(written.number) != written.number) {
+    throw ImportError(fmt::format("{}: {} is not a whole number, as column '{}' holds", cell.at,
+                                  round_trip(written.number), column.heading));
+  }
+  require_earned(cell, written, printed_place(column, written));
+  return column.format == NumberFormat::as_written ? Cell::to_place(written.number, written.place)
+                                                   : Cell(written.number);
+}
+
+Cell cell_of(const ImportedColumn& column, const ImportedCell& cell) {
+  if (const auto* number = std::get_if<WrittenNumber>(&cell.content)) {
+    return number_cell(column, cell, *number);
+  }
+  const auto* text = std::get_if<std::string>(&cell.content);
+  if (text == nullptr) return {};
+  if (column.format != NumberFormat::text) {
+    throw ImportError(fmt::format("{}: '{}' is not a number, as column '{}' holds", cell.at, *text,
+                                  column.heading));
+  }
+  return {*text};
+}
+
+}  // namespace
+
+std::optional<WrittenNumber> written_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+  const bool begins_as_number =
+      !digits.empty() &&
+      (digits.front() == '.' || (digits.front() >= '0' && digits.front() <= '9'));
+  if (!begins_as_number) return std::nullopt;
+
+  WrittenNumber written;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), written.number);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    written.number = std::numeric_limits<double>::infinity();
+  }
+
+  // Find the place of the last digit: decimals count down, the exponent shifts.
+  const auto e = text.find_first_of("eE");
+  written.has_exponent = e != text.npos;
+  if (written.has_exponent) {
+    std::string_view exponent = text.substr(e + 1);
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    std::from_chars(exponent.data(), exponent.data() + exponent.size(), written.place);
+  }
+  const std::string_view mantissa = text.substr(0, e);
+  const auto point = mantissa.find('.');
+  if (point != mantissa.npos) written.place -= static_cast<int>(mantissa.size() - point - 1);
+  return written;
+}
+
+Table table_of(const std::vector<ImportedColumn>& columns, const Rows& rows,
+               const std::string& at) {
+  try {
+    std::vector<Column> printed;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      printed.push_back(column_of(columns[i], has_exponents(rows, i)));
+    }
+    Table table(printed);
+    for (const auto& row : rows) {
+      std::vector<Cell> cells;
+      for (std::size_t i = 0; i < row.size(); ++i) cells.push_back(cell_of(columns[i], row[i]));
+      table.add_row(std::move(cells));
+    }
+    // What cannot be printed is told now, while its place is known.
+    static_cast<void>(table.latex());
+    return table;
+  } catch (const std::invalid_argument& error) {
+    throw ImportError(fmt::format("{}: {}", at, error.what()));
+  }
+}
+
+}  // namespace literate

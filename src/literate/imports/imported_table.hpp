@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "literate/tables/table.hpp"
+
+namespace literate {
+
+/// How the numbers of a column are printed.
+enum class NumberFormat {
+  as_written,  ///< each number with the digits that its file gives
+  decimals,    ///< `digits` of them after the point, of the number divided by 10^exponent
+  digits,      ///< `digits` significant ones, and an exponent for each number
+  integer,
+  text
+};
+
+/// A column of a table from elsewhere.
+struct ImportedColumn {
+  std::string heading = {};  ///< LaTeX
+  std::string unit = {};     ///< literal text
+  NumberFormat format = NumberFormat::as_written;
+  int digits = 0;
+  int exponent = 0;
+};
+
+/// A number as a file writes it.
+struct WrittenNumber {
+  double number = 0;
+  int place = 0;  ///< the power of ten of the last written digit
+  bool has_exponent = false;
+};
+
+/// Reads a decimal number, with a sign, a point or an exponent or without; none if the text is
+/// anything else, which includes nan and inf. A number beyond the range of double becomes infinite.
+std::optional<WrittenNumber> written_number(std::string_view text);
+
+/// A cell of a table from elsewhere.
+struct ImportedCell {
+  std::variant<std::monostate, WrittenNumber, std::string> content = {};
+  std::optional<double> abs_error = {};
+  std::string at = {};  ///< «file:line:column», for messages
+};
+
+/// Makes a table for the document.
+///
+/// Throws ImportError naming the cell for a number or an error bound that is not finite, an error
+/// bound that is negative, a number printed with more digits than its error supports, a text in a
+/// column of numbers, a number in a column of texts, and a fraction in a column of whole numbers;
+/// naming `at`, which is where the table begins, for a column that cannot be printed.
+Table table_of(const std::vector<ImportedColumn>& columns,
+               const std::vector<std::vector<ImportedCell>>& rows, const std::string& at);
+
+}  // namespace literate

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/imports/import_csv.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "literate/imports/import_error.hpp"
+#include "scratch_folder.hpp"
+#include "system/files.hpp"
+
+using namespace literate;
+
+namespace {
+
+class Checkout {
+ public:
+  Checkout() { sys::write_file_atomically(folder_ / "run.py", "print(1)\n"); }
+
+  std::string path() const { return (folder_ / "points.csv").string(); }
+
+  Document import(const std::string& csv, std::vector<ImportedColumn> columns = {}) const {
+    Document document;
+    import_into(document, csv, std::move(columns));
+    return document;
+  }
+  void import_into(Document& document, const std::string& csv,
+                   std::vector<ImportedColumn> columns = {},
+                   const std::string& name = "points") const {
+    sys::write_file_atomically(path(), csv);
+    import_csv(document, name, path(), folder_ / "run.py", std::move(columns),
+               {.root = folder_.path()});
+  }
+
+  std::string error(const std::string& csv, std::vector<ImportedColumn> columns = {}) const {
+    const std::string message = message_of<ImportError>([&] { import(csv, std::move(columns)); });
+    return message.starts_with(path() + ":") ? message.substr(path().size() + 1) : message;
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+std::string latex_of_points(const Document& document) {
+  return document.tables().at("points").latex();
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(each_number_keeps_the_digits_of_the_file) {
+  const std::string latex =
+      latex_of_points(Checkout().import("x (in),u (in),note\r\n0.000,1.6236048e-006,\"the "
+                                        "\"\"centre\"\", 100 %\"\r\n\r\n0.005,,\r\n"));
+
+  for (const char* part : {"{0.000}", "{1.6236048e-6}", "(\\unit{in})", "{0.005}",
+                           "the \\textquotedbl{}centre\\textquotedbl{}, 100 \\%"}) {
+    BOOST_TEST(holds(latex, part), part << " in " << latex);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_caller_may_say_how_columns_print_and_what_they_are_called) {
+  const std::string latex = latex_of_points(
+      Checkout().import("u_z (in),abs_error\n1.62360478123e-06,1e-14\n",
+                        {{.heading = "$u_z$", .format = NumberFormat::digits, .digits = 8}}));
+
+  BOOST_TEST(holds(latex, "$u_z$"));
+  BOOST_TEST(holds(latex, "(\\unit{in})"));
+  BOOST_TEST(holds(latex, "{1.6236048e-6}"));
+  BOOST_TEST(!holds(latex, "abs"));
+}
+
+BOOST_AUTO_TEST_CASE(headings_of_the_file_are_plain_text) {
+  BOOST_TEST(holds(latex_of_points(Checkout().import("u_z\n1\n")), "u\\_z"));
+}
+
+BOOST_AUTO_TEST_CASE(file_and_script_are_the_source_of_the_table) {
+  const Document document = Checkout().import("x\n1\n");
+
+  BOOST_TEST(text_of(document.place("table", "points")) == "points.csv:1");
+  BOOST_TEST(document.place("table", "points").function == "run.py");
+  BOOST_TEST(document.attachments().digests().at("points.csv") == sys::sha256_of_text("x\n1\n"));
+  BOOST_TEST(document.attachments().digests().contains("run.py"));
+}
+
+BOOST_AUTO_TEST_CASE(digits_have_to_be_earned_by_the_error_beside_them) {
+  const Checkout checkout;
+
+  BOOST_TEST(checkout.error("x,abs_error\n1.5,0.1\n1.25,0.02\n") ==
+             "3:1: 1.25 is printed to the place 1e-2, more digits than its error of 0.02 supports");
+  BOOST_TEST(checkout.error("x,abs_error\n1.5,-0.1\n") ==
+             "2:1: abs_error = -0.1: must be finite and not negative");
+  BOOST_TEST(checkout.error("x,abs_error\n1.5,much\n") == "2:2: abs_error 'much' is not a number");
+  BOOST_CHECK_NO_THROW(checkout.import("x,abs_error\n1.5,\n"));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_number_among_numbers_is_refused) {
+  const Checkout checkout;
+
+  for (const char* text : {"NaN", "nan", "inf", "-inf", "1.2x", "1,2", "0x10", "--1", "1e", "e5"}) {
+    const std::string cell = "\"" + std::string(text) + "\"";
+    BOOST_TEST(checkout.error("x\n1\n" + cell + "\n") ==
+               "3:1: '" + std::string(text) + "' is not a number, as column 'x' holds");
+  }
+  BOOST_TEST(checkout.error("x\n1e999\n") == "2:1: the number is not finite");
+}
+
+BOOST_AUTO_TEST_CASE(lines_that_do_not_fit_are_told) {
+  const Checkout checkout;
+
+  BOOST_TEST(checkout.error("") == "1: there is no line of headings");
+  BOOST_TEST(checkout.error("x,y\n1,2\n\n1\n") == "4: 1 fields, where the first line has 2");
+  BOOST_TEST(checkout.error("x\n\"1\n") == "2: a quote is not closed");
+  BOOST_TEST(checkout.error(std::string("x\n1\0\n", 5)) == "2: the line holds a zero byte");
+  BOOST_TEST(checkout.error("abs_error,x\n1,2\n") ==
+             "1:1: abs_error has no column of numbers to its left");
+  BOOST_TEST(checkout.error("x,abs_error,abs_error\n1,2,3\n") ==
+             "1:3: abs_error has no column of numbers to its left");
+  BOOST_TEST(checkout.error("x,y\n1,2\n", {{.heading = "x"}}) ==
+             "1: 2 columns, where 1 are described");
+  BOOST_TEST(checkout.error("x (\\mm)\n1\n") == "1: unit '\\mm' cannot be printed");
+}
+
+BOOST_AUTO_TEST_CASE(names_are_checked_as_everywhere) {
+  const Checkout checkout;
+  Document document = checkout.import("x\n1\n");
+
+  const auto error = [&](const std::string& name) {
+    return message_of<ImportError>([&] { checkout.import_into(document, "x\n1\n", {}, name); });
+  };
+  BOOST_TEST(error("points") ==
+             checkout.path() + ": table 'points' is registered already, at points.csv:1");
+  BOOST_TEST(error("a.b") ==
+             checkout.path() + ": the table's name 'a.b' must be letters, digits, '-' and '_'");
+}
+
+BOOST_AUTO_TEST_CASE(a_file_or_script_that_cannot_be_read_is_named) {
+  const ScratchFolder folder;
+  Document document;
+  const auto error = [&] {
+    return message_of<ImportError>(
+        [&] { import_csv(document, "t", folder / "t.csv", folder / "run.py"); });
+  };
+
+  BOOST_TEST(error() == (folder / "t.csv").string() + ": the file cannot be read");
+  sys::write_file_atomically(folder / "t.csv", "x\n");
+  BOOST_TEST(error().ends_with("run.py' cannot be read"));
+}
