@@ -25,9 +25,6 @@
 # All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
 # names of source files begin at ROOT, and gets literate::this_paper(): project, version, commit, date, excerpts.
 
-set(LITERATE_ENGINE_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
-cmake_path(NORMAL_PATH LITERATE_ENGINE_DIR)
-
 # The names of files in a program and in the paper's own libraries that it links start at `root`.
 function(literate_map_prefix target root)
   get_target_property(aliased ${target} ALIASED_TARGET)
@@ -58,6 +55,7 @@ endfunction()
 # What literate::this_paper() answers is asked for in every build, before anything is compiled, and written only where it
 # changed: a commit recompiles one file.
 function(literate_describe_paper name program main root sources)
+  cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
@@ -77,7 +75,7 @@ function(literate_describe_paper name program main root sources)
   add_custom_target(ask_for_${name}
     COMMAND "${CMAKE_COMMAND}"
       "-DSOURCE=${root}"
-      "-DTEMPLATE=${LITERATE_ENGINE_DIR}/cmake/paper.cpp.in"
+      "-DTEMPLATE=${engine}/cmake/paper.cpp.in"
       "-DOUTPUT=${folder}/paper.cpp"
       "-DPROJECT=${PROJECT_NAME}"
       "-DVERSION=${version}"
@@ -86,7 +84,7 @@ function(literate_describe_paper name program main root sources)
       "-DFLAGS=${flags}"
       "-DMAIN=${main}"
       "-DSOURCE_FOLDERS=${quoted}"
-      -P "${LITERATE_ENGINE_DIR}/cmake/WriteBuildInfo.cmake"
+      -P "${engine}/cmake/WriteBuildInfo.cmake"
     COMMAND literate::program excerpts --source "${root}" --folders "${folders}" --output "${folder}/excerpts.cpp"
     BYPRODUCTS ${written}
     COMMENT "commit and excerpts"
@@ -137,6 +135,7 @@ function(literate_add_paper)
   if(NOT TARGET ${arg_PROGRAM})
     message(FATAL_ERROR "literate_add_paper: PROGRAM ${arg_PROGRAM} is no target; add_executable comes first")
   endif()
+  cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(name "${arg_NAME}")
   set(root "${PROJECT_SOURCE_DIR}")
   if(arg_ROOT)
@@ -154,7 +153,7 @@ function(literate_add_paper)
     "Where ${name} and what it is made from are written")
   set(case "${${name}_CASE}")
   set(output "${${name}_OUTPUT}")
-  set(scripts "${LITERATE_ENGINE_DIR}/scripts")
+  set(scripts "${engine}/scripts")
   set(generated "${output}/generated")
   set(digest "${output}/generated.sha256")
   set(computed "${output}/computed")
@@ -177,7 +176,7 @@ case=${case}
 sources=${sources}
 figures=${figures}
 output=${output}
-engine=${LITERATE_ENGINE_DIR}
+engine=${engine}
 ")
 
   # The program leaves a file alone that would not change, and so does WriteDigest: whatever was computed or drawn anew,
@@ -198,8 +197,8 @@ engine=${LITERATE_ENGINE_DIR}
     OUTPUT "${digest}"
     COMMAND ${arg_PROGRAM} draw --generated "${generated}" --scripts "${figures}"
     COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${generated}" "-DOUTPUT=${digest}"
-      -P "${LITERATE_ENGINE_DIR}/cmake/WriteDigest.cmake"
-    DEPENDS ${arg_PROGRAM} "${computed}" ${figure_scripts} "${LITERATE_ENGINE_DIR}/cmake/WriteDigest.cmake"
+      -P "${engine}/cmake/WriteDigest.cmake"
+    DEPENDS ${arg_PROGRAM} "${computed}" ${figure_scripts} "${engine}/cmake/WriteDigest.cmake"
     COMMENT "draw"
     USES_TERMINAL
     VERBATIM)
@@ -229,7 +228,7 @@ engine=${LITERATE_ENGINE_DIR}
 
   # The same sources as one page. It takes LaTeXML, which nothing else does.
   file(GLOB bindings CONFIGURE_DEPENDS LIST_DIRECTORIES false
-    "${LITERATE_ENGINE_DIR}/latexml/*" "${LITERATE_ENGINE_DIR}/page.css")
+    "${engine}/latexml/*" "${engine}/page.css")
   add_custom_command(
     OUTPUT "${output}/${name}.html"
     COMMAND bash "${scripts}/html" "${settings}"

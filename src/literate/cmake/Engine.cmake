@@ -16,7 +16,7 @@ set(toolchain "${CMAKE_CURRENT_LIST_DIR}/../../toolchain/cmake")
 include("${toolchain}/Dependencies.cmake")
 include("${toolchain}/Helpers.cmake")
 # The same library wherever it is built.
-add_compile_options("-fmacro-prefix-map=${HALFSPACE_ROOT}=")
+add_compile_options("-fmacro-prefix-map=${HALFSPACE_ROOT}/=")
 
 add_subdirectory(../system system)
 add_subdirectory(../numerics numerics)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The repository, also where another project includes it.
 cmake_path(SET HALFSPACE_ROOT NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../..")
+string(REGEX REPLACE "/$" "" HALFSPACE_ROOT "${HALFSPACE_ROOT}")
 
 # add_precompiled_headers(): what nearly every file includes, read once instead of 200 times; a third of the time to
 # compile. Files include what they use all the same, and CMAKE_DISABLE_PRECOMPILE_HEADERS (preset tidy) proves it.

@@ -74,6 +74,20 @@ runs ninja -C build pendulum_test
 runs ctest --test-dir build
 claim 'its test passes' "$status" -eq 0
 
+# Many cases, one of which is not right
+mkdir cases
+for angle in 80 120 200; do sed "s/^angle = 90/angle = $angle/" case.toml >"cases/angle $angle.toml"; done
+runs env 'CASES=cases/*.toml' J=2 KEYS=relative-period ninja -C build rod-reports
+claim 'a case that fails is told with its message' \
+  "$(says 'angle 200 failed with 2: rod: ')" = yes
+claim 'and shows in the exit code' "$status" -ne 0
+said=$(cat build/reports/cases.csv)
+claim 'all cases stand side by side' "$(says 'case,angle 120,angle 200,angle 80')" = yes
+claim 'with their exit codes' "$(says 'exit code,0,2,0')" = yes
+claim 'the chosen value' "$(says 'relative-period,1.3728805')" = yes
+claim 'and their verdicts' "$(says 'claim longer,confirmed,,confirmed')" = yes
+claim 'each has its PDF and its manifest' -e 'build/reports/angle 80/rod.pdf' -a -e 'build/reports/angle 80/manifest.json'
+
 echo 'At \val{anglee} or so.' >>paper/note.tex
 runs ninja -C build rod
 claim 'an unknown name stops the paper' "$status" -ne 0
