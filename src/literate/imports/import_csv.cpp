@@ -108,7 +108,7 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
   }
   if (document.tables().contains(key)) {
     throw ImportError(fmt::format("{}: table '{}' is registered already, at {}", file, key,
-                                  text_of(document.place("table", key))));
+                                  text_of(document.registered().places.at({"table", key}))));
   }
 
   const std::vector<CsvRow> rows = csv_rows(file, text);

@@ -218,7 +218,8 @@ void import_json(Document& document, const fs::path& file_path, const ImportOpti
     const std::string key = options.prefix + name;
     const std::string what = fmt::format("value '{}'", key);
     const bool is_known = document.values().contains(key);
-    require_new(file, entry, what, is_key(key), is_known ? &document.place("value", key) : nullptr);
+    require_new(file, entry, what, is_key(key),
+                is_known ? &document.registered().places.at({"value", key}) : nullptr);
     part.value(key, value_of(file, entry, what), place_of(entry));
   });
   for_each_field(file, "tables", [&](const std::string& name, const Json::Value& entry) {
@@ -226,7 +227,7 @@ void import_json(Document& document, const fs::path& file_path, const ImportOpti
     const std::string what = fmt::format("table '{}'", key);
     const bool is_known = document.tables().contains(key);
     require_new(file, entry, what, is_file_name(key),
-                is_known ? &document.place("table", key) : nullptr);
+                is_known ? &document.registered().places.at({"table", key}) : nullptr);
     part.table(key, table_of(file, entry, what), place_of(entry));
   });
   part.attach(sources.numbers);
