@@ -7,7 +7,8 @@
 namespace {
 
 // begin excerpt: mypaper-period
-// The integrand has the period π and is even about both ends, so the trapezoidal rule converges faster than any power.
+// The integrand is periodic and smooth, so that the trapezoidal rule
+// converges faster than any power of the step.
 double trapezoidal(double k, int n_intervals) {
   const double step = std::numbers::pi / 2 / n_intervals;
   double sum = 0.5 * (1 + 1 / std::sqrt(1 - k * k));
