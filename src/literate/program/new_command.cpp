@@ -36,9 +36,9 @@ std::string with_name(std::string text, const std::string& name) {
   return text;
 }
 
-void require_empty(const fs::path& folder) {
+void require_empty(const fs::path& folder, const std::string& as_given) {
   if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder))) {
-    throw sys::InputError(fmt::format("'{}' exists and is not empty", folder.string()));
+    throw sys::InputError(fmt::format("'{}' exists and is not empty", as_given));
   }
 }
 
@@ -53,7 +53,7 @@ void require_paper_name(const std::string& name) {
 command_line::ExitCode run(const NewOptions& options) {
   const fs::path folder = fs::absolute(options.folder + "/").lexically_normal().parent_path();
   const std::string name = options.name.empty() ? folder.filename().string() : options.name;
-  require_empty(folder);
+  require_empty(folder, options.folder);
   require_paper_name(name);
 
   const fs::path from = template_folder();

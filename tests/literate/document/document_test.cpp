@@ -45,6 +45,23 @@ BOOST_AUTO_TEST_CASE(a_doubled_or_malformed_key_is_a_logic_error_naming_it) {
   BOOST_CHECK_THROW(document.table("../x", Table({Column::text("x")})), std::logic_error);
 }
 
+BOOST_AUTO_TEST_CASE(bare_digits_read_back_the_same_and_have_neither_unit_nor_exponent) {
+  const TemporaryFolder folder;
+  Document document;
+  document.value("small", Value::significant(1.25e-7, 2, "in"));
+  document.value("large", Value::exact(30e6, "psi"));
+  document.value("share", Value::percent(0.125, 1));
+  document.value("word", Value::text("none"));
+
+  document.write(folder / "generated");
+
+  const std::string values = sys::read_file(folder / "generated/values.tex");
+  BOOST_TEST(values.find("\\LiterateRaw{small}{0.000000125}") != std::string::npos);
+  BOOST_TEST(values.find("\\LiterateRaw{large}{30000000}") != std::string::npos);
+  BOOST_TEST(values.find("\\LiterateRaw{share}{0.125}") != std::string::npos);
+  BOOST_TEST(values.find("\\LiterateRaw{word}") == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(failed_checks_are_told_apart) {
   Document document;
   document.check("balance", true, "the forces balance");
