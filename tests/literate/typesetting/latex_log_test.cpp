@@ -3,10 +3,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "literate/prose/place_of_use.hpp"
-#include "system/files.hpp"
-#include "temporary_file.hpp"
-
 using namespace literate;
 using Lines = std::vector<std::string>;
 
@@ -62,20 +58,4 @@ BOOST_AUTO_TEST_CASE(an_undefined_citation_is_a_defect) {
                  (Lines{"report/a.tex:12: LaTeX Warning: Citation `none' on page 2 undefined on "
                         "input line 12."}),
              boost::test_tools::per_element());
-}
-
-BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_generated_file_is_told_where_the_document_uses_it) {
-  const TemporaryFolder scratch;
-  const auto report = scratch / "report";
-  sys::write_file_atomically(report / "main.tex", "\\input{part/a}\n\n% \\tab{t}\n\\fig{f}\n");
-  sys::write_file_atomically(report / "part/a.tex", "\n Text \\tab{t} and \\fig{f}\n");
-  const auto told = [&](const std::string& message) { return with_place_of_use(message, report); };
-
-  BOOST_TEST(told("../my build/generated/tables/t.tex:7: Misplaced \\noalign.\n  l.7 x") ==
-             "report/part/a.tex:2: in table 't': Misplaced \\noalign. (tables/t.tex:7)\n  l.7 x");
-  BOOST_TEST(
-      told("../generated/figures/f/f.tex: Undefined") ==
-      "report/main.tex:4 or report/part/a.tex:2: in figure 'f': Undefined (figures/f/f.tex)");
-  BOOST_TEST(told("../generated/tables/none.tex:7: Bad") == "../generated/tables/none.tex:7: Bad");
-  BOOST_TEST(told("report/part/a.tex:7: Bad") == "report/part/a.tex:7: Bad");
 }

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/document/document_tex.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+
+#include "literate/document/document.hpp"
+#include "literate/document/names.hpp"
+#include "literate/typesetting/typeset.hpp"
+#include "message_of.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
+#include "temporary_file.hpp"
+
+using namespace literate;
+using boost::test_tools::per_element;
+
+namespace {
+
+const std::string here = "tests/literate/document/document_tex_test.cpp:";
+
+Claim claim_of_apples(Verdict found) {
+  return {.sentence = "An apple costs 2.6.",
+          .place = "market, stall 3",
+          .stated = Value::fixed(2.6, 1, "kr"),
+          .computed = Value::fixed(2.612, 3, "kr"),
+          .route = "weighing and adding up",
+          .tolerance = "half of the last digit stated",
+          .expected = Verdict::confirmed,
+          .found = found};
+}
+
+Document document_with(Verdict found) {
+  Document document;
+  document.claim("apples", claim_of_apples(found));
+  return document;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// The text of every page of a document with this claim.
+std::vector<std::string> pages_with(Verdict found) {
+  const TemporaryFolder scratch;
+  Document document = document_with(found);
+  document.value("unused", Value::integer(1));
+  document.write(scratch / "generated");
+  sys::write_file_atomically(scratch / "text/main.tex",
+                             "\\documentclass{article}\\usepackage{literate,hyperref}\n"
+                             "\\begin{document}Apples \\claim{apples}.\\newpage More.\\newpage\n"
+                             "\\claimledger\\end{document}\n");
+  typeset({.source_dir = scratch / "text",
+           .main_file = "main.tex",
+           .generated_dir = scratch / "generated",
+           .build_dir = scratch / "latex",
+           .output_pdf = scratch / "main.pdf"});
+  std::vector<std::string> pages;
+  for (const char* page : {"1", "2", "3"}) {
+    const sys::ProcessResult text = sys::run(
+        {.program = "pdftotext",
+         .arguments = {"-layout", "-f", page, "-l", page, (scratch / "main.pdf").string(), "-"}});
+    BOOST_TEST_REQUIRE(text.exit_status == 0, text.output);
+    pages.push_back(text.output);
+  }
+  return pages;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim_and_counts_the_verdicts) {
+  Document document = document_with(Verdict::confirmed);
+  Claim pears = claim_of_apples(Verdict::refuted);
+  pears.expected = Verdict::refuted;
+  document.claim("pears", pears);
+
+  const std::string text = claims_tex(document.registered());
+
+  BOOST_TEST(text.starts_with("\\LiterateLedgerSummary{2}{1}{0}{1}{0}\n"), text);
+  for (const char* part :
+       {"\\LiterateLedgerEntry{apples}", "{An apple costs 2.6.}", "{market, stall 3}",
+        "{weighing and adding up}", "{half of the last digit stated}", "{confirmed}{confirmed}",
+        "\\LiterateLedgerEntry{pears}", "{refuted}{refuted}", "document\\_tex\\_test.cpp:"}) {
+    BOOST_TEST(holds(text, part), part);
+  }
+  BOOST_TEST(holds(values_tex(document.registered()),
+                   "\\LiterateClaim{apples}{1}{confirmed}{\\qty{2.6}{kr}}"));
+  BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{pears}{2}{refuted}"));
+}
+
+BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
+  const std::string special = R"(5 % of a_b & #1 {x} ~ ^ \ "<|>" ν² ≤)";
+  Claim claim = claim_of_apples(Verdict::confirmed);
+  claim.sentence = claim.place = claim.route = claim.tolerance = special;
+  claim.stated = claim.computed = Value::text(special);
+  Document document;
+  document.claim("apples", claim);
+
+  const std::string escaped =
+      R"({5 \% of a\_b \& \#1 \{x\} \textasciitilde{} \textasciicircum{} \textbackslash{} )";
+  for (const auto& [text, n] :
+       {std::pair{claims_tex(document.registered()), 4}, {values_tex(document.registered()), 2}}) {
+    int found = 0;
+    for (auto at = text.find(escaped); at != std::string::npos; at = text.find(escaped, at + 1)) {
+      ++found;
+    }
+    BOOST_TEST(found == n, text);
+    BOOST_TEST(!holds(text, special));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_line) {
+  BOOST_TEST(document_with(Verdict::confirmed).faults() == std::vector<std::string>{},
+             per_element());
+
+  Document document = document_with(Verdict::partly);
+  document.check("sum", false, "the sum is right");
+
+  const std::vector<std::string> expected = {
+      "check sum failed: the sum is right",
+      "claim apples is partly confirmed, not confirmed: An apple costs 2.6. Stated: 2.6 kr; "
+      "computed: 2.612 kr"};
+  BOOST_TEST(document.faults() == expected, per_element());
+  BOOST_TEST(holds(values_tex(document.registered()), "2 statements are not as expected"));
+  BOOST_TEST(holds(claims_tex(document.registered()), "\\LiterateLedgerSummary{1}{0}{1}{0}{1}"));
+  const TemporaryFolder scratch;
+  document.write(scratch / "out");
+  BOOST_TEST(read_names(scratch / "out/names.json").faults == expected, per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_doubled_claim_is_a_logic_error_naming_both_places) {
+  Document document = document_with(Verdict::confirmed);
+
+  const std::string message = message_of<std::logic_error>(
+      [&] { document.claim("apples", claim_of_apples(Verdict::confirmed)); });
+
+  BOOST_TEST(message.starts_with(here), message);
+  BOOST_TEST(holds(message, ": claim 'apples' is registered twice, first at " + here), message);
+}
+
+BOOST_AUTO_TEST_CASE(a_claim_with_a_part_missing_is_a_logic_error_naming_its_place) {
+  const Value nothing = Value::text("");
+  for (const auto& [part, drop] : std::vector<std::pair<std::string, void (*)(Claim&)>>{
+           {"sentence", [](Claim& claim) { claim.sentence.clear(); }},
+           {"place", [](Claim& claim) { claim.place.clear(); }},
+           {"computed value", [](Claim& claim) { claim.computed = Value::text(""); }},
+           {"route", [](Claim& claim) { claim.route.clear(); }},
+           {"tolerance", [](Claim& claim) { claim.tolerance.clear(); }}}) {
+    Claim claim = claim_of_apples(Verdict::confirmed);
+    drop(claim);
+    Document document;
+
+    const std::string message =
+        message_of<std::logic_error>([&] { document.claim("apples", claim); });
+
+    BOOST_TEST(message.starts_with(here), message);
+    BOOST_TEST(holds(message, ": claim 'apples' has no " + part), message);
+  }
+  Claim unstated = claim_of_apples(Verdict::confirmed);
+  unstated.stated = nothing;
+  BOOST_CHECK_NO_THROW(Document().claim("apples", unstated));
+}
+
+BOOST_AUTO_TEST_CASE(the_document_shows_the_verdict_where_it_is_claimed_and_in_the_ledger) {
+  const std::vector<std::string> pages = pages_with(Verdict::confirmed);
+
+  BOOST_TEST(holds(pages[0], "[C1 confirmed: stated 2.6 kr, computed 2.612 kr]"), pages[0]);
+  BOOST_TEST(holds(pages[2], "1 claim: 1 confirmed"), pages[2]);
+  BOOST_TEST(holds(pages[2], "An apple costs 2.6. (market, stall 3)"), pages[2]);
+  BOOST_TEST(holds(pages[2], "test.cpp:"), pages[2]);
+  for (const std::string& page : pages) BOOST_TEST(!holds(page, "Not to be trusted"), page);
+}
+
+BOOST_AUTO_TEST_CASE(a_document_with_a_fault_says_so_on_every_page_and_in_the_ledger) {
+  const std::vector<std::string> pages = pages_with(Verdict::refuted);
+
+  for (const std::string& page : pages) {
+    BOOST_TEST(holds(page, "Not to be trusted: a statement is not as expected"), page);
+  }
+  BOOST_TEST(holds(pages[2], "1 not as expected"), pages[2]);
+  BOOST_TEST(holds(pages[2], "Expected: confirmed."), pages[2]);
+}

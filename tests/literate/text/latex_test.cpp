@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/text/latex.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "literate/text/characters.hpp"
+
+using namespace literate;
+
+BOOST_AUTO_TEST_CASE(text_for_latex_shows_every_character) {
+  BOOST_TEST(escape_latex(R"(5 % a_b \ ~)") == R"(5 \% a\_b \textbackslash{} \textasciitilde{})");
+  BOOST_TEST(escape_latex("ν ≤ é") == R"(\ensuremath{\nu} \ensuremath{\leq} \'{e})");
+  BOOST_TEST(escape_latex("a\nb\x01") == "a b ");
+  BOOST_TEST(escape_latex("語\xFF") == "語\xFF");
+}
+
+BOOST_AUTO_TEST_CASE(a_bookmark_keeps_what_is_beyond_ascii) {
+  BOOST_TEST(escape_bookmark("ν_x 語") == "ν\\_x 語");
+}
+
+BOOST_AUTO_TEST_CASE(a_path_may_break_after_each_slash) {
+  BOOST_TEST(escape_latex_path("src/a_b.cpp") == "src/\\allowbreak{}a\\_b.cpp");
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_that_siunitx_would_misread_is_refused) {
+  BOOST_CHECK_NO_THROW(require_unit("lbf/in^2"));
+  for (const char sign : std::string("%#&_$~\\{}")) {
+    BOOST_CHECK_THROW(require_unit(std::string("m") + sign), std::invalid_argument);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(listings_know_every_character_that_text_knows) {
+  const std::string setting = listings_characters();
+  for (const char* character : {"ν", "≤", "−", "é", "Ž"}) {
+    const std::string latex(latex_of(character));
+    BOOST_TEST(setting.find(std::string("{") + character + "}{{" + latex + "}}1") !=
+               std::string::npos);
+  }
+  BOOST_TEST(latex_of("語").empty());
+}
