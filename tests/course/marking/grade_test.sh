@@ -83,7 +83,7 @@ runs env HALFSPACE_COURSE="$course" bash "$source_dir/src/toolchain/course/grade
   "$submissions/bob/" --assignment "$source_dir/report/assignment" --toolkit "$scratch/one/course/toolkit"
 claim 'a slash after the name does no harm' "$status $(says 'bob: 60 of 100 points')" = '0 yes'
 runs env HALFSPACE_COURSE="$course" bash "$source_dir/src/toolchain/course/grade-one" "$scratch/one/grades" "$submissions/.."
-claim 'nor does a name that is none' "$status $(says 'an id is of')" = '2 yes'
+claim 'nor does a name that is none' "$status $(says 'an id consists of')" = '2 yes'
 
 runs env SUBMISSIONS=nowhere HALFSPACE_COURSE="$course" WORK="$scratch/one" bash "$source_dir/src/toolchain/course/grade"
 claim 'a folder that there is not is named' "$(says 'SUBMISSIONS: there is no nowhere')" = yes

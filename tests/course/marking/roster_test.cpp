@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_class_that_is_wrong_is_told_with_its_line) {
              "class.csv:2: there are fewer fields than the header has");
   BOOST_TEST(source_error("name,student\n\n\"Ada,a\n") == "class.csv:3: a quote is not closed");
   BOOST_TEST(source_error("student,student\n") == "class.csv:1: there are two columns 'student'");
-  BOOST_TEST(source_error("student\n@a\n").starts_with("class.csv:2: student \"@a\": an id is"));
+  BOOST_TEST(source_error("student\n@a\n").starts_with("class.csv:2: student \"@a\": an id consists"));
   BOOST_TEST(source_error("student,deadline\na,noon\n") ==
              "class.csv:2: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
   BOOST_TEST(source_error("student,submitted\na,noon\n") ==

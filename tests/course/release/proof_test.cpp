@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_solution_must_change_one_place) {
   BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"\""), ":5:10: wrong.before: must not be empty"));
   BOOST_TEST(has(error_of("\"src/root.cpp\"", "\"README.md\""), "README.md is no exercise's file"));
   BOOST_TEST(
-      has(error_of("points = 4", "points = 11"), ":7:9: wrong.points: 11 is not from 0 to 10"));
+      has(error_of("points = 4", "points = 11"), ":7:10: wrong.points: 11 is not from 0 to 10"));
   BOOST_TEST(has(error_of("\"one-more\"", "\"quarter\""), "\"quarter\" stands here again"));
   BOOST_TEST(has(error_of("points = 4", "points = 4\nscore = 5"), "wrong.score: unknown key"));
 }
