@@ -10,7 +10,7 @@ class App;
 }
 
 namespace app {
-using namespace command_line;  // of which the commands are made
+using namespace command_line;  // the commands are made of its parts
 
 /// Each adds a subcommand with its flags to the program; parsing the command line runs the chosen
 /// one, which stores its answer in `exit_code`.

@@ -28,7 +28,7 @@ struct ReportOptions {
   bool defers_verdict = false;
 };
 
-// Tries out what document.write() will do, before the computation, and leaves no trace.
+// Tests before the computation whether document.write() will be able to write, and leaves no trace.
 void require_writable(const fs::path& output) {
   std::error_code ignored;
   std::vector<fs::path> missing;
@@ -55,7 +55,8 @@ ExitCode run(const ReportOptions& options) {
   const Stage drawing("draw");
   document.write(options.output, excerpts);
   drawing.done(fmt::format("{} figures", document.figures().size()));
-  // Written with its faults, which stamp every page; `typeset` tells them when the PDF is there.
+  // The document is written with its faults, which stamp every page; `typeset` prints them when the
+  // PDF exists.
   return options.defers_verdict ? ExitCode::success : answer_faults(document.faults());
 }
 

@@ -34,7 +34,7 @@ struct TypesetCommandOptions {
   std::string digest, manifest, case_file, source = ".", against;
 };
 
-// Files below `folder` of the checkout that end in one of these, with their digests.
+// The digests of all files below `folder` of the checkout whose names end in one of these.
 literate::Manifest::Texts sources_below(const fs::path& source, const std::string& folder,
                                         const std::vector<std::string>& endings) {
   if (!fs::is_directory(source / folder)) return {};
@@ -45,7 +45,8 @@ literate::Manifest::Texts sources_below(const fs::path& source, const std::strin
   return literate::digests(source / folder, files, folder + "/");
 }
 
-// What the report is made from. A case from outside the checkout goes by its name alone.
+// The digests of everything that the report is made from. A case from outside the checkout is
+// listed by its name alone.
 literate::Manifest::Texts inputs(const TypesetCommandOptions& options) {
   const fs::path root = fs::weakly_canonical(options.source);
   literate::Manifest::Texts files = sources_below(root, "src", {".cpp", ".hpp", ".in", ".sty"});
@@ -88,8 +89,8 @@ literate::Manifest manifest_of(const TypesetCommandOptions& options, const liter
   return manifest;
 }
 
-// Says how this report differs from the one that `file` tells of. The same bytes are not asked of
-// other tools or sources; then each number must lie within its error.
+// Prints how this report differs from the one whose manifest is `file`. If tools or sources differ,
+// the bytes may too, but each number must lie within its error.
 ExitCode compare_with(const std::string& file, const literate::Manifest& theirs,
                       const literate::Manifest& ours) {
   const literate::ManifestComparison found = literate::compare(theirs, ours);
@@ -112,7 +113,7 @@ ExitCode compare_with(const std::string& file, const literate::Manifest& theirs,
 }
 
 ExitCode run(const TypesetCommandOptions& options) {
-  // A manifest that cannot be read is told before the work.
+  // Report a manifest that cannot be read before the work begins.
   literate::Manifest theirs;
   if (!options.against.empty()) theirs = literate::read_manifest(options.against, project);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_excerpt_hashes CHECKOUT OUTPUT: run by the build, before it compiles the program.
+// write_excerpt_hashes CHECKOUT OUTPUT: the build runs it before it compiles the program.
 #include <fmt/core.h>
 
 #include <cstdio>

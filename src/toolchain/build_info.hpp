@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which version of the sources this program is, and what compiled it.
+// The version of the sources that this program was compiled from, and the compiler.
 #pragma once
 
 namespace toolchain {
@@ -11,8 +11,8 @@ extern const char* const version;
 /// commit.
 extern const char* const commit;
 
-/// Whether files differ from `commit`, those neither committed nor ignored included. False if the
-/// commit is unknown.
+/// Whether files differ from `commit`; files that are neither committed nor ignored count. False if
+/// the commit is unknown.
 extern const bool modified;
 
 /// The date of the report, e.g. "2001-04-23T12:00:00Z": SOURCE_DATE_EPOCH as it was when the

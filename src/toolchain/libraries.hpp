@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program stands on besides its own sources and compiler.
+// The libraries and the processor that the program's results depend on.
 #pragma once
 
 #include <map>
@@ -7,7 +7,8 @@
 
 namespace toolchain {
 
-/// The libraries, by name, and their versions: as compiled in, those of FFTW and glibc as they run.
+/// The versions of the libraries, by name: those that were compiled in, and for FFTW and glibc
+/// those that run.
 std::map<std::string, std::string> libraries();
 
 /// The processor's architecture and those of its instruction sets by which FFTW, Eigen and the C

@@ -1,5 +1,5 @@
 #!/bin/sh
-# watch: a build after each save, whatever the way of saving.
+# watch builds after each save, in whatever way the editor saves.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 if ! command -v inotifywait >/dev/null || ! command -v setsid >/dev/null; then
@@ -7,7 +7,7 @@ if ! command -v inotifywait >/dev/null || ! command -v setsid >/dev/null; then
   exit 0
 fi
 
-# Only saves are of interest: the build says that it was called, and fails on demand.
+# A fake build records that it was called, and fails on demand.
 root="$scratch/check out"
 mkdir -p "$root/src/toolchain" "$root/report/sections" "$root/figures" "$scratch/cases"
 cp "$source_dir/src/toolchain/watch" "$source_dir/src/toolchain/stage.sh" "$root/src/toolchain"
@@ -19,11 +19,11 @@ touch "$root/report/sections/a.tex" "$scratch/cases/my.toml"
 status=- said=-
 log=$scratch/log
 
-# Commands in the background do not hear of interrupts unless they are told to.
+# A shell starts background commands with interrupts ignored; env restores the default.
 setsid env --default-signal=INT bash "$root/src/toolchain/watch" "$scratch/cases/my.toml" >"$log" 2>&1 &
 watch=$!
 
-# n_builds N: waits until so many builds are over.
+# n_builds N: waits until N builds have ended.
 n_builds() {
   for _ in $(seq 100); do
     said=$(cat "$log")
