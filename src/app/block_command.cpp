@@ -72,7 +72,7 @@ Support sides_of(const std::string& name, Support from_case) {
   return name == "free" ? Support::free : from_case;
 }
 
-// What one run of the command computes.
+// Everything that one run of the command computes.
 struct Problem {
   parameters::Case from_file;
   block::Rectangle rectangle;
@@ -96,7 +96,7 @@ Problem problem_of(const BlockOptions& options) {
   return {std::move(c), rectangle, discretization, std::move(load), supports};
 }
 
-// Before the computation: a wrong name is not found out at its end.
+// Called before the computation, so that a wrong name is found at once and not at its end.
 void require_folder_of(const std::string& flag, const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::error_code ignored;

@@ -6,7 +6,7 @@
 #include "command_line/options.hpp"
 
 namespace app {
-using namespace command_line;  // the commands are made of its functions
+using namespace command_line;  // the commands are made of its parts
 
 /// Each adds a subcommand with its flags to the program; parsing the command line runs the chosen
 /// one, which stores its answer in `exit_code`.

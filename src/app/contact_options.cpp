@@ -34,7 +34,7 @@ ClosedForm closed_form(std::string name, const Contact& contact, double peak_pre
           [contact](double x) { return contact.pressure(x); }};
 }
 
-// A number that no case file can give.
+// A number that must be given on the command line, because no case file has it.
 double required(const NumberOption& option) {
   const auto number = option.number();
   if (!number) throw sys::InputError(option.flag() + " is missing");
@@ -102,7 +102,7 @@ contact::Radius ContactOptions::Body::radius_or(const std::optional<CylinderCase
   return contact::Radius::of_cylinder(radius.flag().c_str() + 2, length);
 }
 
-// A flag that would be ignored is a mistake.
+// Refuse a flag that would be ignored: the user made a mistake.
 void ContactOptions::refuse_flags_of_other_profiles() const {
   const std::vector<std::pair<const NumberOption*, const char*>> flags = {
       {&body1_.radius, "cylinder"}, {&body2_.radius, "cylinder"},     {&slope_, "wedge"},

@@ -18,7 +18,8 @@ std::vector<double> to_vector(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-// Of cylinders by the second moment of the pressure, of others half the way from edge to edge.
+// The half-width: for cylinders from the second moment of the pressure, for other profiles half the
+// distance between the edges.
 double half_width_of(const ContactInput& input, const contact::Solution& solution) {
   if (input.profile == "cylinder") return solution.half_width();
   const auto regions = solution.regions();

@@ -22,7 +22,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// A line on standard error for every second that a solve takes.
+// Prints a line on standard error for every second that a solve takes.
 contact::ProgressReport progress_line() {
   return [start = Clock::now(), shown = 0.0](const contact::Progress& progress) mutable {
     const double seconds = seconds_since(start);
@@ -42,7 +42,7 @@ contact::Method method_of(const ContactInput& input) {
   };
 }
 
-// The dense methods cannot tell how far they are, but that they will take a while.
+// The dense methods cannot report progress, so they announce a long solve in advance.
 void announce_long_solve(const ContactInput& input) {
   constexpr Eigen::Index quick = 3000;
   const Eigen::Index n_nodes = input.problem.grid.n_nodes;
@@ -51,7 +51,8 @@ void announce_long_solve(const ContactInput& input) {
              n_nodes, input.method);
 }
 
-// One or two nodes carry any load with no residual, and say nothing of the pressure.
+// Refuse a contact of one or two nodes: these carry any load without a residual, and their
+// pressure means nothing.
 void require_resolved(const contact::Solution& solution) {
   constexpr Eigen::Index enough = 3;
   Eigen::Index most = 0;

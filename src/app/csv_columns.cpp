@@ -16,7 +16,7 @@ namespace {
 using Reader = io::CSVReader<2, io::trim_chars<' ', '\t'>, io::no_quote_escape<','>,
                              io::throw_on_overflow, io::single_and_empty_line_comment<'#'>>;
 
-// What the library says of a file, in this program's form.
+// The library's error about a file, in the form of this program's messages.
 std::string message_of(const std::string& file, const std::string& heading,
                        const io::error::base& error) {
   const auto* at = dynamic_cast<const io::error::with_file_line*>(&error);

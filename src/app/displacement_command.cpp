@@ -82,7 +82,7 @@ DisplacementRow tangential_row(const elasticity::Material& material,
           surface.tangential_displacement(x), tangential_displacement(material, load, x)};
 }
 
-// A flag that the shape makes no use of is a mistake.
+// Refuse a flag that the shape of the load does not use: the user made a mistake.
 void require_used(const DisplacementOptions& options) {
   const bool is_concentrated = options.shape == "concentrated";
   const auto refuse = [&](const NumberOption& unused) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# WriteBuildInfo.cmake: the commit and whether the checkout differs from it.
+# WriteBuildInfo.cmake writes the commit and whether the checkout differs from it.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 unset SOURCE_DATE_EPOCH

@@ -1,5 +1,5 @@
 #!/bin/sh
-# WriteDigest.cmake: changes when, and only when, something below the folder does.
+# WriteDigest.cmake changes its file if and only if something below the folder changes.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# dist: an archive that typesets anywhere, the same each time.
+# dist makes an archive that typesets anywhere and has the same bytes each time.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 # shellcheck source=tests/toolchain/toy_checkout.sh

@@ -1,5 +1,6 @@
 #!/bin/sh
-# mutants: the project's own list fits the checkout; on a checkout of two files, what it says and where it works.
+# mutants: the project's own list fits the checkout. On a checkout of two files: what the script prints, and that it
+# works only in its own folder.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 unset ONLY
@@ -18,7 +19,7 @@ mkdir -p "$checkout/src/toolchain" "$checkout/src/a" "$checkout/tests/mutants" "
 cp "$source_dir/src/toolchain/mutants" "$checkout/src/toolchain"
 printf 'one = 1\ntwo = 2\ntwo = 2\nsix = 6\n' >"$checkout/src/a/data.txt"
 : >"$checkout/report/ruggiero2001.toml"
-# The test knows of «one», the report of «two», nobody of «six».
+# The test notices a change of «one», the report a change of «two», and nothing a change of «six».
 cat >"$checkout/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(small LANGUAGES NONE)
@@ -61,7 +62,7 @@ plant
 claim 'a fault that survives fails' "$status" -eq 1
 claim 'it is named' "$(says 'SURVIVED: third is wrong')" = yes
 
-# refused TEXT ENTRY…: the list is wrong, at its second entry.
+# refused TEXT ENTRY…: claims that a list with a wrong second entry is refused.
 refused() {
   refused_text=$1
   shift

@@ -1,5 +1,5 @@
 #!/bin/sh
-# setup and require, against a dpkg-query and an apt-get that only pretend.
+# setup and require, tried with a fake dpkg-query and a fake apt-get.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 
@@ -23,7 +23,7 @@ libtest-dev  test     -          # not there
 libtidy-dev  tidy     -          # not there
 END
 
-# Only these commands exist for the scripts under test.
+# The scripts under test find only these commands.
 for command in sh awk cut dirname date id env cat; do
   ln -s "$(command -v $command)" "$scratch/debian/$command"
   ln -s "$(command -v $command)" "$scratch/elsewhere/$command"

@@ -1,19 +1,19 @@
 # shellcheck shell=sh
-# Sourced by the tests of scripts: a scratch folder whose name has a space, and claims about what commands did.
-# Takes the project's folder as the first argument of the test.
+# To be sourced by the tests of scripts: makes a scratch folder whose name has a space, and offers claims about what
+# commands did. The first argument of the test is the project's folder.
 set -u
 export source_dir="$1"
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/halfspace test.XXXXXX")
 trap 'rm -rf "$scratch"' EXIT
 n_failed=0
 
-# runs COMMAND…: keeps its exit status in $status, what it said in $said.
+# runs COMMAND…: stores its exit status in $status and its output in $said.
 runs() {
   status=0
   said=$("$@" 2>&1 </dev/null) || status=$?
 }
 
-# claim TEXT TEST…: TEST is what follows `test`.
+# claim TEXT TEST…: fails with TEXT unless `test TEST…` holds.
 claim() {
   claim_text=$1
   shift
@@ -22,7 +22,7 @@ claim() {
   printf 'not so: %s\n  exit status %s, output:\n%s\n' "$claim_text" "$status" "$said" >&2
 }
 
-# says TEXT: whether the last command said it.
+# says TEXT: prints whether the last command's output holds TEXT.
 says() { case $said in *"$1"*) echo yes ;; *) echo no ;; esac; }
 
 finish() { exit "$((n_failed > 0))"; }

@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# Sourced after shell_test.sh: a checkout with the real Makefile and scripts around a project that is built in no time:
-# values from a case, and a document with one table.
+# To be sourced after shell_test.sh: makes a checkout with the real Makefile and scripts around a project that is built in
+# no time, with values from a case and a document with one table.
 # shellcheck disable=SC2154  # source_dir and scratch are shell_test.sh's
 toy="$scratch/toy checkout"
 unset MAKEFLAGS MFLAGS MAKELEVEL CASE MANIFEST TARGET V GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
@@ -21,7 +21,7 @@ cat >"$toy/report/report.tex" <<'END'
 \end{document}
 END
 
-# compute CASE OUTPUT: what the program would write.
+# compute CASE OUTPUT: writes what the program would write.
 cat >"$toy/compute" <<'END'
 #!/bin/sh
 mkdir -p "$2/tables"
@@ -69,7 +69,7 @@ add_custom_command(OUTPUT "${to}/report.pdf" "${to}/manifest.json"
 add_custom_target(report DEPENDS "${to}/report.pdf")
 END
 
-# toy_make ARGUMENT…: make in the toy, from its own folder.
+# toy_make ARGUMENT…: runs make in the toy checkout.
 toy_make() {
   cd "$toy" || exit 1
   runs make "$@"

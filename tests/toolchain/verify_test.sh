@@ -1,5 +1,5 @@
 #!/bin/sh
-# verify: the same bytes from elsewhere, or the first file that differs.
+# verify finds the same bytes from elsewhere, or names the first file that differs.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 # shellcheck source=tests/toolchain/toy_checkout.sh
@@ -29,7 +29,7 @@ toy_make verify
 claim 'the copy has the commit and the changes of the checkout' "$status" -eq 0
 claim 'they were looked at' "$(grep -c "oid $commit" "$toy/build/report/generated/names.json")" = 1
 
-# What must not decide anything: folder, time zone, locale, rights.
+# Folder, time zone, locale and permissions must not matter.
 for what in pwd 'date +%Z' 'locale decimal_point' umask 'basename "$HOME"'; do
   printf '#!/bin/sh\nmkdir -p "$2/tables"\necho "first\n$(%s)" >"$2/tables/t.tex"\necho 1 >"$2/names.json"\n' \
     "$what" >"$toy/compute"

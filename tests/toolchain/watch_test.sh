@@ -1,5 +1,5 @@
 #!/bin/sh
-# watch: a build after each save, whatever the way of saving.
+# watch builds after each save, in whatever way the editor saves.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 if ! command -v inotifywait >/dev/null || ! command -v setsid >/dev/null; then
@@ -7,7 +7,7 @@ if ! command -v inotifywait >/dev/null || ! command -v setsid >/dev/null; then
   exit 0
 fi
 
-# Only saves are of interest: the command says that it was called, and fails on demand.
+# A fake command records that it was called, and fails on demand.
 root="$scratch/check out"
 mkdir -p "$root/src" "$root/report/sections" "$root/figures" "$scratch/cases"
 cat >"$scratch/build" <<'END'
@@ -20,12 +20,12 @@ printf '%s\n' name=report "root=$root" "build=$root/build" "document=$root/repor
 status=- said=-
 log=$scratch/log
 
-# Commands in the background do not hear of interrupts unless they are told to.
+# A shell starts background commands with interrupts ignored; env restores the default.
 setsid env --default-signal=INT bash "$source_dir/src/literate/scripts/watch" "$scratch/settings" \
   bash "$scratch/build" report >"$log" 2>&1 &
 watch=$!
 
-# n_builds N: waits until so many builds are over.
+# n_builds N: waits until N builds have ended.
 n_builds() {
   for _ in $(seq 100); do
     said=$(cat "$log")

@@ -1,5 +1,5 @@
 #!/bin/sh
-# why: the first cause of a rebuild, in one line.
+# why prints the first cause of a rebuild in one line.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
 # shellcheck source=tests/toolchain/toy_checkout.sh

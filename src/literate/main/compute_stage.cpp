@@ -25,7 +25,7 @@ struct ComputeOptions {
   bool defers_verdict = false;
 };
 
-// Tries out what document.write() will do, before the computation, and leaves no trace.
+// Tests before the computation whether document.write() will be able to write, and leaves no trace.
 void require_writable(const fs::path& output) {
   std::error_code ignored;
   std::vector<fs::path> missing;
@@ -50,7 +50,8 @@ ExitCode run(const ComputeOptions& options, const Paper& paper, const Compute& c
                              document.values().size(), document.tables().size(),
                              document.figures().size(), document.checks().size(),
                              document.claims().size()));
-  // Written with its faults, which stamp every page; `typeset` tells them when the PDF is there.
+  // The document is written with its faults, which stamp every page; `typeset` prints them when the
+  // PDF exists.
   return options.defers_verdict ? ExitCode::success
                                 : command_line::answer_faults(document.faults());
 }

@@ -36,7 +36,7 @@ struct TypesetStageOptions {
   std::string digest, manifest, case_file, source = ".", against;
 };
 
-// Files below `folder` of the checkout that end in one of these, with their digests.
+// The digests of all files below `folder` of the checkout whose names end in one of these.
 Manifest::Texts sources_below(const fs::path& source, const std::string& folder,
                               const std::vector<std::string>& endings) {
   if (!fs::is_directory(source / folder)) return {};
@@ -62,7 +62,8 @@ std::vector<std::string> made_files(const Names& names) {
   return files;
 }
 
-// What the document is made from. A case from outside the checkout goes by its name alone.
+// The digests of everything that the document is made from. A case from outside the checkout is
+// listed by its name alone.
 Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper) {
   const fs::path root = fs::weakly_canonical(options.source);
   Manifest::Texts files;
@@ -133,7 +134,7 @@ ExitCode compare_with(const std::string& file, const Manifest& theirs, const Man
 }
 
 ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
-  // A manifest that cannot be read is told before the work.
+  // Report a manifest that cannot be read before the work begins.
   Manifest theirs;
   if (!options.against.empty()) theirs = read_manifest(options.against, paper.project);
 

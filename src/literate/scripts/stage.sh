@@ -1,5 +1,6 @@
 # shellcheck shell=sh
-# Sourced: the one form in which every stage tells its time. Integers only, so no locale can turn the point.
+# To be sourced: the form in which every stage prints its time. It computes with integers, so that no locale can change
+# the decimal point.
 
 # now: nanoseconds.
 now() { date +%s%N; }
