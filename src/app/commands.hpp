@@ -17,6 +17,7 @@ void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_stress_command(CLI::App& program, ExitCode& exit_code);
 void add_report_command(CLI::App& program, ExitCode& exit_code);
 void add_typeset_command(CLI::App& program, ExitCode& exit_code);
+void add_describe_command(CLI::App& program, ExitCode& exit_code);
 void add_check_report_command(CLI::App& program, ExitCode& exit_code);
 void add_course_command(CLI::App& program, ExitCode& exit_code);
 

@@ -16,6 +16,6 @@ int main(int argc, char** argv) {
       text,
       {app::add_displacement_command, app::add_block_command, app::add_contact_command,
        app::add_stress_command, app::add_report_command, app::add_typeset_command,
-       app::add_check_report_command, app::add_course_command},
+       app::add_describe_command, app::add_check_report_command, app::add_course_command},
       argc, argv);
 }
