@@ -6,7 +6,7 @@ toy="$scratch/toy checkout"
 unset MAKEFLAGS MFLAGS MAKELEVEL CASE MANIFEST TARGET V GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
 export PWD
 
-mkdir -p "$toy/src" "$toy/figures" "$toy/report/sections" "$toy/build/release"
+mkdir -p "$toy/src" "$toy/figures" "$toy/report/sections"
 cp "$source_dir/Makefile" "$source_dir/CMakePresets.json" "$source_dir/CITATION.cff" "$toy"
 cp -r "$source_dir/src/toolchain" "$toy/src"
 echo 'E = 30' >"$toy/report/ruggiero2001.toml"
@@ -32,12 +32,7 @@ cat >"$toy/typeset" <<'END'
 cd "$1" && TEXINPUTS=".:$2/generated:" SOURCE_DATE_EPOCH=0 pdflatex -interaction=batchmode \
   -output-directory="$2" report.tex >"$2/said" && echo '  "date": "2001-04-23T12:00:00Z"' >"$2/manifest.json"
 END
-# halfspace describe --folder FOLDER …
-cat >"$toy/build/release/halfspace" <<'END'
-#!/bin/sh
-[ "$1 $2" = 'describe --folder' ] && ls "$3" >"$3/codecheck.yml" && ls "$3" >"$3/ro-crate-metadata.json"
-END
-chmod +x "$toy/compute" "$toy/typeset" "$toy/build/release/halfspace"
+chmod +x "$toy/compute" "$toy/typeset"
 
 cat >"$toy/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
