@@ -15,7 +15,7 @@ void add_block_command(CLI::App& program, ExitCode& exit_code);
 void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_stress_command(CLI::App& program, ExitCode& exit_code);
 
-/// Adds compute, draw, typeset and check: what makes the report.
+/// Adds compute, draw, typeset, check and describe: what makes the report.
 void add_report_stages(CLI::App& program, ExitCode& exit_code);
 
 /// All subcommands, in the order in which the help lists them.

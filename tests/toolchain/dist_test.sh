@@ -5,13 +5,22 @@
 # shellcheck source=tests/toolchain/toy_checkout.sh
 . "$(dirname "$0")/toy_checkout.sh"
 archive=$toy/build/dist/report.tar.gz
+echo 'cp "$1" "$2/tables/t.csv"' >>"$toy/compute"
+mkdir -p "$toy/build/release"
+# halfspace describe --folder FOLDER …
+cat >"$toy/build/release/halfspace" <<'END'
+#!/bin/sh
+[ "$1 $2" = 'describe --folder' ] && ls "$3" >"$3/codecheck.yml" && ls "$3" >"$3/ro-crate-metadata.json"
+END
+chmod +x "$toy/build/release/halfspace"
 
 toy_make dist
 claim 'the toy is packed' "$status" -eq 0
 claim 'it was typeset elsewhere' "$(says 'typeset elsewhere to the same text')" = yes
-claim 'it holds what LaTeX reads, and the manifest and case for readers' \
-  "$(tar -tzf "$archive" | grep -v '/$' | sort | tr '\n' ' ')" = \
-  './anc/manifest.json ./anc/ruggiero2001.toml ./report.tex ./sections/a.tex ./tables/t.tex '
+claim 'it holds what LaTeX reads, and for readers the results with what describes them' \
+  "$(tar -tzf "$archive" | grep -v '/$' | LC_ALL=C sort | tr '\n' ' ')" = \
+  "$(printf './anc/%s ' CITATION.cff codecheck.yml generated/tables/t.csv manifest.json report.pdf \
+    ro-crate-metadata.json ruggiero2001.toml)./report.tex ./sections/a.tex ./tables/t.csv ./tables/t.tex "
 claim 'its files belong to nobody and are as old as the report' \
   "$(tar -tvzf "$archive" --utc --full-time | grep -c ' 0/0 .* 2001-04-23 12:00:00 ')" -ge 5
 

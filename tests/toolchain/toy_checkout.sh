@@ -7,7 +7,7 @@ unset MAKEFLAGS MFLAGS MAKELEVEL CASE MANIFEST TARGET V GIT_DIR GIT_WORK_TREE GI
 export PWD
 
 mkdir -p "$toy/src" "$toy/figures" "$toy/report/sections"
-cp "$source_dir/Makefile" "$source_dir/CMakePresets.json" "$toy"
+cp "$source_dir/Makefile" "$source_dir/CMakePresets.json" "$source_dir/CITATION.cff" "$toy"
 cp -r "$source_dir/src/toolchain" "$toy/src"
 mkdir "$toy/src/literate"
 cp -r "$source_dir/src/literate/scripts" "$source_dir/src/literate/cmake" "$toy/src/literate"
@@ -47,7 +47,7 @@ file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/report.settings" CONTENT
 project=halfspace
 root=${PROJECT_SOURCE_DIR}
 build=${PROJECT_BINARY_DIR}
-program=
+program=${PROJECT_BINARY_DIR}/halfspace
 document=${PROJECT_SOURCE_DIR}/report
 main=report.tex
 case=${report_CASE}

@@ -9,6 +9,7 @@ find_dependency(Threads)
 find_dependency(fmt)
 find_dependency(nlohmann_json)
 find_dependency(jsoncpp)
+find_dependency(yaml-cpp)
 find_dependency(tomlplusplus)
 if(NOT TARGET utf8cpp) # whose package cannot be found twice
   find_dependency(utf8cpp)

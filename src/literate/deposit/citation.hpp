@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace literate {
+
+/// Someone who wrote something: a person, or a group that goes by one name.
+struct Author {
+  std::string name;  ///< as it is printed: given name before family name
+  bool is_person = false;
+  std::string orcid = {};  ///< an address https://orcid.org/…; empty if none is given
+};
+
+/// Another work that this one cites.
+struct Reference {
+  std::string title;
+  std::vector<Author> authors;
+  std::string date = {};   ///< ISO 8601, to the day or the year; empty if none is given
+  std::string notes = {};  ///< how else it is known; empty if none are given
+  std::string doi = {};    ///< without an address in front; empty if none is given
+};
+
+/// What a CITATION.cff (Citation File Format 1.2) says of a work. What it leaves out is empty here.
+struct Citation {
+  std::string title;
+  std::vector<Author> authors;
+  std::string abstract = {};
+  std::string version = {};
+  std::string license = {};  ///< SPDX identifier
+  std::string doi = {};
+  std::string url = {};
+  std::string repository = {};
+  std::string date = {};
+  std::vector<Reference> references = {};
+};
+
+/// Reads a CITATION.cff. Throws sys::InputError «file:line:column: …» if it is not YAML, or has no
+/// title or authors, or an author no name; without line and column if it cannot be read.
+Citation read_citation(const std::filesystem::path& file);
+
+}  // namespace literate
