@@ -20,20 +20,6 @@
 
 namespace literate {
 namespace fs = std::filesystem;
-namespace {
-
-/// The files of the run before, which may be removed; none if it left no list.
-std::vector<std::string> former_files(const fs::path& output_dir) {
-  const fs::path list = output_dir / "names.json";
-  if (!fs::exists(list)) return {};
-  try {
-    return read_names(list).files;
-  } catch (const sys::OutputError&) {
-    return {};
-  }
-}
-
-}  // namespace
 
 void Document::remember(const std::string& kind, const std::string& name,
                         const SourcePlace& place) {
@@ -162,7 +148,7 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   files.emplace_back("names.json");
   std::ranges::sort(files);
   sys::write_file_atomically(staging.path() / "names.json", names_json(*this, excerpts, files));
-  staging.publish(former_files(output_dir));
+  staging.publish(former_files(output_dir / "names.json"));
 }
 
 }  // namespace literate

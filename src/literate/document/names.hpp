@@ -35,4 +35,8 @@ std::string names_json(const Document& document, const std::vector<Excerpt>& exc
 /// form.
 Names read_names(const std::filesystem::path& file);
 
+/// Only the files that a names.json lists, whichever version of the engine wrote it; none if it is
+/// missing or lists none. These may be removed when they are not made again.
+std::vector<std::string> former_files(const std::filesystem::path& file);
+
 }  // namespace literate
