@@ -94,7 +94,10 @@ void check_scripts(const Document& document) {
     const auto check_read = [&](const std::string& registered) {
       BOOST_TEST(reads(script, registered), name << ".gp does not read " << registered);
     };
-    for (const auto& [block, data] : figure.data) check_read(block);
+    for (const auto& [block, data] : figure.data) {
+      check_read(block);
+      for (const auto& column : data.columns) check_read(column.first);
+    }
     for (const auto& [key, number] : figure.numbers) check_read(key);
     for (const auto& [key, text] : figure.texts) check_read(key);
   }

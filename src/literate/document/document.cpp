@@ -20,20 +20,6 @@
 
 namespace literate {
 namespace fs = std::filesystem;
-namespace {
-
-/// The files that the previous run wrote, which may be removed; none if it left no list of them.
-std::vector<std::string> former_files(const fs::path& output_dir) {
-  const fs::path list = output_dir / "names.json";
-  if (!fs::exists(list)) return {};
-  try {
-    return read_names(list).files;
-  } catch (const sys::OutputError&) {
-    return {};
-  }
-}
-
-}  // namespace
 
 void Document::remember(const std::string& kind, const std::string& name,
                         const SourcePlace& place) {
@@ -141,7 +127,7 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   std::ranges::sort(files);
   sys::write_file_atomically(staging.path() / "names.json",
                              names_json(registered_, excerpts, files));
-  staging.publish(former_files(output_dir));
+  staging.publish(former_files(output_dir / "names.json"));
 }
 
 }  // namespace literate

@@ -116,4 +116,13 @@ Names read_names(const std::filesystem::path& file) {
   }
 }
 
+std::vector<std::string> former_files(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) return {};
+  try {
+    return json::parse(sys::read_file(file)).at("files").get<std::vector<std::string>>();
+  } catch (const json::exception&) {
+    return {};
+  }
+}
+
 }  // namespace literate

@@ -34,4 +34,8 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
 /// Reads what names_json wrote; throws sys::OutputError naming a file that is missing or malformed.
 Names read_names(const std::filesystem::path& file);
 
+/// Only the files that a names.json lists, whichever version of the engine wrote it; none if it is
+/// missing or lists none. These may be removed when they are not made again.
+std::vector<std::string> former_files(const std::filesystem::path& file);
+
 }  // namespace literate

@@ -106,8 +106,9 @@ void require_drawn_well(const ScriptRun& run, const sys::ProcessResult& result) 
   }
   const std::string script = fmt::format("{}/{}.gp", run.label, run.name);
   if (result.exit_status != 0) {
-    throw sys::ToolError(fmt::format("{}: gnuplot ended with status {}: {} ({})", script,
-                                     result.exit_status, one_line(result.output),
+    const std::string said = one_line(result.output);
+    throw sys::ToolError(fmt::format("{}: gnuplot ended with status {}{}{} ({})", script,
+                                     result.exit_status, said.empty() ? "" : ": ", said,
                                      registration(run)));
   }
   for (const std::string extension : {".tex", ".pdf"}) {

@@ -25,10 +25,10 @@ using Compute = std::function<void(Document& document, const Inputs& inputs)>;
 /// 0 done, 1 a check, a claim or a computation failed, 2 bad input, 3 gnuplot or LaTeX failed.
 ///
 /// `compute` writes values, tables, excerpts and the figures' data, after it has made sure that the
-/// excerpts are what the program was compiled from; `draw` runs gnuplot on the figures that
-/// changed; `typeset` looks all names of the prose up,
-/// makes the PDF and its manifest; `check` looks for unknown and unused names and for typed
-/// numbers. Every error is one line on standard error that begins with the paper's name.
+/// excerpts are what the program was compiled from. `draw` runs gnuplot on the figures that
+/// changed. `typeset` looks up all names of the prose, makes the PDF and its manifest. `check` looks
+/// for unknown and unused names and for typed numbers. `describe` writes for archives what a folder
+/// of results holds. Every error is one line on standard error that begins with the paper's name.
 int main(int argc, char** argv, const Paper& paper, const Compute& compute);
 
 }  // namespace literate

@@ -39,7 +39,7 @@ function(export_headers target folder)
 endfunction()
 
 # add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] SOURCES … LINK …
-# PRIVATE_LINK …): the library of one folder of src (or of figures). LINK and PRIVATE_LINK are the architecture: the
+# PRIVATE_LINK …): the library of one folder of src. LINK and PRIVATE_LINK are the architecture: the
 # headers of other folders are found through them only. HEADERS: those that are exported, if not all of the folder.
 # ROOMS: the folders within, in their order; each uses only those before it (tests/toolchain/architecture_test.cpp).
 # NO_HEAVY_COMPUTING: optimising it fully would take the compiler longer than it would ever save. The presets release,

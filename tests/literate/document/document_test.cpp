@@ -130,6 +130,17 @@ BOOST_AUTO_TEST_CASE(files_no_longer_made_are_removed_and_foreign_ones_stay) {
   BOOST_TEST(fs::exists(out / "mine.txt"));
 }
 
+BOOST_AUTO_TEST_CASE(files_of_another_version_of_the_engine_are_removed_too) {
+  const ScratchFolder scratch;
+  sys::write_file_atomically(scratch / "out/figures/f.dat", "1 2\n");
+  sys::write_file_atomically(scratch / "out/names.json",
+                             R"({"figures": ["f"], "files": ["figures/f.dat"]})");
+
+  document_with(1).write(scratch / "out");
+
+  BOOST_TEST(!fs::exists(scratch / "out/figures/f.dat"));
+}
+
 BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_output_untouched) {
   const TemporaryFolder scratch;
   const fs::path out = scratch / "out";
