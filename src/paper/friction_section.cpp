@@ -12,6 +12,7 @@
 #include "contact/matrix_inversion.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "figures/partial_slip.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -28,6 +29,8 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
+using numerics::fit_power;
+using numerics::PowerFit;
 
 constexpr double friction_coefficient = 0.3;  // dry metals, and a round number
 constexpr double light_friction = 0.1;        // greased ones
@@ -331,8 +334,8 @@ void fit_slip_orders(literate::Document& document, parameters::ContactCase c) {
     bounds.push_back(2 * pressure_error(pair.solution));
     root_factor = std::max(root_factor, errors.largest * std::sqrt(elements.back()));
   }
-  const Power of_largest = fitted_power(elements, largest, bounds);
-  const Power of_mean = fitted_power(elements, mean, bounds);
+  const PowerFit of_largest = fit_power(elements, largest, bounds);
+  const PowerFit of_mean = fit_power(elements, mean, bounds);
   document.value("slip.fit.share", Value::exact(shares[1]));
   document.value("slip.fit.least", Value::fixed(closed_form(elements.front()), 0));
   document.value("slip.fit.most", Value::fixed(closed_form(elements.back()), 0));

@@ -16,6 +16,7 @@
 #include "contact/rounded_punch.hpp"
 #include "contact/wedge.hpp"
 #include "figures/profile_pressures.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -34,6 +35,7 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
+using numerics::fit_power;
 using parameters::ContactCase;
 
 // A profile that has a closed form, scaled to have the half-width of the cylinders.
@@ -189,9 +191,9 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
   bool edges_found = true;
   for (std::size_t k = 0; k < studies.size(); ++k) {
     const ProfileStudy& study = studies[k];
-    const double order = fitted_power(study.elements, study.inside).order;
+    const double order = fit_power(study.elements, study.inside).order;
     as_expected = as_expected && std::abs(order - expected[k]) < scatter;
-    const double away = fitted_power(study.elements, study.away).order;
+    const double away = fit_power(study.elements, study.away).order;
     second_order_away = second_order_away && std::abs(away - 2) < scatter;
     edges_found = edges_found && std::ranges::max(study.edge) < 0.25;
   }
@@ -238,9 +240,9 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
     const bool is_smooth = known.singular == none;
     table.add_row({Cell::latex(known.name), is_finite ? Cell(known.peak / p0) : Cell("∞"),
                    is_finite ? Cell(std::abs(e.peak)) : Cell(), std::abs(e.edge) / e.elements,
-                   e.inside, fitted_power(study.elements, study.inside).order,
+                   e.inside, fit_power(study.elements, study.inside).order,
                    is_smooth ? Cell() : Cell(e.away),
-                   is_smooth ? Cell() : Cell(fitted_power(study.elements, study.away).order)});
+                   is_smooth ? Cell() : Cell(fit_power(study.elements, study.away).order)});
   }
   document.table("profiles", std::move(table));
   document.figure("profile-pressures", 14, 9, [figure](literate::Plot& plot) {

@@ -11,6 +11,7 @@
 #include "contact/mcewen.hpp"
 #include "contact/traction.hpp"
 #include "figures/shear_beneath.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -27,6 +28,8 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
+using numerics::fit_power;
+using numerics::PowerFit;
 
 Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
   return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
@@ -234,7 +237,7 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
     errors.push_back(std::abs(shear / exact.shear - 1));
     bounds.push_back(4 * shear_error_of(solution));
   }
-  const Power power = fitted_power(elements, errors, bounds);
+  const PowerFit power = fit_power(elements, errors, bounds);
   document.value("stresses.fit.least", Value::fixed(closed_form(elements.front()), 0));
   document.value("stresses.fit.most", Value::fixed(closed_form(elements.back()), 0));
   document.value("stresses.fit.order", Value::fixed(power.order_estimate(), 1));
