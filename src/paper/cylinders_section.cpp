@@ -56,14 +56,6 @@ literate::Table comparison_table(const Solution& solution, const Hertz& hertz,
   return table;
 }
 
-// δ of Hertz's pressure at a datum outside the contact, where ξ = datum/a > 1 and the gap is h − δ:
-//   (a²/(2R)) [ξ/(ξ + √(ξ²−1)) + arcosh ξ], which does not cancel as h less the gap would.
-double hertz_approach(const parameters::ContactCase& c, const Hertz& hertz) {
-  const double xi = std::abs(c.datum) / hertz.half_width();
-  return c.cylinders.profile().gap(hertz.half_width()) *
-         (xi / (xi + std::sqrt((xi - 1) * (xi + 1))) + std::acosh(xi));
-}
-
 // What the elements make of something that Hertz has in closed form: wrong by the difference.
 Estimate against(const parameters::ContactCase& c, double elements, double exact) {
   return {elements, std::abs(elements - exact) + rounded(c, exact)};
@@ -194,9 +186,9 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
       "cylinders.width-error",
       Value::scientific_bound(
           Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)}, 1));
-  document.value("cylinders.approach", Value::significant(against(c, solution.approach(c.datum),
-                                                                  hertz_approach(c, hertz)),
-                                                          4, units.length));
+  document.value("cylinders.approach",
+                 Value::significant(against(c, solution.approach(c.datum), hertz.approach(c.datum)),
+                                    4, units.length));
   document.value("cylinders.datum", Value::exact(c.datum, units.length));
   register_residuals(document, solution, hertz, c, units);
 

@@ -52,10 +52,8 @@ constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double flat_share = 0.7;  // of the contact under the rounded punch
 
 double punch_curvature(const ContactCase& c, double a) {
-  const double b = flat_share * a;
-  const double angle = std::acos(flat_share);
-  return 2 * c.line_load /
-         (c.cylinders.contact_modulus() * (a * a * angle - b * std::sqrt(a * a - b * b)));
+  return contact::RoundedPunch::edge_curvature_for(c.cylinders.contact_modulus(), flat_share * a, a,
+                                                   c.line_load);
 }
 
 std::vector<KnownContact> known_contacts(const ContactCase& c, const Hertz& hertz) {
@@ -76,10 +74,8 @@ std::vector<KnownContact> known_contacts(const ContactCase& c, const Hertz& hert
   const contact::RoundedPunch punch(modulus, flat_share * a, curvature, load);
   add("rounded punch", Profile::rounded_punch(flat_share * a, curvature), punch,
       punch.peak_pressure(), flat_share * a);
-  double c_n = 0.5;  // (2n−1)!!/(2n)!! at n = 1
   for (const int n : {2, 3}) {
-    c_n *= (2.0 * n - 1) / (2 * n);
-    const double coefficient = load / (std::numbers::pi * modulus * n * c_n * std::pow(a, 2 * n));
+    const double coefficient = contact::PowerLaw::coefficient_for(modulus, n, a, load);
     const contact::PowerLaw law(modulus, coefficient, n, load);
     add(fmt::format("power law, $n = {}$", n), Profile::power_law(coefficient, n), law,
         law.peak_pressure(), none);
