@@ -46,8 +46,7 @@ ExitCode run(const ReportOptions& options) {
   literate::require_compiled(excerpts, compiled_excerpts);
   require_writable(options.output);
   literate::Document document;
-  paper::compute(document, from_file);
-  paper::register_coverage(document, options.source, excerpts);
+  paper::compute(document, from_file, paper::Listings{options.source, excerpts});
   computing.done(fmt::format("{} values, {} tables, {} checks, {} claims", document.values().size(),
                              document.tables().size(), document.checks().size(),
                              document.claims().size()));

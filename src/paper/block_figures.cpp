@@ -37,24 +37,28 @@ figures::ContourWindow sample(const block::Solution& solution, double left, doub
   return window;
 }
 
-figures::BlockContours contours(const parameters::Case& c, const BlockStudy& study) {
+figures::BlockContours contours(const parameters::HalfSpaceCase& half_space,
+                                const parameters::BlockCase& block_case,
+                                const config::UnitSystem& units, const BlockStudy& study) {
   const block::Solution& solution =
       study.fit() ? study.fit()->fit.solution.fine() : study.under_triangle().fine();
-  const block::Rectangle& r = c.block->rectangle;
-  const double a = c.half_space.load.half_width();
+  const block::Rectangle& r = block_case.rectangle;
+  const double a = half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
   return {sample(solution, r.left(), r.right(), r.height(), 0.08 * r.height() / largest),
-          sample(solution, -4 * a, 4 * a, 4 * a, 0.8 * a / largest), a, largest, c.units.length};
+          sample(solution, -4 * a, 4 * a, 4 * a, 0.8 * a / largest), a, largest, units.length};
 }
 
 // What each order of the elements leaves, on one mesh that is graded for this load alone.
-figures::BlockConvergence convergence(const parameters::Case& c, const BlockStudy& study) {
+figures::BlockConvergence convergence(const parameters::HalfSpaceCase& half_space,
+                                      const parameters::BlockCase& block_case,
+                                      const BlockStudy& study) {
   const auto options = study.measure_options();
   const auto measures_of = [&](int order) {
-    const block::Analysis analysis(c.block->rectangle, c.half_space.material, {c.half_space.load},
-                                   {.order = order, .refine = c.block->discretization.refine});
-    const block::Factorization factorization(analysis.fine(), block::with_sides(c.block->sides));
-    return block::measures(factorization.solve(c.half_space.load), options);
+    const block::Analysis analysis(block_case.rectangle, half_space.material, {half_space.load},
+                                   {.order = order, .refine = block_case.discretization.refine});
+    const block::Factorization factorization(analysis.fine(), block::with_sides(block_case.sides));
+    return block::measures(factorization.solve(half_space.load), options);
   };
   const auto exact = measures_of(highest_order);
   const auto value = [](const std::vector<block::Measure>& list, const std::string& name) {
@@ -77,14 +81,16 @@ figures::BlockConvergence convergence(const parameters::Case& c, const BlockStud
   return figure;
 }
 
-figures::BlockMesh mesh(const parameters::Case& c, const BlockStudy& study) {
-  const block::Mesh& m = study.on(c.block->sides).fine().model()->mesh();
-  return {m.x_lines(), m.z_lines(), c.half_space.load.half_width(), c.units.length};
+figures::BlockMesh mesh(const parameters::HalfSpaceCase& half_space,
+                        const parameters::BlockCase& block_case, const config::UnitSystem& units,
+                        const BlockStudy& study) {
+  const block::Mesh& m = study.on(block_case.sides).fine().model()->mesh();
+  return {m.x_lines(), m.z_lines(), half_space.load.half_width(), units.length};
 }
 
 // The largest misfit for each edge fraction, with the best peak for it.
-figures::FitMisfit misfits(const parameters::Case& c, const BlockStudy& study) {
-  const double a = c.half_space.load.half_width();
+figures::FitMisfit misfits(const parameters::HalfSpaceCase& half_space, const BlockStudy& study) {
+  const double a = half_space.load.half_width();
   figures::FitMisfit figure;
   for (int i = 0; i <= 100; ++i) figure.edge_fraction.push_back(0.01 * i);
   for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
@@ -103,10 +109,10 @@ figures::FitMisfit misfits(const parameters::Case& c, const BlockStudy& study) {
   return figure;
 }
 
-figures::LikeWithLike like_with_like(const parameters::Case& c, const BlockStudy& study) {
-  const parameters::HalfSpaceCase& h = c.half_space;
+figures::LikeWithLike like_with_like(const parameters::HalfSpaceCase& h,
+                                     const config::UnitSystem& units, const BlockStudy& study) {
   figures::LikeWithLike figure;
-  figure.unit = c.units.length;
+  figure.unit = units.length;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
     const double x = h.points.back() * i / n;
@@ -124,26 +130,29 @@ figures::LikeWithLike like_with_like(const parameters::Case& c, const BlockStudy
 
 }  // namespace
 
-void register_block_figures(literate::Document& document, const parameters::Case& from_file,
-                            const BlockStudy& study) {
+void register_block_figures(literate::Document& document,
+                            const parameters::HalfSpaceCase& half_space,
+                            const parameters::BlockCase& block_case,
+                            const config::UnitSystem& units, const BlockStudy& study) {
   document.value("block.highest-order", literate::Value::integer(highest_order));
   document.figure("block-contours", 15, 6.2,
-                  [d = contours(from_file, study)](literate::Plot& plot) {
+                  [d = contours(half_space, block_case, units, study)](literate::Plot& plot) {
                     figures::draw_block_contours(plot, d);
                   });
-  document.figure("block-mesh", 15, 5.4, [d = mesh(from_file, study)](literate::Plot& plot) {
-    figures::draw_block_mesh(plot, d);
-  });
+  document.figure("block-mesh", 15, 5.4,
+                  [d = mesh(half_space, block_case, units, study)](literate::Plot& plot) {
+                    figures::draw_block_mesh(plot, d);
+                  });
   document.figure("block-convergence", 10, 6.4,
-                  [d = convergence(from_file, study)](literate::Plot& plot) {
+                  [d = convergence(half_space, block_case, study)](literate::Plot& plot) {
                     figures::draw_block_convergence(plot, d);
                   });
   if (!study.fit()) return;
-  document.figure("fit-misfit", 10, 6.4, [d = misfits(from_file, study)](literate::Plot& plot) {
+  document.figure("fit-misfit", 10, 6.4, [d = misfits(half_space, study)](literate::Plot& plot) {
     figures::draw_fit_misfit(plot, d);
   });
   document.figure("like-with-like", 12.5, 7.2,
-                  [d = like_with_like(from_file, study)](literate::Plot& plot) {
+                  [d = like_with_like(half_space, units, study)](literate::Plot& plot) {
                     figures::draw_like_with_like(plot, d);
                   });
 }

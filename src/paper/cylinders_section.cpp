@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "figures/cylinder_pressure.hpp"
+#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "paper/printed_data.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -95,12 +98,12 @@ void register_residuals(literate::Document& document, const Solution& solution, 
                  "eqs. (1a), (1b) and equilibrium hold to rounding");
 }
 
-void claim_cylinders(literate::Document& document, const parameters::Case& from_file,
-                     const Solution& solution, const Hertz& hertz) {
-  const parameters::ContactCase& c = from_file.contact;
+void claim_cylinders(literate::Document& document, const parameters::ContactCase& c,
+                     const std::optional<PrintedData>& printed_data, const Solution& solution,
+                     const Hertz& hertz) {
   const double radius = 1 / c.cylinders.relative_curvature();
   const double share = hertz.half_width() / radius;
-  if (from_file.printed) {
+  if (printed_data) {
     document.claim("contact-is-small",
                    {.sentence = "The area of contact is finite though small compared with the "
                                 "dimensions of the two bodies.",
@@ -146,9 +149,9 @@ Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
 
 }  // namespace
 
-void compute_cylinders(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
-  const config::UnitSystem& units = from_file.units;
+void compute_cylinders(literate::Document& document, const parameters::ContactCase& c,
+                       const config::UnitSystem& units,
+                       const std::optional<PrintedData>& printed_data) {
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
 
@@ -192,7 +195,7 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
   document.value("cylinders.datum", Value::exact(c.datum, units.length));
   register_residuals(document, solution, hertz, c, units);
 
-  claim_cylinders(document, from_file, solution, hertz);
+  claim_cylinders(document, c, printed_data, solution, hertz);
   document.table("cylinders", comparison_table(solution, hertz, units));
   document.table("cylinder-refinement", refinement_table(c, hertz));
   document.figure("cylinder-pressure", 12, 8.4,

@@ -11,11 +11,12 @@
 #include "elasticity/uniform_load.hpp"
 #include "figures/element_kinds.hpp"
 #include "figures/pressure_convergence.hpp"
+#include "literate/document/document.hpp"
 #include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/element_quality.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -256,8 +257,7 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
 
 }  // namespace
 
-void compute_elements(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
+void compute_elements(literate::Document& document, const parameters::ContactCase& c) {
   const Hertz hertz(c.cylinders, c.line_load);
   document.figure("element-kinds", 14, 6.6, [figure = element_figure()](literate::Plot& plot) {
     figures::draw_element_kinds(plot, figure);

@@ -13,10 +13,11 @@
 #include "contact/matrix_inversion.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "figures/partial_slip.hpp"
+#include "literate/document/document.hpp"
 #include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -376,8 +377,7 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
 
 }  // namespace
 
-void compute_friction(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
+void compute_friction(literate::Document& document, const parameters::ContactCase& c) {
   const Pair own = pair_of(c, c.body1.material, c.body2.material);
   document.value("friction.mu", Value::exact(friction_coefficient));
   compare_bodies(document, c, own);

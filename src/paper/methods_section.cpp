@@ -8,10 +8,11 @@
 #include "contact/influence_operator.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
+#include "literate/document/document.hpp"
 #include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -155,8 +156,7 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
 
 }  // namespace
 
-void compute_methods(literate::Document& document, const parameters::Case& from_file) {
-  const ContactCase& c = from_file.contact;
+void compute_methods(literate::Document& document, const parameters::ContactCase& c) {
   const Hertz hertz(c.cylinders, c.line_load);
   register_methods(document, c, hertz);
   register_large_grids(document, c, hertz);

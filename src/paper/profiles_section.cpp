@@ -16,10 +16,11 @@
 #include "contact/rounded_punch.hpp"
 #include "contact/wedge.hpp"
 #include "figures/profile_pressures.hpp"
+#include "literate/document/document.hpp"
 #include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -265,9 +266,9 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
 
 }  // namespace
 
-void compute_profiles(literate::Document& document, const parameters::Case& from_file) {
-  const ContactCase& c = from_file.contact;
-  register_profiles(document, c, Hertz(c.cylinders, c.line_load), from_file.units);
+void compute_profiles(literate::Document& document, const parameters::ContactCase& c,
+                      const config::UnitSystem& units) {
+  register_profiles(document, c, Hertz(c.cylinders, c.line_load), units);
 }
 
 }  // namespace paper

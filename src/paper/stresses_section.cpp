@@ -12,10 +12,11 @@
 #include "contact/sliding_hertz.hpp"
 #include "contact/traction.hpp"
 #include "figures/shear_beneath.hpp"
+#include "literate/document/document.hpp"
 #include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -314,8 +315,7 @@ figures::ShearBeneath shear_figure(const Solution& solution, const Hertz& hertz)
 
 }  // namespace
 
-void compute_stresses(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
+void compute_stresses(literate::Document& document, const parameters::ContactCase& c) {
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
   const PiecewiseLinearTraction traction = contact::traction_on(solution, {});
