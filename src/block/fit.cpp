@@ -12,7 +12,8 @@ namespace {
 
 using Observed = std::vector<SurfaceDisplacement>;
 
-// u_k(x_i)/u_i, one row an observation, one column a load, on one of the two discretisations.
+// Returns A_ik = u_k(x_i)/u_i, a row for each observation and a column for each load, on one of the
+// two discretisations.
 Eigen::MatrixXd relative_displacements(const std::vector<RefinedSolution>& solutions,
                                        const Solution& (RefinedSolution::*mesh)() const,
                                        const Observed& observed) {
@@ -27,6 +28,8 @@ Eigen::MatrixXd relative_displacements(const std::vector<RefinedSolution>& solut
   return ratios;
 }
 
+// The factors f that make Σ_i (Σ_k A_ik f_k − 1)² least, where A are the ratios: the sum of the
+// squared relative misfits.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& ratios) {
   return ratios.colPivHouseholderQr().solve(Eigen::VectorXd::Ones(ratios.rows()));
 }
@@ -54,7 +57,8 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
   for (Index k = 0; k < fine.size(); ++k) {
     factors.push_back({fine[k], std::abs(fine[k] - coarse[k])});
   }
-  const Eigen::VectorXd residuals = ratios * fine - Eigen::VectorXd::Ones(ratios.rows());
+  const Eigen::VectorXd residuals =
+      ratios * fine - Eigen::VectorXd::Ones(ratios.rows());  // A f − 1
   return {factors,
           {residuals.begin(), residuals.end()},
           residuals.cwiseAbs().maxCoeff(),
