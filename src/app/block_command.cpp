@@ -35,7 +35,7 @@ struct BlockOptions {
         height(command, "--height", "Height of the block (default: the case's)"),
         order(command, "--order",
               "Polynomial order of the elements, 2 to 10 (default: the case's)"),
-        refine(command, "--refine", "Level of grading, 0 to 6 (default: the case's)") {
+        refine(command, "--refine", "Level of refinement, 0 to 6 (default: the case's)") {
     add_required_text(command, "--case", case_file, "FILE",
                       "Case file; flags override what it says");
     add_text(command, "--load", load, "SHAPE",

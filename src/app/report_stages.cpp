@@ -16,10 +16,8 @@ literate::Paper described_paper() {
 }
 
 void compute(literate::Document& document, const literate::Inputs& inputs) {
-  const parameters::Case from_file = parameters::read_case(inputs.case_file);
-  paper::compute(document, from_file);
-  paper::describe_provenance(document, from_file, literate::this_paper());
-  paper::register_coverage(document, inputs.source, inputs.excerpts);
+  paper::compute(document, parameters::read_case(inputs.case_file),
+                 paper::Listings{inputs.source, inputs.excerpts}, literate::this_paper());
 }
 
 }  // namespace

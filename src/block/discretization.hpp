@@ -12,14 +12,14 @@ namespace block {
 /// How finely the block is divided.
 struct Discretization {
   int order = 7;                ///< polynomial degree p of the elements, 2 … 10
-  int refine = 1;               ///< level of grading, 0 … 6
+  int refine = 1;               ///< level of refinement, 0 … 6
   double max_megabytes = 2000;  ///< a mesh estimated to need more is refused
 };
 
 /// Throws InvalidQuantity for an order or a refinement out of range.
 void require_valid(const Discretization& discretization);
 
-/// The discretisation an error is estimated with: one order and, above 0, one level of grading
+/// The discretisation an error is estimated with: one order and, above 0, one level of refinement
 /// less.
 Discretization coarser(const Discretization& discretization);
 

@@ -82,14 +82,14 @@ UnknownSplit split_unknowns(int order) {
 
 CondensedStiffness condense(const Eigen::MatrixXd& stiffness, const UnknownSplit& split) {
   CondensedStiffness result;
-  result.edge = stiffness(split.edge, split.edge);
-  const Eigen::MatrixXd coupling = stiffness(split.interior, split.edge);
+  result.edge = stiffness(split.edge, split.edge);                         // K_ee
+  const Eigen::MatrixXd coupling = stiffness(split.interior, split.edge);  // K_ie
   result.interior.compute(stiffness(split.interior, split.interior));
   if (result.interior.info() != Eigen::Success) {
     throw FactorizationError("the interior stiffness of an element is not positive definite");
   }
-  result.recovery = result.interior.solve(coupling);
-  result.edge.noalias() -= coupling.transpose() * result.recovery;
+  result.recovery = result.interior.solve(coupling);                // R = K_ii⁻¹ K_ie
+  result.edge.noalias() -= coupling.transpose() * result.recovery;  // K_ee − K_ei R
   return result;
 }
 

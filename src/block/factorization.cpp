@@ -36,7 +36,7 @@ Factorization::Factorization(std::shared_ptr<const Model> model, const Supports&
   assembly_seconds_ = seconds_since(start);
 
   const auto assembled = Clock::now();
-  factor_.compute(matrix_);
+  factor_.compute(matrix_);  // S = L D Lᵀ, after a renumbering that keeps L sparse
   factorization_seconds_ = seconds_since(assembled);
   if (factor_.info() != Eigen::Success) {
     throw FactorizationError(
@@ -46,10 +46,6 @@ Factorization::Factorization(std::shared_ptr<const Model> model, const Supports&
 
 Index Factorization::n_unknowns() const {
   return matrix_.rows() + n_free_interior_;
-}
-
-Index Factorization::n_factor_entries() const {
-  return factor_.matrixL().nestedExpression().nonZeros();
 }
 
 bool Factorization::is_held(Index node, int component) const {
@@ -87,6 +83,8 @@ std::vector<Index> Factorization::interior_unknowns(Index element) const {
   return select(model_->unknowns(element), model_->split().interior);
 }
 
+// Adds up S = Σ_e (K_ee − K_ei R), the condensed stiffness of the elements, on the unknowns that
+// are not held; its lower triangle.
 Factorization::Matrix Factorization::assemble() const {
   std::vector<Eigen::Triplet<double, int>> triplets;
   for (Index e = 0; e < model_->mesh().n_elements(); ++e) {
@@ -114,19 +112,19 @@ Solution Factorization::solve(const elasticity::Load& load) const {
 }
 
 Solution Factorization::solve(const Loading& loading) const {
-  // Turn what acts into nodal forces
+  // Turn what acts into nodal forces f
   const Mesh& mesh = model_->mesh();
   Eigen::VectorXd forces = surface_forces(mesh, model_->basis(), loading.surface);
   if (loading.body_force) forces += body_forces(mesh, model_->basis(), loading.body_force);
 
   // Solve, and refine once: it wins back the digits that the condensation of thin elements lost
   Eigen::VectorXd displacements = held_displacements(loading.prescribed_displacement);
-  Eigen::VectorXd residual = forces;
+  Eigen::VectorXd residual = forces;  // r = f − K u
   if (loading.prescribed_displacement) residual -= model_->internal_forces(displacements);
   const double scale = residual.norm();
   for (int step = 0; step < 2; ++step) {
-    correct(residual, displacements);
-    residual = forces - model_->internal_forces(displacements);
+    correct(residual, displacements);                            // u = u + K⁻¹ r
+    residual = forces - model_->internal_forces(displacements);  // r = f − K u
   }
 
   // What is left on the held unknowns is what the supports carry; elsewhere only rounding may be
@@ -154,7 +152,7 @@ Eigen::VectorXd Factorization::held_displacements(const Field& prescribed) const
   return held_part(displacements);
 }
 
-// The vector with all but the held unknowns set to zero.
+// Returns the vector with all but the held unknowns set to zero.
 Eigen::VectorXd Factorization::held_part(const Eigen::VectorXd& vector) const {
   Eigen::VectorXd held = Eigen::VectorXd::Zero(vector.size());
   for (Index node = 0; node < model_->mesh().n_nodes(); ++node) {
@@ -165,7 +163,7 @@ Eigen::VectorXd Factorization::held_part(const Eigen::VectorXd& vector) const {
   return held;
 }
 
-// f_e − Rᵀf_i, element by element, on the condensed unknowns.
+// Adds up f_e − Rᵀf_i, element by element, on the condensed unknowns.
 Eigen::VectorXd Factorization::condensed_forces(const Eigen::VectorXd& forces) const {
   Eigen::VectorXd condensed = Eigen::VectorXd::Zero(matrix_.rows());
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -188,7 +186,7 @@ Eigen::VectorXd Factorization::condensed_forces(const Eigen::VectorXd& forces) c
 // u_i = K_ii⁻¹ f_i − R u_e.
 void Factorization::correct(const Eigen::VectorXd& residual, Eigen::VectorXd& displacements) const {
   Eigen::VectorXd correction = Eigen::VectorXd::Zero(displacements.size());
-  const Eigen::VectorXd condensed = factor_.solve(condensed_forces(residual));
+  const Eigen::VectorXd condensed = factor_.solve(condensed_forces(residual));  // u_e
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     if (numbers_[i] >= 0) correction[static_cast<Index>(i)] = condensed[numbers_[i]];
   }
@@ -197,7 +195,7 @@ void Factorization::correct(const Eigen::VectorXd& residual, Eigen::VectorXd& di
     if (interior.empty()) break;
     const CondensedStiffness& element = model_->condensed(e);
     const Eigen::VectorXd edge = correction(edge_unknowns(e));
-    const Eigen::VectorXd inner_forces = residual(interior);
+    const Eigen::VectorXd inner_forces = residual(interior);  // f_i
     correction(interior) = element.interior.solve(inner_forces) - element.recovery * edge;
   }
   displacements += correction;

@@ -45,9 +45,6 @@ class Factorization {
   Index n_unknowns() const;
   Index n_condensed_unknowns() const { return matrix_.rows(); }
 
-  /// Non-zeros of the factor L.
-  Index n_factor_entries() const;
-
   /// Seconds of wall time: of assembly, and of factorisation.
   double assembly_seconds() const { return assembly_seconds_; }
   double factorization_seconds() const { return factorization_seconds_; }

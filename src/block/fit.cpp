@@ -19,7 +19,8 @@ struct FreeWorkspace {
   void operator()(gsl_multifit_linear_workspace* w) const { gsl_multifit_linear_free(w); }
 };
 
-// u_k(x_i)/u_i, one row an observation, one column a load, on one of the two discretisations.
+// Returns A_ik = u_k(x_i)/u_i, a row for each observation and a column for each load, on one of the
+// two discretisations.
 Ratios relative_displacements(const std::vector<RefinedSolution>& solutions,
                               const Solution& (RefinedSolution::*mesh)() const,
                               const Observed& observed) {
@@ -34,8 +35,9 @@ Ratios relative_displacements(const std::vector<RefinedSolution>& solutions,
   return ratios;
 }
 
-// The factors c with the least |ratios c − 1|, by GSL's singular values. (Eigen's QR takes the
-// compiler ten seconds.)
+// The factors f that make Σ_i (Σ_k A_ik f_k − 1)² least, where A are the ratios: the sum of the
+// squared relative misfits.
+// By GSL's singular values: Eigen's QR takes the compiler ten seconds.
 Eigen::VectorXd least_squares(const Ratios& ratios) {
   const auto n_rows = static_cast<std::size_t>(ratios.rows());
   const auto n_columns = static_cast<std::size_t>(ratios.cols());
@@ -76,7 +78,8 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
   for (Index k = 0; k < fine.size(); ++k) {
     factors.push_back({fine[k], std::abs(fine[k] - coarse[k])});
   }
-  const Eigen::VectorXd residuals = ratios * fine - Eigen::VectorXd::Ones(ratios.rows());
+  const Eigen::VectorXd residuals =
+      ratios * fine - Eigen::VectorXd::Ones(ratios.rows());  // A f − 1
   return {factors,
           {residuals.begin(), residuals.end()},
           residuals.cwiseAbs().maxCoeff(),

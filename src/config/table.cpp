@@ -207,9 +207,10 @@ std::chrono::sys_seconds Table::instant(const std::string& key) const {
          seconds(given->time.second);
 }
 
-void Table::reject_unknown_keys() const {
+void Table::reject_unknown_keys(const std::set<std::string>& left_to_others) const {
   for (const auto& [key, node] : *node_->table) {
     const std::string name(key.str());
+    if (left_to_others.contains(name)) continue;
     if (!node_->document->asked_for.contains(&node)) {
       throw Error(fmt::format("{}: {}: unknown key", place_in(node_->document->file, key.source()),
                               node_->path_of(name)));

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,8 +68,9 @@ class Table {
     }
   }
 
-  /// Throws Error for the first key of this table or of one below that was never asked for.
-  void reject_unknown_keys() const;
+  /// Throws Error for the first key, here or below, that nobody has asked for. Tables of this one
+  /// that are named in `left_to_others` are not looked into: their own readers do so.
+  void reject_unknown_keys(const std::set<std::string>& left_to_others = {}) const;
 
   /// The place of the value of `key`, or of the table if it has no such key: «file:line:column».
   std::string place(const std::string& key) const;

@@ -33,18 +33,19 @@ class GivenEdges {
   const ReferenceGrid& grid() const { return grid_; }
   const MatrixXd& bulge() const { return bulge_; }
 
-  // φ at the nodes, then δ − h(centre); h enters by differences, which small contacts need.
+  // Returns φ at the nodes, then δ − h(centre). h enters by its differences, because those of a
+  // small contact would be lost in h itself.
   VectorXd solve(Edges edges) const {
     const double centre = grid_.x(grid_.n_nodes() / 2, edges);
     VectorXd right_side(grid_.n_nodes() + 1);
     for (Index i = 0; i < grid_.n_nodes(); ++i) {
       right_side[i] = profile_.rise(centre, grid_.x(i, edges));
     }
-    right_side[grid_.n_nodes()] = total_;
+    right_side[grid_.n_nodes()] = total_;  // Σ w φ = 2P/(πE*)
     return matrix_.solve(right_side);
   }
 
-  // p at the left edge and −p at the right, in units of the mean pressure. Both are to be zero. A
+  // Returns p at the left edge and −p at the right, over the mean pressure. Both must vanish. A
   // singular pressure at an edge is the energy that moving it releases, so this is a gradient, of a
   // function of the edges that is convex if the profile is.
   Vector2d gradient(Edges edges) const {
@@ -71,19 +72,23 @@ Edges moved(const Profile& profile, Edges edges, const Vector2d& step) {
 // the matrix regular; it delays convergence by as little. Where the function curves down, between
 // two hills, the step is along the gradient.
 Vector2d newton_step(const GivenEdges& contact, Edges edges) {
+  // Differentiate the gradient g(b) by differences: H = ∂g/∂b, b the two edges
   const double a = (edges.right - edges.left) / 2;
-  const double difference = 1e-5 * a;
+  const double difference = 1e-5 * a;  // where truncation and the gradient's rounding are alike
   const Vector2d gradient = contact.gradient(edges);
   Eigen::Matrix2d slope;
   slope.col(0) = contact.gradient({edges.left + difference, edges.right}) - gradient;
   slope.col(1) = gradient - contact.gradient({edges.left, edges.right - difference});
   slope /= difference;
   slope.diagonal().array() += 1e-6 * slope.cwiseAbs().maxCoeff();
-  // Cramer's rule
+
+  // Solve H s = −g by Cramer's rule
   const double determinant = slope(0, 0) * slope(1, 1) - slope(0, 1) * slope(1, 0);
   Vector2d step(slope(0, 1) * gradient[1] - slope(1, 1) * gradient[0],
                 slope(1, 0) * gradient[0] - slope(0, 0) * gradient[1]);
   step /= determinant;
+
+  // Go downhill, and not too far: s = −a² g where (s, g) ≥ 0, |s| ≤ a/2
   if (!(step.dot(gradient) < 0)) step = -a * a * gradient;
   const double greatest = step.cwiseAbs().maxCoeff();
   return greatest > a / 2 ? Vector2d(step * (a / 2 / greatest)) : step;
@@ -157,7 +162,7 @@ GradedSolution solve_on_graded_grid(const Profile& profile, double contact_modul
   const GivenEdges contact(profile, total, n_elements);
   const int n_iterations = find_edges(profile, contact, edges);
 
-  // Back to stresses and to where the profile is.
+  // Turn the loads of nodes into stresses, and the differences of h into h
   const ReferenceGrid& grid = contact.grid();
   const Index n = grid.n_nodes();
   const VectorXd unknowns = contact.solve(edges);

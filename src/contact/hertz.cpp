@@ -29,4 +29,11 @@ double Hertz::gap(double x) const {
   return scale * (xi * std::sqrt((xi - 1) * (xi + 1)) - std::acosh(xi));
 }
 
+double Hertz::approach(double datum) const {
+  const double xi = std::abs(sys::require_finite("datum", datum)) / half_width_;
+  const double scale = half_width_ * half_width_ * relative_curvature_ / 2;
+  if (xi <= 1) return scale * xi * xi;
+  return scale * (xi / (xi + std::sqrt((xi - 1) * (xi + 1))) + std::acosh(xi));
+}
+
 }  // namespace contact

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 using Complex = std::complex<double>;
 using Spectrum = std::span<Complex>;
 
-// Without the care for infinities that makes operator* slow.
+// Multiplies without the care for infinities that makes operator* slow.
 Complex product(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -23,7 +23,8 @@ std::size_t size_of(Index n) {
   return static_cast<std::size_t>(n);
 }
 
-// T(k+1) − T(k) at the lags k = 0, 1, … from the front and −1, −2, … from the back: odd about −½.
+// Fills the signal with T(k+1) − T(k), which is odd about k = −½: the lags k = 0, 1, … from the
+// front, −1, −2, … from the back.
 void fill_with_differences(std::span<double> signal, Element element) {
   const std::size_t half = signal.size() / 2;
   for (std::size_t k = 0; k < half; ++k) {
@@ -33,7 +34,7 @@ void fill_with_differences(std::span<double> signal, Element element) {
   }
 }
 
-// T(k) at the lags k = 0, ±1, ….
+// Fills the signal with T(k) at the lags k = 0, ±1, ….
 void fill_with_coefficients(std::span<double> signal, Element element) {
   const std::size_t half = signal.size() / 2;
   signal[0] = influence_coefficient(element, 0);
@@ -72,13 +73,16 @@ void InfluenceOperator::store(VectorXd& result, Index n) {
   result = Eigen::Map<const VectorXd>(fourier_.signal().data(), n);
 }
 
+// T is a Toeplitz matrix, T_ij = T(i−j), and so a corner of a circulant one of twice its size,
+// which the Fourier transform F diagonalises: Tφ = F⁻¹ Λ F φ with φ continued by zeros.
 void InfluenceOperator::potentials(const VectorXd& phi, VectorXd& result) {
-  load(phi);
+  load(phi);  // F φ
   const Spectrum spectrum = fourier_.spectrum();
-  for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= eigenvalues_[k];
-  store(result, n_);
+  for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= eigenvalues_[k];  // Λ F φ
+  store(result, n_);  // F⁻¹ Λ F φ
 }
 
+// (Tφ)_{i+1} − (Tφ)_i = Σ_j [T(i+1−j) − T(i−j)] φ_j, with the spectrum of these differences.
 void InfluenceOperator::rises(const VectorXd& phi, VectorXd& result) {
   load(phi);
   const Spectrum spectrum = fourier_.spectrum();
@@ -87,6 +91,8 @@ void InfluenceOperator::rises(const VectorXd& phi, VectorXd& result) {
   store(result, n_ - 1);
 }
 
+// −F⁻¹ Λ⁻¹ F r: the inverse of the circulant matrix, without its mean, of which δ takes care. Λ
+// holds the scale 1/N of the transforms, which its inverse needs twice.
 void InfluenceOperator::precondition(const VectorXd& residual, VectorXd& result) {
   load(residual);
   const Spectrum spectrum = fourier_.spectrum();
@@ -98,8 +104,8 @@ void InfluenceOperator::precondition(const VectorXd& residual, VectorXd& result)
 
 namespace {
 
-// Σ_j t(i−j) φ_j, i = 0 … n_rows−1, the values φ standing from `first` on. fill() puts t(k) at the
-// lags k = 0, 1, … from the front of a signal and k = −1, −2, … from its back.
+// Returns Σ_j t(i−j) φ_j, i = 0 … n_rows−1, where the values φ stand from `first` on. fill() puts
+// t(k) at the lags k = 0, 1, … from the front of a signal and k = −1, −2, … from its back.
 template <class Fill>
 VectorXd convolution(const Fill& fill, const VectorXd& phi, Index first, Index n_rows) {
   const Index reach = std::max(first + phi.size(), n_rows - first);  // of the lags, either way

@@ -41,7 +41,8 @@ struct State {
 };
 
 // begin excerpt: matrix-inversion
-// Eq. (1a) at each node in contact, and equilibrium, as one linear system.
+// Solves eq. (1a) at each node i in contact, and equilibrium, as one linear system for φ and δ:
+//   Σ_j T_ij φ_j + δ = h_i,  Σ_j w_j φ_j = 2P/(πE*).
 State solve_for_contact(const DenseSystem& system, const Indices& contact) {
   const Index n = std::ssize(contact);
   MatrixXd matrix = MatrixXd::Ones(n + 1, n + 1);
@@ -59,7 +60,7 @@ State solve_for_contact(const DenseSystem& system, const Indices& contact) {
   return state;
 }
 
-// u_z1 + u_z2 + h − δ at every node.
+// g_i = u_z1 + u_z2 + h − δ = h_i − δ − Σ_j T_ij φ_j at every node.
 VectorXd gap_of(const DenseSystem& system, const State& state, const Indices& contact) {
   VectorXd gap = system.initial_gap().array() - state.approach;
   for (Index i = 0; i < system.size(); ++i) {

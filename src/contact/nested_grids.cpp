@@ -22,13 +22,23 @@ using Eigen::VectorXd;
 
 using Level = NestedSolution;
 
-// A guess that says: in contact, carrying next to nothing yet.
+// The load of a node that is put in contact and carries next to nothing yet.
 constexpr double touching = 1e-300;
 
 VectorXd rises_of(const Profile& profile, const Grid& grid, Index first, Index n) {
   return VectorXd::NullaryExpr(
       n - 1, [&](Index i) { return profile.rise(grid.x(first + i), grid.x(first + i + 1)); });
 }
+
+// Around the contact a window leaves room on either side, because the contact that comes from the
+// coarser grid is wrong by a few nodes, and by more the wider it is. Too little room costs another
+// search, too much makes every transform longer.
+constexpr Index least_room = 8;          // nodes
+constexpr Index nodes_a_room_node = 64;  // nodes in contact for each further node of room
+
+// The coarsest grid has no more nodes than this. It is solved from a uniform pressure, in
+// microseconds and a few revisions of the contact.
+constexpr Index most_nodes_of_coarsest = 128;
 
 // The part of a grid that holds all contact, with room for it to grow.
 struct Window {
@@ -41,7 +51,7 @@ Window window_around(const VectorXd& phi) {
   Index last = phi.size() - 1;
   while (phi[first] == 0) ++first;
   while (phi[last] == 0) --last;
-  const Index margin = 8 + (last - first) / 64;
+  const Index margin = least_room + (last - first) / nodes_a_room_node;
   first = std::max<Index>(0, first - margin);
   last = std::min(phi.size() - 1, last + margin);
   return {first, last - first + 1};
@@ -84,12 +94,15 @@ class LevelSolver {
     bool settled = false;
     bool has_room = true;
     while (!settled && has_room) {
+      // Solve eq. (1a) in the contact as it is, then revise the contact
       if (++level.work.solves > max_revisions) {
         throw ContactError(fmt::format("the contact did not settle in {} solves", max_revisions));
       }
       pressures.solve(phi, in_contact, tolerance_);
       settled =
           contact_search.revise(in_contact, phi, pressures.gap(), tolerance_ * phi.maxCoeff());
+
+      // Take away tension and what has left the contact, and make the load P again
       phi = in_contact.select(phi.cwiseMax(0), 0);
       phi *= total / phi.sum();
       has_room = !(is_cut_left && in_contact[0]) && !(is_cut_right && in_contact[window.n - 1]);
@@ -104,6 +117,7 @@ class LevelSolver {
 
   // Whether eq. (1b) holds on all of the grid; where it does not, nodes are put in contact.
   bool enters_nowhere_else(Level& level, const Window& window) const {
+    // Compute the gap on the whole grid: g = h − δ − Tφ from its differences
     const Index n = level.grid.n_nodes;
     const VectorXd rises =
         rises_of(problem_.profile, level.grid, 0, n) -
@@ -116,6 +130,7 @@ class LevelSolver {
     const ContactMask in_contact = level.phi.array() > 0;
     level.gap.array() -= in_contact.select(level.gap, 0).sum() / in_contact.cast<double>().sum();
 
+    // Put the nodes outside the window that penetrate in contact
     const double smallest_gap = tolerance_ * level.phi.maxCoeff();
     bool enters = false;
     for (Index i = 0; i < n; ++i) {
@@ -133,11 +148,10 @@ class LevelSolver {
   const ProgressReport& report_;
 };
 
-// The same domain with half the nodes, and again, down to a few, the coarsest first.
+// Divides the domain into half as many elements again and again; the coarsest grid comes first.
 std::vector<Grid> nested_grids(const Grid& finest) {
-  constexpr Index few = 128;
   std::vector<Grid> grids{finest};
-  while (grids.back().n_nodes > few) {
+  while (grids.back().n_nodes > most_nodes_of_coarsest) {
     Grid coarser = grids.back();
     coarser.n_nodes = (coarser.n_nodes + 1) / 2;
     coarser.spacing = (finest.end() - finest.begin()) / static_cast<double>(coarser.n_nodes);
@@ -166,7 +180,7 @@ NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, d
                                          : prolongate(level.grid, level.phi, grid);
     phi *= total / phi.sum();
     level = {grid, std::move(phi), {}, 0, {}};
-    constexpr double enough_to_start_from = 1e-6;
+    constexpr double enough_to_start_from = 1e-6;  // less than interpolation spoils
     const bool is_finest = grid.n_nodes == problem.grid.n_nodes;
     const double wanted = is_finest ? tolerance : std::max(tolerance, enough_to_start_from);
     LevelSolver(problem, wanted, is_finest, report).solve(level);
@@ -182,7 +196,8 @@ ElementLoads element_loads(const Problem& problem, NestedSolution nested) {
     if (nested.phi[j] == 0) continue;
     sum += influence_coefficient(problem.element, static_cast<double>(i - j)) * nested.phi[j];
   }
-  const double approach = problem.profile.gap(nested.grid.x(i)) - sum - nested.gap[i];
+  const double approach =
+      problem.profile.gap(nested.grid.x(i)) - sum - nested.gap[i];  // h − Tφ − g
   return {std::move(nested.phi), std::move(nested.gap), approach, nested.error, nested.work};
 }
 

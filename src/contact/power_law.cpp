@@ -63,6 +63,14 @@ PowerLaw::PowerLaw(double contact_modulus, double coefficient, int n, double lin
                        sys::require_positive("coefficient", coefficient) * load_coefficient_),
           0.5 / n)) {}
 
+double PowerLaw::coefficient_for(double contact_modulus, int n, double half_width,
+                                 double line_load) {
+  return sys::require_positive("load", line_load) /
+         (std::numbers::pi * sys::require_positive("contact_modulus", contact_modulus) * n *
+          checked_coefficient(n) *
+          std::pow(sys::require_positive("half_width", half_width), 2 * n));
+}
+
 double PowerLaw::peak_pressure() const {
   // With z = ξ², p' has the sign of 2(1−z)s' − s: one sign change among its coefficients, one root,
   // where p is flat, so that bisection to 1e-9 gives all digits of p.

@@ -16,6 +16,10 @@ class PowerLaw {
   /// length), each > 0, and n from 1 to Profile::max_power, or InvalidQuantity is thrown.
   PowerLaw(double contact_modulus, double coefficient, int n, double line_load);
 
+  /// The coefficient A = P/(πE* n c_n a^{2n}) that gives a contact of half-width a > 0 under the
+  /// load P. Accuracy and errors as for half_width().
+  static double coefficient_for(double contact_modulus, int n, double half_width, double line_load);
+
   /// a = [P/(πE* n A c_n)]^{1/(2n)}, a length.
   double half_width() const { return half_width_; }
   double line_load() const { return line_load_; }

@@ -8,7 +8,10 @@
 namespace contact {
 
 /// Two bodies to be pressed together, and the elements to find their pressure with. What remains
-/// to be said is how hard: by the load, or by the approach.
+/// to be said is how hard: by the load P, or by the approach δ.
+///
+/// Where the bodies touch, u_z1 + u_z2 + h = δ and p ≥ 0. This is eq. (1a) of the paper.
+/// Elsewhere u_z1 + u_z2 + h > δ and p = 0. This is eq. (1b) of the paper.
 struct Problem {
   Profile profile;
   double contact_modulus;  ///< E*, a stress

@@ -68,6 +68,17 @@ RoundedPunch::RoundedPunch(double contact_modulus, double flat_half_width, doubl
       overhang_(chord_ * (chord_ / (half_width_ + flat_half_width))),
       angle_(std::atan2(chord_, flat_half_width)) {}
 
+double RoundedPunch::edge_curvature_for(double contact_modulus, double flat_half_width,
+                                        double half_width, double line_load) {
+  const double b = checked_flat(flat_half_width);
+  const double a = sys::require_finite("half_width", half_width);
+  if (!(a > b)) throw sys::InvalidQuantity("half_width", a, "greater than that of the flat");
+  const double angle = std::acos(b / a);
+  return 2 * sys::require_positive("load", line_load) /
+         (sys::require_positive("contact_modulus", contact_modulus) *
+          (a * a * angle - b * std::sqrt(a * a - b * b)));
+}
+
 // a − x, from a or from a − b, whichever has the digits; the edge is where half_width() says,
 // unless that was rounded to b.
 double RoundedPunch::to_edge(double x) const {

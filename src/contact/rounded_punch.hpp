@@ -16,6 +16,12 @@ class RoundedPunch {
   RoundedPunch(double contact_modulus, double flat_half_width, double edge_curvature,
                double line_load);
 
+  /// The edge curvature κ = 2P/(E*(a²ψ − b w)), 1/length, that gives a contact of half-width a > b
+  /// under the load P. Accuracy: relative, a few ε times a²ψ/(a²ψ − b w), which grows as a → b.
+  /// Throws InvalidQuantity for arguments not in the constructor's range and unless a > b.
+  static double edge_curvature_for(double contact_modulus, double flat_half_width,
+                                   double half_width, double line_load);
+
   /// a, the root of P = (E*κ/2) (a²ψ − b w), and a − b > 0; lengths. Accuracy: 1e-15 relative, of
   /// a − b also where it is lost beside b and half_width() rounds to b.
   double half_width() const { return half_width_; }

@@ -47,6 +47,7 @@ Minimum minimise(const DenseSystem& system, double smallest_gap, int max_product
   double previous = 1;
   bool is_conjugate = false;
   for (int products = 1; products < max_products; products += 2) {
+    // Compute the gap, the gradient of the energy: g = C φ + h − δ, ⟨g⟩ = 0 where φ > 0
     VectorXd gap = compliance * phi + system.initial_gap();
     const ArrayXd carrying = (phi.array() > 0).select(system.weights().array(), 0);
     const double approach = mean_in_contact(gap, carrying);
@@ -55,23 +56,26 @@ Minimum minimise(const DenseSystem& system, double smallest_gap, int max_product
     const double misfit = (carrying > 0).select(gap.array().abs(), -gap.array()).maxCoeff();
     if (misfit <= smallest_gap) return {std::move(phi), std::move(gap), approach, products};
 
-    const double square = (carrying * gap.array().square()).sum();
-    const double factor = is_conjugate ? square / previous : 0;
-    direction = (carrying > 0).select(gap + factor * direction, 0);
+    // Step along the next conjugate direction, and take tension away
+    const double square = (carrying * gap.array().square()).sum();   // ρ = (g, g)
+    const double factor = is_conjugate ? square / previous : 0;      // β = ρ / ρ_old
+    direction = (carrying > 0).select(gap + factor * direction, 0);  // d = g + β d
     previous = square;
     VectorXd change = compliance * direction;
-    change.array() -= mean_in_contact(change, carrying);
+    change.array() -= mean_in_contact(change, carrying);  // q = C d − ⟨C d⟩
     const ArrayXd weighted = carrying * direction.array();
-    const double step = weighted.matrix().dot(gap) / weighted.matrix().dot(change);
-    phi = (phi - step * direction).cwiseMax(0);
+    const double step =
+        weighted.matrix().dot(gap) / weighted.matrix().dot(change);  // α = (d,g)/(d,q)
+    phi = (phi - step * direction).cwiseMax(0);                      // φ = max(φ − α d, 0)
 
+    // Let nodes that penetrate begin to carry, φ = −α g; the directions then start again
     is_conjugate = true;
     for (Index i = 0; i < phi.size(); ++i) {
       if (phi[i] > 0 || gap[i] >= 0) continue;
       phi[i] = -step * gap[i];
       is_conjugate = false;
     }
-    phi *= system.total() / system.weights().dot(phi);
+    phi *= system.total() / system.weights().dot(phi);  // Σ w φ = 2P/(πE*)
   }
   throw ContactError(
       fmt::format("the variational method did not reach its minimum in {} products", max_products));

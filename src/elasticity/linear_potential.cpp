@@ -20,8 +20,8 @@ double times_log(double t) {
 // In closed form, p = z + 1 and m = z − 1 given apart since one may be tiny.
 Moments near_moments(double p, double m) {
   const double z = (p + m) / 2;
-  const double p_log = times_log(p);
-  const double m_log = times_log(m);
+  const double p_log = times_log(p);  // p ln|p|
+  const double m_log = times_log(m);  // m ln|m|
   return {p_log - m_log - 2, z - (m * p_log - p * m_log) / 2,
           (p * (2 - z) * p_log + m * (2 + z) * m_log) / 3 + 2 * z * z / 3 - 16.0 / 9};
 }
@@ -49,7 +49,8 @@ ElementPotential element_potential(double begin, double end) {
   const bool is_far = std::abs(centre) > 2 * l;
   const Moments m = is_far ? far_moments(l / centre) : near_moments(end / l, begin / l);
   const double log = std::log(is_far ? std::abs(centre) : l);
-  const double mean = m.constant / 2 + log;
+  const double mean = m.constant / 2 + log;  // ½ ∫ ln|u| dτ
+  // The hats that are 1 at the begin and at the end, ½(1 ∓ τ), and the parabola 1 − τ²
   return {l * (mean - m.linear / 2), l * (mean + m.linear / 2), l * (m.parabola + 4 * log / 3)};
 }
 

@@ -22,7 +22,8 @@ class SurfaceQuadrature {
   /// `datum` is the x at which u_z = 0; the constant C of eq. (3) is found from it once, here.
   SurfaceQuadrature(const Material& material, const Load& load, double datum);
 
-  /// ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds + [(1−2ν)(1+ν)/E] q(x): eq. (2), Johnson (2.25b).
+  /// ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds + [(1−2ν)(1+ν)/E] q(x), Johnson (2.25b).
+  /// This is eq. (2) of the paper.
   numerics::Estimate normal_gradient(double x) const;
 
   /// u_z(x) = −[2(1−ν²)/(πE)] ∫ p(s) ln|x−s| ds + [(1−2ν)(1+ν)/(2E)] [∫_{s<x} q − ∫_{s>x} q] + C,

@@ -18,15 +18,16 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
-using parameters::Case;
 
 Estimate named(const std::vector<MeasureEstimate>& measures, const std::string& name) {
   return std::ranges::find(measures, name, &MeasureEstimate::name)->value;
 }
 
-void claim_body(literate::Document& document, const Case& c, const BlockStudy& study) {
-  const auto& printed = c.printed->appendix2.measures;
-  const double nu = c.half_space.material.poisson();
+void claim_body(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                const parameters::BlockCase& block_case, const PrintedData& printed_data,
+                const BlockStudy& study) {
+  const auto& printed = printed_data.appendix2.measures;
+  const double nu = half_space.material.poisson();
   const Estimate in_plane =
       as_estimate(printed.at("max_stress_xx")) + as_estimate(printed.at("max_stress_yy"));
   const Estimate ratio = quotient(as_estimate(printed.at("max_stress_zz")), in_plane);
@@ -41,7 +42,7 @@ void claim_body(literate::Document& document, const Case& c, const BlockStudy& s
                   .tolerance = "10⁻⁶: the stresses are printed with seven digits",
                   .expected = Verdict::confirmed,
                   .found = confirmed_if(std::abs(ratio.value - nu) < 1e-6)});
-  const block::Rectangle& r = c.block->rectangle;
+  const block::Rectangle& r = block_case.rectangle;
   const Estimate middle = study.under_triangle().displacement_z(0, 0);
   const Estimate half_way = study.under_triangle().displacement_z(0, r.height() / 2);
   document.claim("felt-throughout",
@@ -56,9 +57,10 @@ void claim_body(literate::Document& document, const Case& c, const BlockStudy& s
                   .found = confirmed_if(half_way.value > 0.1 * middle.value)});
 }
 
-void claim_mass(literate::Document& document, const Case& c) {
-  const auto& printed = c.printed->appendix2.mass_properties;
-  const auto computed = mass_by_name(c);
+void claim_mass(literate::Document& document, const parameters::BlockCase& block_case,
+                const PrintedData& printed_data) {
+  const auto& printed = printed_data.appendix2.mass_properties;
+  const auto computed = mass_by_name(block_case);
   const long n = std::ssize(computed);
   const long n_agree = std::ranges::count_if(computed, [&](const auto& property) {
     const PrintedNumber& number = printed.at(property.first);
@@ -97,10 +99,10 @@ void claim_size(literate::Document& document, const std::vector<Share>& shares, 
        .found = literate::confirmed_in((shape < unaffected) + (level < unaffected), 2)});
 }
 
-void claim_comparison(literate::Document& document, const Case& c,
-                      const std::vector<Share>& shares) {
-  const auto& printed = c.printed->figure5;
-  const double a = c.half_space.load.half_width();
+void claim_comparison(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                      const PrintedData& printed_data, const std::vector<Share>& shares) {
+  const auto& printed = printed_data.figure5;
+  const double a = half_space.load.half_width();
   double under = 0;
   double least_part = HUGE_VAL;
   bool grows = true;
@@ -146,9 +148,10 @@ void claim_comparison(literate::Document& document, const Case& c,
 }
 
 // The run's own measures against the block under the fitted load.
-void claim_run(literate::Document& document, const Case& c, const BlockStudy& study,
+void claim_run(literate::Document& document, const config::UnitSystem& units,
+               const PrintedData& printed_data, const BlockStudy& study,
                const std::vector<MeasureEstimate>& fitted) {
-  const auto& printed = c.printed->appendix2.measures;
+  const auto& printed = printed_data.appendix2.measures;
   const block::LinearFit& fit = *study.fit();
   const auto off = [&](const std::string& name) {
     return std::abs(named(fitted, name).value / printed.at(name).value() - 1);
@@ -175,7 +178,7 @@ void claim_run(literate::Document& document, const Case& c, const BlockStudy& st
                   .expected = Verdict::refuted,
                   .found = confirmed_if(least.value < 0.1)});
   PrintedNumber convergence("0.1");  // percent; the least that the run reports, if it does
-  for (const auto& [name, number] : c.printed->appendix2.convergence) {
+  for (const auto& [name, number] : printed_data.appendix2.convergence) {
     if (name.starts_with("measure") && number.value() < convergence.value()) convergence = number;
   }
   const double misfit = convergence.value() / 100;
@@ -195,8 +198,8 @@ void claim_run(literate::Document& document, const Case& c, const BlockStudy& st
       "resultant",
       {.sentence = "The run reports its resultant load.",
        .place = "paper, Appendix 2, p. 15",
-       .stated = quoted_value(printed.at("resultant_load_y"), c.units.line_load),
-       .computed = Value::significant(named(fitted, "resultant_load_y"), 4, c.units.line_load),
+       .stated = quoted_value(printed.at("resultant_load_y"), units.line_load),
+       .computed = Value::significant(named(fitted, "resultant_load_y"), 4, units.line_load),
        .route = "the load fitted to the printed displacements, which knows nothing of it",
        .tolerance =
            "twice the misfit that is allowed to the displacements; " + digits("resultant_load_y"),
@@ -206,8 +209,8 @@ void claim_run(literate::Document& document, const Case& c, const BlockStudy& st
       "strain-energy",
       {.sentence = "The run reports its strain energy.",
        .place = "paper, Appendix 2, p. 16",
-       .stated = quoted_value(printed.at("strain_energy"), c.units.force),
-       .computed = Value::scientific(named(fitted, "strain_energy"), 4, c.units.force),
+       .stated = quoted_value(printed.at("strain_energy"), units.force),
+       .computed = Value::scientific(named(fitted, "strain_energy"), 4, units.force),
        .route = "the energy of the block under the fitted load",
        .tolerance = "five times the misfit that is allowed to the displacements: energy is a "
                     "product of two, with a convergence of its own; " +
@@ -217,9 +220,9 @@ void claim_run(literate::Document& document, const Case& c, const BlockStudy& st
 }
 
 // Where the run's maxima are, and whether they have converged.
-void claim_maxima(literate::Document& document, const Case& c,
-                  const std::vector<MeasureEstimate>& fitted) {
-  const auto& printed = c.printed->appendix2;
+void claim_maxima(literate::Document& document, const config::UnitSystem& units,
+                  const PrintedData& printed_data, const std::vector<MeasureEstimate>& fitted) {
+  const auto& printed = printed_data.appendix2;
   const PrintedNumber& maximum = printed.measures.at("max_disp_y");
   const bool is_printed_so = maximum.agrees_with(printed.measures.at("measure1").value());
   const Estimate largest = named(fitted, "max_disp_y");
@@ -227,8 +230,8 @@ void claim_maxima(literate::Document& document, const Case& c,
   document.claim("largest-in-the-middle",
                  {.sentence = "The largest normal displacement is that of the middle, measure1.",
                   .place = "paper, Appendix 2, pp. 15–16",
-                  .stated = quoted_value(maximum, c.units.length),
-                  .computed = Value::scientific(largest, 4, c.units.length),
+                  .stated = quoted_value(maximum, units.length),
+                  .computed = Value::scientific(largest, 4, units.length),
                   .route = "the largest on the plotting grid of the block under the fitted load",
                   .tolerance = "10⁻⁹ of the middle's own, by its plotting grid; the same digits in "
                                "print",
@@ -244,8 +247,8 @@ void claim_maxima(literate::Document& document, const Case& c,
         id,
         {.sentence = fmt::format("The {} converged to {} %.", what, convergence.text()),
          .place = "paper, Appendix 2, p. 15",
-         .stated = quoted_value(number, c.units.stress),
-         .computed = Value::significant(converged, n_digits, c.units.stress),
+         .stated = quoted_value(number, units.stress),
+         .computed = Value::significant(converged, n_digits, units.stress),
          .route = route,
          .tolerance = "three times the convergence that is printed: the load is fitted, and the "
                       "grids on which the maxima are taken differ",
@@ -265,14 +268,16 @@ void claim_maxima(literate::Document& document, const Case& c,
 
 }  // namespace
 
-void claim_block(literate::Document& document, const Case& from_file, const BlockStudy& study,
+void claim_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                 const parameters::BlockCase& block_case, const config::UnitSystem& units,
+                 const PrintedData& printed_data, const BlockStudy& study,
                  const std::vector<MeasureEstimate>& fitted, const std::vector<Share>& shares) {
-  claim_body(document, from_file, study);
-  claim_mass(document, from_file);
-  claim_run(document, from_file, study, fitted);
-  claim_maxima(document, from_file, fitted);
+  claim_body(document, half_space, block_case, printed_data, study);
+  claim_mass(document, block_case, printed_data);
+  claim_run(document, units, printed_data, study, fitted);
+  claim_maxima(document, units, printed_data, fitted);
   claim_size(document, shares, study.observed().front().u_z);
-  claim_comparison(document, from_file, shares);
+  claim_comparison(document, half_space, printed_data, shares);
 }
 
 }  // namespace paper

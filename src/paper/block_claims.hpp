@@ -6,6 +6,7 @@
 #include "block/analysis.hpp"
 #include "literate/document/document.hpp"
 #include "paper/block_study.hpp"
+#include "paper/printed_data.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -17,8 +18,10 @@ struct Share {
 
 /// What the paper says of its body, of its run and of the comparison, tried on the block. `fitted`
 /// are the measures under the fitted load.
-void claim_block(literate::Document& document, const parameters::Case& from_file,
-                 const BlockStudy& study, const std::vector<block::MeasureEstimate>& fitted,
+void claim_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                 const parameters::BlockCase& block_case, const config::UnitSystem& units,
+                 const PrintedData& printed_data, const BlockStudy& study,
+                 const std::vector<block::MeasureEstimate>& fitted,
                  const std::vector<Share>& shares);
 
 }  // namespace paper

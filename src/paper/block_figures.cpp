@@ -55,11 +55,13 @@ FigureData sample(const block::Solution& solution, double left, double right, do
   return {{"x", cell_x}, {"y", cell_y}, {"u_z", cell_u}};
 }
 
-Figure contours(const parameters::Case& c, const BlockStudy& study) {
+Figure contours(const parameters::HalfSpaceCase& half_space,
+                const parameters::BlockCase& block_case, const config::UnitSystem& units,
+                const BlockStudy& study) {
   const block::Solution& solution =
       study.fit() ? study.fit()->fit.solution.fine() : study.under_triangle().fine();
-  const block::Rectangle& r = c.block->rectangle;
-  const double a = c.half_space.load.half_width();
+  const block::Rectangle& r = block_case.rectangle;
+  const double a = half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
   return {.width_cm = 15,
           .height_cm = 6.2,
@@ -67,17 +69,18 @@ Figure contours(const parameters::Case& c, const BlockStudy& study) {
                     sample(solution, r.left(), r.right(), r.height(), 0.08 * r.height() / largest)},
                    {"close_up", sample(solution, -4 * a, 4 * a, 4 * a, 0.8 * a / largest)}},
           .numbers = {{"half_width", a}, {"largest", largest}},
-          .texts = {{"unit", c.units.length}}};
+          .texts = {{"unit", units.length}}};
 }
 
 // What each order of the elements leaves, on one mesh that is graded for this load alone.
-Figure convergence(const parameters::Case& c, const BlockStudy& study) {
+Figure convergence(const parameters::HalfSpaceCase& half_space,
+                   const parameters::BlockCase& block_case, const BlockStudy& study) {
   const auto options = study.measure_options();
   const auto measures_of = [&](int order) {
-    const block::Analysis analysis(c.block->rectangle, c.half_space.material, {c.half_space.load},
-                                   {.order = order, .refine = c.block->discretization.refine});
-    const block::Factorization factorization(analysis.fine(), block::with_sides(c.block->sides));
-    return block::measures(factorization.solve(c.half_space.load), options);
+    const block::Analysis analysis(block_case.rectangle, half_space.material, {half_space.load},
+                                   {.order = order, .refine = block_case.discretization.refine});
+    const block::Factorization factorization(analysis.fine(), block::with_sides(block_case.sides));
+    return block::measures(factorization.solve(half_space.load), options);
   };
   const auto exact = measures_of(highest_order);
   const auto value = [](const std::vector<block::Measure>& list, const std::string& name) {
@@ -107,8 +110,9 @@ Figure convergence(const parameters::Case& c, const BlockStudy& study) {
 }
 
 // The boundaries of the elements, each a line with a gap after it.
-Figure mesh(const parameters::Case& c, const BlockStudy& study) {
-  const block::Mesh& m = study.on(c.block->sides).fine().model()->mesh();
+Figure mesh(const parameters::HalfSpaceCase& half_space, const parameters::BlockCase& block_case,
+            const config::UnitSystem& units, const BlockStudy& study) {
+  const block::Mesh& m = study.on(block_case.sides).fine().model()->mesh();
   const auto& x_lines = m.x_lines();
   const auto& z_lines = m.z_lines();
   std::vector<double> x, y;
@@ -122,13 +126,13 @@ Figure mesh(const parameters::Case& c, const BlockStudy& study) {
   return {.width_cm = 15,
           .height_cm = 5.4,
           .data = {{"lines", {{"x", x}, {"y", y}}}},
-          .numbers = {{"half_width", c.half_space.load.half_width()}},
-          .texts = {{"unit", c.units.length}}};
+          .numbers = {{"half_width", half_space.load.half_width()}},
+          .texts = {{"unit", units.length}}};
 }
 
 // The largest misfit for each edge fraction, with the best peak for it.
-Figure misfits(const parameters::Case& c, const BlockStudy& study) {
-  const double a = c.half_space.load.half_width();
+Figure misfits(const parameters::HalfSpaceCase& half_space, const BlockStudy& study) {
+  const double a = half_space.load.half_width();
   std::vector<double> edge_fraction;
   for (int i = 0; i <= 100; ++i) edge_fraction.push_back(0.01 * i);
   FigureData curves = {{"edge_fraction", edge_fraction}};
@@ -148,8 +152,8 @@ Figure misfits(const parameters::Case& c, const BlockStudy& study) {
   return {.width_cm = 10, .height_cm = 6.4, .data = {{"sides", std::move(curves)}}};
 }
 
-Figure like_with_like(const parameters::Case& c, const BlockStudy& study) {
-  const parameters::HalfSpaceCase& h = c.half_space;
+Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSystem& units,
+                      const BlockStudy& study) {
   std::vector<double> x, half_space, block_stated, block_fitted;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
@@ -171,20 +175,22 @@ Figure like_with_like(const parameters::Case& c, const BlockStudy& study) {
                      {"block_stated", block_stated},
                      {"block_fitted", block_fitted}}},
                    {"printed", {{"x", printed_x}, {"u_z", printed_u_z}}}},
-          .texts = {{"unit", c.units.length}}};
+          .texts = {{"unit", units.length}}};
 }
 
 }  // namespace
 
-void register_block_figures(literate::Document& document, const parameters::Case& from_file,
-                            const BlockStudy& study) {
+void register_block_figures(literate::Document& document,
+                            const parameters::HalfSpaceCase& half_space,
+                            const parameters::BlockCase& block_case,
+                            const config::UnitSystem& units, const BlockStudy& study) {
   document.value("block.highest-order", literate::Value::integer(highest_order));
-  document.figure("block-contours", contours(from_file, study));
-  document.figure("block-mesh", mesh(from_file, study));
-  document.figure("block-convergence", convergence(from_file, study));
+  document.figure("block-contours", contours(half_space, block_case, units, study));
+  document.figure("block-mesh", mesh(half_space, block_case, units, study));
+  document.figure("block-convergence", convergence(half_space, block_case, study));
   if (!study.fit()) return;
-  document.figure("fit-misfit", misfits(from_file, study));
-  document.figure("like-with-like", like_with_like(from_file, study));
+  document.figure("fit-misfit", misfits(half_space, study));
+  document.figure("like-with-like", like_with_like(half_space, units, study));
 }
 
 }  // namespace paper

@@ -9,7 +9,9 @@ namespace paper {
 
 /// The deformed block with contours of u_z (Fig. 3), its mesh, the convergence of its measures, and
 /// for printed data the misfit over the edge fraction and the curves like with like.
-void register_block_figures(literate::Document& document, const parameters::Case& from_file,
-                            const BlockStudy& study);
+void register_block_figures(literate::Document& document,
+                            const parameters::HalfSpaceCase& half_space,
+                            const parameters::BlockCase& block_case,
+                            const config::UnitSystem& units, const BlockStudy& study);
 
 }  // namespace paper

@@ -13,21 +13,13 @@ namespace {
 
 using block::Support;
 
-block::Analysis analysis_of(const parameters::Case& c) {
-  const double a = c.half_space.load.half_width();
-  return {c.block->rectangle,
-          c.half_space.material,
+block::Analysis analysis_of(const parameters::HalfSpaceCase& half_space,
+                            const parameters::BlockCase& block_case) {
+  const double a = half_space.load.half_width();
+  return {block_case.rectangle,
+          half_space.material,
           {block::linear_fall(1, 0, a), block::trapezoid(1, flat_fraction, a)},
-          c.block->discretization};
-}
-
-std::vector<block::SurfaceDisplacement> observed_in(const parameters::Case& c) {
-  std::vector<block::SurfaceDisplacement> observed;
-  if (!c.printed) return observed;
-  for (std::size_t i = 0; i < c.half_space.points.size(); ++i) {
-    observed.push_back({c.half_space.points[i], c.printed->figure5.fea_z[i].value()});
-  }
-  return observed;
+          block_case.discretization};
 }
 
 // The same fit on the coarser mesh alone.
@@ -47,8 +39,18 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> mass_by_name(const parameters::Case& c) {
-  const block::MassProperties mass = block::mass_properties(c.block->rectangle, c.block->density);
+std::vector<block::SurfaceDisplacement> observed_in(const parameters::HalfSpaceCase& half_space,
+                                                    const PrintedFigure5& printed) {
+  std::vector<block::SurfaceDisplacement> observed;
+  for (std::size_t i = 0; i < half_space.points.size(); ++i) {
+    observed.push_back({half_space.points[i], printed.fea_z[i].value()});
+  }
+  return observed;
+}
+
+std::vector<std::pair<std::string, double>> mass_by_name(const parameters::BlockCase& block_case) {
+  const block::MassProperties mass =
+      block::mass_properties(block_case.rectangle, block_case.density);
   return {{"mass", mass.mass},
           {"centre_y", mass.centre_y},
           {"ixx_about_origin", mass.about_origin.ixx},
@@ -64,16 +66,19 @@ std::string name_of(Support sides) {
   return sides == Support::roller ? "roller" : "free";
 }
 
-BlockStudy::BlockStudy(const parameters::Case& from_file)
-    : case_(from_file),
-      analysis_(analysis_of(from_file)),
+BlockStudy::BlockStudy(const parameters::HalfSpaceCase& half_space,
+                       const parameters::BlockCase& block_case,
+                       std::vector<block::SurfaceDisplacement> observed)
+    : half_space_(half_space),
+      block_case_(block_case),
+      analysis_(analysis_of(half_space, block_case)),
       clamped_(analysis_.on(block::with_sides(Support::clamped))),
       roller_(analysis_.on(block::with_sides(Support::roller))),
       free_(analysis_.on(block::with_sides(Support::free))),
-      under_triangle_(on(from_file.block->sides).solve(from_file.half_space.load)),
-      observed_(observed_in(from_file)) {
+      under_triangle_(on(block_case.sides).solve(half_space.load)),
+      observed_(std::move(observed)) {
   if (observed_.empty()) return;
-  const Support sides = from_file.block->sides;
+  const Support sides = block_case.sides;
   fit_ = fit_on(sides);
   const block::Fit coarse = coarse_fit(falls_on(sides), observed_);
   under_fit_.emplace(fit_->fit.solution.fine(), coarse.solution.fine());
@@ -81,7 +86,7 @@ BlockStudy::BlockStudy(const parameters::Case& from_file)
 }
 
 std::vector<block::RefinedSolution> BlockStudy::falls_on(Support sides) const {
-  const double a = case_.half_space.load.half_width();
+  const double a = half_space_.load.half_width();
   return {on(sides).solve(block::linear_fall(1, 0, a)),
           on(sides).solve(block::linear_fall(1, 1, a))};
 }
@@ -92,11 +97,11 @@ const block::SupportedBlock& BlockStudy::on(Support sides) const {
 }
 
 block::LinearFit BlockStudy::fit_on(Support sides) const {
-  return block::fit_linear_load(on(sides), case_.half_space.load.half_width(), observed_);
+  return block::fit_linear_load(on(sides), half_space_.load.half_width(), observed_);
 }
 
 std::vector<Candidate> BlockStudy::candidates() const {
-  const double a = case_.half_space.load.half_width();
+  const double a = half_space_.load.half_width();
   std::vector<Candidate> candidates;
   const auto add = [&](const std::string& shape, Support sides,
                        const std::vector<block::RefinedSolution>& solutions) {
@@ -124,11 +129,11 @@ std::vector<Candidate> BlockStudy::candidates() const {
 }
 
 block::MeasureOptions BlockStudy::measure_options() const {
-  const double a = case_.half_space.load.half_width();
-  const block::Rectangle& r = case_.block->rectangle;
+  const double a = half_space_.load.half_width();
+  const block::Rectangle& r = block_case_.rectangle;
   const double corner = 0.1 * r.height();
   block::MeasureOptions options;
-  options.surface_points = case_.half_space.points;
+  options.surface_points = half_space_.points;
   options.singular_discs = {{-a, 0, a / 10},
                             {a, 0, a / 10},
                             {r.left(), 0, corner},

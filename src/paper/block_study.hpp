@@ -9,6 +9,7 @@
 #include "block/analysis.hpp"
 #include "block/fit.hpp"
 #include "block/supports.hpp"
+#include "paper/printed_data.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -29,8 +30,10 @@ struct Candidate {
 /// One mesh serves all loads, one factorisation all loads on the same supports.
 class BlockStudy {
  public:
-  /// `from_file` must have a block. Throws as block::Analysis.
-  explicit BlockStudy(const parameters::Case& from_file);
+  /// `observed` are the printed displacements, none without printed data. Throws as
+  /// block::Analysis.
+  BlockStudy(const parameters::HalfSpaceCase& half_space, const parameters::BlockCase& block_case,
+             std::vector<block::SurfaceDisplacement> observed);
 
   const block::SupportedBlock& on(block::Support sides) const;
 
@@ -61,7 +64,8 @@ class BlockStudy {
   // The triangle and the uniform pressure, of which every linear fall is a sum.
   std::vector<block::RefinedSolution> falls_on(block::Support sides) const;
 
-  const parameters::Case& case_;
+  parameters::HalfSpaceCase half_space_;
+  parameters::BlockCase block_case_;
   block::Analysis analysis_;
   block::SupportedBlock clamped_;
   block::SupportedBlock roller_;
@@ -73,9 +77,13 @@ class BlockStudy {
   double misfit_error_ = 0;
 };
 
-/// Mass, centre and moments of inertia of a case's block, which it must have, named and ordered as
-/// in the printed summary; in the units of the case, for unit thickness.
-std::vector<std::pair<std::string, double>> mass_by_name(const parameters::Case& from_file);
+/// The printed z-displacements of Fig. 5 at the points of the half-space.
+std::vector<block::SurfaceDisplacement> observed_in(const parameters::HalfSpaceCase& half_space,
+                                                    const PrintedFigure5& printed);
+
+/// Mass, centre and moments of inertia of the case's block, named and ordered as in the printed
+/// summary; in the units of the case, for unit thickness.
+std::vector<std::pair<std::string, double>> mass_by_name(const parameters::BlockCase& block_case);
 
 /// "clamped", "roller" or "free".
 std::string name_of(block::Support sides);

@@ -45,8 +45,8 @@ ContactM to_result(double c, const VectorXd& sides, const VectorXd& p, Index aa,
 
 }  // namespace
 
-ContactMInput as_printed(const parameters::PrintedData& printed) {
-  const parameters::PrintedContactM& listed = printed.contact_m;
+ContactMInput as_printed(const PrintedData& printed) {
+  const PrintedContactM& listed = printed.contact_m;
   return {static_cast<Index>(listed.n_nodes.value()) - 1, listed.spacing.value(),
           static_cast<Index>(listed.zero_node.value()), printed.tri_dist.step.value()};
 }

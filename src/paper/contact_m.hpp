@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "paper/printed_data.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -17,7 +18,7 @@ struct ContactMInput {
 };
 
 /// What Contact.m is given in the paper; its step is that of Tri_dist.m.
-ContactMInput as_printed(const parameters::PrintedData& printed);
+ContactMInput as_printed(const PrintedData& printed);
 
 /// Which of the program's defects are mended; none as it is printed.
 struct ContactMRepairs {

@@ -10,9 +10,11 @@
 
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
+#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
-#include "paper/sections.hpp"
+#include "paper/printed_data.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -150,17 +152,16 @@ double largest_difference(std::span<const double> p, std::span<const double> oth
 constexpr double of_system = 1e-10;
 
 // What the listing says, and what it computes as it stands.
-void describe_listing(literate::Document& document, const parameters::Case& from_file,
-                      const ContactMInput& input, const ContactM& program, const Hertz& hertz) {
-  const config::UnitSystem& units = from_file.units;
-  const double load = from_file.contact.line_load;
+void describe_listing(literate::Document& document, const parameters::ContactCase& c,
+                      const config::UnitSystem& units, const ContactMInput& input,
+                      const ContactM& program, const Hertz& hertz) {
+  const double load = c.line_load;
   const auto weight = static_cast<double>(input.zero_node - 2);
   document.value("contact-m.spacing", Value::exact(input.spacing, units.length));
   document.value("contact-m.step", Value::exact(input.step, units.length));
   document.value("contact-m.nodes", Value::integer(input.n_nodes + 1));
   document.value("contact-m.zero-node", Value::integer(input.zero_node));
   document.value("contact-m.weight", Value::exact(weight));
-  const parameters::ContactCase& c = from_file.contact;
   const double share = edge(program) / hertz.half_width();
   const Estimate carried{program.line_load, of_system * program.line_load};
   const double spike = program.pressure[0] / program.pressure[1];
@@ -252,10 +253,10 @@ constexpr double of_program = 1e-2;  // how near Contact.m's numbers must be to 
 const char* const reason = "1 %, far below what the element width of the listing lets one expect";
 
 // The program's pressures, its area and its edge.
-void claim_program(literate::Document& document, const parameters::Case& from_file,
-                   const ContactMInput& input, const std::vector<Row>& rows, const Hertz& hertz) {
-  const config::UnitSystem& units = from_file.units;
-  const double load = from_file.contact.line_load;
+void claim_program(literate::Document& document, const parameters::ContactCase& c,
+                   const config::UnitSystem& units, const ContactMInput& input,
+                   const std::vector<Row>& rows, const Hertz& hertz) {
+  const double load = c.line_load;
   const double carried = rows[printed].program.line_load;
   document.claim("contact-m-load",
                  {.sentence = "Contact.m calculates the pressure distribution between two "
@@ -279,7 +280,7 @@ void claim_program(literate::Document& document, const parameters::Case& from_fi
                   .tolerance = "two of the listing's elements, since counting nodes is no better",
                   .expected = Verdict::refuted,
                   .found = confirmed_if(std::abs(area - half_width) < 2 * input.spacing)});
-  const ContactM own = run_contact_m(from_file.contact, input, {.free_edge = true});
+  const ContactM own = run_contact_m(c, input, {.free_edge = true});
   const bool is_own = own.zero_node == input.zero_node;
   const bool is_right = rows[all].program.zero_node == input.zero_node;
   document.claim("contact-m-edge",
@@ -335,18 +336,18 @@ void claim_mended(literate::Document& document, const config::UnitSystem& units,
 
 }  // namespace
 
-void compute_contact_m(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& contact = from_file.contact;
-  const ContactMInput input = as_printed(*from_file.printed);
+void compute_contact_m(literate::Document& document, const parameters::ContactCase& contact,
+                       const config::UnitSystem& units, const PrintedData& printed_data) {
+  const ContactMInput input = as_printed(printed_data);
   const Hertz hertz(contact.cylinders, contact.line_load);
   const std::vector<Row> rows = repair(contact, input, hertz);
 
-  describe_listing(document, from_file, input, rows[printed].program, hertz);
+  describe_listing(document, contact, units, input, rows[printed].program, hertz);
   find_edges(document, contact, input, rows[all].program);
   compare_mended(document, contact, input, rows, hertz);
   check_rows(document, rows, hertz.peak_pressure());
-  claim_program(document, from_file, input, rows, hertz);
-  claim_mended(document, from_file.units, rows, hertz);
+  claim_program(document, contact, units, input, rows, hertz);
+  claim_mended(document, units, rows, hertz);
   document.table("contact-m-repair", repair_table(rows, hertz, contact.line_load));
   document.figure("contact-m-repair", repair_figure(rows, hertz));
 }

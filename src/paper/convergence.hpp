@@ -5,7 +5,6 @@
 
 #include "contact/hertz.hpp"
 #include "contact/solution.hpp"
-#include "numerics/estimate.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -37,21 +36,5 @@ struct ConvergenceStudy {
 };
 ConvergenceStudy convergence_study(const parameters::ContactCase& c, const contact::Hertz& hertz,
                                    contact::Element element);
-
-/// Errors C·n^−r.
-struct Power {
-  double order;        ///< r
-  double factor;       ///< C
-  double order_error;  ///< how wrong r may be, since the errors are known with errors
-
-  numerics::Estimate order_estimate() const { return {order, order_error}; }
-};
-
-/// r and C by least squares for the logarithms, the errors taken in bins of ten as their root mean
-/// square (a single one may happen to be next to nothing); fewer than twenty are taken one by one.
-///
-/// `bounds` says how wrong each of the errors may be, in their order; without it order_error is 0.
-Power fitted_power(const std::vector<double>& n, const std::vector<double>& errors,
-                   const std::vector<double>& bounds = {});
 
 }  // namespace paper

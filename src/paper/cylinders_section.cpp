@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
+#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "paper/printed_data.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -60,14 +63,6 @@ literate::Table comparison_table(const Solution& solution, const Hertz& hertz,
   return table;
 }
 
-// δ of Hertz's pressure at a datum outside the contact, where ξ = datum/a > 1 and the gap is h − δ:
-//   (a²/(2R)) [ξ/(ξ + √(ξ²−1)) + arcosh ξ], which does not cancel as h less the gap would.
-double hertz_approach(const parameters::ContactCase& c, const Hertz& hertz) {
-  const double xi = std::abs(c.datum) / hertz.half_width();
-  return c.cylinders.profile().gap(hertz.half_width()) *
-         (xi / (xi + std::sqrt((xi - 1) * (xi + 1))) + std::acosh(xi));
-}
-
 // What the elements make of something that Hertz has in closed form: wrong by the difference.
 Estimate against(const parameters::ContactCase& c, double elements, double exact) {
   return {elements, std::abs(elements - exact) + rounded(c, exact)};
@@ -107,12 +102,12 @@ void register_residuals(literate::Document& document, const Solution& solution, 
                  "eqs. (1a), (1b) and equilibrium hold to rounding");
 }
 
-void claim_cylinders(literate::Document& document, const parameters::Case& from_file,
-                     const Solution& solution, const Hertz& hertz) {
-  const parameters::ContactCase& c = from_file.contact;
+void claim_cylinders(literate::Document& document, const parameters::ContactCase& c,
+                     const std::optional<PrintedData>& printed_data, const Solution& solution,
+                     const Hertz& hertz) {
   const double radius = 1 / c.cylinders.relative_curvature();
   const double share = hertz.half_width() / radius;
-  if (from_file.printed) {
+  if (printed_data) {
     document.claim("contact-is-small",
                    {.sentence = "The area of contact is finite though small compared with the "
                                 "dimensions of the two bodies.",
@@ -158,9 +153,9 @@ Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
 
 }  // namespace
 
-void compute_cylinders(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
-  const config::UnitSystem& units = from_file.units;
+void compute_cylinders(literate::Document& document, const parameters::ContactCase& c,
+                       const config::UnitSystem& units,
+                       const std::optional<PrintedData>& printed_data) {
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
 
@@ -198,13 +193,13 @@ void compute_cylinders(literate::Document& document, const parameters::Case& fro
       "cylinders.width-error",
       Value::scientific_bound(
           Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)}, 1));
-  document.value("cylinders.approach", Value::significant(against(c, solution.approach(c.datum),
-                                                                  hertz_approach(c, hertz)),
-                                                          4, units.length));
+  document.value("cylinders.approach",
+                 Value::significant(against(c, solution.approach(c.datum), hertz.approach(c.datum)),
+                                    4, units.length));
   document.value("cylinders.datum", Value::exact(c.datum, units.length));
   register_residuals(document, solution, hertz, c, units);
 
-  claim_cylinders(document, from_file, solution, hertz);
+  claim_cylinders(document, c, printed_data, solution, hertz);
   document.table("cylinders", comparison_table(solution, hertz, units));
   document.table("cylinder-refinement", refinement_table(c, hertz));
   document.figure("cylinder-pressure", pressure_figure(solution, hertz));

@@ -9,10 +9,12 @@
 #include "contact/graded_contact.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/uniform_load.hpp"
+#include "literate/document/document.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/element_quality.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -23,6 +25,8 @@ using literate::Column;
 using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
+using numerics::fit_power;
+using numerics::PowerFit;
 
 // An element of load 1 at x = 0 and its influence: the displacement −T and its gradient −T′.
 literate::Figure element_figure() {
@@ -148,7 +152,7 @@ const std::array<Quantity, 6> quantities = {{
     {"half-width by second moment", "2", 2, &ConvergenceStudy::moment},
 }};
 
-void claim_orders(literate::Document& document, Power inside, double ratio) {
+void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
   document.claim("interior-order-two",
                  {.sentence = "Where the pressure is smooth its error has order 2 in the elements' "
                               "width.",
@@ -180,9 +184,9 @@ void register_orders(literate::Document& document, const ConvergenceStudy& trian
                          Column::fixed("uniform: $r$", "", 2), Column::fixed("$C$", "", 2)});
   double worst = 0;
   for (const Quantity& quantity : quantities) {
-    const Power first = fitted_power(triangular.elements, triangular.*quantity.errors);
-    const Power second = fitted_power(uniform.elements, uniform.*quantity.errors);
-    for (const Power& power : {first, second}) {
+    const PowerFit first = fit_power(triangular.elements, triangular.*quantity.errors);
+    const PowerFit second = fit_power(uniform.elements, uniform.*quantity.errors);
+    for (const PowerFit& power : {first, second}) {
       worst = std::max(worst, std::abs(power.order - quantity.expected));
     }
     table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text), first.order,
@@ -192,8 +196,8 @@ void register_orders(literate::Document& document, const ConvergenceStudy& trian
   constexpr double scatter = 0.25;
   document.check("orders-of-convergence", worst < scatter,
                  "all errors of contact converge with the expected orders");
-  const Power inside = fitted_power(triangular.elements, triangular.inside);
-  const Power uniform_inside = fitted_power(uniform.elements, uniform.inside);
+  const PowerFit inside = fit_power(triangular.elements, triangular.inside);
+  const PowerFit uniform_inside = fit_power(uniform.elements, uniform.inside);
   document.check(
       "triangles-gain-nothing-in-the-pressure",
       inside.factor < 4 * uniform_inside.factor && uniform_inside.factor < 4 * inside.factor,
@@ -237,8 +241,8 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
   constexpr double rounding = 2e-6;
   const std::vector<double> of_pressure(graded.elements.size(), rounding);
   const std::vector<double> of_width(graded.elements.size(), 6 * rounding * rounding);
-  const Power pressure_power = fitted_power(graded.elements, graded.largest, of_pressure);
-  const Power width_power = fitted_power(graded.elements, graded.half_width, of_width);
+  const PowerFit pressure_power = fit_power(graded.elements, graded.largest, of_pressure);
+  const PowerFit width_power = fit_power(graded.elements, graded.half_width, of_width);
   document.value("graded.order", Value::fixed(pressure_power.order_estimate(), 1));
   document.value("graded.width-order", Value::fixed(width_power.order_estimate(), 1));
   const double order = pressure_power.order;
@@ -260,8 +264,7 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
 
 }  // namespace
 
-void compute_elements(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
+void compute_elements(literate::Document& document, const parameters::ContactCase& c) {
   const Hertz hertz(c.cylinders, c.line_load);
   document.figure("element-kinds", element_figure());
   register_quality(document, c, hertz);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
+#include <optional>
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +8,12 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
+#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/decimals.hpp"
+#include "paper/printed_data.hpp"
 #include "paper/quoted.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -27,8 +30,8 @@ double shift_per_e(const parameters::HalfSpaceCase& c) {
 }
 
 // The sensitivity of u_z to the datum, by moving it and looking.
-void measure_datum(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+void measure_datum(literate::Document& document, const parameters::HalfSpaceCase& c,
+                   const config::UnitSystem& units) {
   const double nearer = c.datum / std::numbers::e;
   double largest = 0;
   double smallest = HUGE_VAL;
@@ -41,9 +44,8 @@ void measure_datum(literate::Document& document, const parameters::Case& from_fi
   const Estimate middle = displacement(c, 0);
   const Estimate shift{largest, 2 * middle.abs_error};
   const Estimate at_datum = gradient(c, c.datum);
-  document.value("datum.nearer",
-                 Value::significant(closed_form(nearer), 3, from_file.units.length));
-  document.value("datum.shift", Value::scientific(shift, 3, from_file.units.length));
+  document.value("datum.nearer", Value::significant(closed_form(nearer), 3, units.length));
+  document.value("datum.shift", Value::scientific(shift, 3, units.length));
   document.value("datum.shift-share", Value::percent(quotient(shift, middle), 0));
   document.value("datum.gradient", Value::scientific(at_datum, 3));
   document.value("datum.gradient-share",
@@ -56,8 +58,8 @@ void measure_datum(literate::Document& document, const parameters::Case& from_fi
       "a factor e in the datum shifts every displacement by 2(1-nu^2)P/(pi E)");
 }
 
-void claim_datum(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& c,
+                 const config::UnitSystem& units, const std::optional<PrintedData>& printed_data) {
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   const elasticity::SurfaceQuadrature nearer(c.material, c.load, c.datum / std::numbers::e);
   const Estimate middle = surface.normal_displacement(0);
@@ -67,13 +69,13 @@ void claim_datum(literate::Document& document, const parameters::Case& from_file
                  {.sentence = "The error is not sensitive to C, provided that it was calculated a "
                               "distance far from the loaded region.",
                   .place = "paper, Error Analysis, p. 8",
-                  .computed = Value::scientific(shift, 3, from_file.units.length),
+                  .computed = Value::scientific(shift, 3, units.length),
                   .route = "the displacement by quadrature for two datums, one a factor e nearer; "
                            "the value is the shift",
                   .tolerance = "1 % of the largest displacement, which would be lost in a plot",
                   .expected = Verdict::refuted,
                   .found = confirmed_if(shift.value < insensitive * middle.value)});
-  if (!from_file.printed) return;
+  if (!printed_data) return;
   // K/x is the gradient of the whole load put into a point: 1/x, whose integral has no limit.
   const Estimate at_datum = magnitude(surface.normal_gradient(c.datum));
   const double gradient = at_datum.value;
@@ -95,11 +97,11 @@ void claim_datum(literate::Document& document, const parameters::Case& from_file
 }
 
 // u_x outside the load, which the paper calls negligible.
-void measure_tangential(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+void measure_tangential(literate::Document& document, const parameters::HalfSpaceCase& c,
+                        const config::UnitSystem& units) {
   const double end = c.points.back();
   const Estimate u_x = closed_form(std::abs(tangential_displacement(c.material, c.load, end)));
-  document.value("tangential.outside", Value::scientific(u_x, 3, from_file.units.length));
+  document.value("tangential.outside", Value::scientific(u_x, 3, units.length));
   document.value("tangential.share", Value::percent(quotient(u_x, displacement(c, end)), 0));
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   bool agrees = true;
@@ -113,9 +115,9 @@ void measure_tangential(literate::Document& document, const parameters::Case& fr
                  "u_x by quadrature of Johnson (2.24a) is within its error of the closed form");
 }
 
-void claim_tangential(literate::Document& document, const parameters::Case& from_file,
+void claim_tangential(literate::Document& document, const PrintedData& printed_data,
                       Estimate largest_share) {
-  const parameters::PrintedFigure5& printed = from_file.printed->figure5;
+  const PrintedFigure5& printed = printed_data.figure5;
   double largest = 0;
   for (std::size_t i = 0; i < printed.x.size(); ++i) {
     largest = std::max(largest, printed.fea_magnitude[i].value() / printed.fea_z[i].value() - 1);
@@ -154,10 +156,10 @@ Estimate leg(const config::PrintedNumber& magnitude, const config::PrintedNumber
 }
 
 // u_x in the finite-element columns, √(magnitude² − z²), beside the half-space's.
-void compare_tangential(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const parameters::PrintedFigure5& printed = from_file.printed->figure5;
-  const std::string& unit = from_file.units.length;
+void compare_tangential(literate::Document& document, const parameters::HalfSpaceCase& c,
+                        const config::UnitSystem& units, const PrintedData& printed_data) {
+  const PrintedFigure5& printed = printed_data.figure5;
+  const std::string& unit = units.length;
   literate::Table table({Column::fixed("$x$", unit, decimals_of(c.points)),
                          Column::scaled("$\\sqrt{\\mathrm{mag}^2 - u_z^2}$, FEA", unit, -8, 2),
                          Column::scaled("$|u_x|$, half-space", unit, -8, 2),
@@ -172,12 +174,12 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
                    100 * share.value});
   }
   document.table("tangential", table);
-  claim_tangential(document, from_file, largest_share);
+  claim_tangential(document, printed_data, largest_share);
   document.value(
       "tangential.at-zero",
       Value::scientific(leg(printed.fea_magnitude.front(), printed.fea_z.front()), 2, unit));
   document.value("tangential.largest-share", Value::percent(largest_share, 0));
-  const config::PrintedNumber& largest = from_file.printed->appendix2.measures.at("max_disp_x");
+  const config::PrintedNumber& largest = printed_data.appendix2.measures.at("max_disp_x");
   const Estimate half_space =
       closed_form(std::abs(tangential_displacement(c.material, c.load, c.points.back())));
   document.value("tangential.max-disp-x", Value::scientific(as_estimate(largest), 4, unit));
@@ -186,12 +188,12 @@ void compare_tangential(literate::Document& document, const parameters::Case& fr
 }
 
 // Of the whole load, by the printed slopes: that stated, and that of the run's summary.
-void claim_resultants(literate::Document& document, const parameters::Case& from_file,
+void claim_resultants(literate::Document& document, const parameters::HalfSpaceCase& c,
+                      const config::UnitSystem& units, const PrintedData& printed_data,
                       Estimate least, Estimate most) {
-  const double stated = from_file.half_space.load.line_load();
-  const config::PrintedNumber& summary =
-      from_file.printed->appendix2.measures.at("resultant_load_y");
-  const std::string& unit = from_file.units.line_load;
+  const double stated = c.load.line_load();
+  const config::PrintedNumber& summary = printed_data.appendix2.measures.at("resultant_load_y");
+  const std::string& unit = units.line_load;
   // The slopes of the pairs of points differ by this much, of which their digits are the lesser
   // part.
   const Estimate found{stated * (least.value + most.value) / 2,
@@ -227,11 +229,10 @@ void claim_resultants(literate::Document& document, const parameters::Case& from
 }
 
 // Far from the load the slope goes with the resultant; the printed columns tell which they had.
-void compare_resultants(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const parameters::PrintedData& printed = *from_file.printed;
+void compare_resultants(literate::Document& document, const parameters::HalfSpaceCase& c,
+                        const config::UnitSystem& units, const PrintedData& printed_data) {
   const Estimate resultant =
-      magnitude(as_estimate(printed.appendix2.measures.at("resultant_load_y")));
+      magnitude(as_estimate(printed_data.appendix2.measures.at("resultant_load_y")));
   const auto slope = [&](const std::vector<config::PrintedNumber>& column, std::size_t i) {
     return 1 / (c.points[i] - c.points[i - 1]) *
            (as_estimate(column[i]) - as_estimate(column[i - 1]));
@@ -244,13 +245,13 @@ void compare_resultants(literate::Document& document, const parameters::Case& fr
   Estimate least{HUGE_VAL, 0};
   Estimate most;
   for (std::size_t i = std::max<std::size_t>(5, c.points.size()) - 4; i < c.points.size(); ++i) {
-    const Estimate fea = slope(printed.figure5.fea_z, i);
-    const Estimate analytical = slope(printed.figure5.analytical, i);
+    const Estimate fea = slope(printed_data.figure5.fea_z, i);
+    const Estimate analytical = slope(printed_data.figure5.analytical, i);
     const Estimate ratio = quotient(fea, analytical);
-    table.add_row({literate::Cell::latex(
-                       Value::fixed(c.points[i - 1], n_decimals).latex() + " and " +
-                       Value::fixed(c.points[i], n_decimals, from_file.units.length).latex()),
-                   fea.value, analytical.value, ratio.value});
+    table.add_row(
+        {literate::Cell::latex(Value::fixed(c.points[i - 1], n_decimals).latex() + " and " +
+                               Value::fixed(c.points[i], n_decimals, units.length).latex()),
+         fea.value, analytical.value, ratio.value});
     if (ratio.value < least.value) least = ratio;
     if (ratio.value > most.value) most = ratio;
   }
@@ -258,9 +259,9 @@ void compare_resultants(literate::Document& document, const parameters::Case& fr
   const Estimate below = magnitude(least - loads);
   const Estimate above = magnitude(most - loads);
   const Estimate gap = quotient(below.value > above.value ? below : above, loads);
-  document.value("appendix2.resultant", Value::fixed(resultant, 1, from_file.units.line_load));
+  document.value("appendix2.resultant", Value::fixed(resultant, 1, units.line_load));
   document.value("appendix2.resultant-ratio", Value::fixed(loads, 2));
-  claim_resultants(document, from_file, least, most);
+  claim_resultants(document, c, units, printed_data, least, most);
   document.value("far-slope.least", Value::fixed(least, 2));
   document.value("far-slope.most", Value::fixed(most, 2));
   document.value("far-slope.gap", Value::percent_bound(gap, 1));
@@ -271,9 +272,9 @@ void compare_resultants(literate::Document& document, const parameters::Case& fr
 constexpr double stated_order = 1e-7;  // of the error, in words
 
 // Which datum would have made the two columns meet at the last point.
-void compare_error(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const parameters::PrintedFigure5& printed = from_file.printed->figure5;
+void compare_error(literate::Document& document, const parameters::HalfSpaceCase& c,
+                   const config::UnitSystem& units, const PrintedData& printed_data) {
+  const PrintedFigure5& printed = printed_data.figure5;
   const Estimate first = as_estimate(printed.error.front());
   const Estimate last = as_estimate(printed.error.back());
   const Estimate fea = as_estimate(printed.fea_z.back());
@@ -283,7 +284,7 @@ void compare_error(literate::Document& document, const parameters::Case& from_fi
   const double closing = c.datum * std::exp(-difference.value / shift_per_e(c));
   const double closing_error =
       rounded(closing) + closing * std::expm1(difference.abs_error / shift_per_e(c));
-  const std::string& unit = from_file.units.length;
+  const std::string& unit = units.length;
   const double decade = std::sqrt(10.0);
   const long n_of_order = std::ranges::count_if(printed.error, [&](const auto& error) {
     return error.value() > stated_order / decade && error.value() < stated_order * decade;
@@ -310,14 +311,16 @@ void compare_error(literate::Document& document, const parameters::Case& from_fi
 
 }  // namespace
 
-void compute_error_analysis(literate::Document& document, const parameters::Case& from_file) {
-  measure_datum(document, from_file);
-  claim_datum(document, from_file);
-  measure_tangential(document, from_file);
-  if (from_file.printed) {
-    compare_error(document, from_file);
-    compare_resultants(document, from_file);
-    compare_tangential(document, from_file);
+void compute_error_analysis(literate::Document& document, const parameters::HalfSpaceCase& c,
+                            const config::UnitSystem& units,
+                            const std::optional<PrintedData>& printed_data) {
+  measure_datum(document, c, units);
+  claim_datum(document, c, units, printed_data);
+  measure_tangential(document, c, units);
+  if (printed_data) {
+    compare_error(document, c, units, *printed_data);
+    compare_resultants(document, c, units, *printed_data);
+    compare_tangential(document, c, units, *printed_data);
   }
 }
 

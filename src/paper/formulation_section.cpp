@@ -9,8 +9,9 @@
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/uniform_load.hpp"
+#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -20,9 +21,8 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 
-void register_parameters(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& half_space = from_file.half_space;
-  const config::UnitSystem& units = from_file.units;
+void register_parameters(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                         const config::UnitSystem& units) {
   document.value("units.length", Value::text(units.length));
   document.value("units.force", Value::text(units.force));
   document.value("units.stress", Value::text(units.stress));
@@ -142,8 +142,8 @@ literate::Figure gradients(const parameters::HalfSpaceCase& half_space) {
 // end excerpt: three-loads
 
 // Three steps towards the force, each to a thousandth of the distance.
-void claim_force(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+void claim_force(literate::Document& document, const parameters::HalfSpaceCase& c,
+                 const config::UnitSystem& units) {
   const double a = c.load.half_width();
   const SurfaceQuadrature surface(c.material, elasticity::ConcentratedLoad(c.load.line_load()),
                                   c.datum);
@@ -158,7 +158,7 @@ void claim_force(literate::Document& document, const parameters::Case& from_file
   document.claim("force-sinks-without-limit",
                  {.sentence = "Under a concentrated force the displacement is infinite.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(closed_form(expected), 3, from_file.units.length),
+                  .computed = Value::scientific(closed_form(expected), 3, units.length),
                   .route = "eq. (2) integrated from the datum to points ever nearer to the force; "
                            "the value is what each step to a thousandth of the distance adds",
                   .tolerance = "three such steps add the same within the quadrature's error, so "
@@ -168,8 +168,8 @@ void claim_force(literate::Document& document, const parameters::Case& from_file
 }
 
 // Beside the end of a uniform pressure: what the gradient gains in each step, and u_z at the end.
-void claim_uniform(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase& c,
+                   const config::UnitSystem& units) {
   const double a = c.load.half_width();
   const double pressure = c.load.line_load() / (2 * a);
   const SurfaceQuadrature surface(c.material, elasticity::UniformLoad(pressure, a), c.datum);
@@ -179,7 +179,7 @@ void claim_uniform(literate::Document& document, const parameters::Case& from_fi
   document.claim("uniform-displacement-finite",
                  {.sentence = "Under uniform pressures the displacement is finite everywhere.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(at_end, 3, from_file.units.length),
+                  .computed = Value::scientific(at_end, 3, units.length),
                   .route = "the integral of the logarithm at the very end of the pressure",
                   .tolerance = "10⁻⁹ half-widths beside the end it differs by no more than 10⁻⁷ of "
                                "the scale K: a gradient that is infinite like a logarithm adds "
@@ -240,14 +240,15 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
 
 }  // namespace
 
-void compute_formulation(literate::Document& document, const parameters::Case& from_file) {
-  register_parameters(document, from_file);
+void compute_formulation(literate::Document& document, const parameters::HalfSpaceCase& c,
+                         const config::UnitSystem& units) {
+  register_parameters(document, c, units);
   document.figure("contact-geometry", geometry());
   document.figure("triangular-elements", elements());
-  claim_force(document, from_file);
-  claim_uniform(document, from_file);
-  claim_smooth(document, from_file.half_space);
-  document.figure("surface-gradient", gradients(from_file.half_space));
+  claim_force(document, c, units);
+  claim_uniform(document, c, units);
+  claim_smooth(document, c);
+  document.figure("surface-gradient", gradients(c));
 }
 
 }  // namespace paper

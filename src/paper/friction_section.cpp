@@ -9,16 +9,20 @@
 #include <vector>
 
 #include "contact/cattaneo_mindlin.hpp"
+#include "contact/coupled_sliding.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "elasticity/surface_quadrature.hpp"
+#include "literate/document/document.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
 
 using contact::CattaneoMindlin;
+using contact::CoupledSliding;
 using contact::Hertz;
 using contact::Solution;
 using elasticity::Material;
@@ -27,6 +31,8 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
+using numerics::fit_power;
+using numerics::PowerFit;
 
 constexpr double friction_coefficient = 0.3;  // dry metals, and a round number
 constexpr double light_friction = 0.1;        // greased ones
@@ -34,6 +40,7 @@ constexpr double light_friction = 0.1;        // greased ones
 // Two bodies with the case's radii, pressed to the case's half-width; their pressure and slopes.
 struct Pair {
   contact::CylinderPair cylinders;
+  double line_load;
   Hertz hertz;
   contact::Problem problem;
   Solution solution;
@@ -46,7 +53,11 @@ Pair pair_of(const parameters::ContactCase& c, const Material& first, const Mate
   const Hertz hertz(cylinders, load);
   const contact::Problem problem{cylinders.profile(), cylinders.contact_modulus(),
                                  contact::grid_around(hertz.half_width(), c.n_nodes)};
-  return {cylinders, hertz, problem, contact::solve_by_matrix_inversion(problem, load),
+  return {cylinders,
+          load,
+          hertz,
+          problem,
+          contact::solve_by_matrix_inversion(problem, load),
           elasticity::dundurs_beta(first, second)};
 }
 
@@ -65,49 +76,28 @@ double slope_ratio(const Pair& pair, double mu) {
   return sliding_slopes(pair, mu).of_shear.cwiseAbs().maxCoeff() / edge_slope(pair);
 }
 
-// Sliding with the pressure that feels the shear: eqs. (1a) and (2) with q = μp on body 1, −μp on
-// body 2. On −a ≤ t ≤ a, t = x − shift,
-//   p = (E*/(2R)) cos πγ (a+t)^{1/2+γ} (a−t)^{1/2−γ},   tan πγ = −βμ.
-struct CoupledSliding {
-  double gamma;
-  double half_width;  ///< a, from P = πE*a²(1−4γ²)/(4R)
-  double shift;       ///< 2γa, of the middle of the contact
-  double factor;
-
-  CoupledSliding(const Hertz& hertz, const contact::CylinderPair& cylinders, double beta_mu)
-      : gamma(-std::atan(beta_mu) / std::numbers::pi),
-        half_width(hertz.half_width() / std::sqrt(1 - 4 * gamma * gamma)),
-        shift(2 * gamma * half_width),
-        factor(cylinders.contact_modulus() * cylinders.relative_curvature() / 2 *
-               std::cos(std::numbers::pi * gamma)) {}
-
-  double pressure(double x) const {
-    const double t = std::clamp(x - shift, -half_width, half_width);
-    return factor * std::pow(half_width + t, 0.5 + gamma) * std::pow(half_width - t, 0.5 - gamma);
-  }
-};
-
-// Puts it into eq. (2) for both bodies: the largest departure of the slopes from −x/R over a/R.
+// Puts the closed form into eq. (2) for both bodies and returns the largest departure of the slope
+// from −x/R, over a/R.
 double departure(const CoupledSliding& exact, const Material& first, const Material& second,
                  double curvature) {
   const auto loaded = [&](const Material& material, double mu) {
     return elasticity::SurfaceQuadrature(
         material,
-        elasticity::distributed_load(
-            [=](double x) { return exact.pressure(x); },
-            [=](double x) { return mu * exact.pressure(x); },
-            {exact.shift - exact.half_width, exact.shift, exact.shift + exact.half_width}),
-        10 * exact.half_width);
+        elasticity::distributed_load([=](double x) { return exact.pressure(x); },
+                                     [=](double x) { return mu * exact.pressure(x); },
+                                     {exact.shift() - exact.half_width(), exact.shift(),
+                                      exact.shift() + exact.half_width()}),
+        10 * exact.half_width());
   };
   const auto body1 = loaded(first, friction_coefficient);
   const auto body2 = loaded(second, -friction_coefficient);
   double largest = 0;
   for (const double xi : {-0.93, -0.61, -0.2, 0.0, 0.37, 0.72, 0.95}) {
-    const double x = exact.shift + xi * exact.half_width;
+    const double x = exact.shift() + xi * exact.half_width();
     const double slope = body1.normal_gradient(x).value + body2.normal_gradient(x).value;
     largest = std::max(largest, std::abs(slope + curvature * x));
   }
-  return largest / (curvature * exact.half_width);
+  return largest / (curvature * exact.half_width());
 }
 
 // Materials on steel, by ratios and so in any unit: round values as engineering handbooks print
@@ -142,12 +132,12 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
   double departure_of_exact = 0;
   const auto add = [&](const char* name, const Pair& pair, literate::Cell young_ratio,
                        const Material& first, const Material& second) {
-    const CoupledSliding exact(pair.hertz, pair.cylinders, pair.beta * friction_coefficient);
+    const CoupledSliding exact(pair.cylinders, pair.line_load, friction_coefficient, pair.beta);
     table.add_row({name, young_ratio, first.poisson(), second.poisson(), pair.beta,
                    100 * slope_ratio(pair, light_friction),
                    100 * slope_ratio(pair, friction_coefficient),
-                   100 * std::abs(exact.shift) / pair.hertz.half_width(),
-                   100 * (exact.half_width / pair.hertz.half_width() - 1)});
+                   100 * std::abs(exact.shift()) / pair.hertz.half_width(),
+                   100 * (exact.half_width() / pair.hertz.half_width() - 1)});
     departure_of_ratio = std::max(departure_of_ratio, departure_from_beta_mu(pair));
     departure_of_exact = std::max(
         departure_of_exact, departure(exact, first, second, pair.cylinders.relative_curvature()));
@@ -337,8 +327,8 @@ void fit_slip_orders(literate::Document& document, parameters::ContactCase c) {
     bounds.push_back(2 * pressure_error(pair.solution));
     root_factor = std::max(root_factor, errors.largest * std::sqrt(elements.back()));
   }
-  const Power of_largest = fitted_power(elements, largest, bounds);
-  const Power of_mean = fitted_power(elements, mean, bounds);
+  const PowerFit of_largest = fit_power(elements, largest, bounds);
+  const PowerFit of_mean = fit_power(elements, mean, bounds);
   document.value("slip.fit.share", Value::exact(shares[1]));
   document.value("slip.fit.least", Value::fixed(closed_form(elements.front()), 0));
   document.value("slip.fit.most", Value::fixed(closed_form(elements.back()), 0));
@@ -398,8 +388,7 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
 
 }  // namespace
 
-void compute_friction(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
+void compute_friction(literate::Document& document, const parameters::ContactCase& c) {
   const Pair own = pair_of(c, c.body1.material, c.body2.material);
   document.value("friction.mu", Value::exact(friction_coefficient));
   compare_bodies(document, c, own);

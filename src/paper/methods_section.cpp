@@ -8,9 +8,11 @@
 #include "contact/influence_operator.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
+#include "literate/document/document.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -25,6 +27,7 @@ using literate::Column;
 using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
+using numerics::fit_power;
 using parameters::ContactCase;
 
 // The same discrete contact by three methods.
@@ -124,13 +127,13 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
   document.value("large.products.coarsest", Value::integer(products.front()));
   document.value("large.products.least", Value::integer(*least));
   document.value("large.products.most", Value::integer(*most));
-  document.value("large.order", Value::fixed(fitted_power(n, inside, bounds).order_estimate(), 1));
+  document.value("large.order", Value::fixed(fit_power(n, inside, bounds).order_estimate(), 1));
   document.value("large.rounding", Value::scientific(rounding.back(), 1));
   document.value("large.left-over", Value::scientific_bound(left_over, 1));
   document.value("large.tolerance", Value::scientific_bound(contact::default_tolerance, 1));
   document.check("work-does-not-grow", products.back() <= products.front() && *most <= 30,
                  "products on the finest grid do not grow with the number of nodes");
-  const double order = fitted_power(n, inside).order;
+  const double order = fit_power(n, inside).order;
   document.claim(
       "large-grids-keep-order",
       {.sentence = "The interior error falls with the square of the elements' width down "
@@ -144,7 +147,7 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
        .expected = Verdict::confirmed,
        .found = confirmed_if(std::abs(order - 2) < 0.35)});
   document.check("large-grids-converge",
-                 std::abs(fitted_power(n, inside).order - 2) < 0.35 && inside.back() < 1e-9,
+                 std::abs(fit_power(n, inside).order - 2) < 0.35 && inside.back() < 1e-9,
                  "the interior error falls to second order down to 1e-9 of the peak");
   document.check("differences-keep-the-digits",
                  rounding.back() > 5 * left_over && rounding.back() > 50 * rounding.front(),
@@ -153,8 +156,7 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
 
 }  // namespace
 
-void compute_methods(literate::Document& document, const parameters::Case& from_file) {
-  const ContactCase& c = from_file.contact;
+void compute_methods(literate::Document& document, const parameters::ContactCase& c) {
   const Hertz hertz(c.cylinders, c.line_load);
   register_methods(document, c, hertz);
   register_large_grids(document, c, hertz);

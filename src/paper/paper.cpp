@@ -1,34 +1,118 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/paper.hpp"
 
-#include "paper/sections.hpp"
+#include <functional>
+#include <tuple>
+#include <utility>
+
+#include "paper/printed_data.hpp"
 #include "system/parallel.hpp"
 
+// One line a section, in the order of the report, which numbers the claims: its name, and the parts
+// of the case that it needs. NAME is that of its prose, with _ for -, and of its file,
+// NAME_section.cpp, which defines compute_NAME(document, part …). A section whose parts the case
+// does not all have is left out.
+#define PAPER_SECTIONS(SECTION)                                                           \
+  SECTION(provenance, std::filesystem::path, std::string, literate::Paper)                \
+  SECTION(formulation, HalfSpaceCase, UnitSystem)                                         \
+  SECTION(quadrature, HalfSpaceCase, UnitSystem)                                          \
+  SECTION(results, HalfSpaceCase, UnitSystem, std::optional<PrintedData>)                 \
+  SECTION(finite_block, HalfSpaceCase, BlockCase, UnitSystem, std::optional<PrintedData>) \
+  SECTION(error_analysis, HalfSpaceCase, UnitSystem, std::optional<PrintedData>)          \
+  SECTION(cylinders, ContactCase, UnitSystem, std::optional<PrintedData>)                 \
+  SECTION(contact_m, ContactCase, UnitSystem, PrintedData)                                \
+  SECTION(elements, ContactCase)                                                          \
+  SECTION(methods, ContactCase)                                                           \
+  SECTION(profiles, ContactCase, UnitSystem)                                              \
+  SECTION(regions, ContactCase, UnitSystem)                                               \
+  SECTION(friction, ContactCase)                                                          \
+  SECTION(stresses, ContactCase)                                                          \
+  SECTION(program, Listings)
+
 namespace paper {
+
+using config::UnitSystem;
+using literate::Document;
+using parameters::BlockCase;
+using parameters::ContactCase;
+using parameters::HalfSpaceCase;
+
+template <typename... Part>
+using Compute = void(Document& document, const Part&... part);
+
+#define PAPER_DECLARE(NAME, ...) Compute<__VA_ARGS__> compute_##NAME;
+PAPER_SECTIONS(PAPER_DECLARE)
+#undef PAPER_DECLARE
+
 namespace {
 
-using Section = void (*)(literate::Document&, const parameters::Case&);
-
-// In the order of the report, which numbers the claims.
-std::vector<Section> sections_for(const parameters::Case& from_file) {
-  std::vector<Section> sections{compute_formulation, compute_quadrature,
-                                compute_results,     compute_block,       compute_error_analysis,
-                                compute_cylinders};
-  if (from_file.printed) sections.push_back(compute_contact_m);
-  sections.insert(sections.end(), {compute_elements, compute_methods, compute_profiles,
-                                   compute_regions, compute_friction, compute_stresses});
-  return sections;
+template <typename Part>
+const Part* pointer_to(const std::optional<Part>& part) {
+  return part ? &*part : nullptr;
 }
+
+// All that a section can ask for; null where the case has none of it.
+class Parts {
+ public:
+  Parts(const parameters::Case& c, const std::optional<PrintedData>& printed,
+        const std::optional<Listings>& listings, const literate::Paper& paper)
+      : parts_(&c.file, &c.title, &c.units, &c.half_space, &c.contact, pointer_to(c.block),
+               &printed, pointer_to(printed), pointer_to(listings), &paper) {}
+
+  template <typename Part>
+  const Part* find() const {
+    return std::get<const Part*>(parts_);
+  }
+
+ private:
+  std::tuple<const std::filesystem::path*, const std::string*, const UnitSystem*,
+             const HalfSpaceCase*, const ContactCase*, const BlockCase*,
+             const std::optional<PrintedData>*, const PrintedData*, const Listings*,
+             const literate::Paper*>
+      parts_;
+};
+
+struct Section {
+  std::string name;
+  std::function<void(Document&, const Parts&)> compute;
+};
+
+template <typename... Part>
+Section section(const char* name, Compute<Part...>* compute) {
+  return {name, [compute](Document& document, const Parts& parts) {
+            if ((... && (parts.find<Part>() != nullptr))) {
+              compute(document, *parts.find<Part>()...);
+            }
+          }};
+}
+
+#define PAPER_LIST(NAME, ...) section(#NAME, compute_##NAME),
+const std::vector<Section>& sections() {
+  static const std::vector<Section> list{PAPER_SECTIONS(PAPER_LIST)};
+  return list;
+}
+#undef PAPER_LIST
 
 }  // namespace
 
-void compute(literate::Document& document, const parameters::Case& from_file) {
-  document.flag("printed", from_file.printed.has_value());
-  const std::vector<Section> sections = sections_for(from_file);
-  std::vector<literate::Document> parts(sections.size());
-  sys::for_each_parallel(sections.size(), 0,
-                         [&](std::size_t i) { sections[i](parts[i], from_file); });
-  for (literate::Document& part : parts) document.append(std::move(part));
+void compute(Document& document, const parameters::Case& from_file,
+             const std::optional<Listings>& listings, const literate::Paper& paper) {
+  const std::optional<PrintedData> printed = read_printed(from_file);
+  document.flag("printed", printed.has_value());
+  document.flag("block", from_file.block.has_value());
+  document.flag("block.fitted", from_file.block && printed);
+
+  const Parts case_parts(from_file, printed, listings, paper);
+  std::vector<Document> documents(sections().size());
+  sys::for_each_parallel(documents.size(), 0,
+                         [&](std::size_t i) { sections()[i].compute(documents[i], case_parts); });
+  for (Document& part : documents) document.append(std::move(part));
+}
+
+std::vector<std::string> section_names() {
+  std::vector<std::string> names;
+  for (const Section& section : sections()) names.push_back(section.name);
+  return names;
 }
 
 }  // namespace paper

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "literate/document/document.hpp"
@@ -11,17 +13,26 @@
 
 namespace paper {
 
+/// The sources, a checkout, and the excerpts of them that the report may show.
+struct Listings {
+  std::filesystem::path source;
+  std::vector<literate::Excerpt> excerpts;
+};
+
 /// Computes all that the report says about a case and registers it with the document: values,
-/// tables, figures, and the checks that must hold. Tables and values about what the paper prints
-/// exist only if the case has printed data (flag `printed`).
-void compute(literate::Document& document, const parameters::Case& from_file);
+/// tables, figures, claims, and the checks that must hold. Sections are computed at the same time.
+///
+/// What concerns the paper's own numbers exists only if the case has printed data (flag `printed`),
+/// what concerns the finite block only if the case has one (flag `block`; `block.fitted` with
+/// both), and how much the listings show only with `listings`. `paper` tells the
+/// version, commit and compiler that the report states. Throws config::Error for printed
+/// data that are not right, and what the computations throw.
+void compute(literate::Document& document, const parameters::Case& from_file,
+             const std::optional<Listings>& listings = std::nullopt,
+             const literate::Paper& paper = {});
 
-/// What the report is computed from and by: the case, the commit, the compiler and the libraries.
-void describe_provenance(literate::Document& document, const parameters::Case& from_file,
-                         const literate::Paper& paper);
-
-/// How much of the mechanics below `source`/src the excerpts show, and of which files nothing.
-void register_coverage(literate::Document& document, const std::filesystem::path& source,
-                       const std::vector<literate::Excerpt>& excerpts);
+/// The sections that compute something, in the order of the report: «x_y» is computed by
+/// src/paper/x_y_section.cpp for report/sections/x-y.tex.
+std::vector<std::string> section_names();
 
 }  // namespace paper

@@ -15,9 +15,11 @@
 #include "contact/power_law.hpp"
 #include "contact/rounded_punch.hpp"
 #include "contact/wedge.hpp"
+#include "literate/document/document.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -33,6 +35,7 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
+using numerics::fit_power;
 using parameters::ContactCase;
 
 // A profile that has a closed form, scaled to have the half-width of the cylinders.
@@ -49,10 +52,8 @@ constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double flat_share = 0.7;  // of the contact under the rounded punch
 
 double punch_curvature(const ContactCase& c, double a) {
-  const double b = flat_share * a;
-  const double angle = std::acos(flat_share);
-  return 2 * c.line_load /
-         (c.cylinders.contact_modulus() * (a * a * angle - b * std::sqrt(a * a - b * b)));
+  return contact::RoundedPunch::edge_curvature_for(c.cylinders.contact_modulus(), flat_share * a, a,
+                                                   c.line_load);
 }
 
 std::vector<KnownContact> known_contacts(const ContactCase& c, const Hertz& hertz) {
@@ -73,10 +74,8 @@ std::vector<KnownContact> known_contacts(const ContactCase& c, const Hertz& hert
   const contact::RoundedPunch punch(modulus, flat_share * a, curvature, load);
   add("rounded punch", Profile::rounded_punch(flat_share * a, curvature), punch,
       punch.peak_pressure(), flat_share * a);
-  double c_n = 0.5;  // (2n−1)!!/(2n)!! at n = 1
   for (const int n : {2, 3}) {
-    c_n *= (2.0 * n - 1) / (2 * n);
-    const double coefficient = load / (std::numbers::pi * modulus * n * c_n * std::pow(a, 2 * n));
+    const double coefficient = contact::PowerLaw::coefficient_for(modulus, n, a, load);
     const contact::PowerLaw law(modulus, coefficient, n, load);
     add(fmt::format("power law, $n = {}$", n), Profile::power_law(coefficient, n), law,
         law.peak_pressure(), none);
@@ -195,9 +194,9 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
   bool edges_found = true;
   for (std::size_t k = 0; k < studies.size(); ++k) {
     const ProfileStudy& study = studies[k];
-    const double order = fitted_power(study.elements, study.inside).order;
+    const double order = fit_power(study.elements, study.inside).order;
     as_expected = as_expected && std::abs(order - expected[k]) < scatter;
-    const double away = fitted_power(study.elements, study.away).order;
+    const double away = fit_power(study.elements, study.away).order;
     second_order_away = second_order_away && std::abs(away - 2) < scatter;
     edges_found = edges_found && std::ranges::max(study.edge) < 0.25;
   }
@@ -252,9 +251,9 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
     const bool is_smooth = known.singular == none;
     table.add_row({Cell::latex(known.name), is_finite ? Cell(known.peak / p0) : Cell("∞"),
                    is_finite ? Cell(std::abs(e.peak)) : Cell(), std::abs(e.edge) / e.elements,
-                   e.inside, fitted_power(study.elements, study.inside).order,
+                   e.inside, fit_power(study.elements, study.inside).order,
                    is_smooth ? Cell() : Cell(e.away),
-                   is_smooth ? Cell() : Cell(fitted_power(study.elements, study.away).order)});
+                   is_smooth ? Cell() : Cell(fit_power(study.elements, study.away).order)});
   }
   document.table("profiles", std::move(table));
   document.figure("profile-pressures", std::move(figure));
@@ -279,9 +278,9 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
 
 }  // namespace
 
-void compute_profiles(literate::Document& document, const parameters::Case& from_file) {
-  const ContactCase& c = from_file.contact;
-  register_profiles(document, c, Hertz(c.cylinders, c.line_load), from_file.units);
+void compute_profiles(literate::Document& document, const parameters::ContactCase& c,
+                      const config::UnitSystem& units) {
+  register_profiles(document, c, Hertz(c.cylinders, c.line_load), units);
 }
 
 }  // namespace paper

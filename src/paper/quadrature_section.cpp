@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
+#include "literate/document/document.hpp"
 #include "paper/decimals.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -176,15 +177,15 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
 
 }  // namespace
 
-void compute_quadrature(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+void compute_quadrature(literate::Document& document, const parameters::HalfSpaceCase& c,
+                        const config::UnitSystem& units) {
   const double a = c.load.half_width();
   const double unit = c.material.integral_compliance() * c.load.line_load();
 
   const Comparisons gradients = compare_gradients(c, c.points);
   const Comparisons from_gradients = compare_displacements(c, c.points, true);
-  document.table("quadrature", comparison_table(gradients, from_gradients, decimals_of(c.points),
-                                                from_file.units));
+  document.table("quadrature",
+                 comparison_table(gradients, from_gradients, decimals_of(c.points), units));
   count_evaluations(document, c);
 
   const std::vector<double> points = wide_points(a);

@@ -11,8 +11,9 @@
 #include "contact/approach_control.hpp"
 #include "contact/fft_solver.hpp"
 #include "contact/hertz.hpp"
+#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -195,11 +196,11 @@ void register_round_trip(literate::Document& document, const ContactCase& c, con
 
 }  // namespace
 
-void compute_regions(literate::Document& document, const parameters::Case& from_file) {
-  const ContactCase& c = from_file.contact;
+void compute_regions(literate::Document& document, const parameters::ContactCase& c,
+                     const config::UnitSystem& units) {
   const Hertz hertz(c.cylinders, c.line_load);
   const WavyCylinders wavy = wavy_cylinders(c, hertz);
-  const std::string& unit = from_file.units.length;
+  const std::string& unit = units.length;
   document.value("wavy.amplitude",
                  Value::significant(wavy.amplitude, 3, unit).within(rounded(c, wavy.amplitude)));
   document.value("wavy.length",
@@ -208,7 +209,7 @@ void compute_regions(literate::Document& document, const parameters::Case& from_
   document.value("wavy.flattening-share", Value::fixed(flattening_share, 1));
   document.value("wavy.points", Value::integer(n_sampled));
   register_regions(document, c, hertz, wavy);
-  register_round_trip(document, c, hertz, wavy, from_file.units);
+  register_round_trip(document, c, hertz, wavy, units);
 }
 
 }  // namespace paper

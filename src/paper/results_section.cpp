@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
+#include <optional>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
+#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/decimals.hpp"
+#include "paper/printed_data.hpp"
 #include "paper/quoted.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -31,8 +34,9 @@ std::vector<double> values_of(const std::vector<PrintedNumber>& printed) {
 }
 
 // u_z by eq. (3) as a smooth curve, and what the paper prints of it, where the case has that.
-literate::Figure comparison_figure(const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+literate::Figure comparison_figure(const parameters::HalfSpaceCase& c,
+                                   const config::UnitSystem& units,
+                                   const std::optional<PrintedData>& printed_data) {
   std::vector<double> curve_x, u_z;
   constexpr int n = 300;
   const double end = 1.2 * c.points.back();
@@ -44,9 +48,9 @@ literate::Figure comparison_figure(const parameters::Case& from_file) {
                           .height_cm = 7.6,
                           .data = {{"curve", {{"x", curve_x}, {"u_z", u_z}}}},
                           .numbers = {{"half_width", c.load.half_width()}},
-                          .texts = {{"unit", from_file.units.length}}};
-  if (from_file.printed) {
-    const parameters::PrintedFigure5& printed = from_file.printed->figure5;
+                          .texts = {{"unit", units.length}}};
+  if (printed_data) {
+    const PrintedFigure5& printed = printed_data->figure5;
     figure.data["printed"] = {{"x", values_of(printed.x)},
                               {"analytical", values_of(printed.analytical)},
                               {"fea_z", values_of(printed.fea_z)},
@@ -56,8 +60,8 @@ literate::Figure comparison_figure(const parameters::Case& from_file) {
 }
 
 // Left and right, and far from the load, by eq. (2) alone.
-void claim_shape(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
+void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& c,
+                 const std::optional<PrintedData>& printed_data) {
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   const double unit = c.material.integral_compliance() * c.load.line_load();
   double largest = 0;
@@ -77,7 +81,7 @@ void claim_shape(literate::Document& document, const parameters::Case& from_file
                   .tolerance = "the errors that the two quadratures report",
                   .expected = Verdict::confirmed,
                   .found = confirmed_if(is_symmetric)});
-  if (!from_file.printed) return;
+  if (!printed_data) return;
   const double end = c.points.back();
   const numerics::Estimate share =
       quotient(surface.normal_displacement(end), surface.normal_displacement(0));
@@ -94,10 +98,10 @@ void claim_shape(literate::Document& document, const parameters::Case& from_file
 }
 
 // Eq. (3) at the points, for a case that has no printed data to stand beside.
-void tabulate_displacements(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  literate::Table table({Column::fixed("$x$", from_file.units.length, decimals_of(c.points)),
-                         Column::common_exponent("$u_z$, eq.~(3)", from_file.units.length, 8),
+void tabulate_displacements(literate::Document& document, const parameters::HalfSpaceCase& c,
+                            const config::UnitSystem& units) {
+  literate::Table table({Column::fixed("$x$", units.length, decimals_of(c.points)),
+                         Column::common_exponent("$u_z$, eq.~(3)", units.length, 8),
                          Column::common_exponent("$\\partial u_z/\\partial x$", "", 8)});
   for (const double x : c.points) {
     table.add_row({x, analytical(c, x), normal_gradient(c.material, c.load, x)});
@@ -106,11 +110,11 @@ void tabulate_displacements(literate::Document& document, const parameters::Case
 }
 
 // The point whose printed value is farthest from eq. (3), in units of its last place.
-void describe_odd_point(literate::Document& document, const parameters::Case& from_file,
+void describe_odd_point(literate::Document& document, const parameters::HalfSpaceCase& c,
+                        const config::UnitSystem& units, const PrintedData& printed_data,
                         std::size_t i) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const PrintedNumber& printed = from_file.printed->tri_dist.displacement[i];
-  const std::string& unit = from_file.units.length;
+  const PrintedNumber& printed = printed_data.tri_dist.displacement[i];
+  const std::string& unit = units.length;
   const double x = c.points[i];
   const numerics::Estimate exact = displacement(c, x);
   const numerics::Estimate slope = gradient(c, x);
@@ -126,10 +130,10 @@ void describe_odd_point(literate::Document& document, const parameters::Case& fr
 }
 
 // What the listed program's output says of the load, and of the program.
-void claim_tri_dist(literate::Document& document, const parameters::Case& from_file, long n_agree,
+void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCase& c,
+                    const config::UnitSystem& units, const PrintedData& printed_data, long n_agree,
                     long n_stepped) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const PrintedNumber& first = from_file.printed->tri_dist.displacement.front();
+  const PrintedNumber& first = printed_data.tri_dist.displacement.front();
   const long n = std::ssize(c.points);
   const numerics::Estimate load =
       c.load.line_load() * quotient(as_estimate(first), displacement(c, c.points.front()));
@@ -137,8 +141,8 @@ void claim_tri_dist(literate::Document& document, const parameters::Case& from_f
   document.claim("load-in-words",
                  {.sentence = "A 1000 pound/inch load is applied.",
                   .place = "paper, Numerical Solution, p. 6; Appendix 1, p. 12",
-                  .stated = Value::exact(in_words, from_file.units.line_load),
-                  .computed = Value::significant(load, 4, from_file.units.line_load),
+                  .stated = Value::exact(in_words, units.line_load),
+                  .computed = Value::significant(load, 4, units.line_load),
                   .route = "the first printed displacement over that of eq. (3) under unit load",
                   .tolerance = "1 %, where the print and eq. (3) have eight digits",
                   .expected = Verdict::refuted,
@@ -168,14 +172,14 @@ void claim_tri_dist(literate::Document& document, const parameters::Case& from_f
 }
 
 // The program's output beside eq. (3), at the point and where the program really took it.
-void compare_tri_dist(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const parameters::PrintedTriDist& printed = from_file.printed->tri_dist;
-  literate::Table table({Column::fixed("$x$", from_file.units.length, decimals_of(c.points)),
-                         Column::scaled("Tri\\_dist.m", from_file.units.length, -6, 7),
-                         Column::scaled("eq.~(3)", from_file.units.length, -6, 7),
+void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceCase& c,
+                      const config::UnitSystem& units, const PrintedData& printed_data) {
+  const PrintedTriDist& printed = printed_data.tri_dist;
+  literate::Table table({Column::fixed("$x$", units.length, decimals_of(c.points)),
+                         Column::scaled("Tri\\_dist.m", units.length, -6, 7),
+                         Column::scaled("eq.~(3)", units.length, -6, 7),
                          Column::integer("digits that agree"),
-                         Column::scaled("eq.~(3), stepped off", from_file.units.length, -6, 7)});
+                         Column::scaled("eq.~(3), stepped off", units.length, -6, 7)});
   long n_agree = 0;
   long n_agree_stepped = 0;
   double largest_off = 0;
@@ -197,13 +201,13 @@ void compare_tri_dist(literate::Document& document, const parameters::Case& from
       odd = i;
     }
   }
-  describe_odd_point(document, from_file, odd);
-  claim_tri_dist(document, from_file, n_agree, n_agree_stepped);
+  describe_odd_point(document, c, units, printed_data, odd);
+  claim_tri_dist(document, c, units, printed_data, n_agree, n_agree_stepped);
   const long n_points = std::ssize(c.points);
   document.table("tri-dist", table);
   document.value("tri-dist.n-agree", Value::integer(n_agree));
   document.value("tri-dist.n-agree-stepped", Value::integer(n_agree_stepped));
-  document.value("tri-dist.step", Value::exact(printed.step.value(), from_file.units.length));
+  document.value("tri-dist.step", Value::exact(printed.step.value(), units.length));
   document.value("tri-dist.n-digits", Value::integer(printed.displacement.front().n_digits()));
   document.check("tri-dist-digits", n_agree == n_points - 1,
                  "eq. (3) has every printed digit of Tri_dist.m at all points but one");
@@ -212,10 +216,10 @@ void compare_tri_dist(literate::Document& document, const parameters::Case& from
 }
 
 // The columns of Fig. 5 against eq. (3), each other and Appendix 2.
-void claim_figure5(literate::Document& document, const parameters::Case& from_file,
-                   long n_analytical, long n_errors_of_z) {
-  const parameters::PrintedFigure5& printed = from_file.printed->figure5;
-  const auto& measures = from_file.printed->appendix2.measures;
+void claim_figure5(literate::Document& document, const config::UnitSystem& units,
+                   const PrintedData& printed_data, long n_analytical, long n_errors_of_z) {
+  const PrintedFigure5& printed = printed_data.figure5;
+  const auto& measures = printed_data.appendix2.measures;
   const long n = std::ssize(printed.x);
   const auto of_points = [n](long count) {
     return Value::text(fmt::format("{} of {} points", count, n));
@@ -259,8 +263,8 @@ void claim_figure5(literate::Document& document, const parameters::Case& from_fi
       "largest-magnitude",
       {.sentence = "The largest displacement of the run is max_disp_mag.",
        .place = "paper, Appendix 2, p. 15",
-       .stated = quoted_value(maximum, from_file.units.length),
-       .computed = quoted_value(largest, from_file.units.length),
+       .stated = quoted_value(maximum, units.length),
+       .computed = quoted_value(largest, units.length),
        .route = "the largest of the magnitudes that Fig. 5 prints from the same run",
        .tolerance = "half a unit of the last place: no magnitude may exceed the maximum",
        .expected = Verdict::refuted,
@@ -268,19 +272,19 @@ void claim_figure5(literate::Document& document, const parameters::Case& from_fi
 }
 
 // Its accuracy as the run states it, and that of the closed form as the program printed it.
-void claim_accuracy(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const parameters::PrintedData& printed = *from_file.printed;
+void claim_accuracy(literate::Document& document, const parameters::HalfSpaceCase& c,
+                    const PrintedData& printed_data) {
   double fea = HUGE_VAL;
   double closed_form = 0;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
-    const auto convergence = printed.appendix2.convergence.find(fmt::format("measure{}", i + 1));
-    if (convergence != printed.appendix2.convergence.end()) {
+    const auto convergence =
+        printed_data.appendix2.convergence.find(fmt::format("measure{}", i + 1));
+    if (convergence != printed_data.appendix2.convergence.end()) {
       fea = std::min(fea, convergence->second.value() / 100);
     }
     const double exact = analytical(c, c.points[i]);
     closed_form =
-        std::max(closed_form, std::abs(printed.tri_dist.displacement[i].value() / exact - 1));
+        std::max(closed_form, std::abs(printed_data.tri_dist.displacement[i].value() / exact - 1));
   }
   document.claim(
       "fea-most-accurate",
@@ -296,10 +300,10 @@ void claim_accuracy(literate::Document& document, const parameters::Case& from_f
 }
 
 // Fig. 5 rebuilt: the analytical column from eq. (3), the error column from the other columns.
-void compare_figure5(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::HalfSpaceCase& c = from_file.half_space;
-  const parameters::PrintedFigure5& printed = from_file.printed->figure5;
-  const std::string& unit = from_file.units.length;
+void compare_figure5(literate::Document& document, const parameters::HalfSpaceCase& c,
+                     const config::UnitSystem& units, const PrintedData& printed_data) {
+  const PrintedFigure5& printed = printed_data.figure5;
+  const std::string& unit = units.length;
   literate::Table table(
       {Column::fixed("$x$", unit, decimals_of(c.points)), Column::scaled("FEA ($z$)", unit, -6, 6),
        Column::scaled("analytical", unit, -6, 6), Column::scaled("eq.~(3)", unit, -6, 6),
@@ -326,8 +330,8 @@ void compare_figure5(literate::Document& document, const parameters::Case& from_
     n_errors_of_z += explains(printed.fea_z[i]);
   }
   document.table("figure5", table);
-  claim_figure5(document, from_file, n_analytical, n_errors_of_z);
-  claim_accuracy(document, from_file);
+  claim_figure5(document, units, printed_data, n_analytical, n_errors_of_z);
+  claim_accuracy(document, c, printed_data);
   document.value("figure5.n-analytical", Value::integer(n_analytical));
   document.value("figure5.n-errors-of-magnitude", Value::integer(n_errors_of_magnitude));
   document.value("figure5.n-errors-of-z", Value::integer(n_errors_of_z));
@@ -337,14 +341,16 @@ void compare_figure5(literate::Document& document, const parameters::Case& from_
 
 }  // namespace
 
-void compute_results(literate::Document& document, const parameters::Case& from_file) {
-  document.figure("displacement-comparison", comparison_figure(from_file));
-  claim_shape(document, from_file);
-  if (from_file.printed) {
-    compare_tri_dist(document, from_file);
-    compare_figure5(document, from_file);
+void compute_results(literate::Document& document, const parameters::HalfSpaceCase& c,
+                     const config::UnitSystem& units,
+                     const std::optional<PrintedData>& printed_data) {
+  document.figure("displacement-comparison", comparison_figure(c, units, printed_data));
+  claim_shape(document, c, printed_data);
+  if (printed_data) {
+    compare_tri_dist(document, c, units, *printed_data);
+    compare_figure5(document, c, units, *printed_data);
   } else {
-    tabulate_displacements(document, from_file);
+    tabulate_displacements(document, c, units);
   }
 }
 

@@ -4,23 +4,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <string>
 #include <vector>
 
 #include "contact/friction.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/mcewen.hpp"
+#include "contact/shear_search.hpp"
+#include "contact/sliding_hertz.hpp"
 #include "contact/traction.hpp"
+#include "literate/document/document.hpp"
+#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
 
 using contact::Hertz;
 using contact::McEwen;
+using contact::ShearPoint;
+using contact::SlidingHertz;
 using contact::Solution;
 using elasticity::PiecewiseLinearTraction;
 using literate::Column;
@@ -28,6 +33,8 @@ using literate::confirmed_if;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
+using numerics::fit_power;
+using numerics::PowerFit;
 
 Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
   return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
@@ -42,60 +49,17 @@ double shear_error_of(const Solution& solution) {
   return 2 * pressure_error(solution) + 1e-13;
 }
 
-struct Point {
-  double x;
-  double z;
-  double shear;
-};
-
 // The edge's kinks, which only elements have, show above this depth (over a).
 constexpr double least_depth = 0.1;
 constexpr double greatest_friction = 0.3;  // of the table and the figure
 constexpr std::array shear_levels = {0.05, 0.1, 0.15, 0.2, 0.25, 0.29};  // contours of τ₁/p₀
 
-// The greatest τ₁ in |x| ≤ 1.2a, z from least_depth: the best point of a grid, then of finer and
-// finer ones around it, until the shear no longer tells them apart.
+// The greatest shear beneath the surface of a body whose contact has the half-width a.
 template <typename Body>
-Point greatest_shear(const Body& body, double a) {
-  Point best{0, 0.8 * a, 0};
-  double half_x = 1.2 * a;
-  double half_z = 0.8 * a;
-  constexpr int n = 10;  // steps on either side
-  for (int round = 0; round < 11; ++round) {
-    const Point centre = best;
-    for (int i = -n; i <= n; ++i) {
-      for (int k = -n; k <= n; ++k) {
-        const double x = centre.x + half_x * i / n;
-        const double z = std::max(centre.z + half_z * k / n, least_depth * a);
-        const double shear = body.stress(x, z).max_shear();
-        if (shear > best.shear) best = {x, z, shear};
-      }
-    }
-    half_x /= 4;
-    half_z /= 4;
-  }
-  return best;
+ShearPoint greatest_shear(const Body& body, double a) {
+  return contact::find_greatest_shear([&](double x, double z) { return body.stress(x, z); }, a,
+                                      least_depth * a);
 }
-
-// Beneath cylinders that slide, p by Hertz and q = μp: with w = x + iz,
-//   F(w) = ∫ p/(w−s) ds = π(p₀/a)[w − √(w²−a²)],  G = μF,  z > 0,
-// in the formulas of elasticity/interior_stress.hpp (derived; McEwen's form for μ = 0).
-struct SlidingHertz {
-  const Hertz& hertz;
-  double friction;
-
-  elasticity::Stress stress(double x, double z) const {
-    const double a = hertz.half_width();
-    const double p = hertz.peak_pressure();
-    const std::complex<double> w(x, z);
-    const std::complex<double> root = std::sqrt(w - a) * std::sqrt(w + a);
-    const std::complex<double> f = p / a * (w - root);
-    const std::complex<double> zf = z * p / a * (1.0 - w / root);
-    const double mu = friction;
-    return {f.imag() + zf.real() - 2 * mu * f.real() + mu * zf.imag(),
-            f.imag() - zf.real() - mu * zf.imag(), -zf.imag() + mu * (f.imag() + zf.real())};
-  }
-};
 
 // The friction at which the surface, where τ₁ = μp₀, overtakes the greatest shear beneath: the
 // middle of the bracket that bisection leaves.
@@ -104,7 +68,7 @@ Estimate friction_at_surface(const Hertz& hertz) {
   double high = 0.6;
   for (int i = 0; i < 12; ++i) {
     const double middle = (low + high) / 2;
-    const Point beneath = greatest_shear(SlidingHertz{hertz, middle}, hertz.half_width());
+    const ShearPoint beneath = greatest_shear(SlidingHertz(hertz, middle), hertz.half_width());
     (beneath.shear > middle * hertz.peak_pressure() ? low : high) = middle;
   }
   return {(low + high) / 2, (high - low) / 2};
@@ -186,7 +150,7 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
                       const contact::GreatestShear& exact, const Solution& solution,
                       const Hertz& hertz) {
   const double a = hertz.half_width();
-  const Point found = greatest_shear(traction, a);
+  const ShearPoint found = greatest_shear(traction, a);
   const double shear_error = std::abs(found.shear / exact.shear - 1);
   const double depth_error = std::abs(found.z - exact.depth.value) / a;
   const double shear = exact.shear / hertz.peak_pressure();
@@ -236,7 +200,7 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
     errors.push_back(std::abs(shear / exact.shear - 1));
     bounds.push_back(4 * shear_error_of(solution));
   }
-  const Power power = fitted_power(elements, errors, bounds);
+  const PowerFit power = fit_power(elements, errors, bounds);
   document.value("stresses.fit.least", Value::fixed(closed_form(elements.front()), 0));
   document.value("stresses.fit.most", Value::fixed(closed_form(elements.back()), 0));
   document.value("stresses.fit.order", Value::fixed(power.order_estimate(), 1));
@@ -255,8 +219,8 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
   double largest = 0;
   for (const double mu : {0.0, 0.1, 0.2, greatest_friction}) {
     const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
-    const Point found = greatest_shear(traction, a);
-    const Point exact = greatest_shear(SlidingHertz{hertz, mu}, a);
+    const ShearPoint found = greatest_shear(traction, a);
+    const ShearPoint exact = greatest_shear(SlidingHertz(hertz, mu), a);
     const double difference = found.shear / exact.shear - 1;
     largest = std::max(largest, std::abs(difference));
     table.add_row({mu, found.x / a, found.z / a, found.shear / p0, exact.shear / p0, difference});
@@ -302,7 +266,7 @@ struct ShearPoints {
 
 // Where τ₁/p₀ first falls through the level on the way from one point to another, if it does.
 void add_label(ShearPoints& labels, const PiecewiseLinearTraction& traction, const Hertz& hertz,
-               double level, Point from, Point to) {
+               double level, ShearPoint from, ShearPoint to) {
   constexpr int n = 500;
   const double a = hertz.half_width();
   double before = 0;
@@ -324,7 +288,7 @@ void add_field(literate::Figure& figure, const std::string& name, const Solution
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
-  const Point greatest = greatest_shear(traction, a);
+  const ShearPoint greatest = greatest_shear(traction, a);
   ShearPoints field, labels, peak;
   constexpr int n_along_x = 100, n_along_z = 60;
   for (int k = 0; k <= n_along_z; ++k) {
@@ -340,8 +304,8 @@ void add_field(literate::Figure& figure, const std::string& name, const Solution
   for (const double level : shear_levels) {
     const bool is_high = level > 0.12;
     add_label(labels, traction, hertz, level,
-              is_high ? Point{greatest.x / a, greatest.z / a, 0} : Point{-1.6, 1.2, 0},
-              is_high ? Point{-1.9, 2.45, 0} : Point{-1.6, 0, 0});
+              is_high ? ShearPoint{greatest.x / a, greatest.z / a, 0} : ShearPoint{-1.6, 1.2, 0},
+              is_high ? ShearPoint{-1.9, 2.45, 0} : ShearPoint{-1.6, 0, 0});
   }
   figure.data[name] = {literate::FigureData(field).columns, n_along_x + 1};
   figure.data[name + "_labels"] = labels;
@@ -376,8 +340,7 @@ literate::Figure shear_figure(const Solution& solution, const Hertz& hertz) {
 
 }  // namespace
 
-void compute_stresses(literate::Document& document, const parameters::Case& from_file) {
-  const parameters::ContactCase& c = from_file.contact;
+void compute_stresses(literate::Document& document, const parameters::ContactCase& c) {
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
   const PiecewiseLinearTraction traction = contact::traction_on(solution, {});

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +9,7 @@
 #include "block/discretization.hpp"
 #include "block/rectangle.hpp"
 #include "block/supports.hpp"
-#include "config/printed_number.hpp"
+#include "config/table.hpp"
 #include "config/units.hpp"
 #include "contact/cylinder_pair.hpp"
 #include "elasticity/material.hpp"
@@ -51,40 +50,7 @@ struct BlockCase {
   block::Discretization discretization;
 };
 
-/// A column or table that the paper prints, with its place in the paper.
-struct PrintedFigure5 {
-  std::string source;
-  std::vector<config::PrintedNumber> x, fea_magnitude, fea_z, analytical, error;
-};
-struct PrintedTriDist {
-  std::string source;
-  std::vector<config::PrintedNumber> displacement;
-  config::PrintedNumber step;  ///< how far the program steps off a singular point
-};
-struct PrintedAppendix2 {
-  std::string source;
-  std::map<std::string, config::PrintedNumber> measures;     ///< by their printed names
-  std::map<std::string, config::PrintedNumber> convergence;  ///< of those, in percent
-  std::map<std::string, config::PrintedNumber>
-      mass_properties;  ///< mass, centre_y, ixx_about_origin, …
-};
-
-struct PrintedContactM {
-  std::string source;
-  config::PrintedNumber spacing;    ///< c
-  config::PrintedNumber n_nodes;    ///< n
-  config::PrintedNumber zero_node;  ///< aa: «node where p becomes zero»
-};
-
-/// What the paper prints about its own case. It is compared with, never computed from.
-struct PrintedData {
-  PrintedFigure5 figure5;
-  PrintedTriDist tri_dist;
-  PrintedAppendix2 appendix2;
-  PrintedContactM contact_m;
-};
-
-/// All that a report is computed from.
+/// A case: the bodies, their loads and where they are looked at.
 struct Case {
   std::filesystem::path file;
   std::string title;
@@ -92,11 +58,12 @@ struct Case {
   HalfSpaceCase half_space;
   ContactCase contact;
   std::optional<BlockCase> block;
-  std::optional<PrintedData> printed;  ///< only for the paper's own case
+  std::optional<config::Table> printed;  ///< [printed], left to the reader who knows the paper
 };
 
 /// Reads a case file (TOML). Every quantity carries its unit and is converted to the case's system.
-/// Throws config::Error naming file, line, column, key, value and what is allowed.
+/// The table [printed] is not looked into. Throws config::Error naming file, line, column, key,
+/// value and what is allowed.
 Case read_case(const std::filesystem::path& file);
 
 }  // namespace parameters

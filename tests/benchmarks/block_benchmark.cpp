@@ -23,7 +23,6 @@ std::shared_ptr<const block::Model> model(const benchmark::State& state) {
 void count(benchmark::State& state, const block::Factorization& factorization) {
   state.counters["unknowns"] = static_cast<double>(factorization.n_unknowns());
   state.counters["condensed"] = static_cast<double>(factorization.n_condensed_unknowns());
-  state.counters["factor_entries"] = static_cast<double>(factorization.n_factor_entries());
 }
 
 void assemble_and_condense(benchmark::State& state) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two cylinders: time against the number of nodes, by each method. The domain is 4.1 half-widths.
 #include <benchmark/benchmark.h>
-#include <gsl/gsl_fit.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
+#include "numerics/power_fit.hpp"
 
 namespace {
 
@@ -70,8 +70,8 @@ void fft(benchmark::State& state) {
 
 // The exponent of N in the time from 2^14 to 2^22 nodes: least squares for the best of three.
 void fft_exponent(benchmark::State& state) {
-  std::vector<double> log_n;
-  std::vector<double> log_seconds;
+  std::vector<double> n;
+  std::vector<double> seconds;
   for (auto _ : state) {
     for (int power = 14; power <= 22; ++power) {
       const contact::Problem problem = problem_of(1L << power);
@@ -79,17 +79,14 @@ void fft_exponent(benchmark::State& state) {
       for (int repeat = 0; repeat < 3; ++repeat) {
         const auto start = std::chrono::steady_clock::now();
         benchmark::DoNotOptimize(by_fft(problem, load).pressure.data());
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        best = std::min(best, seconds.count());
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        best = std::min(best, elapsed.count());
       }
-      log_n.push_back(power * std::log(2.0));
-      log_seconds.push_back(std::log(best));
+      n.push_back(std::ldexp(1.0, power));
+      seconds.push_back(best);
     }
   }
-  double intercept, slope, cov00, cov01, cov11, residual;
-  gsl_fit_linear(log_n.data(), 1, log_seconds.data(), 1, log_n.size(), &intercept, &slope, &cov00,
-                 &cov01, &cov11, &residual);
-  state.counters["exponent"] = slope;
+  state.counters["exponent"] = -numerics::fit_power(n, seconds).order;
 }
 
 BENCHMARK(matrix_inversion)->Arg(41)->Arg(91)->Arg(361)->Unit(benchmark::kMillisecond);

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "block/discretization.hpp"
-#include "block/grading.hpp"
 #include "block/load_shapes.hpp"
+#include "block/mesh_refinement.hpp"
 #include "system/require.hpp"
 
 BOOST_AUTO_TEST_CASE(graded_lines_reach_the_smallest_size_and_grow_by_the_ratio_at_most) {

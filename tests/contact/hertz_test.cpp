@@ -72,6 +72,26 @@ BOOST_AUTO_TEST_CASE(the_gap_outside_is_that_of_equation_1b) {
   BOOST_TEST(hertz.gap(0.9 * a) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_approach_is_the_displacement_of_both_bodies_in_the_middle) {
+  // Eq. (1a) at x = 0, where h = 0; each displacement by quadrature from the datum.
+  const double a = hertz.half_width();
+  for (const double share : {1.0001, 1.7, -12.0, 2385.0}) {
+    const elasticity::SurfaceQuadrature body1(steel, hertz_load(), share * a);
+    const elasticity::SurfaceQuadrature body2(rubber, hertz_load(), share * a);
+    const double expected = body1.normal_displacement(0).value + body2.normal_displacement(0).value;
+    BOOST_TEST(tolerance::relative_difference(hertz.approach(share * a), expected) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_approach_at_a_datum_in_contact_is_the_gap_before_deformation) {
+  const double a = hertz.half_width();
+  for (const double share : {0.0, -0.385, 1.0}) {
+    BOOST_TEST(std::abs(hertz.approach(share * a) - cylinders.profile().gap(share * a)) <
+               1e-15 * cylinders.profile().gap(a));
+  }
+  BOOST_CHECK_THROW(hertz.approach(NAN), InvalidQuantity);
+}
+
 BOOST_AUTO_TEST_CASE(pressure_is_zero_from_the_edge_on) {
   BOOST_TEST(hertz.pressure(0) == hertz.peak_pressure());
   BOOST_TEST(hertz.pressure(hertz.half_width()) == 0);

@@ -142,6 +142,18 @@ BOOST_AUTO_TEST_CASE(pressure_is_zero_from_the_edge_on) {
   BOOST_TEST(contact.pressure(-2.385 * contact.half_width()) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_coefficient_for_a_half_width_gives_that_half_width) {
+  for (const int n : powers) {
+    for (const double a : {0.02385, 1.7}) {
+      const double A = PowerLaw::coefficient_for(modulus, n, a, load);
+      BOOST_TEST(tolerance::relative_difference(PowerLaw(modulus, A, n, load).half_width(), a) <
+                 1e-14);
+    }
+  }
+  BOOST_CHECK_THROW(PowerLaw::coefficient_for(modulus, 2, 0, load), InvalidQuantity);
+  BOOST_CHECK_THROW(PowerLaw::coefficient_for(modulus, 0, 1, load), InvalidQuantity);
+}
+
 BOOST_AUTO_TEST_CASE(inputs_outside_their_range_are_refused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_THROW(PowerLaw(0, coefficient, 2, load), InvalidQuantity);

@@ -236,6 +236,16 @@ BOOST_AUTO_TEST_CASE(pressure_is_zero_from_the_edge_on) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_edge_curvature_for_a_half_width_gives_that_half_width) {
+  for (const double ratio : {1.03, 1.7, 23.85}) {
+    const double kappa = RoundedPunch::edge_curvature_for(modulus, b, ratio * b, 73.17);
+    const RoundedPunch contact(modulus, b, kappa, 73.17);
+    BOOST_TEST(tolerance::relative_difference(contact.half_width(), ratio * b) < 1e-13);
+  }
+  BOOST_CHECK_THROW(RoundedPunch::edge_curvature_for(modulus, b, b, 73.17), InvalidQuantity);
+  BOOST_CHECK_THROW(RoundedPunch::edge_curvature_for(modulus, b, NAN, 73.17), InvalidQuantity);
+}
+
 BOOST_AUTO_TEST_CASE(inputs_outside_their_range_are_refused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_THROW(RoundedPunch(0, b, curvature, 73.17), InvalidQuantity);

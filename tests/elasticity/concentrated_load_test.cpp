@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "system/require.hpp"
 #include "tolerances.hpp"
@@ -41,6 +42,28 @@ BOOST_AUTO_TEST_CASE(under_the_force_the_displacement_is_infinite_as_the_paper_s
   BOOST_CHECK_THROW(normal_displacement(steel, load, 0, 10), InvalidQuantity);
   BOOST_CHECK_THROW(normal_displacement(steel, load, 1, 0), InvalidQuantity);
   BOOST_CHECK_THROW(normal_gradient(steel, load, 0), InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_CASE(the_stress_is_radial_and_falls_with_the_distance) {
+  // Johnson (2.14): σ_r = −(2P/π) cos θ/r, and no stress on the planes across.
+  for (const double angle : {-1.2, 0.0, 0.385, 1.5}) {
+    for (const double r : {0.02385, 17.0}) {
+      const double sine = std::sin(angle);
+      const double cosine = std::cos(angle);
+      const double radial = -2 * 2.385 * cosine / (std::numbers::pi * r);
+      const elasticity::Stress s = stress_under(load, r * sine, r * cosine);
+      BOOST_TEST(std::abs(s.xx - radial * sine * sine) < 1e-14 * std::abs(radial));
+      BOOST_TEST(std::abs(s.zz - radial * cosine * cosine) < 1e-14 * std::abs(radial));
+      BOOST_TEST(std::abs(s.xz - radial * sine * cosine) < 1e-14 * std::abs(radial));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(above_the_surface_and_at_the_force_there_is_no_stress_to_tell) {
+  BOOST_CHECK_THROW(stress_under(load, 0, 0), InvalidQuantity);
+  BOOST_CHECK_THROW(stress_under(load, 1, -1e-9), InvalidQuantity);
+  BOOST_CHECK_THROW(stress_under(load, NAN, 1), InvalidQuantity);
+  BOOST_TEST(stress_under(load, 1, 0).max_shear() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_force_must_be_positive) {

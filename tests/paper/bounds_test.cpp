@@ -15,7 +15,6 @@
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
-#include "paper/convergence.hpp"
 
 using config::PrintedNumber;
 using contact::Solution;
@@ -139,31 +138,5 @@ BOOST_AUTO_TEST_CASE(a_looser_tolerance_is_seen_in_the_error_of_the_pressures) {
     const double apart =
         (loose.pressure - tight.pressure).lpNorm<Eigen::Infinity>() / tight.peak_pressure();
     BOOST_TEST(apart <= paper::pressure_error(loose) + paper::pressure_error(tight), tolerance);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_order_of_a_fit_moves_by_no_more_than_its_error) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (const std::size_t n_grids : {4U, 30U}) {
-    std::vector<double> n, errors, bounds;
-    for (std::size_t i = 0; i < n_grids; ++i) {
-      n.push_back(10 * std::pow(1.3, static_cast<double>(i)));
-      errors.push_back((2 + uniform(random)) / (n.back() * n.back()));
-      bounds.push_back(0.1 * errors.back());
-    }
-    const paper::Power power = paper::fitted_power(n, errors, bounds);
-    BOOST_TEST(power.order_error > 0.01);
-    BOOST_TEST(power.order_error < 0.5);
-    BOOST_TEST(paper::fitted_power(n, errors).order_error == 0);
-    // Of errors that are no more than their bounds the order is as good as unknown.
-    BOOST_TEST(paper::fitted_power(n, errors, errors).order_error > 1);
-    BOOST_TEST(std::isfinite(paper::fitted_power(n, errors, errors).order_error));
-    for (int trial = 0; trial < 500; ++trial) {
-      std::vector<double> moved = errors;
-      for (std::size_t i = 0; i < n_grids; ++i)
-        moved[i] += bounds[i] * std::copysign(1, uniform(random));
-      BOOST_TEST(contains(power.order_estimate(), paper::fitted_power(n, moved).order));
-    }
   }
 }

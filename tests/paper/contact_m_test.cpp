@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(its_pressure_is_zero_from_the_typed_node_on) {
 }
 
 BOOST_AUTO_TEST_CASE(the_listing_is_read_from_what_is_printed) {
-  const parameters::PrintedData printed{
+  const paper::PrintedData printed{
       {},
       {"", {}, PrintedNumber("0.0000001")},
       {},

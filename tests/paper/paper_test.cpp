@@ -35,8 +35,8 @@ std::string without_block() {
 Document computed(const std::string& case_text) {
   const TemporaryFolder folder;
   Document document;
-  paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)));
-  paper::register_coverage(document, source_dir, excerpts);
+  paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)),
+                 paper::Listings{source_dir, excerpts});
   return document;
 }
 

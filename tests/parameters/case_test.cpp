@@ -54,16 +54,16 @@ BOOST_AUTO_TEST_CASE(the_papers_case_is_what_the_paper_says) {
   BOOST_TEST(c.half_space.points.size() == 11U);
   BOOST_TEST(c.half_space.points[2] == 0.01);
   BOOST_TEST(c.contact.line_load == 2500);
-  BOOST_REQUIRE(c.printed.has_value());
-  BOOST_TEST(c.printed->figure5.fea_z.size() == 11U);
-  BOOST_TEST(c.printed->tri_dist.displacement[2].text() == "1.3558976e-006");
 }
 
-BOOST_AUTO_TEST_CASE(printed_data_may_be_left_out) {
+BOOST_AUTO_TEST_CASE(what_the_paper_prints_is_left_to_who_reads_it) {
   const TemporaryFolder folder;
+  const Case c =
+      read_case(folder.write("case.toml", with("[printed.tri_dist]", "[printed.other]")));
+
+  BOOST_TEST(c.printed.value().has("other"));
   std::string text = papers_text();
   text.erase(text.find("\n[printed]"));
-
   BOOST_TEST(!read_case(folder.write("case.toml", text)).printed.has_value());
 }
 
@@ -108,15 +108,11 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
   check_refused("value = 10, unit", "value = inf, unit", "half_space.datum.value");
 }
 
-BOOST_AUTO_TEST_CASE(units_keys_and_printed_columns_are_checked) {
+BOOST_AUTO_TEST_CASE(units_and_keys_are_checked) {
   check_refused("units = \"in-lbf\"  #", "units = \"ft-lbf\"  #", "units: unknown unit system");
   check_refused("unit = \"psi\"", "unit = \"in\"", "half_space.material.young.unit");
   check_refused("poisson = 0.30", "poisson = 0.30\npoison = 1",
                 "half_space.material.poison: unknown");
   check_refused("poisson = 0.30", "", "half_space.material.poisson: missing");
   check_refused("poisson = 0.30", "poisson = \"0.30\"", "must be a number");
-  check_refused("\"0.045\", \"0.050\"]", "\"0.045\"]", "printed.figure5.x: 10 numbers for 11");
-  check_refused("\"1.6236048e-006\", ", "", "printed.tri_dist.displacement: 10 numbers for 11");
-  check_refused("units = \"in-lbf\"\n\n[printed.figure5]", "units = \"mm-N\"\n\n[printed.figure5]",
-                "printed.units");
 }

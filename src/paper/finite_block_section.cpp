@@ -2,17 +2,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "block/load_shapes.hpp"
+#include "literate/document/document.hpp"
 #include "paper/block_claims.hpp"
 #include "paper/block_figures.hpp"
 #include "paper/block_study.hpp"
 #include "paper/bounds.hpp"
 #include "paper/decimals.hpp"
+#include "paper/printed_data.hpp"
 #include "paper/quoted.hpp"
-#include "paper/sections.hpp"
+#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
@@ -35,11 +38,11 @@ double percent(double computed, double printed) {
   return 100 * (computed / printed - 1);
 }
 
-void register_block(literate::Document& document, const parameters::Case& c,
+void register_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                    const parameters::BlockCase& b, const config::UnitSystem& units,
                     const BlockStudy& study) {
-  const parameters::BlockCase& b = *c.block;
-  document.value("block.width", Value::exact(b.rectangle.width(), c.units.length));
-  document.value("block.height", Value::exact(b.rectangle.height(), c.units.length));
+  document.value("block.width", Value::exact(b.rectangle.width(), units.length));
+  document.value("block.height", Value::exact(b.rectangle.height(), units.length));
   document.value("block.order", Value::integer(b.discretization.order));
   document.value("block.sides", Value::text(name_of(b.sides)));
   const block::Factorization& fine = study.on(b.sides).fine();
@@ -47,7 +50,7 @@ void register_block(literate::Document& document, const parameters::Case& c,
   document.value("block.condensed", Value::integer(fine.n_condensed_unknowns()));
   document.value("block.elements", Value::integer(fine.model()->mesh().n_elements()));
   double largest_error = 0;
-  for (const double x : c.half_space.points) {
+  for (const double x : half_space.points) {
     const Estimate u_z = study.under_triangle().displacement_z(x, 0);
     largest_error = std::max(largest_error, u_z.abs_error / u_z.value);
   }
@@ -59,9 +62,10 @@ void register_block(literate::Document& document, const parameters::Case& c,
 }
 
 // Every printed measure beside the computed one, under the stated load and under the fitted one.
-void tabulate_measures(literate::Document& document, const parameters::Case& c,
-                       const BlockStudy& study, const std::vector<MeasureEstimate>& fitted) {
-  const auto& printed = c.printed->appendix2.measures;
+void tabulate_measures(literate::Document& document, const config::UnitSystem& units,
+                       const PrintedData& printed_data, const BlockStudy& study,
+                       const std::vector<MeasureEstimate>& fitted) {
+  const auto& printed = printed_data.appendix2.measures;
   const auto stated = study.under_triangle().measures(study.measure_options());
   literate::Table table({Column::text("measure"), Column::scientific("printed", "", 7),
                          Column::fixed("conv., \\%", "", 1), Column::scientific("triangle", "", 4),
@@ -72,9 +76,9 @@ void tabulate_measures(literate::Document& document, const parameters::Case& c,
     const auto found = printed.find(fitted[i].name);
     if (found == printed.end() || found->second.value() == 0) continue;
     const double value = found->second.value();
-    const auto converged = c.printed->appendix2.convergence.find(fitted[i].name);
+    const auto converged = printed_data.appendix2.convergence.find(fitted[i].name);
     const Cell convergence =
-        converged == c.printed->appendix2.convergence.end() ? Cell() : quoted(converged->second);
+        converged == printed_data.appendix2.convergence.end() ? Cell() : quoted(converged->second);
     table.add_row({Cell::latex("\\code{" + escaped(fitted[i].name) + "}"), quoted(found->second),
                    convergence, stated[i].value.value, percent(stated[i].value.value, value),
                    fitted[i].value.value,
@@ -99,7 +103,7 @@ void tabulate_measures(literate::Document& document, const parameters::Case& c,
     document.value("fit.predicts." + key, Value::percent_bound(magnitude(off(measure)), 2));
   }
   document.value("fit.regular-tension",
-                 Value::significant(value_of("max_stress_prin_regular"), 1, c.units.stress));
+                 Value::significant(value_of("max_stress_prin_regular"), 1, units.stress));
   const Estimate shear =
       quotient(as_estimate(printed.at("max_stress_xy")), value_of("max_stress_xy"));
   document.value("fit.shear-excess", Value::percent(shear - Estimate{1, 0}, 0));
@@ -111,7 +115,7 @@ void tabulate_measures(literate::Document& document, const parameters::Case& c,
                  Value::fixed(quotient(as_estimate(printed.at("max_stress_zz")), in_plane), 3));
   document.value(
       "appendix2.peak-stress",
-      Value::significant(magnitude(as_estimate(printed.at("max_stress_yy"))), 4, c.units.stress));
+      Value::significant(magnitude(as_estimate(printed.at("max_stress_yy"))), 4, units.stress));
   constexpr double two_tenths = 2e-3, one_percent = 1e-2;
   document.check("fit-predicts-resultant", std::abs(predict("resultant_load_y")) < two_tenths,
                  "the fit predicts the printed resultant within 0.2 %");
@@ -126,10 +130,11 @@ void tabulate_measures(literate::Document& document, const parameters::Case& c,
 
 constexpr double of_resultant = 1e-12;  // relative, as block::normal_resultant states
 
-void register_fit(literate::Document& document, const parameters::Case& c,
+void register_fit(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                  const config::UnitSystem& units, const PrintedData& printed_data,
                   const BlockStudy& study) {
   const block::LinearFit& fit = *study.fit();
-  document.value("fit.peak", Value::significant(fit.peak, 4, c.units.stress));
+  document.value("fit.peak", Value::significant(fit.peak, 4, units.stress));
   document.value("fit.edge-fraction", Value::fixed(fit.edge_fraction, 3));
   // Peak and edge fraction err together: the resultant is taken of the fit on either mesh.
   const double resultant = block::normal_resultant(fit.load);
@@ -138,19 +143,19 @@ void register_fit(literate::Document& document, const parameters::Case& c,
       "fit.resultant",
       Value::significant(Estimate{resultant, std::abs(resultant - std::abs(coarse_resultant)) +
                                                  of_resultant * resultant},
-                         4, c.units.line_load));
-  const double a = c.half_space.load.half_width();
+                         4, units.line_load));
+  const double a = half_space.load.half_width();
   constexpr double six_tenths = 0.6;
-  const auto round = block::linear_fall(c.half_space.load.peak_pressure(), six_tenths, a);
+  const auto round = block::linear_fall(half_space.load.peak_pressure(), six_tenths, a);
   const double round_resultant = block::normal_resultant(round);
-  document.value("fit.round-resultant", Value::significant(round_resultant, 4, c.units.line_load)
+  document.value("fit.round-resultant", Value::significant(round_resultant, 4, units.line_load)
                                             .within(of_resultant * round_resultant));
   document.value("fit.flat", Value::exact(flat_fraction));
   Estimate least{HUGE_VAL, 0}, most;
   for (std::size_t i = 0; i < study.observed().size(); ++i) {
     const Estimate computed = study.under_triangle().displacement_z(study.observed()[i].x, 0);
     const Estimate below =
-        Estimate{1, 0} - quotient(computed, as_estimate(c.printed->figure5.fea_z[i]));
+        Estimate{1, 0} - quotient(computed, as_estimate(printed_data.figure5.fea_z[i]));
     if (below.value < least.value) least = below;
     if (below.value > most.value) most = below;
   }
@@ -163,9 +168,9 @@ void register_fit(literate::Document& document, const parameters::Case& c,
                  "a linear fall on the block fits every printed displacement within 0.1 %");
 }
 
-void tabulate_candidates(literate::Document& document, const parameters::Case& c,
+void tabulate_candidates(literate::Document& document, const PrintedData& printed_data,
                          const BlockStudy& study) {
-  const auto& printed = c.printed->appendix2.measures;
+  const auto& printed = printed_data.appendix2.measures;
   const double resultant = printed.at("resultant_load_y").value();
   const double energy = printed.at("strain_energy").value();
   literate::Table table(
@@ -193,9 +198,8 @@ void tabulate_candidates(literate::Document& document, const parameters::Case& c
 }
 
 // On one of the two meshes.
-std::vector<Share> like_with_like(const parameters::Case& c, const BlockStudy& study,
+std::vector<Share> like_with_like(const parameters::HalfSpaceCase& h, const BlockStudy& study,
                                   const block::Solution& (block::RefinedSolution::*mesh)() const) {
-  const parameters::HalfSpaceCase& h = c.half_space;
   const auto half_space = [&](double x) {
     return normal_displacement(h.material, h.load, x, h.datum);
   };
@@ -213,12 +217,13 @@ std::vector<Share> like_with_like(const parameters::Case& c, const BlockStudy& s
   return shares;
 }
 
-void tabulate_shares(literate::Document& document, const parameters::Case& c,
-                     const std::vector<Share>& shares, const std::vector<Share>& coarse) {
+void tabulate_shares(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                     const config::UnitSystem& units, const std::vector<Share>& shares,
+                     const std::vector<Share>& coarse) {
   const auto column = [&](const char* heading) {
-    return Column::scaled(heading, c.units.length, -8, 3);
+    return Column::scaled(heading, units.length, -8, 3);
   };
-  literate::Table table({Column::fixed("$x$", c.units.length, decimals_of(c.half_space.points)),
+  literate::Table table({Column::fixed("$x$", units.length, decimals_of(half_space.points)),
                          column("whole"), column("datum"), column("finite body"), column("load"),
                          column("rest")});
   double largest_gap = 0;
@@ -227,9 +232,9 @@ void tabulate_shares(literate::Document& document, const parameters::Case& c,
     largest_gap = std::max(largest_gap, std::abs(s.datum + s.body + s.load + s.rest - s.whole));
   }
   document.table("like-with-like", table);
-  const std::string& unit = c.units.length;
+  const std::string& unit = units.length;
   // The block's error from the coarser mesh, and the half-space's, twice in differences of points.
-  const double of_half_space = 2 * displacement(c.half_space, 0).abs_error;
+  const double of_half_space = 2 * displacement(half_space, 0).abs_error;
   const auto part = [&](double Share::*which, const Share& fine, const Share& from_coarse) {
     return Estimate{fine.*which, std::abs(fine.*which - from_coarse.*which) + of_half_space};
   };
@@ -245,13 +250,14 @@ void tabulate_shares(literate::Document& document, const parameters::Case& c,
                  "the parts of the difference add up to the whole");
 }
 
-void tabulate_mass(literate::Document& document, const parameters::Case& c) {
-  const auto& printed = c.printed->appendix2.mass_properties;
+void tabulate_mass(literate::Document& document, const parameters::BlockCase& block_case,
+                   const PrintedData& printed_data) {
+  const auto& printed = printed_data.appendix2.mass_properties;
   literate::Table table({Column::text("property"), Column::scientific("printed", "", 7),
                          Column::scientific("computed", "", 7),
                          Column::integer("digits that agree")});
   bool agree = true;
-  for (const auto& [name, value] : mass_by_name(c)) {
+  for (const auto& [name, value] : mass_by_name(block_case)) {
     const PrintedNumber& number = printed.at(name);
     table.add_row({Cell::latex("\\code{" + escaped(name) + "}"), quoted(number), value,
                    number.n_agreeing_digits(value)});
@@ -264,24 +270,26 @@ void tabulate_mass(literate::Document& document, const parameters::Case& c) {
 
 }  // namespace
 
-void compute_block(literate::Document& document, const parameters::Case& from_file) {
-  document.flag("block", from_file.block.has_value());
-  document.flag("block.fitted", from_file.block && from_file.printed);
-  if (!from_file.block) return;
-  const BlockStudy study(from_file);
-  register_block(document, from_file, study);
-  register_block_figures(document, from_file, study);
-  if (!from_file.printed) return;
+void compute_finite_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+                          const parameters::BlockCase& block_case, const config::UnitSystem& units,
+                          const std::optional<PrintedData>& printed_data) {
+  const BlockStudy study(half_space, block_case,
+                         printed_data ? observed_in(half_space, printed_data->figure5)
+                                      : std::vector<block::SurfaceDisplacement>{});
+  register_block(document, half_space, block_case, units, study);
+  register_block_figures(document, half_space, block_case, units, study);
+  if (!printed_data) return;
 
-  register_fit(document, from_file, study);
+  register_fit(document, half_space, units, *printed_data, study);
   const std::vector<MeasureEstimate> fitted = study.under_fit().measures(study.measure_options());
-  tabulate_measures(document, from_file, study, fitted);
-  tabulate_candidates(document, from_file, study);
-  const std::vector<Share> shares = like_with_like(from_file, study, &block::RefinedSolution::fine);
-  tabulate_shares(document, from_file, shares,
-                  like_with_like(from_file, study, &block::RefinedSolution::coarse));
-  tabulate_mass(document, from_file);
-  claim_block(document, from_file, study, fitted, shares);
+  tabulate_measures(document, units, *printed_data, study, fitted);
+  tabulate_candidates(document, *printed_data, study);
+  const std::vector<Share> shares =
+      like_with_like(half_space, study, &block::RefinedSolution::fine);
+  tabulate_shares(document, half_space, units, shares,
+                  like_with_like(half_space, study, &block::RefinedSolution::coarse));
+  tabulate_mass(document, block_case, *printed_data);
+  claim_block(document, half_space, block_case, units, *printed_data, study, fitted, shares);
 }
 
 }  // namespace paper

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/grading.hpp"
+#include "block/mesh_refinement.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -2,26 +2,23 @@
 #include <string>
 #include <utility>
 
+#include "literate/document/document.hpp"
+#include "literate/main/paper.hpp"
 #include "literate/main/platform.hpp"
-#include "paper/paper.hpp"
 #include "system/files.hpp"
 #include "system/tool_version.hpp"
 #include "toolchain/libraries.hpp"
 
 namespace paper {
-namespace {
-
 using literate::Value;
 
-}  // namespace
-
-void describe_provenance(literate::Document& document, const parameters::Case& from_file,
-                         const literate::Paper& paper) {
+void compute_provenance(literate::Document& document, const std::filesystem::path& file,
+                        const std::string& title, const literate::Paper& paper) {
   document.value("provenance.version", Value::text(paper.version));
   document.value("provenance.commit", Value::text(paper.commit));
   document.flag("provenance.modified", paper.modified);
-  document.value("provenance.case", Value::text(from_file.file.filename().string()));
-  document.value("provenance.case-sha256", Value::text(sys::sha256_of_file(from_file.file)));
+  document.value("provenance.case", Value::text(file.filename().string()));
+  document.value("provenance.case-sha256", Value::text(sys::sha256_of_file(file)));
   document.value("provenance.compiler", Value::text(paper.compiler));
   document.value("provenance.flags", Value::text(paper.flags));
   auto libraries = toolchain::libraries();
@@ -32,8 +29,8 @@ void describe_provenance(literate::Document& document, const parameters::Case& f
   }
   document.value("provenance.gnuplot", Value::text(sys::tool_version("gnuplot")));
   document.value("provenance.tex", Value::text(sys::tool_version("pdflatex")));
-  document.value("case.title", Value::text(from_file.title));
-  document.value("case.file", Value::text(from_file.file.filename().string()));
+  document.value("case.title", Value::text(title));
+  document.value("case.file", Value::text(file.filename().string()));
 }
 
 }  // namespace paper
