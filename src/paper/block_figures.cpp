@@ -15,7 +15,7 @@ using block::Support;
 using literate::Figure;
 using literate::FigureData;
 
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_point = std::numeric_limits<double>::quiet_NaN();
 
 // What the convergence of the lower orders is measured against.
 constexpr int highest_order = 8;
@@ -50,7 +50,7 @@ FigureData sample(const block::Solution& solution, double left, double right, do
       cell_y.push_back(y[c]);
       cell_u.push_back(mean);
     }
-    for (auto* column : {&cell_x, &cell_y, &cell_u}) column->push_back(gap);
+    for (auto* column : {&cell_x, &cell_y, &cell_u}) column->push_back(no_point);
   }
   return {{"x", cell_x}, {"y", cell_y}, {"u_z", cell_u}};
 }
@@ -117,8 +117,8 @@ Figure mesh(const parameters::HalfSpaceCase& half_space, const parameters::Block
   const auto& z_lines = m.z_lines();
   std::vector<double> x, y;
   const auto line = [&](double x0, double y0, double x1, double y1) {
-    x.insert(x.end(), {x0, x1, gap});
-    y.insert(y.end(), {y0, y1, gap});
+    x.insert(x.end(), {x0, x1, no_point});
+    y.insert(y.end(), {y0, y1, no_point});
   };
   // 0 − z, so that the surface is at 0 and not at −0.
   for (const double at : x_lines) line(at, 0 - z_lines.front(), at, 0 - z_lines.back());
