@@ -11,19 +11,18 @@ namespace literate {
 
 /// What the build knows of a paper and of the program that computes it.
 struct Paper {
-  std::string project;  ///< begins each message, and names the manifest
-  std::string version;
+  std::string project = {};  ///< begins each message, and names the manifest
+  std::string version = {};
   std::string commit = "unknown";  ///< twelve digits; unknown without git or before the first
   bool modified = false;           ///< whether files of the repository differ from the commit
   std::string date = "unknown";    ///< SOURCE_DATE_EPOCH, or else the commit's
-  std::string compiler;            ///< with its version
-  std::string build_type;
-  std::string flags;                                  ///< of the compiler, for the build type
-  std::string main_file;                              ///< of the LaTeX document
-  std::vector<std::string> source_folders;            ///< that hold its code and excerpts
-  std::vector<CompiledExcerpt> excerpts;              ///< as the program was compiled from them
+  std::string compiler = {};       ///< with its version
+  std::string build_type = {};
+  std::string flags = {};                             ///< of the compiler, for the build type
+  std::string main_file = {};                         ///< of the LaTeX document
+  std::vector<std::string> source_folders = {};       ///< that hold its code and excerpts
+  std::vector<CompiledExcerpt> excerpts = {};         ///< as the program was compiled from them
   std::map<std::string, std::string> libraries = {};  ///< versions, besides those of the engine
-};                                                    ///< versions, besides those of the engine
 };
 
 /// The paper whose program this is. literate_add_paper compiles it into each program.
