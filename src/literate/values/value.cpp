@@ -195,6 +195,19 @@ Value Value::percent(double ratio, int decimals) {
   return percentage(ratio, rounded_to_place(ratio, -decimals - 2));
 }
 
+Value Value::exact_percent(double ratio) {
+  Decimal digits = shortest(ratio);
+  // All zeros of an exact number are known: 100 %, not 1e2 %.
+  for (; digits.place > -2 && !is_zero(digits); --digits.place) digits.digits += '0';
+  return percentage(ratio, digits);
+}
+
+Value Value::percent_significant(numerics::Estimate ratio, int max_digits) {
+  require_error_bound(ratio.abs_error);
+  return percentage(ratio.value, earned_digits(ratio, lowest_place(ratio, max_digits)))
+      .with_error(ratio.abs_error);
+}
+
 Value Value::percent_bound(double ratio, int decimals) {
   require_decimals(decimals);
   require_not_negative(ratio);
@@ -233,6 +246,7 @@ Value Value::percentage(double ratio, Decimal rounded) {
   Value value = quantity(ratio, digits, "").at_place(place);
   value.latex_ = fmt::format("\\qty{{{}}}{{\\percent}}", digits);
   value.printed_ += " %";
+  value.is_percentage_ = true;
   return value;
 }
 

@@ -46,6 +46,11 @@ class Value {
   /// ratio itself.
   static Value percent(double ratio, int decimals);
 
+  /// As percent() with the digits that exact() prints, and with at most `max_digits` significant
+  /// digits of the ratio, fewer where its error reaches beyond the last of them.
+  static Value exact_percent(double ratio);
+  static Value percent_significant(numerics::Estimate ratio, int max_digits);
+
   /// Print as the factories for a plain number do, but fewer digits if the error is greater than
   /// one unit of the last of them. Also throw std::invalid_argument for an error that is negative
   /// or not finite.
@@ -91,6 +96,9 @@ class Value {
 
   const std::string& unit() const { return unit_; }
 
+  /// Whether the number is a ratio that is printed in per cent.
+  bool is_percentage() const { return is_percentage_; }
+
  private:
   Value() = default;
   static Value quantity(double number, const std::string& digits, std::string_view unit);
@@ -106,6 +114,7 @@ class Value {
   std::optional<double> abs_error_;
   int place_ = 0;  // the power of ten of the last printed digit, in the unit of number_
   std::string unit_;
+  bool is_percentage_ = false;
 };
 
 }  // namespace literate

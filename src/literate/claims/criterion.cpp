@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/claims/criterion.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "literate/values/decimal.hpp"
+
+namespace literate {
+namespace {
+
+/// The double nearest to a decimal number.
+double number_of(const Decimal& decimal) {
+  const std::string text = scientific(decimal);
+  double number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+double require_abs_error(const std::string& name, const Value& quantity) {
+  if (!quantity.number()) throw std::invalid_argument(name + ": a criterion tests a number");
+  if (!quantity.abs_error()) {
+    throw std::invalid_argument(name + ": a criterion needs the error of what it tests");
+  }
+  return *quantity.abs_error();
+}
+
+/// A limit as it is tested, in the notation of the quantity that it limits.
+std::string printed_limit(double limit, const Value& quantity) {
+  return quantity.is_percentage() ? Value::exact_percent(limit).printed()
+                                  : Value::exact(limit, quantity.unit()).printed();
+}
+
+}  // namespace
+
+std::string_view name_of(LimitKind kind) {
+  switch (kind) {
+    case LimitKind::derived:
+      return "derived";
+    case LimitKind::printed:
+      return "from printed digits";
+    case LimitKind::rounding:
+      return "rounding";
+    case LimitKind::stated:
+      return "stated";
+    case LimitKind::convention:
+      return "convention";
+    case LimitKind::regression:
+      return "regression band";
+  }
+  throw std::logic_error("no name for this kind of limit");
+}
+
+Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int n_digits)
+    : kind_(kind), abs_error_(number.abs_error), reason_(std::move(reason)) {
+  if (reason_.empty()) throw std::invalid_argument("a limit needs a reason");
+  if (!(std::isfinite(abs_error_) && abs_error_ >= 0)) {
+    throw std::invalid_argument("the error of a limit is negative or not finite");
+  }
+  if (n_digits > 17) throw std::invalid_argument("a limit has at most 17 digits");
+  number_ = number_of(rounded_to_digits(number.value, n_digits));
+}
+
+Criterion::Criterion(std::string name, Value quantity, Limit limit)
+    : name_(std::move(name)), quantity_(std::move(quantity)), limit_(std::move(limit)) {
+  if (name_.empty()) throw std::invalid_argument("a criterion names what it tests");
+  found_ = quantity_.printed();
+}
+
+/// Compares the interval of the tested number with that of the limit.
+void Criterion::decide(double tested, double error, bool is_upper_limit) {
+  // A negated limit turns «at least» into «at most»: −q ≤ −L.
+  const double sign = is_upper_limit ? 1 : -1;
+  const double excess = sign * (tested - limit_.number());
+  const double unsure = error + limit_.abs_error();
+  if (excess + unsure <= 0) {
+    outcome_ = Outcome::holds;
+  } else if (excess - unsure > 0) {
+    outcome_ = Outcome::fails;
+  } else {
+    outcome_ = Outcome::undecided;
+    missing_ = fmt::format("{}: its error of {} reaches across the limit", name_,
+                           Value::scientific_bound(unsure, 1, quantity_.unit()).printed());
+  }
+}
+
+Criterion Criterion::at_most(std::string name, Value quantity, Limit limit) {
+  const double error = require_abs_error(name, quantity);
+  Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
+  criterion.condition_ = "at most " + printed_limit(criterion.limit_.number(), criterion.quantity_);
+  criterion.decide(*criterion.quantity_.number(), error, true);
+  return criterion;
+}
+
+Criterion Criterion::at_least(std::string name, Value quantity, Limit limit) {
+  const double error = require_abs_error(name, quantity);
+  Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
+  criterion.condition_ =
+      "at least " + printed_limit(criterion.limit_.number(), criterion.quantity_);
+  criterion.decide(*criterion.quantity_.number(), error, false);
+  return criterion;
+}
+
+Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance) {
+  const double error = require_abs_error(name, computed) + require_abs_error(name, stated);
+  const double difference = std::abs(*computed.number() - *stated.number());
+  Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
+  const Value& quantity = criterion.quantity_;
+  criterion.condition_ = fmt::format(
+      "within {} of {}", printed_limit(criterion.limit_.number(), quantity), stated.printed());
+  criterion.decide(difference, error, true);
+  return criterion;
+}
+
+Criterion Criterion::agrees_relatively(std::string name, Value computed, Value stated,
+                                       Limit tolerance) {
+  const double error = require_abs_error(name, computed);
+  const double error_of_stated = require_abs_error(name, stated);
+  const double c = *computed.number();
+  const double s = *stated.number();
+  if (!(std::abs(s) > error_of_stated)) {
+    throw std::invalid_argument(name + ": a relative difference from zero");
+  }
+  // |(c ± δc)/(s ± δs) − c/s| ≤ (δc + |c/s| δs)/(|s| − δs)
+  const double unsure =
+      (error + std::abs(c / s) * error_of_stated) / (std::abs(s) - error_of_stated);
+  Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
+  const double off = std::abs(c / s - 1);
+  criterion.found_ =
+      fmt::format("{}, {} from {}", criterion.quantity_.printed(),
+                  Value::percent_significant({off, unsure}, 2).printed(), stated.printed());
+  criterion.condition_ =
+      fmt::format("within {} of {}", Value::exact_percent(criterion.limit_.number()).printed(),
+                  stated.printed());
+  criterion.decide(off, unsure, true);
+  return criterion;
+}
+
+Criterion Criterion::in_each(std::string name, std::string cases,
+                             const std::vector<Criterion>& each) {
+  if (each.empty()) throw std::invalid_argument(name + ": there is no case to try");
+  const Criterion& first = each.front();
+  if (!std::ranges::all_of(each, [&](const Criterion& c) {
+        return c.limit_.number() == first.limit_.number() &&
+               c.limit_.reason() == first.limit_.reason() && c.limit_.kind() == first.limit_.kind();
+      })) {
+    throw std::invalid_argument(name + ": the cases are not held to one limit");
+  }
+  const auto n_with = [&](Outcome outcome) {
+    return std::ranges::count(each, outcome, &Criterion::outcome_);
+  };
+  const auto n_holding = n_with(Outcome::holds);
+  const auto n = std::ssize(each);
+  const auto n_undecided = n_with(Outcome::undecided);
+
+  Criterion criterion(std::move(name), Value::integer(n_holding).within(0), first.limit_);
+  criterion.found_ = fmt::format("{} of {} {}", n_holding, n, cases);
+  criterion.condition_ = first.condition_;
+  if (n_undecided > 0) {
+    criterion.missing_ =
+        fmt::format("{}: {} of {} {} are undecided", criterion.name_, n_undecided, n, cases);
+  } else if (n_holding == n) {
+    criterion.outcome_ = Outcome::holds;
+  } else {
+    criterion.outcome_ = n_holding == 0 ? Outcome::fails : Outcome::holds_in_part;
+  }
+  return criterion;
+}
+
+std::string Criterion::computed() const {
+  return fmt::format("{}: {}", name_, found_);
+}
+
+std::string Criterion::reason() const {
+  return fmt::format("{}: {}", name_of(limit_.kind()), limit_.reason());
+}
+
+}  // namespace literate

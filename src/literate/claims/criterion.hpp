@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "literate/values/value.hpp"
+#include "numerics/estimate.hpp"
+
+namespace literate {
+
+/// Why a limit is what it is. The ledger prints the kind beside the limit.
+enum class LimitKind {
+  derived,     ///< it follows from theory; the reason holds the formula
+  printed,     ///< it follows from the digits that a source prints
+  rounding,    ///< it is what rounding leaves of a computation that would otherwise be exact
+  stated,      ///< the statement itself gives it
+  convention,  ///< a reader could choose another one; the reason says why this one was chosen
+  regression,  ///< it is what was found before, with a margin
+};
+
+/// derived, from printed digits, rounding, stated, convention or regression band.
+std::string_view name_of(LimitKind kind);
+
+/// The number that decides a criterion, with the reason for it.
+///
+/// The limit that is tested is the one that is printed: the number is rounded to `n_digits`
+/// significant digits first, and the rounded one decides. `number.abs_error` is how wrong the
+/// unrounded limit may be; the criterion is undecided where that matters. Throws
+/// std::invalid_argument for a number or error that is not finite, for a negative error, for
+/// n_digits outside 1 to 17, and for an empty reason.
+class Limit {
+ public:
+  Limit(LimitKind kind, numerics::Estimate number, std::string reason, int n_digits = 3);
+  Limit(LimitKind kind, double number, std::string reason, int n_digits = 3)
+      : Limit(kind, numerics::Estimate{number, 0}, std::move(reason), n_digits) {}
+
+  double number() const { return number_; }
+  double abs_error() const { return abs_error_; }
+  LimitKind kind() const { return kind_; }
+  const std::string& reason() const { return reason_; }
+
+ private:
+  LimitKind kind_;
+  double number_;
+  double abs_error_;
+  std::string reason_;
+};
+
+/// What a criterion found.
+enum class Outcome {
+  holds,
+  holds_in_part,  ///< in some of the cases that were tried, not in all
+  fails,
+  undecided,  ///< the error of the quantity, or of the limit, reaches across the limit
+};
+
+/// A condition on a computed quantity that decides a claim: quantity, relation, limit.
+///
+/// One object prints the quantity, prints the limit and decides, so that what the reader sees is
+/// what was tested. The quantity's error counts: if number ± error, or limit ± its error, lies on
+/// both sides of the limit, the criterion is undecided. Every factory throws std::invalid_argument
+/// for a quantity without a number or without an error bound (Value::within(0) for an exact one),
+/// and for an empty name.
+class Criterion {
+ public:
+  /// quantity ≤ limit.
+  static Criterion at_most(std::string name, Value quantity, Limit limit);
+
+  /// quantity ≥ limit.
+  static Criterion at_least(std::string name, Value quantity, Limit limit);
+
+  /// |computed − stated| ≤ tolerance, in the quantities' unit. The error of the difference is the
+  /// sum of both.
+  static Criterion agrees(std::string name, Value computed, Value stated, Limit tolerance);
+
+  /// |computed/stated − 1| ≤ tolerance; `stated` must not be zero, nor its interval hold zero.
+  static Criterion agrees_relatively(std::string name, Value computed, Value stated,
+                                     Limit tolerance);
+
+  /// Every one of several cases, such as «points»: holds if all hold, fails if none does. All must
+  /// have the same relation and limit; what is printed is how many hold.
+  static Criterion in_each(std::string name, std::string cases, const std::vector<Criterion>& each);
+
+  Outcome outcome() const { return outcome_; }
+
+  /// The tested quantity by name and as printed, such as «largest misfit: 0.074 %».
+  std::string computed() const;
+
+  /// The relation and the limit as they were tested, such as «at most 0.1 %».
+  const std::string& condition() const { return condition_; }
+
+  /// The kind of the limit and its reason.
+  std::string reason() const;
+
+  /// What it would take to decide; empty unless undecided.
+  const std::string& missing() const { return missing_; }
+
+  /// The quantity that was tested, for the column of computed values.
+  const Value& quantity() const { return quantity_; }
+
+ private:
+  Criterion(std::string name, Value quantity, Limit limit);
+  void decide(double tested, double error, bool is_upper_limit);
+
+  std::string name_;
+  Value quantity_;
+  Limit limit_;
+  std::string found_;      // the quantity, and for an agreement how far it is from what is stated
+  std::string condition_;  // relation and limit
+  std::string missing_;
+  Outcome outcome_ = Outcome::undecided;
+};
+
+}  // namespace literate

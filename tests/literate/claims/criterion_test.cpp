@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/claims/criterion.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stdexcept>
+
+using literate::Criterion;
+using literate::Limit;
+using literate::LimitKind;
+using literate::Outcome;
+using literate::Value;
+
+namespace {
+
+Limit limit_of(double number, double abs_error = 0) {
+  return {LimitKind::derived, numerics::Estimate{number, abs_error}, "(c/a)²(a/z)⁴"};
+}
+
+Criterion misfit_at_most(double found, double abs_error, Limit limit) {
+  return Criterion::at_most("largest misfit", Value::percent({found, abs_error}, 3),
+                            std::move(limit));
+}
+
+bool is(const Criterion& criterion, Outcome outcome) {
+  return criterion.outcome() == outcome;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_whole_interval_on_the_allowed_side_holds_and_on_the_other_fails) {
+  BOOST_TEST(is(misfit_at_most(0.00074, 1e-6, limit_of(0.001)), Outcome::holds));
+  BOOST_TEST(is(misfit_at_most(0.00174, 1e-6, limit_of(0.001)), Outcome::fails));
+  const auto at_least = [](double found) {
+    return Criterion::at_least("share", Value::percent({found, 1e-6}, 1), limit_of(0.1));
+  };
+  BOOST_TEST(is(at_least(0.37), Outcome::holds));
+  BOOST_TEST(is(at_least(0.037), Outcome::fails));
+}
+
+BOOST_AUTO_TEST_CASE(a_quantity_that_equals_its_limit_satisfies_it) {
+  BOOST_TEST(is(misfit_at_most(0.001, 0, limit_of(0.001)), Outcome::holds));
+  BOOST_TEST(
+      is(Criterion::at_least("share", Value::percent({0.1, 0}, 1), limit_of(0.1)), Outcome::holds));
+}
+
+BOOST_AUTO_TEST_CASE(an_error_that_reaches_across_the_limit_leaves_the_verdict_open) {
+  const Criterion of_quantity = misfit_at_most(0.0009, 0.0002, limit_of(0.001));
+  BOOST_TEST(is(of_quantity, Outcome::undecided));
+  BOOST_TEST(of_quantity.missing() == "largest misfit: its error of 2e-4 reaches across the limit");
+  BOOST_TEST(is(misfit_at_most(0.0011, 0.0002, limit_of(0.001)), Outcome::undecided));
+  BOOST_TEST(is(misfit_at_most(0.0009, 0, limit_of(0.001, 0.0002)), Outcome::undecided));
+  BOOST_TEST(misfit_at_most(0.0009, 0, limit_of(0.001)).missing().empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_limit_that_is_tested_is_the_one_that_is_printed) {
+  // 0.0012345 is printed as 0.12 % when two digits are asked for; 0.00121 lies between the two.
+  const Limit rounded(LimitKind::derived, 0.0012345, "a formula", 2);
+  const Criterion criterion = misfit_at_most(0.00121, 0, rounded);
+  BOOST_TEST(criterion.condition() == "at most 0.12 %");
+  BOOST_TEST(is(criterion, Outcome::fails));
+  BOOST_TEST(rounded.number() == 0.0012);
+}
+
+BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
+  const Criterion criterion = misfit_at_most(0.00074, 1e-6, limit_of(0.001));
+  BOOST_TEST(criterion.computed() == "largest misfit: 0.074 %");
+  BOOST_TEST(criterion.condition() == "at most 0.1 %");
+  BOOST_TEST(criterion.reason() == "derived: (c/a)²(a/z)⁴");
+  const Criterion with_unit =
+      Criterion::at_least("load", Value::significant({15.99, 0.001}, 4, "lbf/in"),
+                          {LimitKind::convention, 10.0, "the load of eq. (4)"});
+  BOOST_TEST(with_unit.condition() == "at least 10 lbf/in");
+  BOOST_TEST(with_unit.reason() == "convention: the load of eq. (4)");
+}
+
+BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
+  const auto agrees = [](double computed, double error_of_stated) {
+    return Criterion::agrees("ratio", Value::fixed({computed, 1e-7}, 6),
+                             Value::exact(0.3).within(error_of_stated),
+                             {LimitKind::printed, 1e-6, "seven printed digits"});
+  };
+  BOOST_TEST(is(agrees(0.3000005, 0), Outcome::holds));
+  BOOST_TEST(is(agrees(0.2999995, 0), Outcome::holds));
+  BOOST_TEST(is(agrees(0.3000025, 0), Outcome::fails));
+  BOOST_TEST(is(agrees(0.3000005, 5e-7), Outcome::undecided));
+  BOOST_TEST(agrees(0.3000005, 0).condition() == "within 1e-6 of 0.3");
+}
+
+BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
+  const auto agrees = [](double computed, double abs_error) {
+    return Criterion::agrees_relatively(
+        "resultant", Value::significant({computed, abs_error}, 4, "lbf/in"),
+        Value::exact(16, "lbf/in").within(0),
+        {LimitKind::stated, 0.002, "twice the misfit of the displacements"});
+  };
+  BOOST_TEST(is(agrees(15.99, 0.001), Outcome::holds));
+  BOOST_TEST(is(agrees(15.9, 0.001), Outcome::fails));
+  BOOST_TEST(is(agrees(15.99, 0.03), Outcome::undecided));
+  BOOST_TEST(agrees(15.99, 0.001).computed() == "resultant: 15.99 lbf/in, 0.06 % from 16 lbf/in");
+  BOOST_TEST(agrees(15.99, 0.001).condition() == "within 0.2 % of 16 lbf/in");
+  BOOST_CHECK_THROW(Criterion::agrees_relatively("x", Value::fixed({1, 0}, 1),
+                                                 Value::fixed({0.01, 0.02}, 2), limit_of(0.1)),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(cases_are_counted_and_one_that_is_undecided_keeps_all_of_them_open) {
+  const auto in_each = [](const std::vector<double>& errors, double abs_error) {
+    std::vector<Criterion> each;
+    for (const double error : errors) each.push_back(misfit_at_most(error, abs_error, limit_of(1)));
+    return Criterion::in_each("misfit", "points", each);
+  };
+  BOOST_TEST(is(in_each({0.1, 0.2, 0.3}, 0), Outcome::holds));
+  BOOST_TEST(is(in_each({0.1, 2, 0.3}, 0), Outcome::holds_in_part));
+  BOOST_TEST(is(in_each({3, 2, 4}, 0), Outcome::fails));
+  BOOST_TEST(is(in_each({0.1, 2, 0.99}, 0.02), Outcome::undecided));
+  BOOST_TEST(in_each({0.1, 2, 0.3}, 0).computed() == "misfit: 2 of 3 points");
+  BOOST_TEST(in_each({0.1, 2, 0.3}, 0).condition() == "at most 100 %");
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_decide_is_refused) {
+  const Limit limit = limit_of(1);
+  BOOST_CHECK_THROW(Criterion::at_most("x", Value::text("eleven"), limit), std::invalid_argument);
+  BOOST_CHECK_THROW(Criterion::at_most("x", Value::fixed(0.5, 1), limit), std::invalid_argument);
+  BOOST_CHECK_THROW(Criterion::at_most("", Value::fixed({0.5, 0}, 1), limit),
+                    std::invalid_argument);
+  BOOST_CHECK_THROW(Criterion::in_each("x", "points", {}), std::invalid_argument);
+  BOOST_CHECK_THROW(
+      Criterion::in_each("x", "points",
+                         {misfit_at_most(1, 0, limit_of(1)), misfit_at_most(1, 0, limit_of(2))}),
+      std::invalid_argument);
+  BOOST_CHECK_THROW(Limit(LimitKind::derived, 1.0, ""), std::invalid_argument);
+  BOOST_CHECK_THROW(Limit(LimitKind::derived, std::nan(""), "why"), std::invalid_argument);
+  BOOST_CHECK_THROW(limit_of(1, -1e-3), std::invalid_argument);
+}
