@@ -87,6 +87,7 @@ void Document::check(const std::string& id, bool passed, std::string statement, 
 }
 
 void Document::claim(const std::string& id, Claim claim, Location location) {
+  claim = decided(std::move(claim));
   require_key(id);
   remember("claim", id, place_of(location));
   const std::array<std::pair<const char*, const std::string*>, 5> parts{

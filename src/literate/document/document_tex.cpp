@@ -21,9 +21,9 @@ namespace {
 /// read in a length.
 std::string bare_digits(double number) {
   std::array<char, 400> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
-                                 std::chars_format::fixed)
-                       .ptr;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed)
+          .ptr;
   return {digits.data(), end};
 }
 
@@ -57,7 +57,7 @@ std::string values_tex(const Registered& registered) {
 
 namespace {
 
-/// Writes «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{not as expected}».
+/// Writes «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{undecided}{not as expected}».
 std::string ledger_summary(const Registered& registered) {
   const auto count = [&](auto&& is_meant) {
     return std::ranges::count_if(registered.claims,
@@ -66,9 +66,10 @@ std::string ledger_summary(const Registered& registered) {
   const auto count_of = [&](Verdict verdict) {
     return count([verdict](const Claim& claim) { return claim.found == verdict; });
   };
-  return fmt::format("\\LiterateLedgerSummary{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n",
+  return fmt::format("\\LiterateLedgerSummary{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n",
                      registered.claims.size(), count_of(Verdict::confirmed),
                      count_of(Verdict::partly), count_of(Verdict::refuted),
+                     count_of(Verdict::undecided),
                      count([](const Claim& claim) { return claim.found != claim.expected; }));
 }
 

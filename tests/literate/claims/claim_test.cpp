@@ -2,6 +2,7 @@
 #include "literate/claims/claim.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <stdexcept>
 
 using namespace literate;
 
@@ -9,10 +10,52 @@ BOOST_AUTO_TEST_CASE(verdicts_have_names_and_follow_from_what_holds) {
   BOOST_TEST(name_of(Verdict::confirmed) == "confirmed");
   BOOST_TEST(name_of(Verdict::partly) == "partly confirmed");
   BOOST_TEST(name_of(Verdict::refuted) == "refuted");
+  BOOST_TEST(name_of(Verdict::undecided) == "undecided");
 
   BOOST_CHECK(confirmed_if(true) == Verdict::confirmed);
   BOOST_CHECK(confirmed_if(false) == Verdict::refuted);
   BOOST_CHECK(confirmed_in(11, 11) == Verdict::confirmed);
   BOOST_CHECK(confirmed_in(10, 11) == Verdict::partly);
   BOOST_CHECK(confirmed_in(0, 11) == Verdict::refuted);
+}
+
+namespace {
+
+Criterion share_at_most(double share, double limit, double abs_error = 0) {
+  return Criterion::at_most("share", Value::percent({share, abs_error}, 1),
+                            {LimitKind::derived, limit, "a formula"});
+}
+
+const Criterion held = share_at_most(0.1, 0.2);
+const Criterion failed = share_at_most(0.3, 0.2);
+const Criterion open = share_at_most(0.2, 0.2, 0.01);
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_verdict_is_what_all_criteria_say_and_open_if_one_of_them_is) {
+  BOOST_CHECK(verdict_of({held, held}) == Verdict::confirmed);
+  BOOST_CHECK(verdict_of({failed, failed}) == Verdict::refuted);
+  BOOST_CHECK(verdict_of({held, failed}) == Verdict::partly);
+  BOOST_CHECK(verdict_of({held, open}) == Verdict::undecided);
+  BOOST_CHECK(verdict_of({failed, open}) == Verdict::undecided);
+  BOOST_CHECK(verdict_of({}) == Verdict::undecided);
+}
+
+BOOST_AUTO_TEST_CASE(a_claim_prints_what_its_criteria_tested) {
+  const Claim claim = decided({.sentence = "It is small.", .criteria = {held, open}});
+
+  BOOST_TEST(claim.computed.printed() ==
+             "share: 10 %; share: 20 % [share: its error of 1e-2 reaches across the limit]");
+  BOOST_TEST(claim.tolerance ==
+             "at most 20 % (derived: a formula); at most 20 % (derived: a formula)");
+  BOOST_CHECK(claim.found == Verdict::undecided);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_said_beside_criteria) {
+  BOOST_CHECK_THROW(decided({.tolerance = "1 %", .criteria = {held}}), std::invalid_argument);
+  BOOST_CHECK_THROW(decided({.computed = Value::integer(3), .criteria = {held}}),
+                    std::invalid_argument);
+  const Claim without = decided({.tolerance = "1 %", .found = Verdict::refuted});
+  BOOST_TEST(without.tolerance == "1 %");
+  BOOST_CHECK(without.found == Verdict::refuted);
 }
