@@ -4,16 +4,17 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
 namespace {
 
 Citation citation(const std::string& text) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   sys::write_file_atomically(folder / "CITATION.cff", text);
   return read_citation(folder / "CITATION.cff");
 }

@@ -7,9 +7,9 @@
 
 #include "literate/deposit/codecheck.hpp"
 #include "literate/deposit/ro_crate.hpp"
-#include "scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
@@ -39,7 +39,7 @@ bool holds(const std::string& text, const std::string& part) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_file_is_known_by_its_content_whatever_it_is_called) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   sys::write_file_atomically(folder / "anc/t.csv", "data");
   sys::write_file_atomically(folder / "my.toml", "case");
   sys::write_file_atomically(folder / "notes.txt", "other");
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(names_become_uri_references) {
 }
 
 BOOST_AUTO_TEST_CASE(describing_again_changes_nothing) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   sys::write_file_atomically(folder / "t.csv", "data");
   describe_folder(folder.path(), some_manifest(), some_citation());
   const std::string first = sys::read_file(folder / "ro-crate-metadata.json");

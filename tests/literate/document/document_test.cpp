@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(files_no_longer_made_are_removed_and_foreign_ones_stay) {
 }
 
 BOOST_AUTO_TEST_CASE(files_of_another_version_of_the_engine_are_removed_too) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "out/figures/f.dat", "1 2\n");
   sys::write_file_atomically(scratch / "out/names.json",
                              R"({"figures": ["f"], "files": ["figures/f.dat"]})");

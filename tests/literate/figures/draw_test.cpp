@@ -8,10 +8,11 @@
 #include <thread>
 
 #include "literate/document/document.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 namespace fs = std::filesystem;
@@ -61,7 +62,7 @@ class Workplace {
   }
 
  private:
-  ScratchFolder scratch_;
+  TemporaryFolder scratch_;
   std::map<std::string, Figure> figures_;
 };
 

@@ -8,9 +8,10 @@
 #include <stdexcept>
 
 #include "literate/document/document.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
@@ -38,7 +39,7 @@ std::string refusal_of(const Figure& figure) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(data_files_hold_every_digit_in_any_locale) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaLocale));
 
   write_figure(scratch.path(), "f", curve());
@@ -50,7 +51,7 @@ BOOST_AUTO_TEST_CASE(data_files_hold_every_digit_in_any_locale) {
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_has_a_blank_line_after_each_row_but_the_last) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   Figure figure = curve();
   figure.data = {{"surface", {{{"x", {1, 2, 1, 2}}, {"z", {3, 3, 4, 4}}}, 2}}};
 
@@ -60,7 +61,7 @@ BOOST_AUTO_TEST_CASE(a_surface_has_a_blank_line_after_each_row_but_the_last) {
 }
 
 BOOST_AUTO_TEST_CASE(scripts_find_data_numbers_and_texts_as_variables) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   Figure figure = curve();
   figure.numbers = {{"two", 2}, {"small", 1e-7}, {"none", std::nan("")}};
   figure.texts = {{"unit", "\\,in"}, {"title", "Hertz' pressure"}};
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(a_refusal_names_figure_and_place_of_registration) {
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_written_is_an_output_error) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "file", "");
 
   BOOST_CHECK_THROW(write_figure(scratch / "file", "f", curve()), sys::OutputError);

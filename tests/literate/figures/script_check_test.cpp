@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/error.hpp"
 
 using namespace literate;

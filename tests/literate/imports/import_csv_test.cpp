@@ -5,8 +5,9 @@
 #include <string>
 
 #include "literate/imports/import_error.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
@@ -37,7 +38,7 @@ class Checkout {
   }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 std::string latex_of_points(const Document& document) {
@@ -79,8 +80,8 @@ BOOST_AUTO_TEST_CASE(headings_of_the_file_are_plain_text) {
 BOOST_AUTO_TEST_CASE(file_and_script_are_the_source_of_the_table) {
   const Document document = Checkout().import("x\n1\n");
 
-  BOOST_TEST(text_of(document.place("table", "points")) == "points.csv:1");
-  BOOST_TEST(document.place("table", "points").function == "run.py");
+  BOOST_TEST(text_of(document.registered().places.at({"table", "points"})) == "points.csv:1");
+  BOOST_TEST(document.registered().places.at({"table", "points"}).function == "run.py");
   BOOST_TEST(document.attachments().digests().at("points.csv") == sys::sha256_of_text("x\n1\n"));
   BOOST_TEST(document.attachments().digests().contains("run.py"));
 }
@@ -137,7 +138,7 @@ BOOST_AUTO_TEST_CASE(names_are_checked_as_everywhere) {
 }
 
 BOOST_AUTO_TEST_CASE(a_file_or_script_that_cannot_be_read_is_named) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   Document document;
   const auto error = [&] {
     return message_of<ImportError>(

@@ -7,8 +7,9 @@
 
 #include "literate/imports/import_error.hpp"
 #include "literate/provenance/manifest.hpp"
-#include "scratch_folder.hpp"
+#include "message_of.hpp"
 #include "system/files.hpp"
+#include "temporary_file.hpp"
 
 using namespace literate;
 
@@ -49,7 +50,7 @@ class Checkout {
   }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 const std::string displacements = R"({
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_value_has_its_digits_unit_error_and_place_in_the_file) {
   BOOST_TEST(value.printed() == "1.6236048e-6 in");
   BOOST_TEST(value.number().value() == 1.62360478e-6);
   BOOST_TEST(value.abs_error().value() == 1e-14);
-  const SourcePlace& place = document.place("value", "octave-u0");
+  const SourcePlace& place = document.registered().places.at({"value", "octave-u0"});
   BOOST_TEST(text_of(place) == "octave/results.json:4");
   BOOST_TEST(place.function == "octave/run.m");
 }
@@ -105,13 +106,14 @@ BOOST_AUTO_TEST_CASE(a_table_prints_each_column_in_its_format) {
                               "centre", "{1.50}", "{-20}"}) {
     BOOST_TEST(latex.find(printed) != std::string::npos, printed);
   }
-  BOOST_TEST(text_of(document.place("table", "points")) == "octave/results.json:10");
+  BOOST_TEST(text_of(document.registered().places.at({"table", "points"})) ==
+             "octave/results.json:10");
 }
 
 BOOST_AUTO_TEST_CASE(file_and_script_are_attached_with_their_digests) {
   const Checkout checkout;
   const Document document = checkout.import(displacements);
-  const ScratchFolder output;
+  const TemporaryFolder output;
 
   document.write(output / "generated");
 

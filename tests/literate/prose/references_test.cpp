@@ -19,6 +19,7 @@ const Names names{.values = {"peak.pressure", "load"},
                   .figures = {"pressure"},
                   .excerpts = {"hertz"},
                   .claims = {"load-is-peak"},
+                  .figure_places = {},
                   .faults = {},
                   .files = {}};
 
