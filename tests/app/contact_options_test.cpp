@@ -54,8 +54,8 @@ void parse(Flags flags) {
   flags.insert(flags.begin(), {"halfspace", "contact"});
   std::vector<char*> arguments;
   for (std::string& flag : flags) arguments.push_back(flag.data());
-  command_line::run_program("test", {add_contact}, static_cast<int>(arguments.size()),
-                            arguments.data());
+  command_line::run_program({.name = "test", .description = "", .version = ""}, {add_contact},
+                            static_cast<int>(arguments.size()), arguments.data());
 }
 
 ContactInput read(const Flags& flags) {
