@@ -11,7 +11,7 @@ mkdir -p "$checkout/report"
 
 ask() { # ask FOLDER: the commit and the flag, as the program would know them
   runs cmake "-DSOURCE=$1" "-DTEMPLATE=$source_dir/src/literate/cmake/paper.cpp.in" "-DOUTPUT=$written" \
-    -DPROJECT=toy -DMAIN=toy.tex -DSOURCE_FOLDERS= -DVERSION=1.2.3 -DCOMPILER=GNU -DBUILD_TYPE=Release '-DFLAGS=-O3 -DNAME="x y"' \
+    -DPROJECT=toy -DMAIN=toy.tex -DSOURCE_FOLDERS= -DFIGURES= -DVERSION=1.2.3 -DCOMPILER=GNU -DBUILD_TYPE=Release '-DFLAGS=-O3 -DNAME="x y"' \
     -P "$source_dir/src/literate/cmake/WriteBuildInfo.cmake"
 }
 has() { grep -qF "$1" "$written" && echo yes || echo no; }

@@ -54,7 +54,7 @@ endfunction()
 
 # What literate::this_paper() answers is asked for in every build, before anything is compiled, and written only where it
 # changed: a commit recompiles one file.
-function(literate_describe_paper name program main root sources)
+function(literate_describe_paper name program main root sources figures)
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
@@ -84,6 +84,7 @@ function(literate_describe_paper name program main root sources)
       "-DFLAGS=${flags}"
       "-DMAIN=${main}"
       "-DSOURCE_FOLDERS=${quoted}"
+      "-DFIGURES=${figures}"
       -P "${engine}/cmake/WriteBuildInfo.cmake"
     COMMAND literate::program excerpts --source "${root}" --folders "${folders}" --output "${folder}/excerpts.cpp"
     BYPRODUCTS ${written}
@@ -159,7 +160,8 @@ function(literate_add_paper)
   set(computed "${output}/computed")
   set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
 
-  literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}")
+  cmake_path(RELATIVE_PATH figures BASE_DIRECTORY "${root}" OUTPUT_VARIABLE figures_from_root)
+  literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}" "${figures_from_root}")
 
   # What the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)

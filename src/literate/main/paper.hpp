@@ -21,6 +21,7 @@ struct Paper {
   std::string flags = {};                             ///< of the compiler, for the build type
   std::string main_file = {};                         ///< of the LaTeX document
   std::vector<std::string> source_folders = {};       ///< that hold its code and excerpts
+  std::string figures_folder = {};                    ///< that holds its gnuplot scripts
   std::vector<CompiledExcerpt> excerpts = {};         ///< as the program was compiled from them
   std::map<std::string, std::string> libraries = {};  ///< versions, besides those of the engine
 };

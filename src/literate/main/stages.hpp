@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "literate/main/main.hpp"
+#include "literate/main/computation.hpp"
+#include "literate/main/paper.hpp"
 #include "system/error.hpp"
 
 namespace CLI {

@@ -68,8 +68,9 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   const fs::path root = fs::weakly_canonical(options.source);
   Manifest::Texts files;
   for (const std::string& folder : paper.source_folders) {
-    files.merge(sources_below(root, folder, {".cpp", ".hpp", ".in", ".sty", ".gp"}));
+    files.merge(sources_below(root, folder, {".cpp", ".hpp", ".in", ".sty"}));
   }
+  files.merge(sources_below(root, paper.figures_folder, {".gp"}));
   files.merge(imported_files(fs::path(options.generated) / "names.json"));
   const fs::path document = fs::weakly_canonical(options.document);
   const std::string folder = name_within(root, document);

@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(bare_digits_are_a_use_of_their_value) {
   const auto report = report_on("\\rule{\\rawval{load}cm}{1ex}\\rawval{lode}");
 
   BOOST_TEST(report.errors ==
-                 (Lines{"report/part/a.tex:1:24: unknown value 'lode', did you mean 'load'?"}),
+                 (Lines{"report/part/a.tex:1:28: unknown value 'lode', did you mean 'load'?"}),
              boost::test_tools::per_element());
   BOOST_TEST(std::ranges::count(report.unused, "value 'load'") == 0);
   BOOST_TEST(std::ranges::count(report.unused, "value 'peak.pressure'") == 1);
