@@ -3,11 +3,13 @@
 # scripts read. They are the name of the paper's targets, its project, the folders root, build, document, figures,
 # output and engine, the files program, literate and case, the document's main file, and the folders of sources, from the
 # root on and with colons between.
+# shellcheck disable=SC2034  # read by the scripts
+name='' project='' root='' build='' program='' literate='' document='' main='' case='' sources='' figures='' output='' engine=''
 while IFS= read -r setting; do
   printf -v "${setting%%=*}" '%s' "${setting#*=}"
 done <"$1"
 settings=$(realpath -- "$1")
-cd "$root"
+cd "$root" || exit
 
 # cached VARIABLE: its value in CMake's cache.
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
