@@ -11,6 +11,7 @@
 #include "command_line/stage.hpp"
 #include "literate/excerpts/find_excerpts.hpp"
 #include "literate/main/stages.hpp"
+#include "system/files.hpp"
 #include "system/staging.hpp"
 
 namespace literate {
@@ -38,6 +39,7 @@ void require_writable(const fs::path& output) {
 
 ExitCode run(const ComputeOptions& options, const Paper& paper, const Compute& compute) {
   const command_line::Stage computing("compute");
+  sys::read_file(options.case_file);  // one that cannot be read is told before all else
   const Inputs inputs{.case_file = options.case_file,
                       .source = options.source,
                       .excerpts = find_excerpts(options.source, paper.source_folders)};
