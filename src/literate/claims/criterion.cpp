@@ -29,7 +29,7 @@ double require_abs_error(const std::string& name, const Value& quantity) {
   return *quantity.abs_error();
 }
 
-/// A limit as it is tested, in the notation of the quantity that it limits.
+/// A limit, or an error, in the notation of the quantity that it belongs to.
 std::string printed_limit(double limit, const Value& quantity) {
   return quantity.is_percentage() ? Value::exact_percent(limit).printed()
                                   : Value::exact(limit, quantity.unit()).printed();
@@ -84,7 +84,7 @@ void Criterion::decide(double tested, double error, bool is_upper_limit) {
   } else {
     outcome_ = Outcome::undecided;
     missing_ = fmt::format("{}: its error of {} reaches across the limit", name_,
-                           Value::scientific_bound(unsure, 1, quantity_.unit()).printed());
+                           printed_limit(number_of(rounded_up_to_digits(unsure, 1)), quantity_));
   }
 }
 

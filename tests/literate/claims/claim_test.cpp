@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(a_claim_prints_what_its_criteria_tested) {
   const Claim claim = decided(claim_of({held, still_open}));
 
   BOOST_TEST(claim.computed.printed() ==
-             "share: 10 %; share: 20 % [share: its error of 1e-2 reaches across the limit]");
+             "share: 10.0 %; share: 20 % [share: its error of 1 % reaches across the limit]");
   BOOST_TEST(claim.tolerance ==
              "at most 20 % (derived: a formula); at most 20 % (derived: a formula)");
   BOOST_CHECK(claim.found == Verdict::undecided);

@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(a_quantity_that_equals_its_limit_satisfies_it) {
 BOOST_AUTO_TEST_CASE(an_error_that_reaches_across_the_limit_leaves_the_verdict_open) {
   const Criterion of_quantity = misfit_at_most(0.0009, 0.0002, limit_of(0.001));
   BOOST_TEST(is(of_quantity, Outcome::undecided));
-  BOOST_TEST(of_quantity.missing() == "largest misfit: its error of 2e-4 reaches across the limit");
+  BOOST_TEST(of_quantity.missing() ==
+             "largest misfit: its error of 0.02 % reaches across the limit");
   BOOST_TEST(is(misfit_at_most(0.0011, 0.0002, limit_of(0.001)), Outcome::undecided));
   BOOST_TEST(is(misfit_at_most(0.0009, 0, limit_of(0.001, 0.0002)), Outcome::undecided));
   BOOST_TEST(misfit_at_most(0.0009, 0, limit_of(0.001)).missing().empty());
