@@ -67,12 +67,7 @@ std::string domain_needed(Problem problem, Control control, double load_or_appro
 
 Solution solve(const Problem& problem, Control control, double load_or_approach,
                const Accuracy& accuracy) {
-  constexpr double too_large = 0.01;
-  if (!(accuracy.tolerance >= min_tolerance && accuracy.tolerance <= too_large)) {
-    throw sys::InvalidQuantity(
-        "tolerance", accuracy.tolerance,
-        fmt::format("from {}, which is rounding, to {}", min_tolerance, too_large));
-  }
+  require_tolerance(accuracy.tolerance);
   ElementLoads loads = solve_on_nested_grids(problem, control, load_or_approach, accuracy);
   require_free_ends(problem, loads.phi, control, load_or_approach);
   const double found =
@@ -82,6 +77,15 @@ Solution solve(const Problem& problem, Control control, double load_or_approach,
 }
 
 }  // namespace
+
+void require_tolerance(double tolerance) {
+  constexpr double too_large = 0.01;
+  if (!(tolerance >= min_tolerance && tolerance <= too_large)) {
+    throw sys::InvalidQuantity(
+        "tolerance", tolerance,
+        fmt::format("from {}, which is rounding, to {}", min_tolerance, too_large));
+  }
+}
 
 void require_free_ends(const Problem& problem, const VectorXd& phi, Control control,
                        double load_or_approach) {

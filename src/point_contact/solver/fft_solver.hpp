@@ -23,6 +23,9 @@ Solution solve_for_load(const Problem& problem, double load, const Accuracy& acc
 /// the least gap: in three dimensions displacements vanish far away, and no datum is needed.
 Solution solve_for_approach(const Problem& problem, double approach, const Accuracy& accuracy = {});
 
+/// Throws InvalidQuantity unless min_tolerance ≤ tolerance ≤ 0.01.
+void require_tolerance(double tolerance);
+
 /// Throws InvalidQuantity if a node at the end of the grid carries a pressure although the bodies
 /// go on beyond. The message tells how many times as large a domain would do.
 void require_free_ends(const Problem& problem, const Eigen::VectorXd& phi, Control control,

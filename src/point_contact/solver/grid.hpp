@@ -22,13 +22,9 @@ struct Grid {
   /// c = √(area of a cell), a length.
   double spacing() const { return std::sqrt(lattice.cell_area()); }
 
-  /// Where the node lies; also between nodes and beyond the grid.
-  Vector2 node(double i, double j) const {
-    return centre + (i - static_cast<double>(n1 - 1) / 2) * lattice.first +
-           (j - static_cast<double>(n2 - 1) / 2) * lattice.second;
-  }
   Vector2 node(Eigen::Index i, Eigen::Index j) const {
-    return node(static_cast<double>(i), static_cast<double>(j));
+    return centre + (static_cast<double>(i) - static_cast<double>(n1 - 1) / 2) * lattice.first +
+           (static_cast<double>(j) - static_cast<double>(n2 - 1) / 2) * lattice.second;
   }
 };
 

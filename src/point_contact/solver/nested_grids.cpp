@@ -102,16 +102,17 @@ class LevelSolver {
     contact::ContactSearch search;
     for (int revision = 0; revision < contact::max_revisions; ++revision) {
       gradients_.start(state_);
-      bool settled = true;
+      bool settled = gradients_.error() > tolerance / 2 || revise(search, tolerance);
       for (double wanted = gradients_.error(); settled && wanted > tolerance / 2;) {
         wanted = std::max(tolerance / 2, enough_to_look * wanted);
         for (int step = 0; step < max_steps && gradients_.error() > wanted; ++step) {
           gradients_.step();
         }
         settled = revise(search, tolerance);
-        if (!(gradients_.error() <= wanted)) return;  // rounding: the caller sees what is left
+        // Where rounding keeps the steps from it, the caller sees what is left.
+        if (settled && !(gradients_.error() <= wanted)) return;
       }
-      if (settled && revise(search, tolerance)) return;
+      if (settled) return;
     }
     throw ContactError(
         fmt::format("the contact did not settle in {} revisions", contact::max_revisions));
