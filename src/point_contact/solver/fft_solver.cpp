@@ -59,10 +59,10 @@ std::string domain_needed(Problem problem, Control control, double load_or_appro
         solve_on_nested_grids(problem, control, load_or_approach, {.tolerance = 1e-3}).phi;
     if (reaches_an_end(problem.grid, phi)) continue;
     constexpr double two_coarse_nodes = 4.0 / few;
-    return fmt::format("a domain at least {:.2g} times as large",
+    return fmt::format("a domain {:.2g} times as large holds it",
                        factor * (extent(problem.grid, phi) + two_coarse_nodes));
   }
-  return "a much larger domain";
+  return "it takes a much larger one";
 }
 
 Solution solve(const Problem& problem, Control control, double load_or_approach,
@@ -70,10 +70,12 @@ Solution solve(const Problem& problem, Control control, double load_or_approach,
   require_tolerance(accuracy.tolerance);
   ElementLoads loads = solve_on_nested_grids(problem, control, load_or_approach, accuracy);
   require_free_ends(problem, loads.phi, control, load_or_approach);
+  if (control == Control::load) return to_solution(problem, load_or_approach, std::move(loads));
   const double found =
       std::numbers::pi * problem.contact_modulus * problem.grid.spacing() * loads.phi.sum();
-  return to_solution(problem, control == Control::load ? load_or_approach : found,
-                     std::move(loads));
+  Solution solution = to_solution(problem, found, std::move(loads));
+  solution.residuals.load = 0;
+  return solution;
 }
 
 }  // namespace
@@ -94,10 +96,9 @@ void require_free_ends(const Problem& problem, const VectorXd& phi, Control cont
   const Lattice& lattice = problem.grid.lattice;
   throw sys::InvalidQuantity(
       "domain side", static_cast<double>(problem.grid.n1) * lattice.first.norm(),
-      is_measured
-          ? "larger: the contact reaches the end of the measured surface's grid"
-          : fmt::format("larger, since the contact reaches the end of the grid: {} is needed",
-                        domain_needed(problem, control, load_or_approach)));
+      is_measured ? "larger: the contact reaches the end of the measured surface's grid"
+                  : fmt::format("larger, since the contact reaches the end of the grid; {}",
+                                domain_needed(problem, control, load_or_approach)));
 }
 
 Solution solve_for_load(const Problem& problem, double load, const Accuracy& accuracy) {

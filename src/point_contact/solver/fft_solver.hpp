@@ -15,7 +15,7 @@ inline constexpr double min_tolerance = 1e-12;
 /// The nodal pressures are those of matrix inversion to accuracy.tolerance·(peak pressure). The
 /// result does not depend on the number of threads. Throws InvalidQuantity for P ≤ 0, what
 /// initial_gaps() refuses, a tolerance below min_tolerance, above 0.01 or out of rounding's reach,
-/// and a contact that reaches the end of the grid, with the domain that it needs; ContactError if
+/// and a contact that reaches the end of the grid, with a domain that holds it; ContactError if
 /// the contact does not settle.
 Solution solve_for_load(const Problem& problem, double load, const Accuracy& accuracy = {});
 

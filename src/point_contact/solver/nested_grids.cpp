@@ -174,6 +174,7 @@ std::vector<Grid> nested_grids(const Grid& finest) {
 
 ElementLoads solve_on_nested_grids(const Problem& problem, Control control, double load_or_approach,
                                    const Accuracy& accuracy) {
+  require_memory(problem.grid.n1, problem.grid.n2);
   const RowTeam team(accuracy.n_threads);
   const std::vector<Grid> grids = nested_grids(problem.grid);
   ElementLoads loads;

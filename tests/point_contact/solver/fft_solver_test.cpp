@@ -279,17 +279,23 @@ BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bytes) {
   BOOST_TEST(one.approach == two.approach);
 }
 
-BOOST_AUTO_TEST_CASE(contact_that_reaches_the_end_is_refused_with_the_domain_it_needs) {
+BOOST_AUTO_TEST_CASE(contact_that_reaches_the_end_is_refused_with_a_domain_that_holds_it) {
   Problem problem = spheres(Element::pyramid, 64);
   problem.grid.lattice.first /= 3;
   problem.grid.lattice.second /= 3;
-  // the contact's radius was 0.9 of the middle of the domain, whose sides are then 2.7 times too
-  // short and a little for the last node
+  // 2.7 times as large and a little for the last nodes of a coarse grid
+  BOOST_CHECK_EXCEPTION(
+      solve_for_load(problem, load), InvalidQuantity, [](const InvalidQuantity& error) {
+        return error.quantity() == "domain side" &&
+               error.allowed().find("a domain 3 times as large") != std::string::npos;
+      });
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_without_memory_is_refused_before_anything_is_computed) {
+  Problem problem = spheres(Element::pyramid, 64);
+  problem.grid.n1 = problem.grid.n2 = 3'000'000;
   BOOST_CHECK_EXCEPTION(solve_for_load(problem, load), InvalidQuantity,
-                        [](const InvalidQuantity& error) {
-                          return error.quantity() == "domain side" &&
-                                 error.allowed().find("domain at least 2.") != std::string::npos;
-                        });
+                        [](const InvalidQuantity& error) { return error.quantity() == "nodes"; });
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused) {

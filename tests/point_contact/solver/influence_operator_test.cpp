@@ -96,7 +96,13 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_undoes_the_product_away_from_the_ends) {
   influence.displacements(bump, displacements);
   influence.precondition(displacements, undone);
 
-  BOOST_TEST((undone - bump).cwiseAbs().maxCoeff() < 0.1);
+  double worst = 0;
+  for (Index j = n / 4; j < 3 * n / 4; ++j) {
+    for (Index i = n / 4; i < 3 * n / 4; ++i) {
+      worst = std::max(worst, std::abs(undone[j * n + i] - bump[j * n + i]));
+    }
+  }
+  BOOST_TEST(worst < 0.1, worst);
 }
 
 BOOST_AUTO_TEST_CASE(the_result_may_stand_where_the_field_stood) {
