@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_transform_is_the_sum_it_stands_for) {
     std::vector<Complex> sums(n);
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t j = 0; j < n; ++j) {
-        const double turns = static_cast<double>(j * k) / static_cast<double>(n);
+        const double turns = static_cast<double>(j * k % n) / static_cast<double>(n);
         sums[k] += signal[j] * std::polar(1.0, -2 * std::numbers::pi * turns);
       }
     }

@@ -72,8 +72,8 @@ class LevelSolver {
     gaps_.minCoeff(&least);
     if (control_ == Control::approach) state_.in_contact = gaps_.array() < state_.approach;
     state_.in_contact[least] = true;
-    state_.phi = state_.in_contact.select(VectorXd::Constant(gaps_.size(), gaps_.size() > 0), 0);
-    if (control_ == Control::approach) state_.phi *= 1e-3 * (state_.approach - gaps_[least]);
+    const double something = control_ == Control::load ? 1 : state_.approach - gaps_[least];
+    state_.phi = state_.in_contact.select(VectorXd::Constant(gaps_.size(), something), 0);
   }
 
   // No tension, and under a given load Σφ.
@@ -170,33 +170,46 @@ std::vector<Grid> nested_grids(const Grid& finest) {
   return grids;
 }
 
+// Whether the bodies touch at a node of this grid: a coarse one may miss a small body or contact.
+bool can_touch(const Problem& problem, Control control, double load_or_approach) {
+  const double limit = control == Control::approach ? load_or_approach : largest_length;
+  const Grid& grid = problem.grid;
+  for (Index j = 0; j < grid.n2; ++j) {
+    for (Index i = 0; i < grid.n1; ++i) {
+      if (problem.profile.gap(grid.node(i, j)) < limit) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 ElementLoads solve_on_nested_grids(const Problem& problem, Control control, double load_or_approach,
                                    const Accuracy& accuracy) {
   require_memory(problem.grid.n1, problem.grid.n2);
   const RowTeam team(accuracy.n_threads);
-  const std::vector<Grid> grids = nested_grids(problem.grid);
   ElementLoads loads;
-  for (std::size_t level = 0; level < grids.size(); ++level) {
-    Problem on_level = problem;
-    on_level.grid = grids[level];
-    VectorXd guess;
-    if (level == 0) {
-      guess = control == Control::load ? VectorXd::Ones(on_level.grid.size())
-                                       : VectorXd::Zero(on_level.grid.size());
-    } else {
-      const double coarser = grids[level - 1].spacing();
-      guess = prolongate(grids[level - 1], loads.phi, on_level.grid);
-      guess *= on_level.grid.spacing() / coarser;  // φ = c p/(πE*)
+  Grid coarser = problem.grid;
+  Problem on_level = problem;
+  for (const Grid& grid : nested_grids(problem.grid)) {
+    const bool is_finest = grid.n1 == problem.grid.n1 && grid.n2 == problem.grid.n2;
+    on_level.grid = grid;
+    if (!is_finest && !can_touch(on_level, control, load_or_approach)) continue;
+
+    VectorXd guess = VectorXd::Ones(grid.size());
+    if (loads.phi.size() > 0) {
+      // φ = c p/(πE*)
+      guess = grid.spacing() / coarser.spacing() * prolongate(coarser, loads.phi, grid);
+      loads = {};
+    } else if (control == Control::approach) {
+      guess.setZero();
     }
-    loads = {};
     constexpr double enough_to_start_from = 1e-5;
-    const bool is_finest = level + 1 == grids.size();
     const double tolerance =
         is_finest ? accuracy.tolerance : std::max(accuracy.tolerance, enough_to_start_from);
     loads =
         LevelSolver(on_level, control, load_or_approach, team).solve(std::move(guess), tolerance);
+    coarser = grid;
   }
   return loads;
 }

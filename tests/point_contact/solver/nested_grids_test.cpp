@@ -92,6 +92,17 @@ BOOST_AUTO_TEST_CASE(a_small_approach_touches_few_nodes) {
   BOOST_TEST(loads.approach == 1e-4);
 }
 
+BOOST_AUTO_TEST_CASE(a_contact_between_the_nodes_of_coarse_grids_is_found) {
+  // at the four nodes around the middle h = 2e-5; at those of the next coarser grid four times that
+  const Problem problem = sphere_on(128);
+  const ElementLoads sphere = solve_on_nested_grids(problem, Control::approach, 5e-5, {});
+  BOOST_TEST((sphere.phi.array() > 0).count() == 4);
+
+  const Problem punch{Profile::flat_punch(0.006), modulus, square_grid(1, 128), Element::uniform};
+  const ElementLoads loads = solve_on_nested_grids(punch, Control::load, 1, {});
+  BOOST_TEST((loads.phi.array() > 0).count() == 4);
+}
+
 BOOST_AUTO_TEST_CASE(a_tolerance_that_rounding_keeps_out_of_reach_is_refused) {
   BOOST_CHECK_THROW(solve_on_nested_grids(sphere_on(128), Control::load, 40, {.tolerance = 1e-17}),
                     InvalidQuantity);
