@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_contact/elements/element.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

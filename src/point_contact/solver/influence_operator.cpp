@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <span>
 
 namespace point_contact {
 namespace {

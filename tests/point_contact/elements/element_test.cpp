@@ -3,10 +3,12 @@
 // spacings some twenty are left.
 #include "point_contact/elements/element.hpp"
 
+#include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "multiprecision.hpp"

@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "system/require.hpp"
 #include "tolerances.hpp"

@@ -2,6 +2,7 @@
 #include "point_contact/solver/nested_grids.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <vector>
 
 #include "point_contact/rough_surface.hpp"
