@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numerics/real_fourier.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <initializer_list>
-#include <mutex>
 #include <new>
 #include <numbers>
 
@@ -22,29 +18,12 @@ Complex times_minus_i(const Complex& z) {
   return {z.imag(), -z.real()};
 }
 
-// The least 2^k m ≥ min_size, k ≥ 2, with a small odd m that FFTW has code for.
-std::size_t convenient_size(std::size_t min_size) {
-  std::size_t best = std::bit_ceil(std::max<std::size_t>(min_size, 4));
-  for (const std::size_t odd : {3U, 5U, 7U, 9U, 15U}) {
-    std::size_t size = 4 * odd;
-    while (size < min_size) size *= 2;
-    best = std::min(best, size);
-  }
-  return best;
-}
-
-// FFTW's planner, which makes and frees plans, is one for all threads.
-std::mutex planner;
-
 }  // namespace
 
-void RealFourier::FreePlan::operator()(fftw_plan_s* plan) const {
-  const std::scoped_lock lock(planner);
-  fftw_destroy_plan(plan);
-}
-
 RealFourier::RealFourier(std::size_t min_size)
-    : size_(convenient_size(min_size)), buffer_(fftw_alloc_real(size_ + 2)), roots_(size_ / 4 + 1) {
+    : size_(convenient_fourier_size(min_size)),
+      buffer_(fftw_alloc_real(size_ + 2)),
+      roots_(size_ / 4 + 1) {
   if (!buffer_) throw std::bad_alloc();
   for (std::size_t k = 0; k < roots_.size(); ++k) {
     const double turn = static_cast<double>(k) / static_cast<double>(size_);
@@ -52,7 +31,7 @@ RealFourier::RealFourier(std::size_t min_size)
   }
   auto* z = reinterpret_cast<fftw_complex*>(buffer_.get());
   const int n = static_cast<int>(size_ / 2);
-  const std::scoped_lock lock(planner);
+  const std::scoped_lock lock(fftw_planner());
   forward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_FORWARD, FFTW_ESTIMATE));
   backward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_BACKWARD, FFTW_ESTIMATE));
 }

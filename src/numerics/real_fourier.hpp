@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fftw3.h>
-
 #include <complex>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
+
+#include "numerics/fftw_planner.hpp"
 
 namespace numerics {
 
@@ -32,19 +32,11 @@ class RealFourier {
   void backward();
 
  private:
-  struct FreePlan {
-    void operator()(fftw_plan_s* plan) const;
-  };
-  struct FreeBuffer {
-    void operator()(double* buffer) const { fftw_free(buffer); }
-  };
-  using Plan = std::unique_ptr<fftw_plan_s, FreePlan>;
-
   std::size_t size_;
-  std::unique_ptr<double[], FreeBuffer> buffer_;
+  std::unique_ptr<double[], FreeFftwMemory> buffer_;
   std::vector<std::complex<double>> roots_;  // exp(−2πi k/n), k = 0 … n/4
-  Plan forward_;
-  Plan backward_;
+  FftwPlan forward_;
+  FftwPlan backward_;
 };
 
 }  // namespace numerics

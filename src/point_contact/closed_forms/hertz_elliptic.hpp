@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "point_contact/elements/lattice.hpp"
+
+namespace point_contact {
+
+/// Hertz's closed form for an elliptical contact: two bodies whose gap is h = (κ_x x² + κ_y y²)/2
+/// (Johnson §4.2, eqs. 3.60–3.64, in Carlson's symmetric integrals R_F and R_D).
+///
+/// With semi-axes a along x and b along y, and w from x²/(a²+w) + y²/(b²+w) = 1 outside,
+///
+///   u_z1 + u_z2 = (p₀ab/E*) [R_F(w, a²+w, b²+w) − ⅓x² R_D(w, b²+w, a²+w) − ⅓y² R_D(w, a²+w, b²+w)]
+///
+/// w = 0 inside. Equating this to δ − h gives κ_x, κ_y and δ; the ratio b/a is solved for from
+/// κ_x/κ_y, not approximated.
+class HertzElliptic {
+ public:
+  /// contact_modulus E* (a stress), curvatures κ_x and κ_y (in any order of size) and load P (a
+  /// force), each > 0, or InvalidQuantity is thrown. κ_x/κ_y must lie between 1e-8 and 1e8.
+  HertzElliptic(double contact_modulus, double curvature_x, double curvature_y, double load);
+
+  /// a along x and b along y, lengths. Accuracy: 1e-14 relative.
+  double semi_axis_x() const { return a_; }
+  double semi_axis_y() const { return b_; }
+
+  /// p₀ = 3P/(2πab), a stress.
+  double peak_pressure() const { return peak_pressure_; }
+
+  /// δ = (p₀ab/E*) R_F(0, a², b²), a length.
+  double approach() const { return approach_; }
+
+  /// p = p₀ √(1 − x²/a² − y²/b²) within the ellipse, 0 outside; a stress.
+  double pressure(const Vector2& at) const;
+
+  /// The gap u_z1 + u_z2 + h − δ that is left outside the contact, 0 inside; a length. Accuracy:
+  /// 1e-14 of h.
+  double gap(const Vector2& at) const;
+
+ private:
+  double contact_modulus_, curvature_x_, curvature_y_;
+  double a_, b_;
+  double peak_pressure_;
+  double approach_;
+};
+
+}  // namespace point_contact

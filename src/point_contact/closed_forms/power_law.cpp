@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_contact/closed_forms/power_law.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "point_contact/bodies/profile.hpp"
+#include "system/require.hpp"
+
+namespace point_contact {
+namespace {
+
+double checked_factor(int n) {
+  if (n < 1 || n > Profile::max_power) {
+    throw sys::InvalidQuantity("n", n, fmt::format("from 1 to {}", Profile::max_power));
+  }
+  double factor = 1;
+  for (int k = 1; k <= n; ++k) factor *= 2.0 * k / (2 * k - 1);
+  return factor;
+}
+
+}  // namespace
+
+PowerLaw::PowerLaw(double contact_modulus, double coefficient, int n, double load)
+    : contact_modulus_(sys::require_positive("contact_modulus", contact_modulus)),
+      coefficient_(sys::require_positive("coefficient", coefficient)),
+      n_(n),
+      factor_(checked_factor(n)),
+      radius_(std::pow((2 * n + 1) * sys::require_positive("load", load) /
+                           (4 * n * factor_ * coefficient * contact_modulus),
+                       1.0 / (2 * n + 1))) {}
+
+double PowerLaw::approach() const {
+  return factor_ * coefficient_ * std::pow(radius_, 2 * n_);
+}
+
+double PowerLaw::pressure(double r) const {
+  const double distance = std::abs(r);
+  if (distance >= radius_) return 0;
+  const double t = std::sqrt((radius_ - distance) * (radius_ + distance)) / radius_;
+  const double square = distance * distance / (radius_ * radius_);
+  double sum = 0;
+  double binomial = 1;
+  for (int k = 0; k < n_; ++k) {
+    sum += binomial * std::pow(square, n_ - 1 - k) * std::pow(t, 2 * k + 1) / (2 * k + 1);
+    binomial *= static_cast<double>(n_ - 1 - k) / (k + 1);
+  }
+  return 2 * n_ * factor_ * coefficient_ * contact_modulus_ / std::numbers::pi *
+         std::pow(radius_, 2 * n_ - 1) * sum;
+}
+
+}  // namespace point_contact

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_contact/solver/beneath.hpp"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "system/require.hpp"
+
+namespace point_contact {
+namespace {
+
+using Eigen::Index;
+
+struct Node {
+  Index i;
+  Index j;
+};
+
+// A triangle of three nodes, counter-clockwise; nothing if it carries nothing.
+void add_triangle(const Solution& solution, const elasticity::Material& material,
+                  const Eigen::Vector3d& at, std::array<Node, 3> nodes, InteriorField& sum) {
+  const Grid& grid = solution.grid;
+  if (cross(grid.lattice.first, grid.lattice.second) < 0) std::swap(nodes[1], nodes[2]);
+  std::array<Vector2, 3> corners;
+  std::array<double, 3> values;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = grid.node(nodes[k].i, nodes[k].j);
+    values[k] = solution.pressure[grid.index(nodes[k].i, nodes[k].j)];
+  }
+  if (values[0] == 0 && values[1] == 0 && values[2] == 0) return;
+  sum += interior_field(corners, values, material, at);
+}
+
+}  // namespace
+
+InteriorField field_beneath(const Solution& solution, const elasticity::Material& material,
+                            const Eigen::Vector3d& at) {
+  if (solution.element != Element::pyramid) {
+    throw sys::InvalidQuantity("element", static_cast<double>(solution.element),
+                               "the pyramid, for the stresses in the body");
+  }
+  InteriorField sum;
+  for (Index j = 0; j + 1 < solution.grid.n2; ++j) {
+    for (Index i = 0; i + 1 < solution.grid.n1; ++i) {
+      // the cell's diagonal runs from (i+1, j) to (i, j+1)
+      add_triangle(solution, material, at, {Node{i, j}, {i + 1, j}, {i, j + 1}}, sum);
+      add_triangle(solution, material, at, {Node{i + 1, j + 1}, {i, j + 1}, {i + 1, j}}, sum);
+    }
+  }
+  return sum;
+}
+
+}  // namespace point_contact

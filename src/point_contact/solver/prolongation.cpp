@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_contact/solver/prolongation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace point_contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Known = std::vector<bool>;
+
+bool is_known(const Grid& grid, const Known& known, Index i, Index j) {
+  return i >= 0 && i < grid.n1 && j >= 0 && j < grid.n2 &&
+         known[static_cast<std::size_t>(grid.index(i, j))];
+}
+
+// Continues values by one layer of nodes, each the mean of the straight lines through two known
+// nodes that lie behind one another in one of the eight directions; never above 0.
+void continue_by_a_layer(const Grid& grid, VectorXd& values, Known& known) {
+  constexpr std::array<std::pair<Index, Index>, 8> directions = {
+      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
+  const Known before = known;
+  for (Index j = 0; j < grid.n2; ++j) {
+    for (Index i = 0; i < grid.n1; ++i) {
+      if (before[static_cast<std::size_t>(grid.index(i, j))]) continue;
+      double sum = 0;
+      int n = 0;
+      for (const auto& [di, dj] : directions) {
+        if (!is_known(grid, before, i + di, j + dj)) continue;
+        if (!is_known(grid, before, i + 2 * di, j + 2 * dj)) continue;
+        sum += 2 * values[grid.index(i + di, j + dj)] - values[grid.index(i + 2 * di, j + 2 * dj)];
+        ++n;
+      }
+      if (n == 0) continue;
+      values[grid.index(i, j)] = std::min(0.0, sum / n);
+      known[static_cast<std::size_t>(grid.index(i, j))] = true;
+    }
+  }
+}
+
+// Where a fine node lies between two coarse ones, along one side of the grids.
+struct Position {
+  Index lower;
+  Index upper;
+  double share;  // of the way to the upper one
+};
+
+Position position(Index fine_index, Index n_fine, Index n_coarse) {
+  const double at = (static_cast<double>(fine_index) + 0.5) * static_cast<double>(n_coarse) /
+                        static_cast<double>(n_fine) -
+                    0.5;
+  const double floor = std::floor(at);
+  const auto lower = static_cast<Index>(floor);
+  return {std::clamp<Index>(lower, 0, n_coarse - 1), std::clamp<Index>(lower + 1, 0, n_coarse - 1),
+          at - floor};
+}
+
+}  // namespace
+
+VectorXd prolongate(const Grid& coarse, const VectorXd& pressure, const Grid& fine) {
+  // p², continued by the two layers that fine nodes near the edge lie between
+  VectorXd squares = pressure.array().square();
+  Known known(static_cast<std::size_t>(coarse.size()));
+  for (Index i = 0; i < coarse.size(); ++i) known[static_cast<std::size_t>(i)] = pressure[i] > 0;
+  const double far_outside = -squares.maxCoeff();
+  continue_by_a_layer(coarse, squares, known);
+  continue_by_a_layer(coarse, squares, known);
+  for (Index i = 0; i < coarse.size(); ++i) {
+    if (!known[static_cast<std::size_t>(i)]) squares[i] = far_outside;
+  }
+
+  VectorXd result(fine.size());
+  for (Index j = 0; j < fine.n2; ++j) {
+    const Position y = position(j, fine.n2, coarse.n2);
+    for (Index i = 0; i < fine.n1; ++i) {
+      const Position x = position(i, fine.n1, coarse.n1);
+      const auto along_x = [&](Index row) {
+        return (1 - x.share) * squares[coarse.index(x.lower, row)] +
+               x.share * squares[coarse.index(x.upper, row)];
+      };
+      const double square = (1 - y.share) * along_x(y.lower) + y.share * along_x(y.upper);
+      result[fine.index(i, j)] = std::sqrt(std::max(0.0, square));
+    }
+  }
+  return result;
+}
+
+}  // namespace point_contact

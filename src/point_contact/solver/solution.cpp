@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_contact/solver/solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "system/require.hpp"
+
+namespace point_contact {
+namespace {
+
+using Eigen::Index;
+
+// ⟨s sᵀ⟩ of one element about its node: each vector e that it is smeared along adds eeᵀ/12.
+Eigen::Matrix2d own_second_moment(Element element, const Lattice& lattice) {
+  const Vector2& a = lattice.first;
+  const Vector2& b = lattice.second;
+  const Eigen::Matrix2d cell = (a * a.transpose() + b * b.transpose()) / 12;
+  switch (element) {
+    case Element::point:
+      return Eigen::Matrix2d::Zero();
+    case Element::uniform:
+      return cell;
+    case Element::bilinear:
+      return 2 * cell;
+    case Element::pyramid:
+      break;
+  }
+  return cell + (b - a) * (b - a).transpose() / 12;
+}
+
+}  // namespace
+
+Vector2 Solution::semi_axes() const {
+  // In units of the peak and of the spacing, which very small loads need.
+  const double peak = peak_pressure();
+  const double scale = grid.spacing();
+  double load = 0;
+  Vector2 first = Vector2::Zero();
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+  for (Index j = 0; j < grid.n2; ++j) {
+    for (Index i = 0; i < grid.n1; ++i) {
+      const double p = pressure[grid.index(i, j)] / peak;
+      if (p == 0) continue;
+      const Vector2 x = (grid.node(i, j) - grid.centre) / scale;
+      load += p;
+      first += p * x;
+      second += p * x * x.transpose();
+    }
+  }
+  const Vector2 mean = first / load;
+  const Eigen::Matrix2d moment = second / load - mean * mean.transpose() +
+                                 own_second_moment(element, grid.lattice) / (scale * scale);
+  // eigenvalues of a symmetric 2 × 2 matrix
+  const double half_trace = moment.trace() / 2;
+  const double spread = std::hypot((moment(0, 0) - moment(1, 1)) / 2, moment(0, 1));
+  return scale *
+         Vector2(std::sqrt(5 * (half_trace + spread)), std::sqrt(5 * (half_trace - spread)));
+}
+
+double total_phi(const Problem& problem, double load) {
+  sys::require_positive("load", load);
+  const double total = load / (std::numbers::pi * problem.contact_modulus * problem.grid.spacing());
+  if (!(total < largest_length)) {
+    throw sys::InvalidQuantity("load", load, "less: its square must be a double");
+  }
+  return total;
+}
+
+Solution to_solution(const Problem& problem, double load, ElementLoads loads) {
+  const double pressure_per_phi =
+      std::numbers::pi * problem.contact_modulus / problem.grid.spacing();
+  loads.phi *= pressure_per_phi;
+  Solution solution{.grid = problem.grid,
+                    .element = problem.element,
+                    .pressure = std::move(loads.phi),
+                    .gap = std::move(loads.gap),
+                    .approach = loads.approach,
+                    .work = loads.work,
+                    .residuals = {}};
+  Residuals& residuals = solution.residuals;
+  for (Index i = 0; i < solution.gap.size(); ++i) {
+    const double gap = solution.gap[i];
+    double& worst = solution.pressure[i] > 0 ? residuals.gap : residuals.separation;
+    worst = std::max(worst, solution.pressure[i] > 0 ? std::abs(gap) : -gap);
+  }
+  residuals.pressure = loads.error * solution.peak_pressure();
+  residuals.load = std::abs(solution.load() - load);
+  return solution;
+}
+
+}  // namespace point_contact

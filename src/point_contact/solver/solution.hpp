@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "point_contact/solver/problem.hpp"
+
+namespace point_contact {
+
+/// How well a solution satisfies the conditions that define it.
+struct Residuals {
+  double gap = 0;         ///< greatest |u_z1 + u_z2 + h − δ| in contact, eq. (1a), a length
+  double separation = 0;  ///< greatest penetration outside, where eq. (1b) wants none, a length
+  double pressure = 0;    ///< the error of the pressure as the method estimates it, a stress
+  double load = 0;        ///< |resultant − P|, a force; 0 if the approach was given
+};
+
+/// What a solution cost on the finest grid.
+struct Work {
+  int revisions = 0;         ///< of the contact until it no longer changed
+  int iterations = 0;        ///< steps of the conjugate gradients
+  int products = 0;          ///< products with the influence coefficients
+  int preconditionings = 0;  ///< products with the preconditioner, a third of the cost
+};
+
+/// Pressures at the nodes of a grid, and what follows from them.
+struct Solution {
+  Grid grid;
+  Element element;
+  Eigen::VectorXd pressure;  ///< p at the nodes, a stress; 0 outside contact
+  Eigen::VectorXd gap;       ///< u_z1 + u_z2 + h − δ at the nodes, a length
+  double approach;           ///< δ of points far away in the two bodies, a length
+  Work work;
+  Residuals residuals;
+
+  Eigen::Index n_in_contact() const { return (pressure.array() > 0).count(); }
+
+  /// The resultant, cell area times Σp, a force.
+  double load() const { return grid.lattice.cell_area() * pressure.sum(); }
+
+  /// The greatest of the nodal pressures.
+  double peak_pressure() const { return pressure.maxCoeff(); }
+
+  /// The area of the cells of the nodes in contact.
+  double contact_area() const {
+    return grid.lattice.cell_area() * static_cast<double>(n_in_contact());
+  }
+
+  /// The semi-axes a ≥ b of the contact from the pressure's second moments M, a² and b² = 5 times
+  /// the eigenvalues of M: right for the pressure of ellipsoids. The elements' own moments are
+  /// included. Unlike the count of nodes they do not jump by c.
+  Vector2 semi_axes() const;
+};
+
+/// What a method finds: element loads φ = c p/(πE*) and gaps at the nodes, lengths.
+struct ElementLoads {
+  Eigen::VectorXd phi;
+  Eigen::VectorXd gap;
+  double approach = 0;
+  double error = 0;  ///< of φ, relative to the greatest
+  Work work;
+};
+
+/// Σφ for the load P: P/(πE*c), a length.
+double total_phi(const Problem& problem, double load);
+
+/// The loads as pressures, with their residuals. `load` is what was asked for, or what was found.
+Solution to_solution(const Problem& problem, double load, ElementLoads loads);
+
+}  // namespace point_contact

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_contact/solver/beneath.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "point_contact/closed_forms/huber.hpp"
+#include "point_contact/solver/fft_solver.hpp"
+#include "system/require.hpp"
+
+using Eigen::Vector3d;
+using elasticity::Material;
+using point_contact::AxialStress;
+using point_contact::Element;
+using point_contact::field_beneath;
+using point_contact::Hertz;
+using point_contact::hexagonal_grid;
+using point_contact::Huber;
+using point_contact::Profile;
+using point_contact::Solution;
+using point_contact::solve_for_load;
+
+namespace {
+
+constexpr double load = 3.461;
+const Material material(2000, 0.2385);
+const double modulus = elasticity::contact_modulus(material, material);
+const Hertz hertz(modulus, 0.571, load);
+const double a = hertz.radius();
+
+Solution spheres(Eigen::Index n) {
+  const double side = 2 * a / 0.9 * 2 / std::sqrt(3.0);
+  return solve_for_load(
+      {Profile::paraboloid(0.571), modulus, hexagonal_grid(side, n), Element::pyramid}, load);
+}
+
+// The greatest difference from Huber's stresses at some places, in units of p₀.
+double difference_from_huber(const Solution& solution) {
+  const Huber huber(hertz, material.poisson());
+  double greatest = 0;
+  for (const auto& [r, angle, z] :
+       {std::array{0.0, 0.0, 0.48}, {0.3, 0.7, 0.2}, {0.9, 2.0, 0.6}, {1.6, -1.0, 0.9}}) {
+    const AxialStress exact = huber.stress(r * a, z * a);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const Vector3d at(r * a * c, r * a * s, z * a);
+    Eigen::Matrix3d stress;
+    stress << exact.rr * c * c + exact.tt * s * s, (exact.rr - exact.tt) * c * s, exact.rz * c,
+        (exact.rr - exact.tt) * c * s, exact.rr * s * s + exact.tt * c * c, exact.rz * s,
+        exact.rz * c, exact.rz * s, exact.zz;
+    const Eigen::Matrix3d found = field_beneath(solution, material, at).stress;
+    greatest = std::max(greatest, (found - stress).cwiseAbs().maxCoeff() / hertz.peak_pressure());
+  }
+  return greatest;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(stresses_beneath_two_spheres_are_hubers_to_the_second_order) {
+  const double coarse = difference_from_huber(spheres(32));
+  const double fine = difference_from_huber(spheres(96));
+
+  BOOST_TEST(fine < 1e-4, fine);
+  BOOST_TEST(coarse / fine > 5, coarse / fine);  // nine by the second order
+}
+
+BOOST_AUTO_TEST_CASE(just_beneath_the_middle_the_body_is_displaced_by_half_the_approach) {
+  // alike bodies share it
+  const Solution solution = spheres(48);
+  const double u = field_beneath(solution, material, {0, 0, 1e-9 * a}).displacement.z();
+
+  BOOST_TEST(std::abs(u / (solution.approach / 2) - 1) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(far_beneath_the_contact_is_a_force) {
+  const Solution solution = spheres(48);
+  const double z = 50 * a;
+  const double stress = field_beneath(solution, material, {0, 0, z}).stress(2, 2);
+
+  // σ_zz = −3P/(2πz²) but for some (a/z)²
+  BOOST_TEST(std::abs(stress * z * z * 2 * std::numbers::pi / (-3 * load) - 1) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(other_elements_and_the_surface_are_refused) {
+  Solution solution = spheres(32);
+  BOOST_CHECK_THROW(field_beneath(solution, material, {0, 0, 0}), sys::InvalidQuantity);
+  solution.element = Element::bilinear;
+  BOOST_CHECK_THROW(field_beneath(solution, material, {0, 0, a}), sys::InvalidQuantity);
+}

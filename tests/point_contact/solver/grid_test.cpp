@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_contact/solver/grid.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "system/require.hpp"
+#include "tolerances.hpp"
+
+using Eigen::Index;
+using point_contact::Grid;
+using point_contact::hexagonal_grid;
+using point_contact::rectangular_grid;
+using point_contact::require_memory;
+using point_contact::square_grid;
+using point_contact::Vector2;
+using sys::InvalidQuantity;
+using tolerance::relative_difference;
+
+BOOST_AUTO_TEST_CASE(nodes_lie_in_the_middle_of_their_cells) {
+  const Grid grid = rectangular_grid(2, 0.6, 10);
+
+  BOOST_TEST((grid.node(Index{0}, Index{0}) - Vector2(-0.9, -0.27)).norm() < 1e-15);
+  BOOST_TEST((grid.node(Index{9}, Index{9}) - Vector2(0.9, 0.27)).norm() < 1e-15);
+  BOOST_TEST(relative_difference(grid.lattice.cell_area() * 100, 1.2) < 1e-14);
+  BOOST_TEST(grid.index(3, 2) == 23);
+  BOOST_TEST(grid.size() == 100);
+}
+
+BOOST_AUTO_TEST_CASE(a_hexagonal_grid_has_six_nearest_neighbours) {
+  const Grid grid = hexagonal_grid(3, 30);
+  const Vector2 here = grid.node(10, 10);
+  for (const auto& [i, j] : {std::pair{11, 10}, {9, 10}, {10, 11}, {10, 9}, {9, 11}, {11, 9}}) {
+    BOOST_TEST(relative_difference((grid.node(i, j) - here).norm(), 0.1) < 1e-13);
+  }
+  BOOST_TEST(relative_difference(grid.spacing(), 0.1 * std::sqrt(std::sqrt(3.0) / 2)) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(a_stretched_grid_is_so_many_times_as_high) {
+  const Grid grid = hexagonal_grid(3, 30);
+  const Grid flat = hexagonal_grid(3, 30, 0.2);
+  const Vector2 corner = grid.node(29, 29);
+
+  BOOST_TEST((flat.node(29, 29) - Vector2(corner.x(), 0.2 * corner.y())).norm() < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(memory_that_is_not_there_is_told_before_it_is_asked_for) {
+  BOOST_CHECK_NO_THROW(require_memory(1024, 1024));
+  BOOST_CHECK_EXCEPTION(require_memory(2'000'000, 2'000'000), InvalidQuantity,
+                        [](const InvalidQuantity& error) {
+                          return error.quantity() == "nodes" &&
+                                 error.allowed().find("GB of memory") != std::string::npos;
+                        });
+  BOOST_CHECK_THROW(require_memory(Index{1} << 40, Index{1} << 40), InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_CASE(bad_grids_are_refused) {
+  BOOST_CHECK_THROW(square_grid(0, 100), InvalidQuantity);
+  BOOST_CHECK_THROW(square_grid(1, 7), InvalidQuantity);
+  BOOST_CHECK_THROW(rectangular_grid(1, -1, 100), InvalidQuantity);
+  BOOST_CHECK_THROW(hexagonal_grid(std::nan(""), 100), InvalidQuantity);
+  BOOST_CHECK_THROW(hexagonal_grid(1, 100, 0), InvalidQuantity);
+}
