@@ -9,7 +9,7 @@
 namespace elasticity {
 namespace {
 
-// t ln(1 + t) with its limit 0 at t = −1 left to the factor: (1+t)ⁿ ln(1+t) for n ≥ 1.
+// (1 + t)ⁿ ln|1 + t| for n ≥ 1 and t ≥ −1, with its limit 0 at t = −1.
 double power_times_log1p(double t, int n) {
   return t == -1 ? 0 : std::pow(1 + t, n) * std::log1p(t);
 }
@@ -90,6 +90,7 @@ double normal_displacement(const Material& material, const TriangularLoad& load,
                            double datum) {
   const double a = load.half_width();
   const double scale = material.integral_compliance() * load.line_load();  // K
+  // Eq. (3): u_z(x) = −K/2 [B(x/a) − B(datum/a)], B the bracket; C is the part with the datum.
   const double here = displacement_bracket(std::abs(sys::require_finite("x", x)), a);
   const double there = displacement_bracket(std::abs(sys::require_finite("datum", datum)), a);
   return -scale / 2 * (here - there);

@@ -72,7 +72,7 @@ bool all_within_error(const Comparisons& comparisons) {
                      [](const Comparison& c) { return c.is_within_error(); });
 }
 
-// Points from 1e-4 to 1e4 half-widths, thirteen a decade, and the kinks' neighbourhoods.
+// Points from 1e-4 to 1e4 half-widths, thirteen a decade; the kink at x = a is one of them.
 std::vector<double> wide_points(double half_width) {
   std::vector<double> points;
   constexpr int n_a_decade = 13;
