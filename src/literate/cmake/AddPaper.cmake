@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src
-#   [FIGURES figures] [ROOT folder])
+#   [FIGURES figures] [DATA file …] [ROOT folder])
 # makes the targets of a paper, none of them part of `all`:
 #
 #   rod            the PDF, and manifest.json beside it
@@ -20,6 +20,7 @@
 # CASE       the parameter file; another one is chosen by -Drod_CASE=file
 # SOURCES    folders with the code, from ROOT on: excerpts are looked for there, and the manifest names their files
 # FIGURES    the folder with a gnuplot script for each figure, and style.gp
+# DATA       files that the program imports, and their scripts: a changed one computes the paper again
 # ROOT       the paper's repository, if not the folder of the CMake project
 #
 # All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
@@ -124,7 +125,7 @@ function(literate_document_files document result)
 endfunction()
 
 function(literate_add_paper)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT" "SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT" "SOURCES;DATA")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "literate_add_paper: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -149,6 +150,11 @@ function(literate_add_paper)
     cmake_path(ABSOLUTE_PATH arg_FIGURES NORMALIZE OUTPUT_VARIABLE figures)
   endif()
   cmake_path(ABSOLUTE_PATH arg_CASE NORMALIZE OUTPUT_VARIABLE case)
+  set(data "")
+  foreach(file IN LISTS arg_DATA)
+    cmake_path(ABSOLUTE_PATH file NORMALIZE)
+    list(APPEND data "${file}")
+  endforeach()
   set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
   set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
     "Where ${name} and what it is made from are written")
@@ -187,7 +193,7 @@ engine=${engine}
     OUTPUT "${generated}/names.json" "${computed}"
     COMMAND ${arg_PROGRAM} compute --case "${case}" --output "${generated}" --source "${root}" --defer-verdict
     COMMAND "${CMAKE_COMMAND}" -E touch "${computed}"
-    DEPENDS ${arg_PROGRAM} "${case}"
+    DEPENDS ${arg_PROGRAM} "${case}" ${data}
     COMMENT "compute"
     USES_TERMINAL
     VERBATIM)

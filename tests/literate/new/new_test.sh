@@ -14,6 +14,9 @@ claim 'its files bear its name' -e rod/paper/rod.tex
 claim 'their text does, too' "$(grep -c 'literate_add_paper(NAME rod PROGRAM rod_program' rod/CMakeLists.txt)" -eq 1
 claim "the template's own name is nowhere" -z "$(grep -rl mypaper rod; find rod -name '*mypaper*')"
 claim 'nothing lies beside it' "$(ls -A)" = rod
+run_yaml='import sys, yaml; print(*yaml.safe_load(open(sys.argv[1]))["jobs"])'
+runs /usr/bin/python3 -c "$run_yaml" rod/.github/workflows/ci.yml
+claim 'its continuous integration is YAML with a job' "$said" = debian-12
 
 mkdir empty
 runs "$literate" new empty
