@@ -4,7 +4,8 @@
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
 cd "$scratch" || exit 1
-unset MAKEFLAGS MFLAGS MAKELEVEL CASE MANIFEST GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
+# What make exports to the tests is not meant for the paper.
+unset MAKEFLAGS MFLAGS MAKELEVEL CALLER CASE CASES J KEYS NAME TARGET V MANIFEST GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
 jobs=$(nproc)
 
 # The engine alone is configured by its own packages, built and installed.
