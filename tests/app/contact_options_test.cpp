@@ -14,6 +14,8 @@
 #include "system/error.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(contact_options_test)
+
 using app::ContactInput;
 using app::ContactOptions;
 using tolerance::relative_difference;
@@ -183,3 +185,5 @@ BOOST_AUTO_TEST_CASE(flags_that_contradict_each_other_or_mean_nothing_are_refuse
       with_basics({"--load", "1", "--profile", "power", "--coefficient", "1", "--power", "0"}),
       "--power = 0: must be from 1 to");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

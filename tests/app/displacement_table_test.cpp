@@ -11,6 +11,8 @@
 
 #include "command_line/number_text.hpp"
 
+BOOST_AUTO_TEST_SUITE(displacement_table_test)
+
 using app::DisplacementRow;
 
 namespace {
@@ -134,3 +136,5 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
   BOOST_CHECK_EXCEPTION(app::displacement_text(wrong, config::unit_systems().front()),
                         sys::InputError, names_it);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "command_line/number_text.hpp"
 #include "random_inputs.hpp"
 
+BOOST_AUTO_TEST_SUITE(json_text_test)
+
 using app::json_text;
 using nlohmann::ordered_json;
 
@@ -105,3 +107,5 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused) {
     BOOST_CHECK_THROW(json_text({{"x", {1.5, number}}}), sys::InputError);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "assignment/public_checks.hpp"
 #include "course/assignment/check_list.hpp"
 
+BOOST_AUTO_TEST_SUITE(answers_test)
+
 using course::Numbers;
 using course::Outcome;
 using course::Program;
@@ -129,3 +131,5 @@ BOOST_AUTO_TEST_CASE(a_tally_gives_its_share_and_says_where_it_failed) {
   BOOST_TEST(outcome.share == 0.5);
   BOOST_TEST(outcome.message == "x is positive: not so for 4 of 8 (x = -2; x = -3; x = -4; …)");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "course/release/expected_values.hpp"
 #include "course/release/secret_numbers.hpp"
 
+BOOST_AUTO_TEST_SUITE(hidden_checks_test)
+
 using course::Numbers;
 using course::Program;
 using programs::misled;
@@ -158,3 +160,5 @@ BOOST_AUTO_TEST_CASE(messages_are_the_same_however_wrong_the_numbers_are) {
     BOOST_TEST(check(programs[1], nominal).message == message, id);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

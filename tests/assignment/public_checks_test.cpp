@@ -6,6 +6,8 @@
 
 #include "assignment/programs.hpp"
 
+BOOST_AUTO_TEST_SUITE(public_checks_test)
+
 using course::Numbers;
 using course::Program;
 using programs::misled;
@@ -126,3 +128,5 @@ BOOST_AUTO_TEST_CASE(a_half_width_with_an_error_of_first_order_shows) {
       spoiled("contact", [](Numbers& out) { out[1] *= 1 + 0.1 / static_cast<double>(out.size()); });
   require_failed(rough, {"contact-convergence"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "literate/prose/references.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(sheet_test)
+
 namespace {
 
 const course::Assignment description = programs::assignment();
@@ -88,3 +90,5 @@ BOOST_AUTO_TEST_CASE(sheet_tex_uses_all_that_is_registered_and_nothing_else) {
   BOOST_TEST(report.errors == std::vector<std::string>{}, boost::test_tools::per_element());
   BOOST_TEST(report.unused == std::vector<std::string>{}, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

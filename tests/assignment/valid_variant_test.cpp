@@ -6,6 +6,8 @@
 
 #include "assignment/programs.hpp"
 
+BOOST_AUTO_TEST_SUITE(valid_variant_test)
+
 namespace {
 
 const course::Variant nominal = course::nominal_variant(programs::assignment());
@@ -63,3 +65,5 @@ BOOST_AUTO_TEST_CASE(a_class_of_300_gets_300_different_valid_variants) {
   }
   BOOST_TEST(seen.size() == 300U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

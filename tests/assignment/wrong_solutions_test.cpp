@@ -9,6 +9,8 @@
 #include "course/release/handout.hpp"
 #include "system/files.hpp"
 
+BOOST_AUTO_TEST_SUITE(wrong_solutions_test)
+
 namespace {
 
 const course::Assignment description = programs::assignment();
@@ -61,3 +63,5 @@ BOOST_AUTO_TEST_CASE(every_exercise_is_made_wrong_at_least_twice) {
     BOOST_TEST(files.count(exercise.file) >= 2U, exercise.file);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

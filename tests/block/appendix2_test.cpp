@@ -5,6 +5,8 @@
 
 #include "block/paper_block.hpp"
 
+BOOST_AUTO_TEST_SUITE(appendix2_test)
+
 using block::Support;
 using paper_block::measure;
 
@@ -87,3 +89,5 @@ BOOST_AUTO_TEST_CASE(the_stated_triangle_misses_by_a_third_to_a_half) {
     BOOST_TEST(ratio > 0.5);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "elasticity/concentrated_load.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(bad_input_test)
+
 namespace {
 
 const elasticity::Load load = block::linear_fall(1000, 0.6, 0.01);
@@ -116,3 +118,5 @@ BOOST_AUTO_TEST_CASE(measures_off_the_block_are_refused) {
   BOOST_CHECK_EXCEPTION(solution.measures({.plotting_grid = 0}), sys::InvalidQuantity,
                         names("plotting_grid"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

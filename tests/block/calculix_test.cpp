@@ -15,6 +15,8 @@
 #include "block/paper_block.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(calculix_test)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -130,3 +132,5 @@ BOOST_AUTO_TEST_CASE(decks_that_cannot_be_written_are_refused) {
       sys::InvalidQuantity);
   BOOST_TEST(deck.str().find("*STEP") == std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

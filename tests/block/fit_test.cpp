@@ -6,6 +6,8 @@
 #include "block/paper_block.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(fit_test)
+
 namespace {
 
 block::SupportedBlock clamped_block(const std::vector<elasticity::Load>& loads) {
@@ -99,3 +101,5 @@ BOOST_AUTO_TEST_CASE(too_few_or_senseless_observations_are_refused) {
   BOOST_CHECK_THROW(block::fit_linear_load(clamped, 0, paper_block::printed), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::fit_loads({}, paper_block::printed), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

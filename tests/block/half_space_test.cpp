@@ -6,6 +6,8 @@
 #include "block/paper_block.hpp"
 #include "elasticity/triangular_load.hpp"
 
+BOOST_AUTO_TEST_SUITE(half_space_test)
+
 namespace {
 
 const elasticity::TriangularLoad triangle(1000, paper_block::half_width);
@@ -42,3 +44,5 @@ BOOST_AUTO_TEST_CASE(block_becomes_a_half_space_with_the_square_of_its_size) {
   BOOST_TEST(at_2 / at_4 == 4, boost::test_tools::tolerance(0.05));
   BOOST_TEST(error_of_block(64) < 2e-6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

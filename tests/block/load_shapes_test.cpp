@@ -7,6 +7,8 @@
 
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(load_shapes_test)
+
 namespace {
 
 constexpr double peak = 238.5;
@@ -53,3 +55,5 @@ BOOST_AUTO_TEST_CASE(shapes_out_of_range_are_refused) {
   BOOST_CHECK_THROW(block::power_fall(peak, 0, a), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::scaled(block::elliptic(peak, a), std::nan("")), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

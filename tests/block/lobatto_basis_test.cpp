@@ -6,6 +6,8 @@
 
 #include "block/legendre_rule.hpp"
 
+BOOST_AUTO_TEST_SUITE(lobatto_basis_test)
+
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(integrals_integrate_by_parts) {
     BOOST_TEST(stiffness.rowwise().sum().cwiseAbs().maxCoeff() < 100 * rounding);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "block/factorization.hpp"
 #include "block/legendre_rule.hpp"
 
+BOOST_AUTO_TEST_SUITE(manufactured_solution_test)
+
 namespace {
 
 const elasticity::Material material(3.7, 0.29);
@@ -124,3 +126,5 @@ BOOST_AUTO_TEST_CASE(body_forces_and_tractions_are_carried_by_the_supports) {
   BOOST_TEST((sum.force + reactions.force).norm() < 1e-10 * sum.force.norm());
   BOOST_TEST(std::abs(sum.moment + reactions.moment) < 1e-10 * sum.force.norm());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

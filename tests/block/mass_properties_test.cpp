@@ -5,6 +5,8 @@
 
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(mass_properties_test)
+
 BOOST_AUTO_TEST_CASE(block_of_2_by_1_inches_has_the_printed_mass_properties) {
   // Ruggiero (2001), Appendix 2: six and seven digits
   const double printed_mass = 1.464799e-03;
@@ -28,3 +30,5 @@ BOOST_AUTO_TEST_CASE(density_and_sizes_must_be_positive) {
   BOOST_CHECK_THROW(block::Rectangle(0, 1), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::Rectangle(2, -1), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

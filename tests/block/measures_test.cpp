@@ -7,6 +7,8 @@
 
 #include "block/paper_block.hpp"
 
+BOOST_AUTO_TEST_SUITE(measures_test)
+
 using block::Support;
 using paper_block::measure;
 
@@ -85,3 +87,5 @@ BOOST_AUTO_TEST_CASE(out_of_plane_maximum_is_poisson_times_the_in_plane_maxima_a
 
   BOOST_CHECK_CLOSE(measure(measures, "max_stress_zz"), 0.30 * sum, 0.02);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "block/mesh_refinement.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(mesh_test)
+
 BOOST_AUTO_TEST_CASE(graded_lines_reach_the_smallest_size_and_grow_by_the_ratio_at_most) {
   const auto lines = block::graded_lines({{-1, 0.2}, {0.1, 0.003}, {0.7, 0.05}}, 0.3);
 
@@ -90,3 +92,5 @@ BOOST_AUTO_TEST_CASE(points_outside_and_lines_out_of_order_are_refused) {
   BOOST_CHECK_THROW(block::Mesh(2, {-1}, {0, 1}), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::Mesh(2, {-1, 1}, {0, 1, 1}), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

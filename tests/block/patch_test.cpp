@@ -6,6 +6,8 @@
 #include "block/factorization.hpp"
 #include "block/load_shapes.hpp"
 
+BOOST_AUTO_TEST_SUITE(patch_test)
+
 namespace {
 
 constexpr int max_order = 10;
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(even_pressure_between_rollers_strains_along_z_only) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

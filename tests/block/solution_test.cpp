@@ -7,6 +7,8 @@
 #include "block/paper_block.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(solution_test)
+
 using block::Support;
 
 namespace {
@@ -143,3 +145,5 @@ BOOST_AUTO_TEST_CASE(points_outside_the_block_are_refused) {
   BOOST_CHECK_THROW(solution.displacement(1.001, 0), sys::InvalidQuantity);
   BOOST_CHECK_THROW(solution.at(0, 1.001), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(stress_test)
+
 BOOST_AUTO_TEST_CASE(out_of_plane_stress_is_poisson_times_the_sum_of_the_others) {
   const elasticity::Material material(2.1e5, 0.27);
 
@@ -27,3 +29,5 @@ BOOST_AUTO_TEST_CASE(von_mises_is_the_tension_of_a_bar_and_root_three_times_a_sh
   BOOST_CHECK_CLOSE(block::von_mises({0, 0, 10, 0}), 17.320508075688773, 1e-10);
   BOOST_TEST(block::von_mises({7, 7, 0, 7}) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "block/paper_block.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(vtu_test)
+
 namespace {
 
 using boost::property_tree::ptree;
@@ -97,3 +99,5 @@ BOOST_AUTO_TEST_CASE(too_many_cells_are_refused) {
 
   BOOST_CHECK_THROW(block::write_vtu(file, solve(), 101), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

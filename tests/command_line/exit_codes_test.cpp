@@ -12,6 +12,8 @@
 #include "system/error.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(exit_codes_test)
+
 using command_line::ExitCode;
 
 namespace {
@@ -47,3 +49,5 @@ BOOST_AUTO_TEST_CASE(a_computation_that_does_not_hold_is_one) {
   BOOST_TEST(code_of(block::FactorizationError("not positive definite")) == 1);
   BOOST_TEST(code_of(std::runtime_error("anything else")) == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

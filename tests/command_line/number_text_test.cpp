@@ -12,6 +12,8 @@
 #include "random_inputs.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(number_text_test)
+
 using command_line::parse_number;
 using command_line::parse_numbers;
 using command_line::read_numbers;
@@ -181,3 +183,5 @@ BOOST_AUTO_TEST_CASE(any_double_reads_back_from_its_shortest_digits) {
     BOOST_REQUIRE(std::bit_cast<std::uint64_t>(read_back) == std::bit_cast<std::uint64_t>(number));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
+BOOST_AUTO_TEST_SUITE(printed_number_test)
+
 using config::PrintedNumber;
 
 BOOST_AUTO_TEST_CASE(digits_and_last_place_are_counted_as_printed) {
@@ -50,3 +52,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_decimal_number_is_refused) {
     BOOST_CHECK_THROW(PrintedNumber{text}, std::invalid_argument);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

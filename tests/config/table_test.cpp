@@ -8,6 +8,8 @@
 
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(table_test)
+
 using config::Dimension;
 using config::Error;
 using config::Table;
@@ -171,3 +173,5 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
   });
   BOOST_CHECK_THROW(Table::parse_file(TemporaryFolder().path()), Error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(units_test)
+
 using config::conversion_factor;
 using config::Dimension;
 using config::unit_system;
@@ -50,3 +52,5 @@ BOOST_AUTO_TEST_CASE(each_dimension_has_its_unit) {
   BOOST_TEST(metric.unit(Dimension::line_load) == "N/mm");
   BOOST_TEST(metric.unit(Dimension::none) == "1");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(approach_control_test)
+
 using contact::Element;
 using contact::grid_of_width;
 using contact::Method;
@@ -168,3 +170,5 @@ BOOST_AUTO_TEST_CASE(what_the_method_and_the_approach_refuse_is_refused) {
   BOOST_CHECK_EXCEPTION(solve_for_approach(soft, 0.01, datum, by_fft), InvalidQuantity,
                         names("contact_modulus"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

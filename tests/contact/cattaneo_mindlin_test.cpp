@@ -12,6 +12,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(cattaneo_mindlin_test)
+
 using contact::CattaneoMindlin;
 using contact::CylinderPair;
 using contact::Hertz;
@@ -155,3 +157,5 @@ BOOST_AUTO_TEST_CASE(a_load_that_slides_and_bad_friction_are_refused) {
   BOOST_CHECK_THROW(CattaneoMindlin(hertz, friction, std::nan("")), InvalidQuantity);
   BOOST_CHECK_THROW(CattaneoMindlin(hertz, 0, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 
 #include "random_inputs.hpp"
 
+BOOST_AUTO_TEST_SUITE(contact_search_test)
+
 using contact::ContactMask;
 using contact::ContactSearch;
 using Eigen::Index;
@@ -194,3 +196,5 @@ BOOST_AUTO_TEST_CASE(random_positive_definite_problems_are_solved_from_any_start
     BOOST_TEST(std::abs(phi.dot(problem.gap(phi))) < 1e-11);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

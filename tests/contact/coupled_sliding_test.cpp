@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(coupled_sliding_test)
+
 using contact::CoupledSliding;
 using contact::CylinderPair;
 using contact::Hertz;
@@ -117,3 +119,5 @@ BOOST_AUTO_TEST_CASE(inputs_that_are_not_finite_and_loads_that_do_not_press_are_
   BOOST_CHECK_THROW(CoupledSliding(cylinders, load, NAN, 0.2), InvalidQuantity);
   BOOST_CHECK_THROW(CoupledSliding(cylinders, load, 0.3, INFINITY), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(cylinder_pair_test)
+
 using contact::CylinderPair;
 using contact::Radius;
 using elasticity::Material;
@@ -75,3 +77,5 @@ BOOST_AUTO_TEST_CASE(a_radius_of_zero_or_infinity_is_refused_by_its_name) {
                           [](const InvalidQuantity& e) { return e.quantity() == "radius2"; });
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "elasticity/concentrated_load.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(element_field_test)
+
 using contact::CylinderPair;
 using contact::Element;
 using contact::Hertz;
@@ -93,3 +95,5 @@ BOOST_AUTO_TEST_CASE(a_slope_that_is_infinite_is_refused) {
   BOOST_CHECK_THROW(surface_slope(forces, cylinders.contact_modulus(), forces.grid.x(45)),
                     sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(element_test)
+
 using contact::Element;
 using contact::influence_coefficient;
 using contact::influence_difference;
@@ -245,3 +247,5 @@ BOOST_AUTO_TEST_CASE(elements_have_names) {
   BOOST_TEST(name_of(Element::uniform) == "uniform");
   BOOST_TEST(name_of(Element::triangular) == "triangular");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

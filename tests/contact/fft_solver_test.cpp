@@ -17,6 +17,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(fft_solver_test)
+
 using contact::Element;
 using contact::Grid;
 using contact::grid_of_width;
@@ -393,3 +395,5 @@ BOOST_AUTO_TEST_CASE(what_no_double_can_hold_is_refused) {
   BOOST_CHECK_THROW(solve(Profile::power_law(1, 20), 1e8), sys::InvalidQuantity);
   BOOST_CHECK_THROW(solve(Profile::parabola(1), 1e150), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(flat_punch_test)
+
 using contact::FlatPunch;
 using std::numbers::pi;
 using sys::InvalidQuantity;
@@ -85,3 +87,5 @@ BOOST_AUTO_TEST_CASE(inputs_must_be_positive) {
   BOOST_CHECK_THROW(FlatPunch(modulus, a, 0), InvalidQuantity);
   BOOST_CHECK_THROW(FlatPunch(modulus, a, std::nan("")), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "contact/matrix_inversion.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(free_ends_test)
+
 using contact::Grid;
 using contact::grid_of_width;
 using contact::one_sided_grid;
@@ -141,3 +143,5 @@ BOOST_AUTO_TEST_CASE(a_measured_profile_may_be_used_to_its_last_point) {
   BOOST_TEST(too_much->allowed.find("wider than the profile is given, from x = -0.12 to 0.12") !=
              std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

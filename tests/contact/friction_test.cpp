@@ -14,6 +14,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(friction_test)
+
 using contact::Element;
 using contact::Friction;
 using contact::grid_of_width;
@@ -350,3 +352,5 @@ BOOST_AUTO_TEST_CASE(slopes_of_one_side_are_refused) {
   BOOST_CHECK_EXCEPTION(surface_slopes(half, s, s.pressure, 0), InvalidQuantity,
                         names("one-sided grid's end"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

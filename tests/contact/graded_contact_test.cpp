@@ -16,6 +16,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(graded_contact_test)
+
 using contact::ContactError;
 using contact::Edges;
 using contact::GradedSolution;
@@ -398,3 +400,5 @@ BOOST_AUTO_TEST_CASE(inputs_out_of_range_are_refused_by_their_names) {
   refused(1, 1, 20, {1, 1}, "left edge");
   BOOST_CHECK_THROW(hertz(1).solve(4).approach(infinity), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

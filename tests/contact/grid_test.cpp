@@ -8,6 +8,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(grid_test)
+
 using contact::Grid;
 using contact::grid_around;
 using contact::grid_of_width;
@@ -94,3 +96,5 @@ BOOST_AUTO_TEST_CASE(widths_and_centres_out_of_range_are_refused_by_name) {
   }
   BOOST_CHECK_EXCEPTION(grid_of_width(1, 41, NAN), InvalidQuantity, names("centre"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(hertz_test)
+
 using contact::CylinderPair;
 using contact::Hertz;
 using contact::Radius;
@@ -102,3 +104,5 @@ BOOST_AUTO_TEST_CASE(a_load_must_be_positive) {
   BOOST_CHECK_THROW(Hertz(cylinders, 0), InvalidQuantity);
   BOOST_CHECK_THROW(Hertz(cylinders, -1), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

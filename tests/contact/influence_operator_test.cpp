@@ -12,6 +12,8 @@
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(influence_operator_test)
+
 using contact::Element;
 using contact::gradients_over_grid;
 using contact::influence_coefficient;
@@ -266,3 +268,5 @@ BOOST_AUTO_TEST_CASE(gradients_over_a_grid_are_dense_products) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(matrix_inversion_test)
+
 using contact::CylinderPair;
 using contact::Element;
 using contact::Grid;
@@ -280,3 +282,5 @@ BOOST_AUTO_TEST_CASE(the_residuals_are_those_of_the_pressures_and_gaps) {
   BOOST_TEST(largest.gap > 0);
   BOOST_TEST(largest.load > 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -15,6 +15,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(mcewen_test)
+
 using contact::CylinderPair;
 using contact::Hertz;
 using contact::McEwen;
@@ -198,3 +200,5 @@ BOOST_AUTO_TEST_CASE(points_outside_the_body_are_refused) {
   BOOST_CHECK_THROW(mcewen.stress(NAN, 0), InvalidQuantity);
   BOOST_CHECK_THROW(mcewen.stress(0, std::numeric_limits<double>::infinity()), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

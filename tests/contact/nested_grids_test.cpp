@@ -11,6 +11,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(nested_grids_test)
+
 using contact::Element;
 using contact::element_loads;
 using contact::ElementLoads;
@@ -164,3 +166,5 @@ BOOST_AUTO_TEST_CASE(the_gap_and_the_approach_belong_together_also_where_the_tol
 BOOST_AUTO_TEST_CASE(a_tolerance_below_rounding_is_an_error) {
   BOOST_CHECK_THROW(solve_on_nested_grids(parabola_on(0.25, 400), load, 1e-19), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(power_law_test)
+
 using contact::PowerLaw;
 using std::numbers::pi;
 using sys::InvalidQuantity;
@@ -163,3 +165,5 @@ BOOST_AUTO_TEST_CASE(inputs_outside_their_range_are_refused) {
   BOOST_CHECK_THROW(PowerLaw(modulus, coefficient, 2, 0), InvalidQuantity);
   BOOST_CHECK_THROW(PowerLaw(modulus, coefficient, 2, nan), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(problem_test)
+
 using contact::Element;
 using contact::grid_of_width;
 using contact::one_sided_grid;
@@ -59,3 +61,5 @@ BOOST_AUTO_TEST_CASE(a_one_sided_grid_wants_a_symmetric_profile) {
   BOOST_CHECK_EXCEPTION(require_valid({measured, 1, one_sided_grid(0.5, 41)}), InvalidQuantity,
                         names("one-sided grid's end"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(profile_test)
+
 using contact::Profile;
 using sys::InvalidQuantity;
 using tolerance::relative_difference;
@@ -198,3 +200,5 @@ BOOST_AUTO_TEST_CASE(measured_points_that_make_no_profile_are_refused_by_name) {
   check_refused(tabulate({1, 2, 3, 4}, {1, 0, double(NAN), 2}), "profile gap");
   BOOST_CHECK_NO_THROW(Profile::tabulated({1, 2, 3, 4}, {1, 0, 1, 2}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

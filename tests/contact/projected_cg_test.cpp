@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(projected_cg_test)
+
 using contact::ContactMask;
 using contact::Element;
 using contact::influence_coefficient;
@@ -213,3 +215,5 @@ BOOST_AUTO_TEST_CASE(a_tolerance_below_rounding_is_an_error) {
         return std::string(e.what()).find("which rounding leaves") != std::string::npos;
       });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

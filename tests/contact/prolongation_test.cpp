@@ -8,6 +8,8 @@
 
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(prolongation_test)
+
 using contact::Grid;
 using contact::grid_of_width;
 using contact::prolongate;
@@ -184,3 +186,5 @@ BOOST_AUTO_TEST_CASE(a_node_that_touches_without_carrying_does_no_harm) {
 BOOST_AUTO_TEST_CASE(no_contact_stays_none) {
   BOOST_TEST(prolongate({5, 1}, VectorXd::Zero(5), {11, 0.4}).cwiseAbs().maxCoeff() == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

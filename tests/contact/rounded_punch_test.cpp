@@ -16,6 +16,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(rounded_punch_test)
+
 using contact::RoundedPunch;
 using std::numbers::pi;
 using sys::InvalidQuantity;
@@ -254,3 +256,5 @@ BOOST_AUTO_TEST_CASE(inputs_outside_their_range_are_refused) {
   BOOST_CHECK_THROW(RoundedPunch(modulus, b, 0, 73.17), InvalidQuantity);
   BOOST_CHECK_THROW(RoundedPunch(modulus, b, curvature, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(shear_search_test)
+
 using contact::CylinderPair;
 using contact::find_greatest_shear;
 using contact::Hertz;
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(lengths_that_are_not_positive_are_refused) {
   BOOST_CHECK_THROW(find_greatest_shear(stress, 0, 1), sys::InvalidQuantity);
   BOOST_CHECK_THROW(find_greatest_shear(stress, 1, 0), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

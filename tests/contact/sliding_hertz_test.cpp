@@ -12,6 +12,8 @@
 #include "random_inputs.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(sliding_hertz_test)
+
 using contact::CylinderPair;
 using contact::Hertz;
 using contact::Radius;
@@ -93,3 +95,5 @@ BOOST_AUTO_TEST_CASE(depths_that_are_not_in_the_body_are_refused) {
   BOOST_CHECK_THROW(sliding.stress(NAN, 1), InvalidQuantity);
   BOOST_CHECK_THROW(SlidingHertz(hertz, std::numeric_limits<double>::infinity()), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

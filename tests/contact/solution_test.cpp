@@ -12,6 +12,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(solution_test)
+
 using contact::Element;
 using contact::ElementLoads;
 using contact::Grid;
@@ -257,3 +259,5 @@ BOOST_AUTO_TEST_CASE(where_nothing_penetrates_the_separation_has_no_residual) {
 
   BOOST_TEST(to_solution(problem, 1, loads).residuals.separation == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(traction_test)
+
 using contact::CylinderPair;
 using contact::Element;
 using contact::Hertz;
@@ -131,3 +133,5 @@ BOOST_AUTO_TEST_CASE(a_shear_on_a_one_sided_grid_is_refused) {
 
   BOOST_CHECK_THROW(traction_on(half, contact::sliding(half, 0.2).shear), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(variational_test)
+
 using contact::Element;
 using contact::energy;
 using contact::Grid;
@@ -181,3 +183,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_solved_is_refused_by_name) {
                             cylinders_on(grid_of_width(1, contact::max_dense_nodes + 1)), load),
                         InvalidQuantity, names("nodes"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

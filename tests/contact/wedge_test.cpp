@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(wedge_test)
+
 using contact::Wedge;
 using std::numbers::pi;
 using sys::InvalidQuantity;
@@ -127,3 +129,5 @@ BOOST_AUTO_TEST_CASE(inputs_must_be_positive) {
   BOOST_CHECK_THROW(Wedge(modulus, slope, 0), InvalidQuantity);
   BOOST_CHECK_THROW(Wedge(modulus, slope, std::nan("")), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -16,7 +16,7 @@
 #include "temporary_file.hpp"
 
 /// An assignment that compiles quickly, with two exercises of ten points each, `square` and `sum`.
-namespace toy {
+namespace toy_grading {
 
 inline const std::filesystem::path folder =
     std::filesystem::path(HALFSPACE_SOURCE_DIR) / "tests/course/toy_grading";
@@ -114,4 +114,4 @@ inline const std::filesystem::path& toolkit() {
   return path;
 }
 
-}  // namespace toy
+}  // namespace toy_grading

@@ -8,6 +8,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(concentrated_load_test)
+
 using elasticity::ConcentratedLoad;
 using elasticity::Material;
 using elasticity::normal_displacement;
@@ -70,3 +72,5 @@ BOOST_AUTO_TEST_CASE(a_force_must_be_positive) {
   BOOST_CHECK_THROW(ConcentratedLoad(0), InvalidQuantity);
   BOOST_CHECK_THROW(ConcentratedLoad(-1), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

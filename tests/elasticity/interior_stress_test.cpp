@@ -15,6 +15,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(interior_stress_test)
+
 using elasticity::LinearSegment;
 using elasticity::PiecewiseLinearTraction;
 using elasticity::Stress;
@@ -398,3 +400,5 @@ BOOST_AUTO_TEST_CASE(tractions_that_make_no_sense_are_refused) {
   BOOST_CHECK_THROW(PiecewiseLinearTraction(Span{-0.4, 1.1}, Span{1, NAN}), InvalidQuantity);
   BOOST_CHECK_THROW(PiecewiseLinearTraction(Span{-0.4, 1.1}, Span{}, Span{1}), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(linear_potential_test)
+
 using elasticity::element_potential;
 using elasticity::ElementPotential;
 using tolerance::relative_difference;
@@ -149,3 +151,5 @@ BOOST_AUTO_TEST_CASE(at_its_ends_the_potential_is_the_limit) {
   BOOST_TEST(relative_difference(potential.end, -0.25) < tolerance::rounding);
   BOOST_TEST(relative_difference(potential.middle, -5.0 / 9) < tolerance::rounding);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(load_test)
+
 using elasticity::distributed_load;
 using elasticity::Load;
 using sys::InvalidQuantity;
@@ -45,3 +47,5 @@ BOOST_AUTO_TEST_CASE(a_traction_that_is_infinite_at_an_end_is_refused) {
 
   BOOST_CHECK_THROW(distributed_load(punch, nullptr, {-1, 1}), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

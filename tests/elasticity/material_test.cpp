@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(material_test)
+
 using elasticity::Material;
 using sys::InvalidQuantity;
 using tolerance::relative_difference;
@@ -93,3 +95,5 @@ BOOST_AUTO_TEST_CASE(youngs_modulus_must_be_positive_and_finite) {
     BOOST_CHECK_THROW(Material(young, 0.3), InvalidQuantity);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

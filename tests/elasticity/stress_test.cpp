@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(stress_test)
+
 using elasticity::Stress;
 using sys::InvalidQuantity;
 using tolerance::relative_difference;
@@ -90,3 +92,5 @@ BOOST_AUTO_TEST_CASE(poissons_ratios_of_no_material_are_refused) {
   BOOST_CHECK_THROW(stress.von_mises(0.501), InvalidQuantity);
   BOOST_CHECK_THROW(stress.von_mises(NAN), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

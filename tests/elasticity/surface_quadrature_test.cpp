@@ -13,6 +13,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(surface_quadrature_test)
+
 using elasticity::Load;
 using elasticity::Material;
 using elasticity::SurfaceQuadrature;
@@ -234,3 +236,5 @@ BOOST_AUTO_TEST_CASE(a_shear_moves_the_surface_along_as_a_pressure_of_its_shape_
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(triangular_load_test)
+
 using elasticity::Load;
 using elasticity::Material;
 using elasticity::normal_displacement;
@@ -188,3 +190,5 @@ BOOST_AUTO_TEST_CASE(sizes_and_points_that_make_no_sense_are_refused) {
   BOOST_CHECK_THROW(normal_displacement(steel, load, NAN, datum), InvalidQuantity);
   BOOST_CHECK_THROW(normal_displacement(steel, load, 0, infinity), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

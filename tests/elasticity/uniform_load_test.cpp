@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(uniform_load_test)
+
 using elasticity::Material;
 using elasticity::normal_displacement;
 using elasticity::normal_gradient;
@@ -64,3 +66,5 @@ BOOST_AUTO_TEST_CASE(sizes_must_be_positive) {
   BOOST_CHECK_THROW(UniformLoad(0, 1), InvalidQuantity);
   BOOST_CHECK_THROW(UniformLoad(1, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(bad_input_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -381,3 +383,5 @@ BOOST_AUTO_TEST_CASE(output_that_is_lost_is_not_a_success) {
   BOOST_TEST(result.exit_status == 2);
   BOOST_TEST(result.output == "halfspace: standard output cannot be written\n");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(claims_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -86,3 +88,5 @@ BOOST_AUTO_TEST_CASE(without_deferring_the_files_are_written_and_the_verdict_is_
   BOOST_TEST(fs::exists(report.generated / "names.json"));
   BOOST_TEST(fs::exists(report.generated / "claims.tex"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

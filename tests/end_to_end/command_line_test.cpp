@@ -11,6 +11,8 @@
 
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(command_line_test)
+
 namespace {
 
 using nlohmann::json;
@@ -310,3 +312,5 @@ BOOST_AUTO_TEST_CASE(locale_and_folder_change_nothing) {
                         .folder = folder.path(),
                         .umask = "077"}) == here);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

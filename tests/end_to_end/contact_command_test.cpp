@@ -7,6 +7,8 @@
 
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(contact_command_test)
+
 namespace {
 
 using nlohmann::json;
@@ -234,3 +236,5 @@ BOOST_AUTO_TEST_CASE(shear_that_no_double_holds_is_refused) {
                   {"shear", "not a finite number"});
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

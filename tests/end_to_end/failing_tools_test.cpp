@@ -7,6 +7,8 @@
 
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(failing_tools_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -177,3 +179,5 @@ BOOST_AUTO_TEST_CASE(without_latex_typesetting_says_so_and_how_to_install_it) {
                     no_latexmk.surroundings());
   BOOST_TEST(!fs::exists(workplace.pdf()));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

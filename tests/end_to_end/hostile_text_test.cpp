@@ -8,6 +8,8 @@
 #include "literate/document/document.hpp"
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(hostile_text_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -113,3 +115,5 @@ BOOST_AUTO_TEST_CASE(what_the_prose_leaves_out_is_a_warning) {
   BOOST_TEST(outcome.status == 0);
   BOOST_TEST(outcome.errors == "halfspace: warning: value 'peak' is registered and not used\n");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "literate/document/document.hpp"
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(prose_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -93,3 +95,5 @@ BOOST_AUTO_TEST_CASE(an_excerpt_that_is_never_closed_is_refused_with_its_line) {
                  (checkout.path() / "out").string(), "--source", checkout.path().string()},
                 {"src/a.cpp:2: excerpt 'open' has no end marker"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 
 #include "program.hpp"
 
+BOOST_AUTO_TEST_SUITE(report_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -330,3 +332,5 @@ BOOST_AUTO_TEST_CASE(an_error_in_a_generated_table_is_told_where_the_report_uses
                                    "\\(tables/cylinders\\.tex:\\d+\\)")),
       outcome.errors);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

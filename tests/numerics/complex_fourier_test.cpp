@@ -10,6 +10,8 @@
 
 #include "random_inputs.hpp"
 
+BOOST_AUTO_TEST_SUITE(complex_fourier_test)
+
 using numerics::ComplexBuffer;
 using numerics::ComplexFourier;
 using numerics::convenient_fourier_size;
@@ -94,3 +96,5 @@ BOOST_AUTO_TEST_CASE(convenient_sizes_are_not_much_greater_than_what_is_asked_fo
     BOOST_TEST(static_cast<double>(convenient_fourier_size(n)) < 1.26 * static_cast<double>(n));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

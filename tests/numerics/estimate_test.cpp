@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(estimate_test)
+
 using numerics::Estimate;
 
 BOOST_AUTO_TEST_CASE(errors_add_in_sums_and_in_differences) {
@@ -21,3 +23,5 @@ BOOST_AUTO_TEST_CASE(a_negative_factor_leaves_the_error_positive) {
   BOOST_TEST(scaled.value == -10.0);
   BOOST_TEST(scaled.abs_error == 1.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(kernel_integrals_test)
+
 using numerics::Estimate;
 using numerics::KernelIntegrals;
 using numerics::PiecewiseFunction;
@@ -177,3 +179,5 @@ BOOST_AUTO_TEST_CASE(at_a_jump_however_small_there_is_no_principal_value) {
     BOOST_CHECK_NO_THROW(integrals.cauchy(0.5 + 1e-9));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

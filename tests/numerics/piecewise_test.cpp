@@ -6,6 +6,8 @@
 
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(piecewise_test)
+
 using numerics::Piece;
 using numerics::PiecewiseFunction;
 using sys::InvalidQuantity;
@@ -58,3 +60,5 @@ BOOST_AUTO_TEST_CASE(ends_and_values_that_are_not_finite_are_refused) {
   BOOST_CHECK_THROW(PiecewiseFunction({{0, infinity, one}}), InvalidQuantity);
   BOOST_CHECK_THROW(PiecewiseFunction({{0, 1, [](double s) { return 1 / s; }}}), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

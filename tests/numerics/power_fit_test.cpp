@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(power_fit_test)
+
 using numerics::fit_power;
 using numerics::PowerFit;
 using tolerance::relative_difference;
@@ -80,3 +82,5 @@ BOOST_AUTO_TEST_CASE(the_order_of_a_fit_moves_by_no_more_than_its_error) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

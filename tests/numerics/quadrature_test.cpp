@@ -9,6 +9,8 @@
 
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(quadrature_test)
+
 using numerics::Estimate;
 using numerics::Quadrature;
 using numerics::QuadratureError;
@@ -105,3 +107,5 @@ BOOST_AUTO_TEST_CASE(what_the_integrand_throws_comes_out) {
 
   BOOST_CHECK_THROW(quadrature.adaptive(thrower, 0, 1, 1e-12, some_integral), FromInside);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(real_fourier_test)
+
 using numerics::RealFourier;
 using Complex = std::complex<double>;
 
@@ -170,3 +172,5 @@ BOOST_AUTO_TEST_CASE(a_transform_may_be_used_again) {
 
   BOOST_TEST((spectrum_of(fourier, signal) == once));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

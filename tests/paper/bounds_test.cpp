@@ -16,6 +16,8 @@
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
 
+BOOST_AUTO_TEST_SUITE(bounds_test)
+
 using config::PrintedNumber;
 using contact::Solution;
 using elasticity::Material;
@@ -140,3 +142,5 @@ BOOST_AUTO_TEST_CASE(a_looser_tolerance_is_seen_in_the_error_of_the_pressures) {
     BOOST_TEST(apart <= paper::pressure_error(loose) + paper::pressure_error(tight), tolerance);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

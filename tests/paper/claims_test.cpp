@@ -10,6 +10,8 @@
 #include "paper/paper.hpp"
 #include "system/files.hpp"
 
+BOOST_AUTO_TEST_SUITE(claims_test)
+
 using literate::Claim;
 using literate::Document;
 using literate::Verdict;
@@ -103,3 +105,5 @@ BOOST_AUTO_TEST_CASE(every_claim_is_set_in_the_prose_once_or_more) {
     BOOST_TEST((prose.find("\\claim{" + id + "}") != std::string::npos), id << " is not set");
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

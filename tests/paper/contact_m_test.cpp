@@ -12,6 +12,8 @@
 #include "contact/matrix_inversion.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(contact_m_test)
+
 using config::PrintedNumber;
 using elasticity::Material;
 using paper::ContactM;
@@ -336,3 +338,5 @@ BOOST_AUTO_TEST_CASE(refuses_an_edge_that_leaves_less_than_two_nodes_or_none_bey
   BOOST_CHECK_THROW(run_contact_m(papers_contact(), coarse, {.free_edge = true}),
                     contact::ContactError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

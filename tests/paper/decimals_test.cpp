@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(decimals_test)
+
 using paper::decimals_of;
 
 BOOST_AUTO_TEST_CASE(the_point_with_most_decimals_decides) {
@@ -30,3 +32,5 @@ BOOST_AUTO_TEST_CASE(what_no_decimals_print_exactly_has_nine) {
   BOOST_TEST(decimals_of({1.0 / 3}) == 9);
   BOOST_TEST(decimals_of({1e-12}) == 9);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

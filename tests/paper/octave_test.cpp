@@ -18,6 +18,8 @@
 #include "parameters/case.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(octave_test)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,3 +93,5 @@ BOOST_AUTO_TEST_CASE(contact_m_in_octave_gives_the_pressures_of_our_run_as_print
   check_within_error(octave, "hertz-half-width", ours.hertz_half_width);
   check_within_error(octave, "hertz-peak", ours.hertz_peak_pressure);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

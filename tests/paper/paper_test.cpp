@@ -14,6 +14,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(paper_test)
+
 using literate::Document;
 
 namespace {
@@ -225,3 +227,5 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_is_not_the_papers_fails_both_checks_of_tri
     BOOST_TEST(failed.contains("tri-dist-step"));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

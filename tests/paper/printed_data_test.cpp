@@ -8,6 +8,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(printed_data_test)
+
 using paper::PrintedData;
 using paper::read_printed;
 
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(other_units_than_the_cases_are_refused) {
   check_refused("units = \"in-lbf\"\n\n[printed.figure5]", "units = \"mm-N\"\n\n[printed.figure5]",
                 "printed.units");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

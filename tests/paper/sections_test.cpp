@@ -11,6 +11,8 @@
 #include "paper/paper.hpp"
 #include "system/files.hpp"
 
+BOOST_AUTO_TEST_SUITE(sections_test)
+
 namespace {
 
 const std::string source_dir = HALFSPACE_SOURCE_DIR;
@@ -82,3 +84,5 @@ BOOST_AUTO_TEST_CASE(sections_are_computed_in_the_order_in_which_the_report_has_
     last = at;
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -14,6 +14,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(value_bounds_test)
+
 using literate::Document;
 using literate::Value;
 
@@ -163,3 +165,5 @@ BOOST_AUTO_TEST_CASE(the_approach_of_the_cylinders_holds_that_of_a_grid_that_end
                *approach.abs_error() + of_graded_grid * *approach.number());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

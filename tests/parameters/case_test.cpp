@@ -9,6 +9,8 @@
 #include "config/table.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(case_test)
+
 using config::Error;
 using parameters::Case;
 using parameters::read_case;
@@ -116,3 +118,5 @@ BOOST_AUTO_TEST_CASE(units_and_keys_are_checked) {
   check_refused("poisson = 0.30", "", "half_space.material.poisson: missing");
   check_refused("poisson = 0.30", "poisson = \"0.30\"", "must be a number");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

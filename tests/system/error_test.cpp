@@ -7,6 +7,8 @@
 #include "message_of.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(error_test)
+
 using namespace sys;
 
 namespace {
@@ -47,3 +49,5 @@ BOOST_AUTO_TEST_CASE(what_is_not_allowed_is_named_with_its_value_and_range) {
   BOOST_TEST(message_of<InvalidQuantity>([] { require_positive("radius", 0); }) ==
              "radius = 0: must be a finite number greater than 0");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

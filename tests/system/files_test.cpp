@@ -7,6 +7,8 @@
 #include "system/error.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(files_test)
+
 using namespace sys;
 namespace fs = std::filesystem;
 
@@ -47,3 +49,5 @@ BOOST_AUTO_TEST_CASE(errors_name_the_file) {
   BOOST_CHECK_THROW(files_below(missing), OutputError);
   BOOST_CHECK_THROW(write_file_atomically(scratch / "file/below", ""), OutputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

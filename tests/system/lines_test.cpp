@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(lines_test)
+
 using namespace sys;
 using Lines = std::vector<std::string_view>;
 
@@ -22,3 +24,5 @@ BOOST_AUTO_TEST_CASE(only_blanks_at_the_ends_are_stripped) {
   BOOST_TEST(stripped("\r\na\nb\r\n") == "a\nb");
   BOOST_TEST(stripped(" \t ").empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

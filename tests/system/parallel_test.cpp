@@ -9,6 +9,8 @@
 
 #include "message_of.hpp"
 
+BOOST_AUTO_TEST_SUITE(parallel_test)
+
 using sys::for_each_parallel;
 
 BOOST_AUTO_TEST_CASE(each_is_done_once_however_many_at_a_time) {
@@ -43,3 +45,5 @@ BOOST_AUTO_TEST_CASE(the_lowest_failure_is_told_and_the_rest_is_done) {
   BOOST_TEST(message == "5");
   BOOST_TEST(n_done == 20);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include <regex>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(pattern_test)
+
 using sys::Pattern;
 
 BOOST_AUTO_TEST_CASE(the_first_match_comes_with_its_groups_and_the_rest) {
@@ -37,3 +39,5 @@ BOOST_AUTO_TEST_CASE(case_counts_unless_it_is_to_be_ignored) {
 BOOST_AUTO_TEST_CASE(an_expression_that_is_none_is_refused) {
   BOOST_CHECK_THROW(Pattern("(open"), std::regex_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

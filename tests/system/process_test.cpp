@@ -8,6 +8,8 @@
 #include "system/error.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(process_test)
+
 using namespace sys;
 
 BOOST_AUTO_TEST_CASE(a_child_gets_its_arguments_folder_and_environment_unchanged) {
@@ -39,3 +41,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_start_is_a_tool_error_naming_it) {
                run({.program = "sh", .working_directory = "no such folder"});
              }) == "cannot start sh: No such file or directory");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

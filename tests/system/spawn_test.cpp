@@ -10,6 +10,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(spawn_test)
+
 using namespace sys;
 
 namespace {
@@ -108,3 +110,5 @@ BOOST_AUTO_TEST_CASE(what_could_not_start_is_named_with_the_reason) {
   BOOST_TEST(cannot_start("gnuplot", ENOENT).what() ==
              std::string("cannot start gnuplot: No such file or directory"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

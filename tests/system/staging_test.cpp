@@ -8,6 +8,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(staging_test)
+
 using namespace sys;
 namespace fs = std::filesystem;
 
@@ -87,3 +89,5 @@ BOOST_AUTO_TEST_CASE(an_output_folder_that_cannot_be_written_is_named) {
   BOOST_TEST(message_of<OutputError>([&] { Staging staging(scratch / "file"); }) ==
              "cannot write to the output folder '" + (scratch / "file").string() + "'");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+BOOST_AUTO_TEST_SUITE(utf8_test)
+
 using namespace sys;
 
 BOOST_AUTO_TEST_CASE(a_character_is_taken_whole_with_its_code_point) {
@@ -40,3 +42,5 @@ BOOST_AUTO_TEST_CASE(a_text_is_as_long_as_the_characters_that_one_sees) {
   BOOST_TEST(n_characters("νx²√") == 4U);
   BOOST_TEST(n_characters("a\x80\xFFz") == 4U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -15,6 +15,8 @@
 
 #include "toolchain/source_tree.hpp"
 
+BOOST_AUTO_TEST_SUITE(architecture_test)
+
 namespace {
 
 struct Library {
@@ -243,3 +245,5 @@ BOOST_AUTO_TEST_CASE(mechanics_knows_no_latex) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

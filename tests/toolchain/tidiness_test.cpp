@@ -5,6 +5,8 @@
 
 #include "toolchain/source_tree.hpp"
 
+BOOST_AUTO_TEST_SUITE(tidiness_test)
+
 namespace {
 
 // Split, so that this file does not hold them.
@@ -33,3 +35,5 @@ BOOST_AUTO_TEST_CASE(nothing_is_left_for_later) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

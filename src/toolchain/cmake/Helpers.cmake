@@ -102,17 +102,19 @@ function(add_sanitizers target)
 endfunction()
 
 # add_test_options(target): optimises little, because tests compute little and full optimisation would double the time
-# to build them.
+# to build them. A little it must be: of a template that library and test both instantiate, such as Eigen's product of
+# matrices, the linker keeps the test's.
 function(add_test_options target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<BOOL:${HALFSPACE_SANITIZE}>:-O0>)
   add_sanitizers(${target})
 endfunction()
 
-# add_test_program(target source LINK …): a program of Boost tests.
-function(add_test_program target source)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK")
-  add_executable(${target} "${source}")
+# add_test_program(target SOURCES file … LINK library … [DEFINE macro …]): a program of Boost tests.
+function(add_test_program target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;DEFINE")
+  add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main)
+  target_compile_definitions(${target} PRIVATE ${arg_DEFINE})
   if(NOT HALFSPACE_EVERYTHING)
     return()
   endif()
@@ -121,19 +123,33 @@ function(add_test_program target source)
   target_precompile_headers(${target} REUSE_FROM precompiled_tests)
 endfunction()
 
-# add_unit_test(folder/name [SLOW seconds] LINK …): tests/folder/name_test.cpp as one program and one
-# CTest test unit/folder/name, which `make test` and the sanitizers run. SLOW: it takes so many seconds, so that only
-# `make test-all` runs it, as slow/folder/name, and begins it before shorter ones.
-function(add_unit_test test)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SLOW" "LINK")
-  string(REPLACE "/" "_" target "${test}_test")
-  add_test_program(${target} "${HALFSPACE_ROOT}/tests/${test}_test.cpp" LINK ${arg_LINK})
-  if(DEFINED arg_SLOW)
-    add_test(NAME "slow/${test}" COMMAND ${target} --color_output=no)
-    label_test("slow/${test}" slow COST ${arg_SLOW})
-  else()
-    add_test(NAME "unit/${test}" COMMAND ${target} --color_output=no)
-    label_test("unit/${test}" unit TARGET ${target})
+# add_unit_tests(folder LINK library … [DEFINE macro …] [SOURCES file …] [NAMES name …] [SLOW name seconds …]): the tests
+# of one folder are one program, because each program of its own takes the compiler three seconds, and each file
+# tests/folder/name_test.cpp is one CTest test, unit/folder/name, which runs the suite name_test. `make test` and the
+# sanitizers run those of NAMES. Those of SLOW are a second program, folder_slow_tests; each takes about so many seconds,
+# so that only `make test-all` runs it, as slow/folder/name, and begins it before shorter ones. SOURCES are linked to both.
+function(add_unit_tests folder)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK;DEFINE;SOURCES;NAMES;SLOW")
+  if(arg_NAMES)
+    set(sources ${arg_NAMES})
+    list(TRANSFORM sources REPLACE "(.+)" "${HALFSPACE_ROOT}/tests/${folder}/\\1_test.cpp")
+    add_test_program(${folder}_tests SOURCES ${sources} ${arg_SOURCES} LINK ${arg_LINK} DEFINE ${arg_DEFINE})
+  endif()
+  foreach(name IN LISTS arg_NAMES)
+    cmake_path(GET name FILENAME suite)
+    add_test(NAME unit/${folder}/${name} COMMAND ${folder}_tests --run_test=${suite}_test --color_output=no)
+    label_test(unit/${folder}/${name} unit TARGET ${folder}_tests)
+  endforeach()
+  set(sources "")
+  while(arg_SLOW)
+    list(POP_FRONT arg_SLOW name seconds)
+    cmake_path(GET name FILENAME suite)
+    add_test(NAME slow/${folder}/${name} COMMAND ${folder}_slow_tests --run_test=${suite}_test --color_output=no)
+    label_test(slow/${folder}/${name} slow COST ${seconds})
+    list(APPEND sources "${HALFSPACE_ROOT}/tests/${folder}/${name}_test.cpp")
+  endwhile()
+  if(sources)
+    add_test_program(${folder}_slow_tests SOURCES ${sources} ${arg_SOURCES} LINK ${arg_LINK} DEFINE ${arg_DEFINE})
   endif()
 endfunction()
 

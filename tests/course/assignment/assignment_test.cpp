@@ -11,6 +11,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(assignment_test)
+
 using config::Error;
 
 namespace {
@@ -153,3 +155,5 @@ BOOST_AUTO_TEST_CASE(code_and_list_have_the_same_checks) {
   visible["root-extra"] = visible["root-square"];
   BOOST_TEST(error_of(visible, hidden).find("has the id \"root-extra\"") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "course/toy.hpp"
 #include "system/error.hpp"
 
+BOOST_AUTO_TEST_SUITE(variants_test)
+
 using course::Variant;
 
 namespace {
@@ -104,3 +106,5 @@ BOOST_AUTO_TEST_CASE(an_id_that_could_not_name_a_file_is_refused_by_name) {
   }
   BOOST_CHECK_THROW(variant("ada", ""), sys::SourceError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

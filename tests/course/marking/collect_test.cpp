@@ -6,6 +6,8 @@
 #include "course/marking/mark.hpp"
 #include "course/toy_grading.hpp"
 
+BOOST_AUTO_TEST_SUITE(collect_test)
+
 using namespace course;
 
 namespace {
@@ -21,7 +23,7 @@ Graded graded(const std::string& student) {
 }
 
 void write_mark(const TemporaryFolder& folder, const Graded& one) {
-  folder.write("grades/" + one.student + "/mark.json", mark_json(toy::assignment(), one));
+  folder.write("grades/" + one.student + "/mark.json", mark_json(toy_grading::assignment(), one));
 }
 
 }  // namespace
@@ -38,7 +40,7 @@ BOOST_AUTO_TEST_CASE(every_student_has_a_line_and_it_tells_what_happened) {
   folder.write("submissions/zoe.zip", "");
   const Roster roster = {{"alice", {}}, {"bob", {}}, {"carol", {}}, {"erin", {}}};
 
-  const Grades grades = collect_grades(toy::assignment(), folder.path() / "grades", roster,
+  const Grades grades = collect_grades(toy_grading::assignment(), folder.path() / "grades", roster,
                                        folder.path() / "submissions");
 
   BOOST_TEST(grades.problems.empty());
@@ -57,11 +59,13 @@ BOOST_AUTO_TEST_CASE(a_mark_that_is_none_is_named_and_hinders_no_other) {
   const TemporaryFolder folder;
   write_mark(folder, graded("carol"));
   folder.write("grades/dave/mark.json", "{\"student\": \"dave\"}");
-  folder.write("grades/mallory/mark.json", mark_json(toy::assignment(), graded("carol")));
+  folder.write("grades/mallory/mark.json", mark_json(toy_grading::assignment(), graded("carol")));
 
-  const Grades grades = collect_grades(toy::assignment(), folder.path() / "grades", {}, {});
+  const Grades grades = collect_grades(toy_grading::assignment(), folder.path() / "grades", {}, {});
 
   BOOST_TEST(grades.problems.size() == 2U);
   BOOST_TEST(grades.csv.find("\r\ncarol,") != std::string::npos);
   BOOST_TEST(grades.csv.find("dave") == std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

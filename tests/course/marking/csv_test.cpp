@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(csv_test)
+
 using course::csv_field;
 
 BOOST_AUTO_TEST_CASE(a_plain_field_stays_as_it_is) {
@@ -24,3 +26,5 @@ BOOST_AUTO_TEST_CASE(no_field_is_a_formula_of_a_spreadsheet) {
   BOOST_TEST(csv_field("@cmd,x") == "\"'@cmd,x\"");
   BOOST_TEST(csv_field("a=1") == "a=1");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

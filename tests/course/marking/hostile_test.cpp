@@ -20,6 +20,8 @@
 #include "system/parallel.hpp"
 #include "system/process.hpp"
 
+BOOST_AUTO_TEST_SUITE(hostile_test)
+
 using namespace course;
 namespace fs = std::filesystem;
 
@@ -111,7 +113,7 @@ const std::map<std::string, std::string> reasons = {
 };
 
 Assignment hostile_assignment() {
-  Assignment assignment = toy::assignment();
+  Assignment assignment = toy_grading::assignment();
   assignment.limits.compile_seconds = 5;
   return assignment;
 }
@@ -138,7 +140,7 @@ void make_odd_files(const TemporaryFolder& made) {
     fs::create_directories(made.path() / name);
   }
   fs::create_symlink("/etc/shadow", made.path() / "link_for_file/src/square.cpp");
-  fs::create_directory_symlink(toy::folder / "template/src", made.path() / "link_for_folder/src");
+  fs::create_directory_symlink(toy_grading::folder / "template/src", made.path() / "link_for_folder/src");
   BOOST_REQUIRE(::mkfifo((made.path() / "pipe_for_file/src/square.cpp").c_str(), 0600) == 0);
   if (::mknod((made.path() / "device/src/square.cpp").c_str(), S_IFCHR | 0666, makedev(1, 5)) !=
       0) {
@@ -193,8 +195,8 @@ bool grade_apart(const fs::path& submission, const fs::path& grades) {
       task.submission = submission;
       task.student = student_of(submission);
       task.submitted = hostile_assignment().deadline;
-      task.toolkit = toy::toolkit();
-      task.checks = toy::checks();
+      task.toolkit = toy_grading::toolkit();
+      task.checks = toy_grading::checks();
       grade_submission(hostile_assignment(), task, grades / task.student);
     } catch (const std::exception& error) {
       std::fprintf(stderr, "%s: %s\n", submission.c_str(), error.what());
@@ -225,7 +227,7 @@ class Class {
     make_archives(made_, parts_);
     submissions_ = all_submissions(made_.path());
     ::setenv("HALFSPACE_SECRET", "hidden", 1);
-    toy::toolkit();
+    toy_grading::toolkit();
   }
 
   const std::vector<fs::path>& submissions() const { return submissions_; }
@@ -300,3 +302,5 @@ BOOST_AUTO_TEST_CASE(every_reason_is_of_a_submission) {
   }
   BOOST_TEST(students.submissions().size() >= 25U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

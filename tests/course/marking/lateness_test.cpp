@@ -6,10 +6,12 @@
 #include "course/toy_grading.hpp"
 #include "system/error.hpp"
 
+BOOST_AUTO_TEST_SUITE(lateness_test)
+
 using namespace course;
 
 BOOST_AUTO_TEST_CASE(a_day_begun_is_a_day) {
-  const Assignment assignment = toy::assignment();
+  const Assignment assignment = toy_grading::assignment();
   const auto after = [&](std::chrono::seconds time) {
     return lateness(assignment, assignment.deadline + time);
   };
@@ -33,3 +35,5 @@ BOOST_AUTO_TEST_CASE(times_are_those_of_rfc_3339) {
     BOOST_CHECK_THROW(parse_time(text), sys::SourceError);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "system/error.hpp"
 #include "system/process.hpp"
 
+BOOST_AUTO_TEST_SUITE(results_test)
+
 using namespace course;
 
 namespace {
@@ -29,7 +31,7 @@ Graded graded() {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(gradescope_gets_a_test_a_check_and_the_mark) {
-  const auto json = nlohmann::json::parse(gradescope_json(toy::assignment(), graded()));
+  const auto json = nlohmann::json::parse(gradescope_json(toy_grading::assignment(), graded()));
 
   BOOST_TEST(json["score"].get<double>() == 4.95);
   BOOST_TEST(json["tests"].size() == 4U);
@@ -44,17 +46,17 @@ BOOST_AUTO_TEST_CASE(gradescope_gets_a_test_a_check_and_the_mark) {
 
 BOOST_AUTO_TEST_CASE(hidden_checks_tell_their_points_and_nothing_more) {
   for (const std::string& text :
-       {gradescope_json(toy::assignment(), graded()), junit_xml(toy::assignment(), graded()),
-        feedback_html(toy::assignment(), graded(), {})}) {
+       {gradescope_json(toy_grading::assignment(), graded()), junit_xml(toy_grading::assignment(), graded()),
+        feedback_html(toy_grading::assignment(), graded(), {})}) {
     BOOST_TEST(text.find("hidden message") == text.npos, text);
     BOOST_TEST(text.find("squares at points of your own") != text.npos);
   }
-  BOOST_TEST(log_text(toy::assignment(), graded()).find("hidden message") != std::string::npos);
+  BOOST_TEST(log_text(toy_grading::assignment(), graded()).find("hidden message") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(what_students_write_is_no_markup) {
   for (const std::string& text :
-       {junit_xml(toy::assignment(), graded()), feedback_html(toy::assignment(), graded(), {})}) {
+       {junit_xml(toy_grading::assignment(), graded()), feedback_html(toy_grading::assignment(), graded(), {})}) {
     BOOST_TEST(text.find("<script>") == text.npos);
     BOOST_TEST(text.find("<b>") == text.npos);
     BOOST_TEST(text.find("&lt;script&gt;alert('&amp;')&lt;/script&gt;") != text.npos, text);
@@ -62,7 +64,7 @@ BOOST_AUTO_TEST_CASE(what_students_write_is_no_markup) {
 }
 
 BOOST_AUTO_TEST_CASE(junit_counts_what_failed) {
-  const std::string xml = junit_xml(toy::assignment(), graded());
+  const std::string xml = junit_xml(toy_grading::assignment(), graded());
 
   BOOST_TEST(xml.find("<testsuite name=\"Squares\" tests=\"2\" failures=\"1\">") != xml.npos, xml);
   BOOST_TEST(xml.find("<failure message=\"1.5 of 6 points\"") != xml.npos, xml);
@@ -75,7 +77,7 @@ BOOST_AUTO_TEST_CASE(a_curve_is_drawn_and_the_same_numbers_give_the_same_picture
 
   BOOST_TEST(svg.find("<svg") != svg.npos);
   BOOST_TEST(svg_of(curve) == svg);
-  const std::string page = feedback_html(toy::assignment(), graded(), {svg});
+  const std::string page = feedback_html(toy_grading::assignment(), graded(), {svg});
   BOOST_TEST(page.find("<figure><svg") != page.npos);
   BOOST_TEST(page.find("Your own") != page.npos);
 }
@@ -88,19 +90,19 @@ BOOST_AUTO_TEST_CASE(numbers_that_cannot_be_drawn_are_left_out) {
 
 BOOST_AUTO_TEST_CASE(a_submission_becomes_a_folder_and_regrading_changes_no_byte) {
   const TemporaryFolder folder;
-  for (const auto& [file, text] : toy::solution()) folder.write("alice/" + file, text);
+  for (const auto& [file, text] : toy_grading::solution()) folder.write("alice/" + file, text);
   GradingTask task;
   task.submission = folder.path() / "alice";
   task.student = "alice";
-  task.submitted = toy::assignment().deadline + std::chrono::hours(1);
-  task.toolkit = toy::toolkit();
-  task.checks = toy::checks();
+  task.submitted = toy_grading::assignment().deadline + std::chrono::hours(1);
+  task.toolkit = toy_grading::toolkit();
+  task.checks = toy_grading::checks();
   task.curves = [](const Program& program, const Variant&) {
     return std::vector<Curve>{{"Squares", "x", "y", {1, 2, 3}, program("square", {1, 2, 3})}};
   };
 
-  const Graded first = grade_submission(toy::assignment(), task, folder.path() / "first");
-  grade_submission(toy::assignment(), task, folder.path() / "second");
+  const Graded first = grade_submission(toy_grading::assignment(), task, folder.path() / "first");
+  grade_submission(toy_grading::assignment(), task, folder.path() / "second");
 
   BOOST_TEST(mark_of(first) == 18);
   const auto files = sys::files_below(folder.path() / "first");
@@ -112,3 +114,5 @@ BOOST_AUTO_TEST_CASE(a_submission_becomes_a_folder_and_regrading_changes_no_byte
                sys::read_file(folder.path() / "second" / file));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "system/error.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(roster_test)
+
 using namespace course;
 namespace fs = std::filesystem;
 
@@ -99,3 +101,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_folder_of_submissions_is_an_error) {
   BOOST_CHECK_THROW(list_submissions(folder.write("class.csv", ""), {}), sys::OutputError);
   BOOST_CHECK_THROW(list_submissions(folder.path() / "nowhere", {}), sys::OutputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

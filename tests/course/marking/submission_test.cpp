@@ -10,6 +10,8 @@
 #include "system/error.hpp"
 #include "system/process.hpp"
 
+BOOST_AUTO_TEST_SUITE(submission_test)
+
 using namespace course;
 namespace fs = std::filesystem;
 
@@ -17,7 +19,7 @@ namespace {
 
 Submission take(const fs::path& path) {
   const TemporaryFolder work;
-  return take_submission(toy::assignment(), path, work.path(), Isolation::sandbox);
+  return take_submission(toy_grading::assignment(), path, work.path(), Isolation::sandbox);
 }
 
 fs::path packed(const TemporaryFolder& folder, const std::string& name, const fs::path& what) {
@@ -121,3 +123,5 @@ BOOST_AUTO_TEST_CASE(shown_texts_are_utf8_without_control_characters) {
   BOOST_TEST(shown("aää", 4) == "aä\n[… cut]");
   BOOST_TEST(shown_name("line\nend") == "line?end");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

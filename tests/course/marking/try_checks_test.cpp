@@ -7,6 +7,8 @@
 #include "course/toy_grading.hpp"
 #include "system/error.hpp"
 
+BOOST_AUTO_TEST_SUITE(try_checks_test)
+
 using namespace course;
 
 namespace {
@@ -22,16 +24,16 @@ std::vector<CheckResult> results_of(const Built& built, const Assignment& assign
   return try_checks(assignment, checks, built, Variant{}, run);
 }
 
-Graded grade(const Files& files, const Assignment& assignment = toy::assignment()) {
+Graded grade(const Files& files, const Assignment& assignment = toy_grading::assignment()) {
   const TemporaryFolder scratch;
   Graded graded;
-  graded.built = build(assignment, toy::toolkit(), files, scratch.path(), Isolation::sandbox);
-  graded.results = results_of(graded.built, assignment, toy::checks(), Isolation::sandbox);
+  graded.built = build(assignment, toy_grading::toolkit(), files, scratch.path(), Isolation::sandbox);
+  graded.results = results_of(graded.built, assignment, toy_grading::checks(), Isolation::sandbox);
   return graded;
 }
 
 Files with(const std::string& file, const std::string& text) {
-  Files files = toy::solution();
+  Files files = toy_grading::solution();
   files[file] = text;
   return files;
 }
@@ -39,7 +41,7 @@ Files with(const std::string& file, const std::string& text) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_solution_has_all_points) {
-  const Graded graded = grade(toy::solution());
+  const Graded graded = grade(toy_grading::solution());
 
   BOOST_TEST(total(graded.results) == 20);
   BOOST_TEST(graded.built.compile_errors.empty());
@@ -73,7 +75,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_link_costs_its_own_exercise) {
 
 BOOST_AUTO_TEST_CASE(a_helper_of_the_same_name_in_two_files_costs_the_second_only) {
   const std::string helper = "#include \"toy.hpp\"\ndouble twice(double x) { return 2 * x; }\n";
-  Files files = toy::solution();
+  Files files = toy_grading::solution();
   for (auto& [file, text] : files) text = helper + text;
 
   const Graded graded = grade(files);
@@ -99,7 +101,7 @@ BOOST_AUTO_TEST_CASE(answers_that_differ_from_run_to_run_are_none) {
 }
 
 BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
-  Assignment assignment = toy::assignment();
+  Assignment assignment = toy_grading::assignment();
   assignment.limits.submission_seconds = 1;
 
   const Graded graded = grade(with("src/square.cpp",
@@ -141,14 +143,14 @@ BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
   const TemporaryFolder scratch;
 
   const Built built{.program = scratch.path() / "program", .compile_errors = {}, .link_error = {}};
-  BOOST_CHECK_THROW(results_of(built, toy::assignment(), {}, Isolation::sandbox), std::logic_error);
+  BOOST_CHECK_THROW(results_of(built, toy_grading::assignment(), {}, Isolation::sandbox), std::logic_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_no_toolkit_is_named) {
   const TemporaryFolder scratch;
 
   BOOST_CHECK_EXCEPTION(
-      build(toy::assignment(), scratch.path(), {}, scratch.path() / "work", Isolation::sandbox),
+      build(toy_grading::assignment(), scratch.path(), {}, scratch.path() / "work", Isolation::sandbox),
       sys::OutputError, [](const auto& error) {
         return std::string(error.what())
             .ends_with("is no toolkit; `halfspace-course toolkit` makes one");
@@ -159,20 +161,20 @@ BOOST_AUTO_TEST_CASE(a_toolkit_replaces_a_toolkit_and_nothing_else) {
   const TemporaryFolder folder;
   const std::filesystem::path output = folder.path() / "toolkit";
 
-  make_toolkit(toy::assignment(), HALFSPACE_SOURCE_DIR, output);
-  BOOST_CHECK_NO_THROW(make_toolkit(toy::assignment(), HALFSPACE_SOURCE_DIR, output));
+  make_toolkit(toy_grading::assignment(), HALFSPACE_SOURCE_DIR, output);
+  BOOST_CHECK_NO_THROW(make_toolkit(toy_grading::assignment(), HALFSPACE_SOURCE_DIR, output));
   folder.write("letters/one.txt", "mine\n");
   BOOST_CHECK_THROW(
-      make_toolkit(toy::assignment(), HALFSPACE_SOURCE_DIR, folder.path() / "letters"),
+      make_toolkit(toy_grading::assignment(), HALFSPACE_SOURCE_DIR, folder.path() / "letters"),
       sys::OutputError);
-  Assignment other = toy::assignment();
+  Assignment other = toy_grading::assignment();
   other.exercises[0].file = "src/cube.cpp";
   BOOST_CHECK_THROW(open_toolkit(other, output), sys::OutputError);
 }
 
 BOOST_AUTO_TEST_CASE(no_solution_is_in_the_toolkit) {
-  for (const std::string& file : sys::files_below(toy::toolkit())) {
-    const std::string text = sys::read_file(toy::toolkit() / file);
+  for (const std::string& file : sys::files_below(toy_grading::toolkit())) {
+    const std::string text = sys::read_file(toy_grading::toolkit() / file);
     BOOST_TEST(text.find("total += number") == text.npos, file);
   }
 }
@@ -192,7 +194,9 @@ BOOST_AUTO_TEST_CASE(without_walls_the_solution_has_all_points_too) {
   const TemporaryFolder scratch;
 
   const Built built =
-      build(toy::assignment(), toy::toolkit(), toy::solution(), scratch.path(), Isolation::none);
+      build(toy_grading::assignment(), toy_grading::toolkit(), toy_grading::solution(), scratch.path(), Isolation::none);
 
-  BOOST_TEST(total(results_of(built, toy::assignment(), toy::checks(), Isolation::none)) == 20);
+  BOOST_TEST(total(results_of(built, toy_grading::assignment(), toy_grading::checks(), Isolation::none)) == 20);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

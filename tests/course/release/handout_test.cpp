@@ -11,6 +11,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(handout_test)
+
 namespace fs = std::filesystem;
 using course::Edition;
 
@@ -161,3 +163,5 @@ BOOST_AUTO_TEST_CASE(binary_files_are_copied_as_they_are) {
 
   BOOST_TEST(project.at("logo.png").text.handout == bytes);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "system/process.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(leaks_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -195,3 +197,5 @@ BOOST_AUTO_TEST_CASE(files_that_the_hidden_checks_compare_with_may_not_be_provid
   BOOST_TEST(published[1].find("src/contact/pressure.hpp") != std::string::npos);
   BOOST_TEST(published[2].find("src/assignment/hidden_checks.cpp") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

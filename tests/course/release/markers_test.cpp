@@ -6,6 +6,8 @@
 
 #include "system/error.hpp"
 
+BOOST_AUTO_TEST_SUITE(markers_test)
+
 using course::apply_markers;
 
 namespace {
@@ -125,3 +127,5 @@ BOOST_AUTO_TEST_CASE(a_misspelt_marker_gives_no_solution_away) {
     check_error("\n" + slip + "\n", "2: a marker is a line");
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

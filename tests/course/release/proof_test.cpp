@@ -16,6 +16,8 @@
 #include "system/process.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(proof_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -289,3 +291,5 @@ BOOST_AUTO_TEST_CASE(each_students_handout_is_proved_to_be_theirs) {
   BOOST_TEST(found.find("ada: zip and folder: notes.txt is in one but not in the other") !=
              std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

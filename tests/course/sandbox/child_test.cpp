@@ -10,6 +10,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(child_test)
+
 using course::Child;
 using course::Excess;
 
@@ -97,3 +99,5 @@ BOOST_AUTO_TEST_CASE(a_child_that_exceeds_a_limit_is_ended_and_the_limit_named) 
                         [](Child& child) { child.memory_mb = 50; }) == Excess::memory));
   BOOST_TEST((std::chrono::steady_clock::now() - begin < std::chrono::seconds(50)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

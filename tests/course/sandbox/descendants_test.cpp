@@ -8,6 +8,8 @@
 #include <chrono>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(descendants_test)
+
 BOOST_AUTO_TEST_CASE(processes_that_end_while_they_are_looked_at_are_no_error) {
   using std::chrono::steady_clock;
   const auto end = steady_clock::now() + std::chrono::seconds(1);
@@ -34,3 +36,5 @@ BOOST_AUTO_TEST_CASE(processes_that_end_while_they_are_looked_at_are_no_error) {
   BOOST_TEST(n_seen > 0U);
   BOOST_TEST(course::descendants(::getpid()).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

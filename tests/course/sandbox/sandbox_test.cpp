@@ -22,6 +22,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(sandbox_test)
+
 using namespace course;
 namespace fs = std::filesystem;
 
@@ -376,3 +378,5 @@ BOOST_AUTO_TEST_CASE(what_a_killed_grading_left_goes_at_the_next) {
   BOOST_TEST(!fs::exists(left));
   BOOST_TEST(fs::exists(mine.path()));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
+BOOST_AUTO_TEST_SUITE(claim_test)
+
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(verdicts_have_names_and_follow_from_what_holds) {
@@ -69,3 +71,5 @@ BOOST_AUTO_TEST_CASE(nothing_is_said_beside_criteria) {
   BOOST_TEST(decided(without_criteria).tolerance == "1 %");
   BOOST_CHECK(decided(without_criteria).found == Verdict::refuted);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

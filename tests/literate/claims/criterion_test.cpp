@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+BOOST_AUTO_TEST_SUITE(criterion_test)
+
 using literate::Criterion;
 using literate::Limit;
 using literate::LimitKind;
@@ -134,3 +136,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_decide_is_refused) {
   BOOST_CHECK_THROW(Limit(LimitKind::derived, std::nan(""), "why"), std::invalid_argument);
   BOOST_CHECK_THROW(limit_of(1, -1e-3), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(citation_test)
+
 using namespace literate;
 
 namespace {
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
   BOOST_TEST(error_of("title: [A work\n").starts_with("CITATION.cff:2:1: "));
   BOOST_CHECK_THROW(read_citation("/nowhere/CITATION.cff"), sys::InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(describe_folder_test)
+
 using namespace literate;
 
 namespace {
@@ -96,3 +98,5 @@ BOOST_AUTO_TEST_CASE(describing_again_changes_nothing) {
 
   BOOST_TEST(sys::read_file(folder / "ro-crate-metadata.json") == first);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(document_test)
+
 using namespace literate;
 namespace fs = std::filesystem;
 
@@ -178,3 +180,5 @@ BOOST_AUTO_TEST_CASE(an_output_that_is_no_folder_is_an_output_error_naming_it) {
   BOOST_TEST(message.find((scratch / "out").string()) != std::string::npos);
   BOOST_TEST(sys::read_file(scratch / "out") == "a file");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

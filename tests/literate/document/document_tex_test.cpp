@@ -12,6 +12,8 @@
 #include "system/process.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(document_tex_test)
+
 using namespace literate;
 using boost::test_tools::per_element;
 
@@ -180,3 +182,5 @@ BOOST_AUTO_TEST_CASE(a_document_with_a_fault_says_so_on_every_page_and_in_the_le
   BOOST_TEST(holds(pages[2], "1 not as expected"), pages[2]);
   BOOST_TEST(holds(pages[2], "Expected: confirmed."), pages[2]);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(excerpt_coverage_test)
+
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(only_lines_of_code_count_shown_or_not) {
@@ -32,3 +34,5 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_an_error) {
 
   BOOST_CHECK_THROW(coverage_of(scratch / "", "src/none", {}), std::exception);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

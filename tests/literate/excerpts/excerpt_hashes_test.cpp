@@ -7,6 +7,8 @@
 #include "system/error.hpp"
 #include "system/files.hpp"
 
+BOOST_AUTO_TEST_SUITE(excerpt_hashes_test)
+
 using namespace literate;
 
 namespace {
@@ -57,3 +59,5 @@ BOOST_AUTO_TEST_CASE(the_source_that_a_build_compiles_holds_name_file_and_hash) 
     BOOST_TEST(source.find(part) != std::string::npos, part);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

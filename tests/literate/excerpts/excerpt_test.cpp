@@ -6,6 +6,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(excerpt_test)
+
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(the_listing_has_true_line_numbers_and_no_common_indentation) {
@@ -17,3 +19,5 @@ BOOST_AUTO_TEST_CASE(the_listing_has_true_line_numbers_and_no_common_indentation
   BOOST_TEST(sys::read_file(scratch / "x.tex") ==
              "\\LiterateListing{x}{src/\\allowbreak{}a\\_b.cpp}{7}{10}\n");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(find_excerpts_test)
+
 using namespace literate;
 
 namespace {
@@ -81,3 +83,5 @@ BOOST_AUTO_TEST_CASE(a_character_without_mapping_is_an_error_and_mathematics_is_
   BOOST_TEST(error_in(begin + "x\n\xff\n" + end + "x\n") ==
              "a.cpp:2: byte 0xff in excerpt 'x' is not UTF-8 text");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

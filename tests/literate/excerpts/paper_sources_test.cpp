@@ -8,6 +8,8 @@
 #include "system/error.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(paper_sources_test)
+
 using Lines = std::vector<std::string>;
 
 BOOST_AUTO_TEST_CASE(all_files_below_are_found_in_order) {
@@ -39,3 +41,5 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_named) {
                           return std::string(error.what()).find("none") != std::string::npos;
                         });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

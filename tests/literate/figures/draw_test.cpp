@@ -14,6 +14,8 @@
 #include "system/process.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(draw_test)
+
 using namespace literate;
 namespace fs = std::filesystem;
 
@@ -295,3 +297,5 @@ BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_a_tool_error_naming_the_setup) {
 
   BOOST_TEST(message == "gnuplot is not installed; 'make setup' installs it");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

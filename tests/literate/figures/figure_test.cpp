@@ -13,6 +13,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(figure_test)
+
 using namespace literate;
 
 namespace {
@@ -128,3 +130,5 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_written_is_an_output_error) {
   BOOST_CHECK_THROW(write_figure(scratch / "file", "f", {.width_cm = 1, .height_cm = 1}),
                     sys::OutputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

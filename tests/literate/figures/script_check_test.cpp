@@ -7,6 +7,8 @@
 #include "message_of.hpp"
 #include "system/error.hpp"
 
+BOOST_AUTO_TEST_SUITE(script_check_test)
+
 using namespace literate;
 
 namespace {
@@ -34,3 +36,5 @@ BOOST_AUTO_TEST_CASE(what_only_looks_like_such_a_command_is_left_alone) {
     BOOST_TEST(refusal_of(command) == "(no error)", command);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

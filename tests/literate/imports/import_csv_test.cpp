@@ -9,6 +9,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(import_csv_test)
+
 using namespace literate;
 
 namespace {
@@ -149,3 +151,5 @@ BOOST_AUTO_TEST_CASE(a_file_or_script_that_cannot_be_read_is_named) {
   sys::write_file_atomically(folder / "t.csv", "x\n");
   BOOST_TEST(error().ends_with("run.py' cannot be read"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

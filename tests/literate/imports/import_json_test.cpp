@@ -11,6 +11,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(import_json_test)
+
 using namespace literate;
 
 namespace {
@@ -303,3 +305,5 @@ BOOST_AUTO_TEST_CASE(a_cell_is_checked_and_told_with_its_place) {
              "1.5 is not a whole number, as column 'x' holds");
   BOOST_TEST(error("", "[]") == "a cell must be an object");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

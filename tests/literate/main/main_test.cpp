@@ -14,6 +14,8 @@
 #include "system/error.hpp"
 #include "system/files.hpp"
 
+BOOST_AUTO_TEST_SUITE(main_test)
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -198,3 +200,5 @@ BOOST_AUTO_TEST_CASE(the_version_names_the_paper_and_its_commit) {
   paper.modified = true;
   BOOST_TEST(literate::version_text(paper) == "rod 1.2.0 (commit 0123456789ab, modified)");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

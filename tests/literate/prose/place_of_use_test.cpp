@@ -6,6 +6,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(place_of_use_test)
+
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_generated_file_is_told_where_the_document_uses_it) {
@@ -22,3 +24,5 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_generated_file_is_told_where_the_documen
   BOOST_TEST(told("../generated/tables/none.tex:7: Bad") == "../generated/tables/none.tex:7: Bad");
   BOOST_TEST(told("report/part/a.tex:7: Bad") == "report/part/a.tex:7: Bad");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(prose_lint_test)
+
 using namespace literate;
 
 namespace {
@@ -88,3 +90,5 @@ BOOST_AUTO_TEST_CASE(all_tex_files_below_a_folder_are_read) {
   BOOST_TEST(findings[1].starts_with("report/b.tex:1:1: 1.234 is typed"));
   BOOST_CHECK_THROW(typed_numbers_below(scratch / "none"), sys::OutputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

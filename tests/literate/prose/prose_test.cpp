@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(prose_test)
+
 using namespace literate;
 
 namespace {
@@ -64,3 +66,5 @@ BOOST_AUTO_TEST_CASE(each_character_has_its_mode) {
   BOOST_CHECK(prose.modes[latex.find('c')] == TexMode::display_math);
   BOOST_CHECK(prose.modes[latex.find("d\\end")] == TexMode::display_math);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(references_test)
+
 using namespace literate;
 using Lines = std::vector<std::string>;
 
@@ -121,3 +123,5 @@ BOOST_AUTO_TEST_CASE(a_document_in_a_folder_below_is_another_one) {
   BOOST_TEST(report.errors == Lines{"report/part/a.tex:2:1: unknown value 'here'"},
              boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(tex_commands_test)
+
 using namespace literate;
 using boost::test_tools::per_element;
 
@@ -55,3 +57,5 @@ BOOST_AUTO_TEST_CASE(what_stands_between_the_groups_ends_the_condition) {
   BOOST_TEST(uses_in("\\ifflag{f}{\\val{a}}\\%{\\val{b}}") == (Uses{"1:12 val a ?f", "1:23 val b"}),
              per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

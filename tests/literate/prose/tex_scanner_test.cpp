@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(tex_scanner_test)
+
 using namespace literate;
 using Texts = std::vector<std::string_view>;
 using boost::test_tools::per_element;
@@ -117,3 +119,5 @@ BOOST_AUTO_TEST_CASE(what_a_reader_skips_is_no_token) {
   BOOST_TEST(scanner.skip(5).empty());
   BOOST_TEST(!scanner.next().has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

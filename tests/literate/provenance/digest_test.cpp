@@ -8,6 +8,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(digest_test)
+
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_or_added_is_named) {
@@ -28,3 +30,5 @@ BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_or_added_is_named) {
   sys::write_file_atomically(folder / "mine.sty", "");
   BOOST_TEST(error().find("mine.sty' was not made by the program") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

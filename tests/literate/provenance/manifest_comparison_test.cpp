@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(manifest_comparison_test)
+
 using namespace literate;
 using Lines = std::vector<std::string>;
 using boost::test_tools::per_element;
@@ -69,3 +71,5 @@ BOOST_AUTO_TEST_CASE(a_number_without_an_error_is_compared_as_printed) {
                                                    "u: 2.385e-06 (2.385) there, none here"}),
              per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(manifest_test)
+
 using namespace literate;
 
 namespace {
@@ -63,3 +65,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_manifest_of_the_project_is_named) {
   sys::write_file_atomically(file, R"({"project": "other"})");
   BOOST_TEST(message_of_reading(file).ends_with("is the manifest of another project, \"other\""));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

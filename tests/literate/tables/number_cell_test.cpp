@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(number_cell_test)
+
 using literate::aligned_number;
 using literate::NumberWidth;
 using literate::table_format;
@@ -66,3 +68,5 @@ BOOST_AUTO_TEST_CASE(cells_of_a_column_are_equally_wide) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+BOOST_AUTO_TEST_SUITE(table_test)
+
 using literate::Cell;
 using literate::Column;
 using literate::Table;
@@ -97,3 +99,5 @@ BOOST_AUTO_TEST_CASE(a_quoted_number_keeps_its_digits_in_a_column_of_others) {
 BOOST_AUTO_TEST_CASE(a_unit_that_latex_would_misread_is_refused) {
   BOOST_CHECK_THROW(Column::fixed("share", "%", 1), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

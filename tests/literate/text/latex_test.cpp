@@ -7,6 +7,8 @@
 
 #include "literate/text/characters.hpp"
 
+BOOST_AUTO_TEST_SUITE(latex_test)
+
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(text_for_latex_shows_every_character) {
@@ -40,3 +42,5 @@ BOOST_AUTO_TEST_CASE(listings_know_every_character_that_text_knows) {
   }
   BOOST_TEST(latex_of("語").empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "message_of.hpp"
 
+BOOST_AUTO_TEST_SUITE(name_test)
+
 using namespace literate;
 
 BOOST_AUTO_TEST_CASE(a_key_is_made_of_letters_digits_and_three_signs) {
@@ -25,3 +27,5 @@ BOOST_AUTO_TEST_CASE(what_is_neither_is_named) {
   BOOST_TEST(message_of<std::logic_error>([] { require_file_name("a.b"); }) ==
              "name 'a.b' must be letters, digits, '-' and '_'");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(latex_log_test)
+
 using namespace literate;
 using Lines = std::vector<std::string>;
 
@@ -59,3 +61,5 @@ BOOST_AUTO_TEST_CASE(an_undefined_citation_is_a_defect) {
                         "input line 12."}),
              boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

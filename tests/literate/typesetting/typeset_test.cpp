@@ -11,6 +11,8 @@
 #include "system/files.hpp"
 #include "temporary_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(typeset_test)
+
 using namespace literate;
 namespace fs = std::filesystem;
 
@@ -131,3 +133,5 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_or_file_is_told_by_name) {
   paper.options.main_file = "none.tex";
   BOOST_CHECK_THROW(typeset(paper.options), sys::OutputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(value_test)
+
 using literate::Value;
 
 namespace {
@@ -295,3 +297,5 @@ BOOST_AUTO_TEST_CASE(fewer_digits_are_printed_just_when_those_asked_for_are_not_
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(curvatures_test)
+
 using point_contact::PrincipalCurvatures;
 using point_contact::relative_curvatures;
 using point_contact::RelativeCurvatures;
@@ -68,3 +70,5 @@ BOOST_AUTO_TEST_CASE(bodies_that_do_not_touch_at_a_point_alone_are_refused) {
                         });
   BOOST_CHECK_THROW(relative_curvatures({1, 1}, {1, 1}, std::nan("")), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(profile_test)
+
 using point_contact::Profile;
 using point_contact::Vector2;
 using sys::InvalidQuantity;
@@ -67,3 +69,5 @@ BOOST_AUTO_TEST_CASE(bad_profiles_are_refused) {
   with_hole(3, 4) = std::nan("");
   BOOST_CHECK_THROW(Profile::height_map(with_hole, 1), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

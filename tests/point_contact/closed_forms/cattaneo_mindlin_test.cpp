@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(cattaneo_mindlin_test)
+
 using point_contact::CattaneoMindlin;
 using point_contact::Hertz;
 using sys::InvalidQuantity;
@@ -88,3 +90,5 @@ BOOST_AUTO_TEST_CASE(a_load_that_slides_and_bad_friction_are_refused) {
   BOOST_CHECK_THROW(CattaneoMindlin(hertz, friction, std::nan("")), InvalidQuantity);
   BOOST_CHECK_THROW(CattaneoMindlin(hertz, friction, 0).displacement(0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

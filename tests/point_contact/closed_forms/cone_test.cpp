@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(cone_test)
+
 using point_contact::Cone;
 using sys::InvalidQuantity;
 using tolerance::relative_difference;
@@ -74,3 +76,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(Cone(1, 0, 1), InvalidQuantity);
   BOOST_CHECK_THROW(Cone(1, 1, -1), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(flat_punch_test)
+
 using point_contact::FlatPunch;
 using sys::InvalidQuantity;
 using tolerance::relative_difference;
@@ -62,3 +64,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(FlatPunch(1, -1, 1), InvalidQuantity);
   BOOST_CHECK_THROW(FlatPunch(1, 1, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(hertz_elliptic_test)
+
 using point_contact::Hertz;
 using point_contact::HertzElliptic;
 using point_contact::Vector2;
@@ -119,3 +121,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(HertzElliptic(0, 1, 1, 1), InvalidQuantity);
   BOOST_CHECK_THROW(HertzElliptic(1, 1, 1, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

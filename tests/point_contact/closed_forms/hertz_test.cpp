@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(hertz_test)
+
 using point_contact::Hertz;
 using sys::InvalidQuantity;
 using tolerance::relative_difference;
@@ -91,3 +93,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(Hertz(1, 0, 1), InvalidQuantity);
   BOOST_CHECK_THROW(Hertz(1, 1, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "numerics/quadrature.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(huber_test)
+
 using point_contact::AxialStress;
 using point_contact::Hertz;
 using point_contact::Huber;
@@ -153,3 +155,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(Huber(hertz, 0.51), InvalidQuantity);
   BOOST_CHECK_THROW(Huber(hertz, -1), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(power_law_test)
+
 using point_contact::Hertz;
 using point_contact::PowerLaw;
 using sys::InvalidQuantity;
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(PowerLaw(-1, 0.3, 1, load), InvalidQuantity);
   BOOST_CHECK_THROW(PowerLaw(modulus, 0.3, 1, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "multiprecision.hpp"
 #include "random_inputs.hpp"
 
+BOOST_AUTO_TEST_SUITE(tangent_test)
+
 BOOST_AUTO_TEST_CASE(the_excess_over_the_arctangent_is_right_to_rounding) {
   RandomInputs random(11);
   for (int i = 0; i < 1000; ++i) {
@@ -16,3 +18,5 @@ BOOST_AUTO_TEST_CASE(the_excess_over_the_arctangent_is_right_to_rounding) {
   }
   BOOST_TEST(point_contact::excess_over_arctangent(0) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -17,6 +17,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(element_test)
+
 using point_contact::cross;
 using point_contact::Element;
 using point_contact::ElementPotential;
@@ -338,3 +340,5 @@ BOOST_AUTO_TEST_CASE(elements_have_names) {
   BOOST_TEST(name_of(Element::bilinear) == "bilinear");
   BOOST_TEST(name_of(Element::pyramid) == "pyramid");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

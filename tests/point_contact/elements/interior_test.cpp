@@ -10,6 +10,8 @@
 #include "point_contact/elements/polygon.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(interior_test)
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using elasticity::Material;
@@ -157,3 +159,5 @@ BOOST_AUTO_TEST_CASE(the_surface_itself_is_refused) {
   BOOST_CHECK_THROW(field({0.5, 0.5, -1}), sys::InvalidQuantity);
   BOOST_CHECK_THROW(field({0.5, 0.5, std::nan("")}), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(multipole_test)
+
 using point_contact::Multipole;
 using point_contact::Vector2;
 using tolerance::relative_difference;
@@ -49,3 +51,5 @@ BOOST_AUTO_TEST_CASE(it_reaches_to_the_farthest_corner_and_begins_at_thrice_that
   BOOST_TEST(relative_difference(Multipole(hat).reach(), std::sqrt(5.0)) < 1e-15);
   BOOST_TEST(Multipole(hat).begin() == 3 * Multipole(hat).reach());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "point_contact/polar_quadrature.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(polygon_test)
+
 using point_contact::cross;
 using point_contact::linear_potential;
 using point_contact::uniform_potential;
@@ -104,3 +106,5 @@ BOOST_AUTO_TEST_CASE(a_polygon_with_many_corners_is_a_disk) {
                                  2 * std::numbers::pi) < 1e-6);
   BOOST_TEST(relative_difference(uniform_potential(corners, {1, 0}), 4) < 1e-5);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "point_contact/solver/fft_solver.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(beneath_test)
+
 using Eigen::Vector3d;
 using elasticity::Material;
 using point_contact::AxialStress;
@@ -90,3 +92,5 @@ BOOST_AUTO_TEST_CASE(other_elements_and_the_surface_are_refused) {
   solution.element = Element::bilinear;
   BOOST_CHECK_THROW(field_beneath(solution, material, {0, 0, a}), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -17,6 +17,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(fft_solver_test)
+
 using Eigen::Index;
 using point_contact::Accuracy;
 using point_contact::Element;
@@ -313,3 +315,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   soft.contact_modulus = -1;
   BOOST_CHECK_THROW(solve_for_load(soft, load), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(grid_test)
+
 using Eigen::Index;
 using point_contact::Grid;
 using point_contact::hexagonal_grid;
@@ -63,3 +65,5 @@ BOOST_AUTO_TEST_CASE(bad_grids_are_refused) {
   BOOST_CHECK_THROW(hexagonal_grid(std::nan(""), 100), InvalidQuantity);
   BOOST_CHECK_THROW(hexagonal_grid(1, 100, 0), InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 
 #include "random_inputs.hpp"
 
+BOOST_AUTO_TEST_SUITE(influence_operator_test)
+
 using Eigen::Index;
 using Eigen::VectorXd;
 using point_contact::Element;
@@ -121,3 +123,5 @@ BOOST_AUTO_TEST_CASE(it_tells_the_memory_it_takes) {
   // two filters, eigenvalues and what they come from: about 8·1.5·2 + 16 + 16 bytes a node
   BOOST_TEST(InfluenceOperator::bytes(1024, 1024) == 56.0 * 1024 * 1024);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

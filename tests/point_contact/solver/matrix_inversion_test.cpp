@@ -13,6 +13,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(matrix_inversion_test)
+
 using point_contact::Element;
 using point_contact::energy;
 using point_contact::hexagonal_grid;
@@ -118,3 +120,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(solve_by_variational_method(problem, 60, {.tolerance = 1e-14}),
                     InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(nested_grids_test)
+
 using Eigen::Index;
 using point_contact::Control;
 using point_contact::Element;
@@ -108,3 +110,5 @@ BOOST_AUTO_TEST_CASE(a_tolerance_that_rounding_keeps_out_of_reach_is_refused) {
   BOOST_CHECK_THROW(solve_on_nested_grids(sphere_on(128), Control::load, 40, {.tolerance = 1e-17}),
                     InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

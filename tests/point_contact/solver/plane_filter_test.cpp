@@ -8,6 +8,8 @@
 
 #include "random_inputs.hpp"
 
+BOOST_AUTO_TEST_SUITE(plane_filter_test)
+
 using Eigen::Index;
 using Eigen::VectorXd;
 using point_contact::PlaneFilter;
@@ -74,3 +76,5 @@ BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bytes) {
 
   BOOST_TEST((one.array() == two.array()).all());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(problem_test)
+
 using Eigen::Index;
 using point_contact::initial_gaps;
 using point_contact::Problem;
@@ -42,3 +44,5 @@ BOOST_AUTO_TEST_CASE(bodies_without_modulus_or_extent_are_refused) {
   BOOST_CHECK_THROW(initial_gaps({Profile::paraboloid(1e300), 1, square_grid(1, 20)}, RowTeam(1)),
                     InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

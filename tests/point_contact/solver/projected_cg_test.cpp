@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(projected_cg_test)
+
 using Eigen::Index;
 using Eigen::VectorXd;
 using point_contact::ContactState;
@@ -123,3 +125,5 @@ BOOST_AUTO_TEST_CASE(work_is_counted) {
   BOOST_TEST(gradients.work().products == 2);
   BOOST_TEST(gradients.work().preconditionings == 4);  // two to start
 }
+
+BOOST_AUTO_TEST_SUITE_END()

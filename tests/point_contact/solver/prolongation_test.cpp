@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+BOOST_AUTO_TEST_SUITE(prolongation_test)
+
 using Eigen::Index;
 using Eigen::VectorXd;
 using point_contact::Grid;
@@ -77,3 +79,5 @@ BOOST_AUTO_TEST_CASE(no_contact_stays_none_and_full_contact_full) {
   BOOST_TEST((prolongate(coarse, VectorXd::Zero(256), fine).array() == 0).all());
   BOOST_TEST((prolongate(coarse, VectorXd::Ones(256), fine).array() - 1).abs().maxCoeff() < 1e-15);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

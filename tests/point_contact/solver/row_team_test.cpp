@@ -8,6 +8,8 @@
 #include "random_inputs.hpp"
 #include "system/require.hpp"
 
+BOOST_AUTO_TEST_SUITE(row_team_test)
+
 using Eigen::Index;
 using Eigen::VectorXd;
 using point_contact::RowTeam;
@@ -70,3 +72,5 @@ BOOST_AUTO_TEST_CASE(a_team_has_a_member) {
   BOOST_CHECK_THROW(RowTeam(0), sys::InvalidQuantity);
   BOOST_TEST(RowTeam(1000).n_threads() == 64);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
+BOOST_AUTO_TEST_SUITE(solution_test)
+
 using Eigen::Index;
 using Eigen::VectorXd;
 using point_contact::Element;
@@ -115,3 +117,5 @@ BOOST_AUTO_TEST_CASE(loads_must_be_positive_and_their_squares_numbers) {
   BOOST_CHECK_THROW(total_phi(problem, 0), sys::InvalidQuantity);
   BOOST_CHECK_THROW(total_phi(problem, 1e150), sys::InvalidQuantity);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
