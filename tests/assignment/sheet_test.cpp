@@ -8,7 +8,7 @@
 #include "assignment/programs.hpp"
 #include "literate/document/names.hpp"
 #include "literate/prose/references.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sheet_test)
 

@@ -13,7 +13,7 @@
 #include "course/release/markers.hpp"
 #include "course/sandbox/sandbox.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 /// An assignment that compiles quickly, with two exercises of ten points each, `square` and `sum`.
 namespace toy_grading {
