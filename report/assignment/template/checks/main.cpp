@@ -12,6 +12,7 @@
 
 #include "assignment.hpp"
 #include "assignment/given/answers.hpp"
+#include "printed_text.hpp"
 #include "tasks.hpp"
 #include "variant_of_this_handout.hpp"
 
@@ -26,11 +27,18 @@ const Exercise exercises[] = {
     // EACH EXERCISE: {"@number@. @title@", assignment::@name@::public_checks},
 };
 
-course::Outcome outcome_of(const course::Check& check) {
+struct Result {
+  course::Outcome outcome;
+  std::string printed;  // what your functions printed meanwhile
+};
+
+Result result_of(const course::Check& check) {
+  const PrintedText printed;
   try {
-    return check(run_task, this_variant);
+    const course::Outcome outcome = check(run_task, this_variant);
+    return {outcome, printed.beginning()};
   } catch (const std::exception& e) {
-    return {0, e.what()};
+    return {{0, e.what()}, printed.beginning()};
   }
 }
 
@@ -41,10 +49,15 @@ bool try_exercise(const Exercise& exercise, const std::string& wanted) {
   for (const auto& [id, check] : assignment::guarded(exercise.public_checks())) {
     if (!id.starts_with(wanted)) continue;
     if (!std::exchange(is_titled, true)) std::cout << exercise.title << '\n';
-    const auto [share, message] = outcome_of(check);
+    const auto [outcome, printed] = result_of(check);
+    const auto& [share, message] = outcome;
     all_hold = all_hold && share == 1;
     std::cout << std::round(100 * share) << " %\t" << id;
     if (!message.empty()) std::cout << "\n\t" << message;
+    if (!printed.empty()) {
+      std::cout << "\n\tyour program printed \"" << printed
+                << "\"; that costs no points, but take it out: a program that prints much is ended";
+    }
     std::cout << '\n';
   }
   return all_hold;
