@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_class_may_have_quotes_blanks_and_a_byte_order_mark) {
   const TemporaryFolder folder;
 
   const Roster roster = read_roster(folder.write(
-      "class.csv", "\xEF\xBB\xBF\"student\", note\n\n \"ada\" ,\"says \"\"no, never\"\"\"\nbob,"));
+      "class.csv", "\xEF\xBB\xBF\"student\", name\n\n \"ada\" ,\"says \"\"no, never\"\"\"\nbob,"));
 
   BOOST_TEST(roster.size() == 2U);
   BOOST_TEST(roster.contains("ada"));
