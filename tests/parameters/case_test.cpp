@@ -7,7 +7,7 @@
 #include <string>
 
 #include "config/table.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(case_test)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment/answers.hpp"
+#include "assignment/given/answers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,15 +54,18 @@ course::Numbers finite_answer(const course::Program& program, const std::string&
   return numbers;
 }
 
-course::Check guarded(course::Check check) {
-  return [check = std::move(check)](const course::Program& program,
-                                    const course::Variant& variant) -> course::Outcome {
-    try {
-      return check(program, variant);
-    } catch (const NoAnswer& e) {
-      return {0, e.what()};
-    }
-  };
+course::Checks guarded(course::Checks checks) {
+  for (auto& [id, check] : checks) {
+    check = [check = std::move(check)](const course::Program& program,
+                                       const course::Variant& variant) -> course::Outcome {
+      try {
+        return check(program, variant);
+      } catch (const NoAnswer& e) {
+        return {0, e.what()};
+      }
+    };
+  }
+  return checks;
 }
 
 void Tally::part(bool holds, const std::string& where) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment/answers.hpp"
+#include "assignment/given/answers.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>

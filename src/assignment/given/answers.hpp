@@ -24,8 +24,8 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
 course::Numbers finite_answer(const course::Program& program, const std::string& task,
                               const course::Numbers& inputs, std::size_t count);
 
-/// The same check, which gives share 0 and a message where finite_answer or nonzero_answer throws.
-course::Check guarded(course::Check check);
+/// The same checks, which give share 0 and a message where finite_answer or nonzero_answer throws.
+course::Checks guarded(course::Checks checks);
 
 /// Counts the parts of a check that hold. Each part counts the same.
 class Tally {
@@ -52,6 +52,9 @@ bool near(double a, double b, double tolerance);
 
 /// The greatest magnitude among the finite numbers; 0 if there is none.
 double greatest(const course::Numbers& numbers);
+
+/// Allows for a few roundings and for the digits that a sum of logarithms loses near the load.
+inline constexpr double roundings = 1e-9;
 
 /// Each number times the factor.
 course::Numbers times(double factor, course::Numbers numbers);
