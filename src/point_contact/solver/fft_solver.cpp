@@ -51,10 +51,9 @@ std::string domain_needed(Problem problem, Control control, double load_or_appro
   double factor = 1;
   for (int i = 0; i < enough; ++i) {
     factor *= 2;
-    problem.grid.n1 = problem.grid.n2 = few;
-    problem.grid.lattice.first = grid.lattice.first * (factor * static_cast<double>(grid.n1) / few);
-    problem.grid.lattice.second =
-        grid.lattice.second * (factor * static_cast<double>(grid.n2) / few);
+    problem.grid = grid.with_nodes(few, few);
+    problem.grid.lattice.first *= factor;
+    problem.grid.lattice.second *= factor;
     const VectorXd phi =
         solve_on_nested_grids(problem, control, load_or_approach, {.tolerance = 1e-3}).phi;
     if (reaches_an_end(problem.grid, phi)) continue;

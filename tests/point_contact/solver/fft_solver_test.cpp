@@ -47,7 +47,7 @@ const Hertz hertz(modulus, curvature, load);
 // A grid whose greatest circle has a 0.9th of itself in contact.
 Grid grid_for(Element element, double radius, Index n, double stretch = 1) {
   const double width = 2 * radius / 0.9;
-  if (element == Element::pyramid) return hexagonal_grid(width * 2 / std::sqrt(3.0), n, stretch);
+  if (element == Element::pyramid) return hexagonal_grid(width, n, stretch);
   return rectangular_grid(width, stretch * width, n);
 }
 
