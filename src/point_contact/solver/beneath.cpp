@@ -44,7 +44,8 @@ InteriorField field_beneath(const Solution& solution, const elasticity::Material
   }
   InteriorField sum;
   for (Index j = 0; j + 1 < solution.grid.n2; ++j) {
-    for (Index i = 0; i + 1 < solution.grid.n1; ++i) {
+    // from -1, since in every second staggered row the first triangle hangs from the row above
+    for (Index i = -1; i + 1 < solution.grid.n1; ++i) {
       // the cell's diagonal runs from (i+1, j) to (i, j+1)
       const Index above = solution.grid.neighbour(i, j, 0, 1);
       add_triangle(solution, material, at, {Node{i, j}, {i + 1, j}, {above, j + 1}}, sum);

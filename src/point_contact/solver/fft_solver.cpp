@@ -43,7 +43,7 @@ double extent(const Grid& grid, const VectorXd& phi) {
   return greatest;
 }
 
-// How many times as large a domain holds the contact, by ever larger ones of a few nodes.
+// The side of a domain that holds the contact, by ever larger ones of a few nodes.
 std::string domain_needed(Problem problem, Control control, double load_or_approach) {
   constexpr Index few = 64;
   constexpr int enough = 20;
@@ -58,8 +58,9 @@ std::string domain_needed(Problem problem, Control control, double load_or_appro
         solve_on_nested_grids(problem, control, load_or_approach, {.tolerance = 1e-3}).phi;
     if (reaches_an_end(problem.grid, phi)) continue;
     constexpr double two_coarse_nodes = 4.0 / few;
-    return fmt::format("a domain {:.2g} times as large holds it",
-                       factor * (extent(problem.grid, phi) + two_coarse_nodes));
+    const double side = static_cast<double>(grid.n1) * grid.lattice.first.norm();
+    return fmt::format("a side of {:.3g} holds it",
+                       side * factor * (extent(problem.grid, phi) + two_coarse_nodes));
   }
   return "it takes a much larger one";
 }
