@@ -184,7 +184,7 @@ void register_block_figures(literate::Document& document,
                             const parameters::HalfSpaceCase& half_space,
                             const parameters::BlockCase& block_case,
                             const config::UnitSystem& units, const BlockStudy& study) {
-  document.value("block.highest-order", literate::Value::integer(highest_order));
+  document.value("block.highest-order", literate::Value(highest_order, literate::integer()));
   document.figure("block-contours", contours(half_space, block_case, units, study));
   document.figure("block-mesh", mesh(half_space, block_case, units, study));
   document.figure("block-convergence", convergence(half_space, block_case, study));

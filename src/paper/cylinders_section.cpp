@@ -18,6 +18,12 @@ using contact::Hertz;
 using contact::Solution;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -88,13 +94,15 @@ void register_residuals(literate::Document& document, const Solution& solution, 
                         const parameters::ContactCase& c, const config::UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
-  document.value("cylinders.residual.contact", Value::scientific_bound(r.gap, 1, units.length));
+  document.value("cylinders.residual.contact",
+                 Value(r.gap, scientific(1).rounded_up(), units.length));
   document.value("cylinders.residual.separation",
-                 Value::scientific_bound(r.separation, 1, units.length));
-  document.value("cylinders.residual.load", Value::scientific_bound(r.load, 1, units.line_load));
+                 Value(r.separation, scientific(1).rounded_up(), units.length));
+  document.value("cylinders.residual.load",
+                 Value(r.load, scientific(1).rounded_up(), units.line_load));
   const double exact = c.cylinders.profile().gap(hertz.half_width());
   document.value("cylinders.indentation",
-                 Value::scientific(against(c, indentation, exact), 2, units.length));
+                 Value(against(c, indentation, exact), scientific(2), units.length));
   constexpr double rounding = 1e-11;
   document.check("contact-conditions",
                  r.gap <= rounding * indentation && r.separation <= rounding * indentation &&
@@ -112,7 +120,7 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
                    {.sentence = "The area of contact is finite though small compared with the "
                                 "dimensions of the two bodies.",
                     .place = "paper, Introduction and Problem Description, p. 3",
-                    .computed = Value::percent(solution.half_width() / radius, 1),
+                    .computed = Value(solution.half_width() / radius, percent(1)),
                     .route = "the half-width of the elements' contact over the relative radius",
                     .tolerance = "10 %, a tenth: the theory of half-spaces wants it well below one",
                     .expected = Verdict::confirmed,
@@ -125,7 +133,7 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
       {.sentence = "By matrix inversion the boundary conditions are satisfied exactly at "
                    "the matching points.",
        .place = "paper, Problem Description, p. 6",
-       .computed = Value::scientific_bound(gap, 1),
+       .computed = Value(gap, scientific(1).rounded_up()),
        .route = "eq. (1a) with the displacements of the pressures found, at every node "
                 "in contact, over the gap at the edge before deformation",
        .tolerance = "10⁻¹¹: rounding, of some 10⁻¹⁵ a term and hundreds of terms",
@@ -137,7 +145,7 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
   document.claim("hertz-verifies",
                  {.sentence = "The method can be verified on two cylinders in contact using Hertz.",
                   .place = "paper, Conclusions, p. 9",
-                  .computed = Value::scientific_bound(std::max(peak, width), 1),
+                  .computed = Value(std::max(peak, width), scientific(1).rounded_up()),
                   .route = "peak and half-width of overlapping triangles against Hertz; the value "
                            "is the larger relative difference",
                   .tolerance = "(c/a)² times 0.25 for the peak and 0.4 for the half-width: the "
@@ -148,7 +156,7 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
 
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   if (body.radius.is_plane()) return Value::text("∞");
-  return Value::significant(closed_form(1 / body.radius.curvature()), 4, unit);
+  return Value(closed_form(1 / body.radius.curvature()), significant(4), unit);
 }
 
 }  // namespace
@@ -159,44 +167,43 @@ void compute_cylinders(literate::Document& document, const parameters::ContactCa
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
 
-  document.value("cylinders.load", Value::exact(c.line_load, units.line_load));
+  document.value("cylinders.load", Value(c.line_load, exact(), units.line_load));
   document.value("cylinders.radius1", radius_of(c.body1, units.length));
   document.value("cylinders.radius2", radius_of(c.body2, units.length));
   const double radius = 1 / c.cylinders.relative_curvature();
   document.value("cylinders.relative-radius",
-                 Value::significant(radius, 4, units.length).within(rounded(c, radius)));
+                 Value(radius, significant(4), units.length).within(rounded(c, radius)));
   const double modulus = c.cylinders.contact_modulus();
   document.value("cylinders.modulus",
-                 Value::significant(modulus, 4, units.stress).within(rounded(modulus)));
-  document.value("cylinders.nodes", Value::integer(c.n_nodes));
-  document.value("cylinders.in-contact", Value::integer(solution.n_in_contact()));
-  document.value("cylinders.solves", Value::integer(solution.work.solves));
+                 Value(modulus, significant(4), units.stress).within(rounded(modulus)));
+  document.value("cylinders.nodes", Value(c.n_nodes, integer()));
+  document.value("cylinders.in-contact", Value(solution.n_in_contact(), integer()));
+  document.value("cylinders.solves", Value(solution.work.solves, integer()));
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   // The grid is laid around a, so that their ratio does not depend on the curvature.
-  document.value("cylinders.elements", Value::fixed(closed_form(a / solution.grid.spacing), 1));
+  document.value("cylinders.elements", Value(closed_form(a / solution.grid.spacing), fixed(1)));
   document.value("cylinders.hertz.half-width",
-                 Value::significant(a, 5, units.length).within(rounded(c, a)));
+                 Value(a, significant(5), units.length).within(rounded(c, a)));
   document.value("cylinders.hertz.peak",
-                 Value::significant(p0, 6, units.stress).within(rounded(c, p0)));
+                 Value(p0, significant(6), units.stress).within(rounded(c, p0)));
   document.value("cylinders.half-width-over-radius",
-                 Value::percent(a / radius, 1).within(rounded(c, a / radius)));
+                 Value(a / radius, percent(1)).within(rounded(c, a / radius)));
   // The half-space theory wants a contact that is small beside the bodies (Johnson, ch. 4.1).
   constexpr double small = 0.1;
   document.flag("cylinders.small", hertz.half_width() < small * radius);
   const double peak_error = solution.peak_pressure() / hertz.peak_pressure() - 1;
   const double width_error = solution.half_width() / hertz.half_width() - 1;
   document.value("cylinders.peak-error",
-                 Value::scientific_bound(
-                     Estimate{std::abs(peak_error), pressure_error(solution) + rounded(c, 1)}, 1));
-  document.value(
-      "cylinders.width-error",
-      Value::scientific_bound(
-          Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)}, 1));
+                 Value(Estimate{std::abs(peak_error), pressure_error(solution) + rounded(c, 1)},
+                       scientific(1).rounded_up()));
+  document.value("cylinders.width-error",
+                 Value(Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)},
+                       scientific(1).rounded_up()));
   document.value("cylinders.approach",
-                 Value::significant(against(c, solution.approach(c.datum), hertz.approach(c.datum)),
-                                    4, units.length));
-  document.value("cylinders.datum", Value::exact(c.datum, units.length));
+                 Value(against(c, solution.approach(c.datum), hertz.approach(c.datum)),
+                       significant(4), units.length));
+  document.value("cylinders.datum", Value(c.datum, exact(), units.length));
   register_residuals(document, solution, hertz, c, units);
 
   claim_cylinders(document, c, printed_data, solution, hertz);

@@ -23,6 +23,9 @@ using contact::Element;
 using contact::Hertz;
 using literate::Column;
 using literate::confirmed_if;
+using literate::fixed;
+using literate::integer;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::fit_power;
@@ -73,7 +76,7 @@ void claim_quality(literate::Document& document, const std::vector<ElementQualit
       {.sentence = "Between the nodes the slope of the surface is right with triangles, "
                    "not with uniform elements.",
        .place = "this report",
-       .computed = Value::significant(gain, 2),
+       .computed = Value(gain, significant(2)),
        .route = "the slope against −x/R of Hertz at eighths between the nodes; the value "
                 "is the largest error with uniform elements over that with triangles",
        .tolerance = "a factor of ten at least, an order of magnitude",
@@ -89,7 +92,7 @@ void claim_quality(literate::Document& document, const std::vector<ElementQualit
       "every-element-acts",
       {.sentence = "Each element has an effect on the remaining elements.",
        .place = "paper, Conclusions, p. 9",
-       .computed = Value::significant(least, 3),
+       .computed = Value(least, significant(3)),
        .route = "the slope of the surface that a triangle makes 1 to 1000 spacings away, "
                 "as a share of that of a force; the value is the least",
        .tolerance = "a half: nowhere may it be lost beside that of a force",
@@ -119,14 +122,14 @@ void register_quality(literate::Document& document, const parameters::ContactCas
   }
   const double spacing =
       contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes).spacing;
-  document.value("elements.count", Value::fixed(closed_form(hertz.half_width() / spacing), 1));
+  document.value("elements.count", Value(closed_form(hertz.half_width() / spacing), fixed(1)));
   claim_quality(document, quality);
   document.table("element-quality", std::move(table));
   const auto gain = [&](double ElementQuality::*error) {
     return quotient({quality[1].*error, bounds[1]}, {quality[2].*error, bounds[2]});
   };
-  document.value("elements.slope-gain", Value::significant(gain(&ElementQuality::slope), 2));
-  document.value("elements.shear-gain", Value::significant(gain(&ElementQuality::shear), 2));
+  document.value("elements.slope-gain", Value(gain(&ElementQuality::slope), significant(2)));
+  document.value("elements.shear-gain", Value(gain(&ElementQuality::shear), significant(2)));
   document.check(
       "triangles-gain-in-slopes-and-stresses",
       10 * quality[2].slope < quality[1].slope && 10 * quality[2].shear < quality[1].shear &&
@@ -157,8 +160,8 @@ void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
                  {.sentence = "Where the pressure is smooth its error has order 2 in the elements' "
                               "width.",
                   .place = "this report",
-                  .stated = Value::integer(2),
-                  .computed = Value::fixed(inside.order, 2),
+                  .stated = Value(2, integer()),
+                  .computed = Value(inside.order, fixed(2)),
                   .route = "a power fitted to the errors against Hertz over |x| ≤ 0.9a on many "
                            "grids",
                   .tolerance = "0.25, the scatter of where the edge falls between the nodes",
@@ -169,7 +172,7 @@ void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
       {.sentence = "For the pressure at the nodes triangles are no better than uniform "
                    "elements.",
        .place = "this report",
-       .computed = Value::significant(ratio, 2),
+       .computed = Value(ratio, significant(2)),
        .route = "the errors of both against Hertz; the value is the ratio of the factors "
                 "of (c/a)²",
        .tolerance = "0.8 at least: a fifth better would be a gain",
@@ -204,9 +207,9 @@ void register_orders(literate::Document& document, const ConvergenceStudy& trian
       "inside the contact triangles and uniform elements have errors of the same size");
   claim_orders(document, inside, inside.factor / uniform_inside.factor);
   const auto n = static_cast<long>(triangular.elements.size());
-  document.value("elements.n-grids", Value::integer(n));
-  document.value("elements.coarsest", Value::fixed(closed_form(triangular.elements.front()), 0));
-  document.value("elements.finest", Value::fixed(closed_form(triangular.elements.back()), 0));
+  document.value("elements.n-grids", Value(n, integer()));
+  document.value("elements.coarsest", Value(closed_form(triangular.elements.front()), fixed(0)));
+  document.value("elements.finest", Value(closed_form(triangular.elements.back()), fixed(0)));
 }
 
 struct Graded {
@@ -243,13 +246,13 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
   const std::vector<double> of_width(graded.elements.size(), 6 * rounding * rounding);
   const PowerFit pressure_power = fit_power(graded.elements, graded.largest, of_pressure);
   const PowerFit width_power = fit_power(graded.elements, graded.half_width, of_width);
-  document.value("graded.order", Value::fixed(pressure_power.order_estimate(), 1));
-  document.value("graded.width-order", Value::fixed(width_power.order_estimate(), 1));
+  document.value("graded.order", Value(pressure_power.order_estimate(), fixed(1)));
+  document.value("graded.width-order", Value(width_power.order_estimate(), fixed(1)));
   const double order = pressure_power.order;
   document.claim("graded-order",
                  {.sentence = "A grid that ends on the edge removes the error of order ½ there.",
                   .place = "this report",
-                  .computed = Value::fixed(order, 1),
+                  .computed = Value(order, fixed(1)),
                   .route = "a power fitted to the largest error of the pressure against Hertz, on "
                            "graded grids of 12 to 100 elements",
                   .tolerance = "order 1.5 at least, since the errors inside, of order 2, are next",

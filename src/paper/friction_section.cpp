@@ -28,6 +28,10 @@ using contact::Solution;
 using elasticity::Material;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::percent;
+using literate::scientific;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -156,7 +160,7 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
   const double bound = friction_coefficient * (pressure_error(own.solution) +
                                                half_width_error(own.solution) + rounded(c, 1));
   document.value("friction.ratio-error",
-                 Value::scientific_bound(Estimate{departure_of_ratio, bound}, 1));
+                 Value(Estimate{departure_of_ratio, bound}, scientific(1).rounded_up()));
   // Half-width and peak, from which the ratio is taken, are of second order in c/a.
   const double square = std::pow(own.solution.grid.spacing / own.hertz.half_width(), 2);
   document.check("friction-ratio-is-beta-mu", departure_of_ratio < friction_coefficient * square,
@@ -166,7 +170,7 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
       {.sentence = "With friction between unlike bodies the pressure is a product of two "
                    "powers, of the distances from the two edges.",
        .place = "this report",
-       .computed = Value::scientific_bound(departure_of_exact, 1),
+       .computed = Value(departure_of_exact, scientific(1).rounded_up()),
        .route = "eq. (2) for both bodies by quadrature: its departure from the slope "
                 "−x/R, over a/R, the largest of all pairs",
        .tolerance = "10⁻¹², what the quadrature reports at singular ends",
@@ -196,8 +200,8 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
   };
   const Estimate body1 = against_hertz(slope1, c.body1.material.local_compliance());
   const Estimate body2 = against_hertz(slope2, c.body2.material.local_compliance());
-  document.value("friction.body1", Value::percent(body1, 2));
-  document.value("friction.body2", Value::percent(body2, 2));
+  document.value("friction.body1", Value(body1, percent(2)));
+  document.value("friction.body2", Value(body2, percent(2)));
   document.flag("friction.like", own.beta == 0);
   const double lost = std::abs(sum);
   document.claim(
@@ -205,13 +209,13 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
       {.sentence = "To neglect tangential tractions will incur only a small loss of "
                    "precision.",
        .place = "paper, Problem Description, p. 4",
-       .computed = Value::percent(lost, 2),
+       .computed = Value(lost, percent(2)),
        .route = "eq. (2) for both bodies of this case, sliding: the slope that the shear "
                 "adds in the middle of the contact, over the largest slope there, a/R",
        .tolerance = "10 %: the contact then moves by 6 % of a, and widens by 0.2 %",
        .expected = Verdict::confirmed,
        .found = confirmed_if(lost < 0.1)});
-  document.value("friction.lost", Value::percent(magnitude(body1 - body2), 2));
+  document.value("friction.lost", Value(magnitude(body1 - body2), percent(2)));
   document.check("slopes-of-two-bodies",
                  std::abs(sum - (slope1 - slope2)) <= 1e-14 * std::max(slope1, slope2) &&
                      (c.body1.material.young() != c.body2.material.young() ||
@@ -329,11 +333,11 @@ void fit_slip_orders(literate::Document& document, parameters::ContactCase c) {
   }
   const PowerFit of_largest = fit_power(elements, largest, bounds);
   const PowerFit of_mean = fit_power(elements, mean, bounds);
-  document.value("slip.fit.share", Value::exact(shares[1]));
-  document.value("slip.fit.least", Value::fixed(closed_form(elements.front()), 0));
-  document.value("slip.fit.most", Value::fixed(closed_form(elements.back()), 0));
-  document.value("slip.fit.largest", Value::fixed(of_largest.order_estimate(), 1));
-  document.value("slip.fit.mean", Value::fixed(of_mean.order_estimate(), 1));
+  document.value("slip.fit.share", Value(shares[1], exact()));
+  document.value("slip.fit.least", Value(closed_form(elements.front()), fixed(0)));
+  document.value("slip.fit.most", Value(closed_form(elements.back()), fixed(0)));
+  document.value("slip.fit.largest", Value(of_largest.order_estimate(), fixed(1)));
+  document.value("slip.fit.mean", Value(of_mean.order_estimate(), fixed(1)));
   document.check("slip-orders",
                  std::abs(of_largest.order - 0.5) < 0.25 && std::abs(of_mean.order - 1.5) < 0.3 &&
                      root_factor < 0.25,
@@ -372,7 +376,7 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
       {.sentence = "Under a tangential load the strip that sticks is that of Cattaneo "
                    "and Mindlin.",
        .place = "this report",
-       .computed = Value::fixed(worst_stick, 2),
+       .computed = Value(worst_stick, fixed(2)),
        .route = "the difference of two frictionless contacts against the closed form; the "
                 "value is the largest relative error of the strip, over the square of "
                 "the elements' width over it",
@@ -390,7 +394,7 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
 
 void compute_friction(literate::Document& document, const parameters::ContactCase& c) {
   const Pair own = pair_of(c, c.body1.material, c.body2.material);
-  document.value("friction.mu", Value::exact(friction_coefficient));
+  document.value("friction.mu", Value(friction_coefficient, exact()));
   compare_bodies(document, c, own);
   compare_pairs(document, c, own);
   compare_partial_slip(document, c, own);

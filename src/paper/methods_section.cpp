@@ -25,6 +25,10 @@ using Eigen::VectorXd;
 using literate::Cell;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::scientific;
 using literate::Value;
 using literate::Verdict;
 using numerics::fit_power;
@@ -58,15 +62,15 @@ void register_methods(literate::Document& document, const ContactCase& c, const 
   table.add_row({"matrix-free", Cell::latex("product by FFT, $N \\log N$"), fast.work.solves,
                  fast.work.products, difference(fast)});
   document.table("three-methods", std::move(table));
-  document.value("methods.nodes", Value::integer(n_nodes));
-  document.value("methods.in-contact", Value::integer(inversion.n_in_contact()));
-  document.value("methods.approach", Value::scientific_bound(approach, 1));
+  document.value("methods.nodes", Value(n_nodes, integer()));
+  document.value("methods.in-contact", Value(inversion.n_in_contact(), integer()));
+  document.value("methods.approach", Value(approach, scientific(1).rounded_up()));
   document.claim(
       "variational-minimises",
       {.sentence = "The variational method chooses the tractions that minimise an "
                    "energy, and solves the same problem.",
        .place = "paper, Problem Description, p. 6",
-       .computed = Value::scientific_bound(pressure, 1),
+       .computed = Value(pressure, scientific(1).rounded_up()),
        .route = "the energy's minimum by conjugate gradients, which looks for no "
                 "contact, and a matrix-free method, against matrix inversion; the value "
                 "is the largest difference of the pressures over p₀",
@@ -122,15 +126,15 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
   }
   const auto [least, most] = std::minmax_element(products.begin() + 1, products.end());
   document.table("large-grids", std::move(table));
-  document.value("large.width", Value::exact(cylinder_domain));
-  document.value("large.growth", Value::integer(std::lround(n.back() / n.front())));
-  document.value("large.products.coarsest", Value::integer(products.front()));
-  document.value("large.products.least", Value::integer(*least));
-  document.value("large.products.most", Value::integer(*most));
-  document.value("large.order", Value::fixed(fit_power(n, inside, bounds).order_estimate(), 1));
-  document.value("large.rounding", Value::scientific(rounding.back(), 1));
-  document.value("large.left-over", Value::scientific_bound(left_over, 1));
-  document.value("large.tolerance", Value::scientific_bound(contact::default_tolerance, 1));
+  document.value("large.width", Value(cylinder_domain, exact()));
+  document.value("large.growth", Value(std::lround(n.back() / n.front()), integer()));
+  document.value("large.products.coarsest", Value(products.front(), integer()));
+  document.value("large.products.least", Value(*least, integer()));
+  document.value("large.products.most", Value(*most, integer()));
+  document.value("large.order", Value(fit_power(n, inside, bounds).order_estimate(), fixed(1)));
+  document.value("large.rounding", Value(rounding.back(), scientific(1)));
+  document.value("large.left-over", Value(left_over, scientific(1).rounded_up()));
+  document.value("large.tolerance", Value(contact::default_tolerance, scientific(1).rounded_up()));
   document.check("work-does-not-grow", products.back() <= products.front() && *most <= 30,
                  "products on the finest grid do not grow with the number of nodes");
   const double order = fit_power(n, inside).order;
@@ -139,8 +143,8 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
       {.sentence = "The interior error falls with the square of the elements' width down "
                    "to rounding, on grids of up to 2¹⁶ nodes.",
        .place = "this report",
-       .stated = Value::integer(2),
-       .computed = Value::fixed(order, 1),
+       .stated = Value(2, integer()),
+       .computed = Value(order, fixed(1)),
        .route = "the matrix-free method against Hertz over |x| ≤ 0.9a",
        .tolerance = "0.35, the scatter of where the edge falls between the nodes of four "
                     "grids",

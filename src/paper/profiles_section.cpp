@@ -32,6 +32,10 @@ using Eigen::Index;
 using literate::Cell;
 using literate::Column;
 using literate::confirmed_if;
+using literate::fixed;
+using literate::integer;
+using literate::percent;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -206,7 +210,7 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
                  {.sentence = "The edge of the contact is found to a fraction of an element, for "
                               "every profile.",
                   .place = "this report",
-                  .computed = Value::fixed(worst, 2),
+                  .computed = Value(worst, fixed(2)),
                   .route = "the closed forms of five profiles on four grids; the value is the "
                            "largest error of the half-width, in elements",
                   .tolerance = "a quarter of an element: counting nodes would have one half",
@@ -257,20 +261,20 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
   }
   document.table("profiles", std::move(table));
   document.figure("profile-pressures", std::move(figure));
-  document.value("profiles.elements", Value::fixed(closed_form(studies[0].printed.elements), 1));
-  document.value("profiles.in-contact", Value::integer(studies[0].n_in_contact));
+  document.value("profiles.elements", Value(closed_form(studies[0].printed.elements), fixed(1)));
+  document.value("profiles.in-contact", Value(studies[0].n_in_contact, integer()));
   const double slope = c.line_load / (c.cylinders.contact_modulus() * a);
-  document.value("profiles.slope", Value::significant(slope, 3).within(rounded(c, slope)));
-  document.value("profiles.flat", Value::fixed(flat_share, 1));
+  document.value("profiles.slope", Value(slope, significant(3)).within(rounded(c, slope)));
+  document.value("profiles.flat", Value(flat_share, fixed(1)));
   // The difference in punch_curvature() is 0.30 a², of terms of 0.80 a² and 0.50 a².
   const double edge_radius = 1 / punch_curvature(c, a);
   document.value(
       "profiles.edge-radius",
-      Value::significant(edge_radius, 3, units.length).within(5 * rounded(c, edge_radius)));
-  document.value("profiles.coarsest", Value::fixed(closed_form(studies[0].elements.front()), 0));
-  document.value("profiles.finest", Value::fixed(closed_form(studies[0].elements.back()), 0));
+      Value(edge_radius, significant(3), units.length).within(5 * rounded(c, edge_radius)));
+  document.value("profiles.coarsest", Value(closed_form(studies[0].elements.front()), fixed(0)));
+  document.value("profiles.finest", Value(closed_form(studies[0].elements.back()), fixed(0)));
   document.value("profiles.apex-error",
-                 Value::percent(Estimate{studies[1].beside.back(), studies[1].bound.back()}, 0));
+                 Value(Estimate{studies[1].beside.back(), studies[1].bound.back()}, percent(0)));
   document.check("profiles-share-their-half-width", same_half_width,
                  "the closed forms have the half-width of the cylinders");
   check_orders(document, studies);

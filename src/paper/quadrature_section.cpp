@@ -16,6 +16,9 @@ namespace {
 using elasticity::SurfaceQuadrature;
 using literate::Column;
 using literate::confirmed_if;
+using literate::fixed;
+using literate::integer;
+using literate::scientific;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -117,12 +120,12 @@ void count_evaluations(literate::Document& document, const parameters::HalfSpace
     return static_cast<double>(*n_evaluations) / static_cast<double>(c.points.size());
   };
   document.value("quadrature.gradient.evaluations",
-                 Value::fixed(average([&](double x) { surface.normal_gradient(x); }), 0));
+                 Value(average([&](double x) { surface.normal_gradient(x); }), fixed(0)));
   document.value("quadrature.displacement.evaluations",
-                 Value::fixed(average([&](double x) { surface.normal_displacement(x); }), 0));
+                 Value(average([&](double x) { surface.normal_displacement(x); }), fixed(0)));
   document.value(
       "quadrature.from-gradient.evaluations",
-      Value::fixed(average([&](double x) { surface.normal_displacement_from_gradient(x); }), 0));
+      Value(average([&](double x) { surface.normal_displacement_from_gradient(x); }), fixed(0)));
 }
 
 // How far the quadratures are from the closed forms and how far they say they may be, against x/a.
@@ -155,7 +158,7 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
       "equation-3-follows",
       {.sentence = "Putting eq. (4) into eq. (2) and integrating yields eq. (3).",
        .place = "paper, Problem Description, p. 5",
-       .computed = Value::scientific_bound(difference / displacement_unit, 1),
+       .computed = Value(difference / displacement_unit, scientific(1).rounded_up()),
        .route = "eq. (2) by quadrature, integrated from the datum by quadrature, and the integral "
                 "of the logarithm; the value is the largest difference, over K",
        .tolerance = "the error that each quadrature reports, at every point of the tables and over "
@@ -166,8 +169,8 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
       "quadrature-knows-its-error",
       {.sentence = "The quadrature of eq. (2) is right within the error that it reports itself.",
        .place = "this report",
-       .stated = Value::scientific_bound(largest_estimate(gradients) / gradient_unit, 1),
-       .computed = Value::scientific_bound(largest_difference(gradients) / gradient_unit, 1),
+       .stated = Value(largest_estimate(gradients) / gradient_unit, scientific(1).rounded_up()),
+       .computed = Value(largest_difference(gradients) / gradient_unit, scientific(1).rounded_up()),
        .route = "the derivative of eq. (3) in closed form; stated is the largest error reported, "
                 "computed the largest difference, over K/a",
        .tolerance = "at each of the points the difference must be within the error reported there",
@@ -191,17 +194,17 @@ void compute_quadrature(literate::Document& document, const parameters::HalfSpac
   const std::vector<double> points = wide_points(a);
   const Comparisons wide_gradients = compare_gradients(c, points);
   const Comparisons wide_displacements = compare_displacements(c, points);
-  document.value("quadrature.n-points", Value::integer(std::ssize(points)));
+  document.value("quadrature.n-points", Value(std::ssize(points), integer()));
   document.value("quadrature.gradient.difference",
-                 Value::scientific_bound(largest_difference(wide_gradients) * a / unit, 1));
+                 Value(largest_difference(wide_gradients) * a / unit, scientific(1).rounded_up()));
   document.value("quadrature.gradient.estimate",
-                 Value::scientific_bound(largest_estimate(wide_gradients) * a / unit, 1));
+                 Value(largest_estimate(wide_gradients) * a / unit, scientific(1).rounded_up()));
   document.value("quadrature.displacement.difference",
-                 Value::scientific_bound(largest_difference(wide_displacements) / unit, 1));
+                 Value(largest_difference(wide_displacements) / unit, scientific(1).rounded_up()));
   document.value("quadrature.displacement.estimate",
-                 Value::scientific_bound(largest_estimate(wide_displacements) / unit, 1));
+                 Value(largest_estimate(wide_displacements) / unit, scientific(1).rounded_up()));
   document.value("quadrature.from-gradient.difference",
-                 Value::scientific_bound(largest_difference(from_gradients) / unit, 1));
+                 Value(largest_difference(from_gradients) / unit, scientific(1).rounded_up()));
   claim_quadrature(document, wide_gradients, wide_displacements, from_gradients, unit, unit / a);
   document.figure("quadrature-error", error_figure(wide_gradients, wide_displacements, a, unit));
 

@@ -26,6 +26,11 @@ using Eigen::Index;
 using literate::Cell;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -147,12 +152,12 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
   figure.numbers["n_panels"] = n_panels;
   document.figure("several-regions", std::move(figure));
   const std::size_t most = std::ranges::max(counts);
-  document.value("wavy.most-regions", Value::integer(static_cast<long>(most)));
+  document.value("wavy.most-regions", Value(static_cast<long>(most), integer()));
   document.claim("valleys-close",
                  {.sentence = "Between waves the valleys close where smooth cylinders would have a "
                               "pressure above that which presses the waves flat.",
                   .place = "this report",
-                  .computed = Value::integer(n_closed),
+                  .computed = Value(n_closed, integer()),
                   .route = "seven loads on wavy cylinders, given as a measured profile; the value "
                            "counts the valleys closed in all",
                   .tolerance = "none, it is a count, and must be right under each load",
@@ -185,10 +190,10 @@ void register_round_trip(literate::Document& document, const ContactCase& c, con
   const double approach = solution.approach(c.datum);
   const Solution again = contact::solve_for_approach(wavy.problem, approach, c.datum, method);
   const double difference = std::abs(again.line_load() / solution.line_load() - 1);
-  document.value("wavy.approach", Value::significant(refined_approach(solution, c, wavy.problem,
-                                                                      domain * hertz.half_width()),
-                                                     4, units.length));
-  document.value("wavy.round-trip", Value::scientific_bound(difference, 1));
+  document.value("wavy.approach",
+                 Value(refined_approach(solution, c, wavy.problem, domain * hertz.half_width()),
+                       significant(4), units.length));
+  document.value("wavy.round-trip", Value(difference, scientific(1).rounded_up()));
   document.check("approach-gives-the-load-back",
                  difference < 1e-11 && again.n_in_contact() == solution.n_in_contact(),
                  "the approach that a load makes gives the same load back");
@@ -202,12 +207,12 @@ void compute_regions(literate::Document& document, const parameters::ContactCase
   const WavyCylinders wavy = wavy_cylinders(c, hertz);
   const std::string& unit = units.length;
   document.value("wavy.amplitude",
-                 Value::significant(wavy.amplitude, 3, unit).within(rounded(c, wavy.amplitude)));
+                 Value(wavy.amplitude, significant(3), unit).within(rounded(c, wavy.amplitude)));
   document.value("wavy.length",
-                 Value::significant(wavy.length, 3, unit).within(rounded(c, wavy.length)));
-  document.value("wavy.waves", Value::exact(waves_in_half_width));
-  document.value("wavy.flattening-share", Value::fixed(flattening_share, 1));
-  document.value("wavy.points", Value::integer(n_sampled));
+                 Value(wavy.length, significant(3), unit).within(rounded(c, wavy.length)));
+  document.value("wavy.waves", Value(waves_in_half_width, exact()));
+  document.value("wavy.flattening-share", Value(flattening_share, fixed(1)));
+  document.value("wavy.points", Value(n_sampled, integer()));
   register_regions(document, c, hertz, wavy);
   register_round_trip(document, c, hertz, wavy, units);
 }

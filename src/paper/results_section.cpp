@@ -20,6 +20,12 @@ namespace {
 using config::PrintedNumber;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 
@@ -75,7 +81,7 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
   document.claim("symmetric",
                  {.sentence = "The displacements are symmetrical about x = 0.",
                   .place = "paper, Results, p. 8",
-                  .computed = Value::scientific_bound(largest / unit, 1),
+                  .computed = Value(largest / unit, scientific(1).rounded_up()),
                   .route = "eq. (2) by quadrature at x and at −x, where nothing is known of the "
                            "symmetry; the value is the largest difference over K",
                   .tolerance = "the errors that the two quadratures report",
@@ -90,7 +96,7 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
       {.sentence = "The triangular load deflects the surface at distances well outside "
                    "the loaded region.",
        .place = "paper, Conclusions, p. 9",
-       .computed = Value::percent(share, 0),
+       .computed = Value(share, percent(0)),
        .route = "eq. (2) by quadrature at the last point, as a share of the middle",
        .tolerance = "at least a tenth, less than which would hardly be seen in its Fig. 4",
        .expected = Verdict::confirmed,
@@ -120,13 +126,13 @@ void describe_odd_point(literate::Document& document, const parameters::HalfSpac
   const numerics::Estimate slope = gradient(c, x);
   // The print is meant as it stands, not as the interval of what rounds to it.
   const double difference = std::abs(printed.value() - exact.value);
-  document.value("tri-dist.odd.x", Value::fixed(x, decimals_of(c.points), unit));
+  document.value("tri-dist.odd.x", Value(x, fixed(decimals_of(c.points)), unit));
   document.value("tri-dist.odd.printed",
-                 Value::scientific(printed.value(), printed.n_digits(), unit));
-  document.value("tri-dist.odd.exact", Value::scientific(exact, printed.n_digits(), unit));
+                 Value(printed.value(), scientific(printed.n_digits()), unit));
+  document.value("tri-dist.odd.exact", Value(exact, scientific(printed.n_digits()), unit));
   document.value("tri-dist.odd.difference",
-                 Value::scientific(numerics::Estimate{difference, exact.abs_error}, 2, unit));
-  document.value("tri-dist.odd.slope", Value::scientific(slope, 3));
+                 Value(numerics::Estimate{difference, exact.abs_error}, scientific(2), unit));
+  document.value("tri-dist.odd.slope", Value(slope, scientific(3)));
 }
 
 // What the listed program's output says of the load, and of the program.
@@ -141,8 +147,8 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
   document.claim("load-in-words",
                  {.sentence = "A 1000 pound/inch load is applied.",
                   .place = "paper, Numerical Solution, p. 6; Appendix 1, p. 12",
-                  .stated = Value::exact(in_words, units.line_load),
-                  .computed = Value::significant(load, 4, units.line_load),
+                  .stated = Value(in_words, exact(), units.line_load),
+                  .computed = Value(load, significant(4), units.line_load),
                   .route = "the first printed displacement over that of eq. (3) under unit load",
                   .tolerance = "1 %, where the print and eq. (3) have eight digits",
                   .expected = Verdict::refuted,
@@ -205,10 +211,10 @@ void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceC
   claim_tri_dist(document, c, units, printed_data, n_agree, n_agree_stepped);
   const long n_points = std::ssize(c.points);
   document.table("tri-dist", table);
-  document.value("tri-dist.n-agree", Value::integer(n_agree));
-  document.value("tri-dist.n-agree-stepped", Value::integer(n_agree_stepped));
-  document.value("tri-dist.step", Value::exact(printed.step.value(), units.length));
-  document.value("tri-dist.n-digits", Value::integer(printed.displacement.front().n_digits()));
+  document.value("tri-dist.n-agree", Value(n_agree, integer()));
+  document.value("tri-dist.n-agree-stepped", Value(n_agree_stepped, integer()));
+  document.value("tri-dist.step", Value(printed.step.value(), exact(), units.length));
+  document.value("tri-dist.n-digits", Value(printed.displacement.front().n_digits(), integer()));
   document.check("tri-dist-digits", n_agree == n_points - 1,
                  "eq. (3) has every printed digit of Tri_dist.m at all points but one");
   document.check("tri-dist-step", n_agree_stepped == n_points,
@@ -290,8 +296,8 @@ void claim_accuracy(literate::Document& document, const parameters::HalfSpaceCas
       "fea-most-accurate",
       {.sentence = "FEA has the advantage of providing the most accurate results.",
        .place = "paper, Conclusions, p. 10",
-       .stated = Value::scientific(fea, 1),
-       .computed = Value::scientific_bound(closed_form, 1),
+       .stated = Value(fea, scientific(1)),
+       .computed = Value(closed_form, scientific(1).rounded_up()),
        .route = "stated is the best convergence that the run reports for a displacement, "
                 "computed the largest relative error of the printed closed form",
        .tolerance = "none: the smaller error is the more accurate",
@@ -332,9 +338,9 @@ void compare_figure5(literate::Document& document, const parameters::HalfSpaceCa
   document.table("figure5", table);
   claim_figure5(document, units, printed_data, n_analytical, n_errors_of_z);
   claim_accuracy(document, c, printed_data);
-  document.value("figure5.n-analytical", Value::integer(n_analytical));
-  document.value("figure5.n-errors-of-magnitude", Value::integer(n_errors_of_magnitude));
-  document.value("figure5.n-errors-of-z", Value::integer(n_errors_of_z));
+  document.value("figure5.n-analytical", Value(n_analytical, integer()));
+  document.value("figure5.n-errors-of-magnitude", Value(n_errors_of_magnitude, integer()));
+  document.value("figure5.n-errors-of-z", Value(n_errors_of_z, integer()));
   document.check("figure5-error-column", n_errors_of_magnitude == std::ssize(c.points),
                  "the error column of Fig. 5 is the difference from the FEA magnitude everywhere");
 }

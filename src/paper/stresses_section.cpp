@@ -30,6 +30,11 @@ using contact::Solution;
 using elasticity::PiecewiseLinearTraction;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::scientific;
+using literate::significant;
+using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -103,7 +108,7 @@ literate::Table depth_table(literate::Document& document, const PiecewiseLinearT
   }
   const double bound = shear_error_of(solution);
   document.value("stresses.decay",
-                 Value::significant(near / at_greatest, 1)
+                 Value(near / at_greatest, significant(1))
                      .within(quotient({near, bound}, {at_greatest, bound}).abs_error));
   document.check("stresses-decay", near > 10 * at_greatest,
                  "the largest difference falls by more than ten down to the greatest shear");
@@ -122,20 +127,20 @@ void compare_deep(literate::Document& document, const PiecewiseLinearTraction& t
   const double width_error = solution.half_width() / a - 1;
   const double expected = -1.5 * width_error / (depth * depth);
   const double square = std::pow(solution.grid.spacing / a, 2);
-  document.value("stresses.deep", Value::exact(depth));
+  document.value("stresses.deep", Value(depth, exact()));
   // So far below the shear goes with the load, which pressures wrong by δp₀ change by (4/π)δ.
   document.value("stresses.deep.difference",
-                 Value::scientific(Estimate{relative, shear_error_of(solution)}, 2));
+                 Value(Estimate{relative, shear_error_of(solution)}, scientific(2)));
   const double width_bound = half_width_error(solution) + rounded(1);
   document.value("stresses.deep.expected",
-                 Value::scientific(Estimate{expected, 1.5 * width_bound / (depth * depth)}, 2));
+                 Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)));
   const double left = std::abs(relative - expected);
   document.claim("load-and-moment-felt-below",
                  {.sentence = "Far below only the load and the second moment of the pressure are "
                               "felt.",
                   .place = "this report",
-                  .stated = Value::scientific(expected, 2),
-                  .computed = Value::scientific(relative, 2),
+                  .stated = Value(expected, scientific(2)),
+                  .computed = Value(relative, scientific(2)),
                   .route = "the shear of the elements less McEwen's at twenty half-widths, against "
                            "what the error of the half-width makes there",
                   .tolerance = "(c/a)²(a/z)⁴, the next moment",
@@ -155,17 +160,17 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
   const double depth_error = std::abs(found.z - exact.depth.value) / a;
   const double shear = exact.shear / hertz.peak_pressure();
   // McEwen::greatest_shear() states 1e-14. The elements' shear is over p₀, a third of it and more.
-  document.value("stresses.shear", Value::fixed(shear, 7).within(1e-14 * shear + rounded(shear)));
+  document.value("stresses.shear", Value(shear, fixed(7)).within(1e-14 * shear + rounded(shear)));
   const double shear_bound = 4 * shear_error_of(solution);
   // Rounding of the shear, 1e-13 at most, hides its maximum within √(4·1e-13/0.85) of the depth,
   // and the search ends with steps of 1e-7 a.
   const double depth_bound = 8e-7 + exact.depth.abs_error / a;
   document.value("stresses.depth",
-                 Value::with_uncertainty({exact.depth.value / a, exact.depth.abs_error / a}));
+                 Value({exact.depth.value / a, exact.depth.abs_error / a}, uncertain()));
   document.value("stresses.shear-error",
-                 Value::scientific_bound(Estimate{shear_error, shear_bound}, 1));
+                 Value(Estimate{shear_error, shear_bound}, scientific(1).rounded_up()));
   document.value("stresses.depth-error",
-                 Value::scientific_bound(Estimate{depth_error, depth_bound}, 1));
+                 Value(Estimate{depth_error, depth_bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / a, 2);
   document.claim(
       "mcewen",
@@ -201,9 +206,9 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
     bounds.push_back(4 * shear_error_of(solution));
   }
   const PowerFit power = fit_power(elements, errors, bounds);
-  document.value("stresses.fit.least", Value::fixed(closed_form(elements.front()), 0));
-  document.value("stresses.fit.most", Value::fixed(closed_form(elements.back()), 0));
-  document.value("stresses.fit.order", Value::fixed(power.order_estimate(), 1));
+  document.value("stresses.fit.least", Value(closed_form(elements.front()), fixed(0)));
+  document.value("stresses.fit.most", Value(closed_form(elements.back()), fixed(0)));
+  document.value("stresses.fit.order", Value(power.order_estimate(), fixed(1)));
   document.check("stresses-order-two", power.order > 1.6 && power.order < 2.5,
                  "inside the body the stresses converge with order two");
 }
@@ -226,8 +231,8 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
     table.add_row({mu, found.x / a, found.z / a, found.shear / p0, exact.shear / p0, difference});
   }
   document.table("sliding-shear", table);
-  document.value("stresses.least-depth", Value::exact(least_depth));
-  document.value("stresses.surface-friction", Value::fixed(friction_at_surface(hertz), 3));
+  document.value("stresses.least-depth", Value(least_depth, exact()));
+  document.value("stresses.surface-friction", Value(friction_at_surface(hertz), fixed(3)));
   document.check("sliding-shear", largest < 0.6 * square,
                  "beneath sliding cylinders the elements find the greatest shear to second order");
 }
@@ -246,7 +251,7 @@ void check_surface(literate::Document& document, const Solution& solution, const
   // are over μp₀ here.
   const double bound = 6 / greatest_friction * shear_error_of(solution);
   document.value("stresses.surface-difference",
-                 Value::scientific_bound(Estimate{largest, bound}, 1));
+                 Value(Estimate{largest, bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
   document.check("sliding-surface", largest < 1.5 * square,
                  "on the surface of sliding cylinders the greatest shear is mu p0");

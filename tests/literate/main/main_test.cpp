@@ -89,7 +89,7 @@ class Workplace {
 };
 
 void register_sum(literate::Document& document, const literate::Inputs&) {
-  document.value("sum", literate::Value::integer(3));
+  document.value("sum", literate::Value(3, literate::integer()));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class Paper {
  public:
   explicit Paper(const std::string& body) {
     Document document;
-    document.value("load_1.a-b", Value::estimate({1.6236054e-6, 3e-10}, "in^2"));
+    document.value("load_1.a-b", Value({1.6236054e-6, 3e-10}, supported(), "in^2"));
     document.flag("ok", true);
     document.table("t", Table({Column::scaled("$v$", "in", -6, 3)}).add_row({-1.5e-6}));
     document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
