@@ -21,7 +21,7 @@ struct Workplace {
   fs::path pdf = folder.path() / "report.pdf";
 
   Words report(const fs::path& case_file) const {
-    return {"compute",           "--case",   case_file.string(), "--output",
+    return {"compute",          "--case",   case_file.string(), "--output",
             generated.string(), "--source", source_dir.string()};
   }
   Words typeset(const fs::path& document) const {
