@@ -321,6 +321,21 @@ BOOST_AUTO_TEST_CASE(flags_that_the_shape_makes_no_use_of_are_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(loads_that_are_wrong_are_refused_by_line_or_column) {
+  const Words from_case = {"displacement", "--case", papers_case.string(), "--x", "1", "--shape"};
+  const TemporaryFolder folder;
+  const std::string file = folder.write("load.csv", "x,pressure\n0,0\n1,much\n2,0\n").string();
+  check_refused(2, from_case + Words{"file:" + file}, {file + ":3: ", "pressure", "much"});
+  check_refused(2, from_case + Words{"file:/none.csv"}, {"/none.csv", "cannot be read"});
+  check_refused(2, from_case + Words{"expression:p0*(1-(y/a)^4)"}, {"column 8", "y"});
+  check_refused(2, from_case + Words{"expression:p0*("}, {"column"});
+  check_refused(2, from_case + Words{"expression:p0/x"}, {"no finite value at x = "});
+  check_refused(2, from_case + Words{"expression:p0", "--kinks", "1"}, {"--kinks: 1", "under"});
+  check_refused(2, from_case + Words{"file:" + file, "--half-width", "1"},
+                {"--half-width", "not used"});
+  check_refused(2, from_case + Words{"triangular", "--kinks", "0.001"}, {"--kinks", "not used"});
+}
+
 BOOST_AUTO_TEST_CASE(a_file_of_the_block_in_a_folder_that_is_not_there_is_refused) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "none" / "file").string();
