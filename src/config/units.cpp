@@ -94,6 +94,10 @@ double conversion_factor(const std::string& from, const std::string& to) {
         fmt::format("a unit of \"{}\" wanted, \"{}\" measures something else", to, from));
   }
   const Converter converter(ut_get_converter(from_unit.get(), to_unit.get()));
+  if (cv_convert_double(converter.get(), 0) != 0) {
+    throw UnitError(
+        fmt::format("\"{}\" converts into \"{}\", but not by a factor alone", from, to));
+  }
   return without_rounding(cv_convert_double(converter.get(), 1));
 }
 

@@ -25,7 +25,7 @@ class Paper {
     Document document;
     document.value("load_1.a-b", Value({1.6236054e-6, 3e-10}, supported(), "in^2"));
     document.flag("ok", true);
-    document.table("t", Table({Column::scaled("$v$", "in", -6, 3)}).add_row({-1.5e-6}));
+    document.table(Table("t", {Column("$v$", fixed(3), "in").scaled(-6)}).add_row({numerics::Estimate{-1.5e-6, 1e-12}}));
     document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
     document.write(options.generated_dir,
                    {{"x", "src/a_b.cpp", 3, "// 2πx ≤ ∫ σν² → √, E* − 1\nreturn x;\n"}});
