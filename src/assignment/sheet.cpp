@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "assignment/sheet_figures.hpp"
 
@@ -47,11 +48,20 @@ const std::map<std::string, Meaning> meanings = {
     {"datum", {"$d$", "datum, where the displacement is zero"}},
 };
 
+// A count as a text has it: in words up to twelve.
+std::string in_words(std::size_t count) {
+  static const std::vector<std::string> words = {"no",   "one",    "two",   "three", "four",
+                                                 "five", "six",    "seven", "eight", "nine",
+                                                 "ten",  "eleven", "twelve"};
+  return count < words.size() ? words[count] : fmt::format("{}", count);
+}
+
 void register_facts(Document& document, const Assignment& assignment, const Variant& variant) {
   document.value("sheet.title", Value::text(assignment.title));
   document.value("sheet.deadline", Value::text(fmt::format("{:%Y-%m-%d, %H:%M} UTC",
                                                            fmt::gmtime(assignment.deadline))));
   document.value("sheet.points", Value(assignment.points, exact()));
+  document.value("sheet.exercises", Value::text(in_words(assignment.exercises.size())));
   document.value("sheet.student", Value::text(variant.student));
   document.flag("sheet.is-personal", !variant.student.empty());
   document.value("late.percent", Value(assignment.late.percent_per_day, exact()));

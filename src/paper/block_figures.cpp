@@ -157,7 +157,7 @@ Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSyst
   std::vector<double> x, half_space, block_stated, block_fitted;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
-    x.push_back(h.points.back() * i / n);
+    x.push_back(h.farthest_point() * i / n);
     half_space.push_back(normal_displacement(h.material, h.load, x.back(), h.datum));
     block_stated.push_back(study.under_triangle().displacement_z(x.back(), 0).value);
     block_fitted.push_back(study.fit()->fit.solution.displacement_z(x.back(), 0).value);

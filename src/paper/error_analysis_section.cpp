@@ -103,7 +103,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
 // u_x outside the load, which the paper calls negligible.
 void measure_tangential(literate::Document& document, const parameters::HalfSpaceCase& c,
                         const config::UnitSystem& units) {
-  const double end = c.points.back();
+  const double end = c.farthest_point();
   const Estimate u_x = closed_form(std::abs(tangential_displacement(c.material, c.load, end)));
   document.value("tangential.outside", Value(u_x, scientific(3), units.length));
   document.value("tangential.share", Value(quotient(u_x, displacement(c, end)), percent(0)));
@@ -186,7 +186,7 @@ void compare_tangential(literate::Document& document, const parameters::HalfSpac
   document.value("tangential.largest-share", Value(largest_share, percent(0)));
   const config::PrintedNumber& largest = printed_data.appendix2.measures.at("max_disp_x");
   const Estimate half_space =
-      closed_form(std::abs(tangential_displacement(c.material, c.load, c.points.back())));
+      closed_form(std::abs(tangential_displacement(c.material, c.load, c.farthest_point())));
   document.value("tangential.max-disp-x", Value(as_estimate(largest), scientific(4), unit));
   document.value("tangential.max-disp-x-ratio",
                  Value(quotient(as_estimate(largest), half_space), fixed(2)));
@@ -284,7 +284,7 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
   const Estimate first = as_estimate(printed.error.front());
   const Estimate last = as_estimate(printed.error.back());
   const Estimate fea = as_estimate(printed.fea_z.back());
-  const Estimate difference = displacement(c, c.points.back()) - fea;
+  const Estimate difference = displacement(c, c.farthest_point()) - fea;
   // The datum that would close a difference d is datum·exp(−d/K); it is as wrong as d/K,
   // relatively.
   const double closing = c.datum * std::exp(-difference.value / shift_per_e(c));

@@ -45,7 +45,7 @@ literate::Figure comparison_figure(const parameters::HalfSpaceCase& c,
                                    const std::optional<PrintedData>& printed_data) {
   std::vector<double> curve_x, u_z;
   constexpr int n = 300;
-  const double end = 1.2 * c.points.back();
+  const double end = 1.2 * c.farthest_point();
   for (int i = 0; i <= n; ++i) {
     curve_x.push_back(end * i / n);
     u_z.push_back(analytical(c, curve_x.back()));
@@ -88,7 +88,7 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
                   .expected = Verdict::confirmed,
                   .found = confirmed_if(is_symmetric)});
   if (!printed_data) return;
-  const double end = c.points.back();
+  const double end = c.farthest_point();
   const numerics::Estimate share =
       quotient(surface.normal_displacement(end), surface.normal_displacement(0));
   document.claim(

@@ -10,7 +10,7 @@
 #include "message_of.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(document_tex_test)
 

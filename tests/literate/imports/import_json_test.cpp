@@ -9,7 +9,7 @@
 #include "literate/provenance/manifest.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(import_json_test)
 
