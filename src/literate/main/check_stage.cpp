@@ -9,6 +9,7 @@
 #include "literate/main/stages.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/references.hpp"
+#include "literate/prose/restyle.hpp"
 
 namespace literate {
 namespace {
@@ -28,13 +29,15 @@ ExitCode run(const CheckOptions& options) {
   const Names names = read_names(std::filesystem::path(options.generated) / "names.json");
   const ReferenceReport references = check_references(options.document, names);
   const std::vector<std::string> typed = typed_numbers_below(options.document);
+  const Restyled restyled = restyled_values(options.document, names);
   print(references.errors);
+  print(restyled.errors);
   for (const std::string& name : references.unused) {
     complain(name + " is registered and not used", ExitCode::failed);
   }
   print(typed);
   const ExitCode of_faults = command_line::answer_faults(names.faults);
-  if (!references.errors.empty()) return ExitCode::bad_input;
+  if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
   if (!references.unused.empty() || !typed.empty()) return ExitCode::failed;
   return of_faults;
 }
