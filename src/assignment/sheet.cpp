@@ -66,6 +66,7 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.value("late.days", Value::integer(assignment.late.days));
   document.value("limit.compile", Value::integer(assignment.limits.compile_seconds, "s"));
   document.value("limit.run", Value::integer(assignment.limits.run_seconds, "s"));
+  document.value("limit.all-runs", Value::integer(assignment.limits.submission_seconds, "s"));
   document.value("limit.memory", Value::integer(assignment.limits.memory_mb, "MB"));
   document.value("limit.output", Value::integer(assignment.limits.output_kb, "kB"));
   document.value("limit.submission", Value::integer(assignment.limits.submission_mb, "MB"));
