@@ -327,7 +327,9 @@ literate::Table slip_table(const std::vector<Slip>& slips, const Pair& pair) {
   const double of_shears = 2 * pressure_error(pair.solution) + closed_form(1).abs_error;
   const double a = pair.hertz.half_width();
   for (std::size_t k = 0; k < slips.size(); ++k) {
-    const Estimate closed = closed_form(slips[k].exact.stick_half_width() / a);
+    // √(1 − Q/(μP)), where the difference cancels the more the greater the load.
+    const double strip = slips[k].exact.stick_half_width() / a;
+    const Estimate closed{strip, rounded(strip) / (1 - shares[k])};
     const double of_stick = 1.5 * of_shears / closed.value;
     table.add_row({shares[k], Estimate{slips[k].stick / a, of_stick * closed.value}, closed,
                    Estimate{slips[k].errors.stick, of_stick + rounded(1)},

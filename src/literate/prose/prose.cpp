@@ -14,7 +14,7 @@ const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
     "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "href", "hspace", "hypertarget",
     "ifflag", "include", "includegraphics", "input", "label", "pageref", "parbox", "phantom",
-    "raisebox", "rawval", "ref", "tab", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
+    "raisebox", "rawval", "ref", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
 const std::set<std::string_view> two_silent = {
     "addtocounter", "addtolength", "crefrange", "fontsize", "rule", "setcounter", "setlength"};
 const std::set<std::string_view> three_silent = {"addcontentsline", "definecolor"};
@@ -68,6 +68,12 @@ class Reader {
     }
   }
 
+  /// Blanks the name of a table, but not the caption in brackets before it, which is printed.
+  void blank_name_behind_options() {
+    const std::string_view caption = group_at(scanner_.rest(), '[', ']');
+    blank(group_at(scanner_.rest().substr(caption.size())));
+  }
+
   void read(const TexToken& token);
   void read_command(const TexToken& command);
 
@@ -110,6 +116,7 @@ void Reader::read_command(const TexToken& command) {
   if (quantity_commands.contains(command.name)) first = Prose::quantity;
   if (command.name == "cite") first = Prose::citation;
   if (command.name == "makebox") blank_arguments(0);
+  if (command.name == "tab") blank_name_behind_options();
   if (one_silent.contains(command.name)) blank_arguments(1);
   if (two_silent.contains(command.name)) blank_arguments(2);
   if (three_silent.contains(command.name)) blank_arguments(3);
