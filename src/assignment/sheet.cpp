@@ -65,6 +65,7 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.value("late.percent", Value::exact(assignment.late.percent_per_day));
   document.value("late.days", Value::integer(assignment.late.days));
   document.value("limit.compile", Value::integer(assignment.limits.compile_seconds, "s"));
+  document.value("limit.compile-all", Value::integer(assignment.limits.compile_all_seconds, "s"));
   document.value("limit.run", Value::integer(assignment.limits.run_seconds, "s"));
   document.value("limit.all-runs", Value::integer(assignment.limits.submission_seconds, "s"));
   document.value("limit.memory", Value::integer(assignment.limits.memory_mb, "MB"));
