@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "point_contact/solver/memory.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {
