@@ -8,8 +8,6 @@
 namespace literate {
 namespace {
 
-constexpr auto npos = std::string_view::npos;
-
 /// Commands whose first argument, or first two or three, are not printed.
 // clang-format off
 const std::set<std::string_view> one_silent = {
@@ -41,7 +39,8 @@ class Reader {
         prose_{std::string(latex), std::vector<TexMode>(latex.size(), TexMode::text)} {}
 
   Prose read() {
-    if (const auto begin = latex_.find("\\begin{document}"); begin != npos) blank_next(begin);
+    if (const auto begin = latex_.find("\\begin{document}"); begin != std::string_view::npos)
+      blank_next(begin);
     while (const auto token = scanner_.next()) {
       std::fill_n(prose_.modes.begin() + position(token->text), token->text.size(), token->mode);
       read(*token);

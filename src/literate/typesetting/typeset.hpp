@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "literate/figures/draw.hpp"
 
 namespace literate {
 
@@ -16,18 +19,32 @@ struct TypesetOptions {
   std::filesystem::path build_dir;            ///< for LaTeX's own files; made if it is missing
   std::filesystem::path output_pdf;           ///< the finished document
   std::int64_t source_date_epoch = 0;         ///< the date that \today prints, in seconds
+  std::string engine = "pdflatex";            ///< or "lualatex"
+  FigurePlaces figures = {};                  ///< which may be drawn at other widths
+  std::string scripts_label = "figures";      ///< what messages call the folder of their scripts
+  bool tolerates_overfull = false;            ///< whether overfull boxes are warnings only
+};
+
+/// What came with a document that was typeset.
+struct Typeset {
+  std::vector<std::string> drawn;     ///< figures at widths of its own, relative to at_width_dir()
+  std::vector<std::string> warnings;  ///< the defects that were tolerated
 };
 
 /// Typesets a document with latexmk, which runs pdflatex as often as the references need, starting
-/// from the preamble as keep_preamble keeps it.
+/// from the preamble as keep_preamble keeps it (not so lualatex, which cannot). Draws the figures
+/// that the document wants at a width of its own, as LaTeX tells it, and runs LaTeX again where one
+/// was not there yet.
 ///
 /// The output does not depend on date, time zone, locale, folder or the user's settings of latexmk;
-/// its bytes are the same each time if the document sets \pdfinfoomitdate=1, \pdftrailerid{} and
-/// \pdfsuppressptexinfo=-1. The output is written beside its place and renamed, or left untouched
-/// if its bytes are the same. Throws sys::ToolError if latexmk or pdflatex is missing (it names
-/// `make setup`), with «file:line: message» for LaTeX's errors, and with all latex_defects if there
-/// are any; with_place_of_use rewrites these messages. Throws sys::OutputError if the output or the
-/// build folder cannot be written.
-void typeset(const TypesetOptions& options);
+/// its bytes are the same each time. The output is written beside its place and renamed, or left
+/// untouched if its bytes are the same. Throws sys::ToolError if latexmk or the engine is missing
+/// (it names `make setup`), with «file:line: message» for LaTeX's errors, and with all
+/// latex_defects if there are any; with_place_of_use rewrites these messages. Throws
+/// sys::OutputError if the output or the build folder cannot be written.
+Typeset typeset(const TypesetOptions& options);
+
+/// The folder of the figures that are drawn at a width of the document.
+std::filesystem::path at_width_dir(const TypesetOptions& options);
 
 }  // namespace literate
