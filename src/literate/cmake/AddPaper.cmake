@@ -137,6 +137,13 @@ function(literate_add_paper)
       message(FATAL_ERROR "literate_add_paper: ${required} is missing")
     endif()
   endforeach()
+  # What CMake or the engine has a target for; `literate new` refuses the same names.
+  if(arg_NAME MATCHES "^(all|clean|depend|edit_cache|help|install|literate|none|package|package_source|test|rebuild_cache|preinstall|list_install_components)$"
+      OR TARGET "${arg_NAME}")
+    message(FATAL_ERROR "literate_add_paper: NAME ${arg_NAME} is that of another target; choose another name")
+  elseif(NOT arg_NAME MATCHES "^[A-Za-z][A-Za-z0-9_-]*$")
+    message(FATAL_ERROR "literate_add_paper: NAME ${arg_NAME} cannot name targets: a letter, then letters, digits, - and _")
+  endif()
   if(NOT arg_ENGINE)
     set(arg_ENGINE pdflatex)
   elseif(NOT arg_ENGINE MATCHES "^(pdf|lua)latex$")

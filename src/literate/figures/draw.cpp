@@ -66,6 +66,11 @@ std::vector<std::string> computed_files(const fs::path& folder, const std::strin
   return files;
 }
 
+/// Where the scripts and data of figures lie that gnuplot refused.
+fs::path failed_figures(const fs::path& generated) {
+  return fs::absolute(generated / "").lexically_normal().parent_path().string() + ".failed";
+}
+
 /// Draws one figure in a folder of its own, and keeps what it was drawn from.
 class Drawing {
  public:
@@ -99,13 +104,31 @@ class Drawing {
     }
     sys::write_file_atomically(folder / "script.gp", script_);
 
-    require_drawn_well({name_, folder, scripts_->label, place_}, run_gnuplot(folder, name_));
+    const sys::ProcessResult result = run_gnuplot(folder, name_);
+    try {
+      require_drawn_well({name_, folder, scripts_->label, place_}, result);
+    } catch (const sys::ToolError& error) {
+      throw sys::ToolError(error.what() + kept(folder));
+    } catch (const sys::InputError& error) {
+      throw sys::InputError(error.what() + kept(folder));
+    }
 
     sys::write_file_atomically(folder / "files.tex", files_tex());
     sys::write_file_atomically(folder / record_name, inputs_ + outputs_in(folder));
   }
 
  private:
+  // Keeps what gnuplot read, for the author to read and to run.
+  std::string kept(const fs::path& folder) const {
+    const fs::path failed = failed_figures(computed_.parent_path().parent_path());
+    fs::remove_all(failed / "figures" / name_);
+    fs::create_directories(failed / "figures");
+    fs::copy(folder, failed / "figures" / name_, fs::copy_options::recursive);
+    sys::write_file_atomically(failed / "figures/style.gp", scripts_->style);
+    return fmt::format("; what gnuplot read is kept in '{}'",
+                       (failed / "figures" / name_ / (name_ + ".gp")).string());
+  }
+
   std::string outputs_in(const fs::path& folder) const {
     std::string lines;
     for (const std::string& file : {name_ + ".pdf", name_ + ".tex", std::string("files.tex")}) {
@@ -161,6 +184,7 @@ std::vector<std::string> former_files(const fs::path& generated, const FigurePla
 
 std::size_t draw_figures(const fs::path& generated, const fs::path& scripts_folder,
                          const FigurePlaces& figures) {
+  fs::remove_all(failed_figures(generated));
   sys::Staging staging(generated);
   std::vector<std::string> former = former_files(generated, figures);
   if (figures.empty()) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "command_line/options.hpp"
@@ -42,8 +43,20 @@ void require_empty(const fs::path& folder, const std::string& as_given) {
   }
 }
 
-/// The name becomes that of a CMake target, of a LaTeX file and of a program.
+/// The name becomes that of a CMake target, of a LaTeX file and of a program. literate_add_paper
+/// refuses the same names.
 void require_paper_name(const std::string& name) {
+  static const std::set<std::string> taken = {"all",        "clean",
+                                              "depend",     "edit_cache",
+                                              "help",       "install",
+                                              "literate",   "none",
+                                              "package",    "package_source",
+                                              "test",       "rebuild_cache",
+                                              "preinstall", "list_install_components"};
+  if (taken.contains(name)) {
+    throw sys::InputError(fmt::format(
+        "'{}' cannot name a paper: CMake has a target of this name; give another --name", name));
+  }
   if (sys::Pattern("[A-Za-z][A-Za-z0-9_-]*").is_all_of(name)) return;
   throw sys::InputError(fmt::format(
       "'{}' cannot name a paper: a letter, then letters, digits, '-' and '_'; give another --name",

@@ -14,7 +14,7 @@ std::vector<std::string> latex_errors(std::string_view log, std::string_view sou
 
 /// Finds what a finished document must not have: undefined references and citations, labels defined
 /// twice, missing characters, floats that are too large for a page, and boxes that are overfull by
-/// more than 0.1 pt. Each has its file
+/// more than 0.1 pt, or 2 pt around the page. Each has its file
 /// and line if the log names them. The log's lines must not be wrapped (max_print_line).
 std::vector<std::string> latex_defects(std::string_view log, std::string_view source_label);
 

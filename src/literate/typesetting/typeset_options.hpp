@@ -24,4 +24,9 @@ struct TypesetOptions {
   bool tolerates_overfull = false;            ///< whether overfull boxes are warnings only
 };
 
+/// The folder of the figures that are drawn at a width of the document.
+inline std::filesystem::path at_width_dir(const TypesetOptions& options) {
+  return options.build_dir / "at-width";
+}
+
 }  // namespace literate

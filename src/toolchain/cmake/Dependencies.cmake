@@ -16,6 +16,11 @@ if(NOT TARGET utf8cpp) # whose package cannot be found twice
 endif()
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+if(NOT TARGET udunits2::udunits2) # so that whoever links the installed engine looks for it there
+  add_library(udunits2::udunits2 UNKNOWN IMPORTED)
+  set_target_properties(udunits2::udunits2 PROPERTIES
+    IMPORTED_LOCATION "${UDUNITS2_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${UDUNITS2_INCLUDE_DIR}")
+endif()
 find_path(GNUPLOT_IOSTREAM_INCLUDE_DIR gnuplot-iostream.h REQUIRED)
 if(NOT HALFSPACE_EVERYTHING)
   return()

@@ -213,6 +213,10 @@ BOOST_AUTO_TEST_CASE(an_error_of_gnuplot_has_script_line_message_and_place_of_re
 
   BOOST_TEST(message.starts_with("figures/b.gp:2: gnuplot: unrecognized option"), message);
   BOOST_TEST(has(message, "figure 'b' is registered at "));
+  const fs::path kept = workplace.generated().string() + ".failed/figures/b/b.gp";
+  BOOST_TEST(has(message, "; what gnuplot read is kept in '" + kept.string() + "'"), message);
+  BOOST_TEST(fs::exists(kept));
+  BOOST_TEST(fs::exists(kept.parent_path() / "script.gp"));
   BOOST_TEST(has(message, "draw_test.cpp:"));
 }
 

@@ -38,6 +38,26 @@ runs "$literate" new 'my paper' --name beam
 claim 'another name may be given' "$status" -eq 0
 claim 'the files bear it' -e 'my paper/paper/beam.tex'
 
+for taken in all test install help clean package literate; do
+  runs "$literate" new "$taken"
+  claim "the name $taken, which is taken, is refused with 2" "$status" -eq 2
+  claim "the line says why $taken is refused" \
+    "$said" = "literate: '$taken' cannot name a paper: CMake has a target of this name; give another --name"
+  claim "there is no folder $taken" ! -e "$taken"
+done
+# refusal ARGUMENT…: what literate_add_paper says to these.
+refusal() {
+  printf '%s\n' "include(\"$source_dir/src/literate/cmake/AddPaper.cmake\")" \
+    "literate_add_paper(PROGRAM none DOCUMENT paper MAIN a.tex CASE case.toml SOURCES src $*)" >refused.cmake
+  runs cmake -P refused.cmake
+}
+refusal NAME test
+claim 'CMake refuses the same names' "$(says 'NAME test is that of another target')" = yes
+refusal NAME '"my paper"'
+claim 'and names that are none' "$(says 'NAME my paper cannot name targets')" = yes
+refusal NAME rod ENGINE xelatex
+claim 'an engine that it does not know is named' "$(says 'ENGINE xelatex is neither pdflatex nor lualatex')" = yes
+
 runs "$literate" new
 claim 'without a folder it ends with 2' "$status" -eq 2
 runs "$literate" new no/such/place

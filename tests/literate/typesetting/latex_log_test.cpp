@@ -53,6 +53,39 @@ BOOST_AUTO_TEST_CASE(boxes_are_reported_from_a_tenth_of_a_point_on) {
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(what_a_class_puts_around_the_page_may_stand_out_by_two_points) {
+  const auto n_overfull = [](const std::string& points) {
+    return latex_defects("(./a.tex\nOverfull \\hbox (" + points +
+                             "pt too wide) has occurred while \\output is active\n",
+                         "report")
+        .size();
+  };
+
+  BOOST_TEST(n_overfull("1.90001") == 0U);
+  BOOST_TEST(n_overfull("2.00001") == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(a_paragraph_that_began_in_another_file_has_the_line_where_it_ends) {
+  const auto line_of = [](const std::string& lines) {
+    return latex_defects(
+               "(./a.tex\nOverfull \\hbox (9.0pt too wide) in paragraph at lines " + lines + "\n",
+               "report")
+        .front()
+        .substr(0, 16);
+  };
+
+  BOOST_TEST(line_of("171--48") == "report/a.tex:48:");
+  BOOST_TEST(line_of("9--171") == "report/a.tex:9: ");
+}
+
+BOOST_AUTO_TEST_CASE(a_float_that_is_too_large_for_its_page_is_a_defect) {
+  BOOST_TEST(
+      latex_defects("(./a.tex\nLaTeX Warning: Float too large for page by 9.0pt on input line "
+                    "12.\n",
+                    "report")
+          .size() == 1U);
+}
+
 BOOST_AUTO_TEST_CASE(an_undefined_citation_is_a_defect) {
   BOOST_TEST(latex_defects("(./a.tex\nLaTeX Warning: Citation `none' on page 2 undefined on input "
                            "line 12.\n",
