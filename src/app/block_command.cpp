@@ -2,18 +2,19 @@
 #include <fmt/core.h>
 
 #include <chrono>
-#include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/json_text.hpp"
+#include "app/output_file.hpp"
 #include "app/output_format.hpp"
+#include "app/picture.hpp"
 #include "block/analysis.hpp"
 #include "block/calculix_deck.hpp"
 #include "block/load_shapes.hpp"
@@ -46,11 +47,13 @@ struct BlockOptions {
     add_text(command, "--vtu", vtu_file, "FILE",
              "Write mesh, displacements, stresses for ParaView");
     output.add_to(command);
+    plot.add_to(command);
   }
 
   NumberOption width, height, order, refine;
   std::string case_file, load = "triangular", sides, ccx_file, vtu_file;
   OutputOptions output;
+  PlotOption plot;
 };
 
 elasticity::Load load_of(const std::string& shape, double peak, double half_width) {
@@ -94,14 +97,6 @@ Problem problem_of(const BlockOptions& options) {
   elasticity::Load load = load_of(options.load, h.load.peak_pressure(), h.load.half_width());
   const block::Supports supports = block::with_sides(sides_of(options.sides, c.block->sides));
   return {std::move(c), rectangle, discretization, std::move(load), supports};
-}
-
-// Called before the computation, so that a wrong name is found at once and not at its end.
-void require_folder_of(const std::string& flag, const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  std::error_code ignored;
-  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return;
-  throw sys::InputError(fmt::format("{} {}: folder does not exist", flag, file));
 }
 
 void write_files(const BlockOptions& options, const Problem& problem,
@@ -181,11 +176,33 @@ std::string block_text(const Measures& measures, const block::SupportedBlock& su
                     seconds.elements, seconds.assembly, seconds.factorization, seconds.solution);
 }
 
+// u_z along the loaded side, z = 0, at the points of its elements.
+literate::Figure block_figure(const block::Solution& solution, const config::UnitSystem& units) {
+  const block::Mesh& mesh = solution.model().mesh();
+  const Eigen::VectorXd points = Eigen::VectorXd::LinSpaced(mesh.order() + 1, -1, 1);
+  std::map<double, double> displacements;
+  for (Eigen::Index e = 0; e < mesh.n_elements(); ++e) {
+    for (const block::PointState& state : solution.sample(e, points)) {
+      if (state.position.y() == 0) displacements[state.position.x()] = state.displacement.y();
+    }
+  }
+  std::vector<double> x, u;
+  for (const auto& [at, displacement] : displacements) {
+    x.push_back(at);
+    u.push_back(displacement);
+  }
+  return {.width_cm = 14,
+          .height_cm = 9,
+          .data = {{"surface", {{"x", x}, {"u_z", u}}}},
+          .texts = {{"unit", units.length}}};
+}
+
 ExitCode run(const BlockOptions& options) {
   const Problem problem = problem_of(options);
   const config::UnitSystem units = options.output.units(problem.from_file);
   require_folder_of("--ccx", options.ccx_file);
   require_folder_of("--vtu", options.vtu_file);
+  options.plot.require_drawable(options.output);
   const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,
                                  {problem.load}, problem.discretization);
   const block::SupportedBlock supported = analysis.on(problem.supports);
@@ -210,6 +227,7 @@ ExitCode run(const BlockOptions& options) {
       fmt::print("{}", block_text(measures, supported, seconds, units));
       break;
   }
+  if (options.plot.is_given()) options.plot.draw("block", block_figure(solution.fine(), units));
   return ExitCode::success;
 }
 

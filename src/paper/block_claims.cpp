@@ -15,6 +15,11 @@ namespace {
 using block::MeasureEstimate;
 using config::PrintedNumber;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -35,8 +40,8 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
                  {.sentence = "The body of the run is in plane strain, with the Poisson's ratio of "
                               "the analytical solution.",
                   .place = "paper, Numerical Solution, p. 6; Appendix 2, p. 13",
-                  .stated = Value::exact(nu),
-                  .computed = Value::fixed(ratio, 6),
+                  .stated = Value(nu, exact()),
+                  .computed = Value(ratio, fixed(6)),
                   .route = "the printed largest stresses: in plane strain the one out of the plane "
                            "over the sum of those in it is ν",
                   .tolerance = "10⁻⁶: the stresses are printed with seven digits",
@@ -49,7 +54,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
                  {.sentence = "The displacement effects of the load are apparent throughout the "
                               "body.",
                   .place = "paper, Numerical Solution, p. 7",
-                  .computed = Value::percent(quotient(half_way, middle), 0),
+                  .computed = Value(quotient(half_way, middle), percent(0)),
                   .route = "the block by finite elements of high order: the displacement half way "
                            "down, over the largest",
                   .tolerance = "at least 10 %, one of ten shades of its Fig. 3",
@@ -90,8 +95,8 @@ void claim_size(literate::Document& document, const std::vector<Share>& shares, 
                    "affect the results.",
        .place = "paper, Numerical Solution, p. 7",
        .computed = Value::text(fmt::format("shape by {}, level by {}",
-                                           Value::percent_bound(shape, 2).printed(),
-                                           Value::percent(level, 0).printed())),
+                                           Value(shape, percent(2).rounded_up()).printed(),
+                                           Value(level, percent(0)).printed())),
        .route = "eq. (3) less the block by finite elements under the same triangle, over the "
                 "largest displacement: how it varies over the points, and at x = 0",
        .tolerance = "1 % for each, a tenth of the convergence that the run asks for",
@@ -123,7 +128,7 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
       "nearly-identical-under-load",
       {.sentence = "The displacements are nearly identical under the loaded region.",
        .place = "paper, Results, p. 8",
-       .computed = Value::percent_bound(under, 1),
+       .computed = Value(under, percent(1).rounded_up()),
        .route = "eq. (3) less the printed FEA (z), over the latter; and its parts by the block",
        .tolerance = "3 %, the height of two marks in its Fig. 4; but only by chance if datum and "
                     "load, taken one at a time, each part the columns by more than five times that",
@@ -138,7 +143,7 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
       {.sentence = "The error increases as the measure is taken further and further from the "
                    "loaded region.",
        .place = "paper, Results and Error Analysis, p. 8",
-       .computed = Value::percent(left, 1),
+       .computed = Value(left, percent(1)),
        .route = "the printed error column outside the load; and what is left of the last error, as "
                 "a share of it, when datum and load are alike",
        .tolerance = "the printed errors must grow from point to point; they are no error of the "
@@ -171,7 +176,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
                  {.sentence = "The correlation is a good indicator that the FEA was performed on a "
                               "robust model.",
                   .place = "paper, Discussion, p. 9",
-                  .computed = Value::percent(least, 0),
+                  .computed = Value(least, percent(0)),
                   .route = "the block by finite elements under the load that the paper states: how "
                            "far its displacements are below the printed ones, at least",
                   .tolerance = "10 %, to which the run was converged",
@@ -187,7 +192,8 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
       {.sentence = "A pressure that falls linearly from its peak to a fraction of it at "
                    "the ends explains every printed displacement.",
        .place = "this report",
-       .computed = Value::percent_bound(Estimate{fit.fit.max_misfit, study.misfit_error()}, 2),
+       .computed =
+           Value(Estimate{fit.fit.max_misfit, study.misfit_error()}, percent(2).rounded_up()),
        .route = "least squares for two numbers on eleven displacements of the block; the "
                 "value is the largest misfit",
        .tolerance = fmt::format("{} %, the least convergence that the run reports for any of them",
@@ -199,7 +205,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
       {.sentence = "The run reports its resultant load.",
        .place = "paper, Appendix 2, p. 15",
        .stated = quoted_value(printed.at("resultant_load_y"), units.line_load),
-       .computed = Value::significant(named(fitted, "resultant_load_y"), 4, units.line_load),
+       .computed = Value(named(fitted, "resultant_load_y"), significant(4), units.line_load),
        .route = "the load fitted to the printed displacements, which knows nothing of it",
        .tolerance =
            "twice the misfit that is allowed to the displacements; " + digits("resultant_load_y"),
@@ -210,7 +216,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
       {.sentence = "The run reports its strain energy.",
        .place = "paper, Appendix 2, p. 16",
        .stated = quoted_value(printed.at("strain_energy"), units.force),
-       .computed = Value::scientific(named(fitted, "strain_energy"), 4, units.force),
+       .computed = Value(named(fitted, "strain_energy"), scientific(4), units.force),
        .route = "the energy of the block under the fitted load",
        .tolerance = "five times the misfit that is allowed to the displacements: energy is a "
                     "product of two, with a convergence of its own; " +
@@ -231,7 +237,7 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
                  {.sentence = "The largest normal displacement is that of the middle, measure1.",
                   .place = "paper, Appendix 2, pp. 15–16",
                   .stated = quoted_value(maximum, units.length),
-                  .computed = Value::scientific(largest, 4, units.length),
+                  .computed = Value(largest, scientific(4), units.length),
                   .route = "the largest on the plotting grid of the block under the fitted load",
                   .tolerance = "10⁻⁹ of the middle's own, by its plotting grid; the same digits in "
                                "print",
@@ -248,7 +254,7 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
         {.sentence = fmt::format("The {} converged to {} %.", what, convergence.text()),
          .place = "paper, Appendix 2, p. 15",
          .stated = quoted_value(number, units.stress),
-         .computed = Value::significant(converged, n_digits, units.stress),
+         .computed = Value(converged, significant(n_digits), units.stress),
          .route = route,
          .tolerance = "three times the convergence that is printed: the load is fitted, and the "
                       "grids on which the maxima are taken differ",

@@ -22,6 +22,11 @@ namespace {
 using contact::Hertz;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -88,16 +93,28 @@ double pressure_beside_edge(const ContactM& program) {
   return program.pressure[static_cast<std::size_t>(program.zero_node - 2)];
 }
 
-literate::Table repair_table(const std::vector<Row>& rows, const Hertz& hertz, double line_load) {
+// Its system of equations is as well conditioned as that of the report's own solver, with which it
+// agrees to this part of the peak when it is mended: the check contact-m-is-matrix-inversion.
+constexpr double of_system = 1e-10;
+
+literate::Table repair_table(const std::vector<Row>& rows, const parameters::ContactCase& c,
+                             const Hertz& hertz) {
   literate::Table table(
-      {Column::integer(""), Column::text("mended besides"), Column::fixed("load over $P$", "", 3),
-       Column::fixed("edge over $a$", "", 2), Column::fixed("peak over $p_0$", "", 4),
-       Column::fixed("over its own $p_0$", "", 4), Column::fixed("misfit", "", 4)});
+      "contact-m-repair",
+      {Column("", integer()), Column::text("mended besides"), Column("load over $P$", fixed(3)),
+       Column("edge over $a$", fixed(2)), Column("$p_0$", fixed(4)).under("peak over"),
+       Column("its own $p_0$", fixed(4)).under("peak over"), Column("misfit", fixed(4))});
+  // Loads and pressures are as wrong as the solved system, a misfit as twice its largest pressure.
+  const double error = of_system + rounded(c, 1);
+  const auto solved = [&](double x) { return Estimate{x, error * std::abs(x)}; };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ContactM& program = rows[i].program;
-    table.add_row({i, literate::Cell::latex(rows[i].mended), program.line_load / line_load,
-                   edge(program) / hertz.half_width(), peak(program) / hertz.peak_pressure(),
-                   peak(program) / program.hertz_peak_pressure, rows[i].misfit});
+    const double share = edge(program) / hertz.half_width();
+    table.add_row(
+        {i, literate::Cell::latex(rows[i].mended), solved(program.line_load / c.line_load),
+         Estimate{share, rounded(c, share)}, solved(peak(program) / hertz.peak_pressure()),
+         solved(peak(program) / program.hertz_peak_pressure),
+         Estimate{rows[i].misfit, 2 * share * error * peak(program) / hertz.peak_pressure()}});
   }
   return table;
 }
@@ -147,35 +164,31 @@ double largest_difference(std::span<const double> p, std::span<const double> oth
   return largest;
 }
 
-// Its system of equations is as well conditioned as that of the report's own solver, with which it
-// agrees to this part of the peak when it is mended: the check contact-m-is-matrix-inversion.
-constexpr double of_system = 1e-10;
-
 // What the listing says, and what it computes as it stands.
 void describe_listing(literate::Document& document, const parameters::ContactCase& c,
                       const config::UnitSystem& units, const ContactMInput& input,
                       const ContactM& program, const Hertz& hertz) {
   const double load = c.line_load;
   const auto weight = static_cast<double>(input.zero_node - 2);
-  document.value("contact-m.spacing", Value::exact(input.spacing, units.length));
-  document.value("contact-m.step", Value::exact(input.step, units.length));
-  document.value("contact-m.nodes", Value::integer(input.n_nodes + 1));
-  document.value("contact-m.zero-node", Value::integer(input.zero_node));
-  document.value("contact-m.weight", Value::exact(weight));
+  document.value("contact-m.spacing", Value(input.spacing, exact(), units.length));
+  document.value("contact-m.step", Value(input.step, exact(), units.length));
+  document.value("contact-m.nodes", Value(input.n_nodes + 1, integer()));
+  document.value("contact-m.zero-node", Value(input.zero_node, integer()));
+  document.value("contact-m.weight", Value(weight, exact()));
   const double share = edge(program) / hertz.half_width();
   const Estimate carried{program.line_load, of_system * program.line_load};
   const double spike = program.pressure[0] / program.pressure[1];
-  document.value("contact-m.edge", Value::significant(closed_form(edge(program)), 2, units.length));
-  document.value("contact-m.edge-share", Value::fixed(share, 2).within(rounded(c, share)));
-  document.value("contact-m.load", Value::significant(carried, 4, units.line_load));
-  document.value("contact-m.load-share", Value::fixed(quotient({load, 0}, carried), 2));
+  document.value("contact-m.edge", Value(closed_form(edge(program)), significant(2), units.length));
+  document.value("contact-m.edge-share", Value(share, fixed(2)).within(rounded(c, share)));
+  document.value("contact-m.load", Value(carried, significant(4), units.line_load));
+  document.value("contact-m.load-share", Value(quotient({load, 0}, carried), fixed(2)));
   document.value("contact-m.hertz-half-width",
-                 Value::significant(program.hertz_half_width, 4, units.length)
+                 Value(program.hertz_half_width, significant(4), units.length)
                      .within(rounded(c, program.hertz_half_width)));
   document.value("contact-m.hertz-peak",
-                 Value::significant(program.hertz_peak_pressure, 4, units.stress)
+                 Value(program.hertz_peak_pressure, significant(4), units.stress)
                      .within(rounded(c, program.hertz_peak_pressure)));
-  document.value("contact-m.spike", Value::fixed(spike, 2).within(2 * of_system * spike));
+  document.value("contact-m.spike", Value(spike, fixed(2)).within(2 * of_system * spike));
   document.check("contact-m-load", std::abs(program.line_load * weight / load - 1) < 1e-9,
                  "Contact.m as printed carries P/(aa - 2)");
 }
@@ -192,8 +205,8 @@ void find_edges(literate::Document& document, const parameters::ContactCase& con
   document.check("contact-m-grid-holds-the-contact",
                  mended.zero_node < input.n_nodes && wider.zero_node == input.n_nodes,
                  "the nodes of Contact.m hold the contact under P, and just that under 2P");
-  document.value("contact-m.right-zero-node", Value::integer(mended.zero_node));
-  document.value("contact-m.twice-zero-node", Value::integer(wider.zero_node));
+  document.value("contact-m.right-zero-node", Value(mended.zero_node, integer()));
+  document.value("contact-m.twice-zero-node", Value(wider.zero_node, integer()));
 }
 
 // The mended program against this report's solver, and against Hertz.
@@ -210,11 +223,11 @@ void compare_mended(literate::Document& document, const parameters::ContactCase&
                          {solution.pressure.data(), rows[all].program.pressure.size()}) /
       p0;
   const auto peak_error = [&](const Row& row) { return std::abs(peak(row.program) / p0 - 1); };
-  document.value("contact-m.rounding", Value::scientific_bound(rounding, 1));
+  document.value("contact-m.rounding", Value(rounding, scientific(1).rounded_up()));
   document.value("contact-m.peak-error",
-                 Value::scientific_bound(Estimate{peak_error(rows[all]), of_system}, 1));
+                 Value(Estimate{peak_error(rows[all]), of_system}, scientific(1).rounded_up()));
   document.value("contact-m.finer-peak-error",
-                 Value::scientific_bound(Estimate{peak_error(rows[finer]), of_system}, 1));
+                 Value(Estimate{peak_error(rows[finer]), of_system}, scientific(1).rounded_up()));
   document.check("contact-m-is-matrix-inversion", rounding < of_system,
                  "Contact.m with every repair is the matrix inversion on a one-sided grid");
   // As the solver's own errors: see cylinders-agree-with-hertz.
@@ -231,7 +244,7 @@ void check_rows(literate::Document& document, const std::vector<Row>& rows, doub
   const auto& before = rows[printed].program.pressure;
   const double step_effect = largest_difference(before, rows[limits].program.pressure) / p0;
   document.value("contact-m.step-effect",
-                 Value::scientific_bound(Estimate{step_effect, 2 * of_system}, 1));
+                 Value(Estimate{step_effect, 2 * of_system}, scientific(1).rounded_up()));
   document.check("contact-m-step-is-harmless", step_effect < 1e-3,
                  "the step off 0 and c changes no pressure of Contact.m by a thousandth of p0");
   document.check("contact-m-falls-to-its-edge",
@@ -262,8 +275,8 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
                  {.sentence = "Contact.m calculates the pressure distribution between two "
                               "cylinders.",
                   .place = "paper, Problem Description, p. 6; Appendix 3, p. 17",
-                  .stated = Value::significant(load, 4, units.line_load),
-                  .computed = Value::significant(carried, 4, units.line_load),
+                  .stated = Value(load, significant(4), units.line_load),
+                  .computed = Value(carried, significant(4), units.line_load),
                   .route = "the listed program run as printed: the load that its triangles carry",
                   .tolerance = reason,
                   .expected = Verdict::refuted,
@@ -273,8 +286,8 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
   document.claim("contact-m-area",
                  {.sentence = "A = c(aa − 2) is the contact area.",
                   .place = "paper, Appendix 3, p. 18",
-                  .stated = Value::significant(area, 2, units.length),
-                  .computed = Value::significant(half_width, 3, units.length),
+                  .stated = Value(area, significant(2), units.length),
+                  .computed = Value(half_width, significant(3), units.length),
                   .route = "the program with every repair, on a quarter of its element width: the "
                            "first node without pressure, for one side as A is",
                   .tolerance = "two of the listing's elements, since counting nodes is no better",
@@ -286,8 +299,8 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
   document.claim("contact-m-edge",
                  {.sentence = "aa is the node where p becomes zero.",
                   .place = "paper, Appendix 3, p. 17",
-                  .stated = Value::integer(input.zero_node),
-                  .computed = Value::integer(rows[all].program.zero_node),
+                  .stated = Value(input.zero_node, integer()),
+                  .computed = Value(rows[all].program.zero_node, integer()),
                   .route = "the edge found by p ≥ 0: in the program as printed, and with every "
                            "repair, which is the value",
                   .tolerance = "none, it is a count; partly if it is right for the printed program",
@@ -298,8 +311,8 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
       "contact-m-hertz-width",
       {.sentence = "a of Contact.m is Hertz's contact width.",
        .place = "paper, Appendix 3, p. 18",
-       .stated = Value::significant(own_half_width, 4, units.length),
-       .computed = Value::significant(hertz.half_width(), 4, units.length),
+       .stated = Value(own_half_width, significant(4), units.length),
+       .computed = Value(hertz.half_width(), significant(4), units.length),
        .route = "Hertz's half-width for two bodies under P",
        .tolerance = reason,
        .expected = Verdict::refuted,
@@ -313,8 +326,8 @@ void claim_mended(literate::Document& document, const config::UnitSystem& units,
       "contact-m-hertz-peak",
       {.sentence = "p0 of Contact.m is Hertz's maximum pressure.",
        .place = "paper, Appendix 3, p. 18",
-       .stated = Value::significant(own_peak, 4, units.stress),
-       .computed = Value::significant(hertz.peak_pressure(), 4, units.stress),
+       .stated = Value(own_peak, significant(4), units.stress),
+       .computed = Value(hertz.peak_pressure(), significant(4), units.stress),
        .route = "Hertz's peak for two bodies under P",
        .tolerance = reason,
        .expected = Verdict::refuted,
@@ -325,7 +338,7 @@ void claim_mended(literate::Document& document, const config::UnitSystem& units,
   document.claim("contact-m-mended",
                  {.sentence = "With six repairs Contact.m converges to Hertz.",
                   .place = "this report",
-                  .computed = Value::scientific_bound(after, 1),
+                  .computed = Value(after, scientific(1).rounded_up()),
                   .route = "the peak of the mended program on a grid four times as fine, against "
                            "Hertz",
                   .tolerance = "10⁻³ before and 10⁻⁴ after refining, and a misfit of the pressure "
@@ -348,7 +361,7 @@ void compute_contact_m(literate::Document& document, const parameters::ContactCa
   check_rows(document, rows, hertz.peak_pressure());
   claim_program(document, contact, units, input, rows, hertz);
   claim_mended(document, units, rows, hertz);
-  document.table("contact-m-repair", repair_table(rows, hertz, contact.line_load));
+  document.table(repair_table(rows, contact, hertz));
   document.figure("contact-m-repair", repair_figure(rows, hertz));
 }
 

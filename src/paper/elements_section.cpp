@@ -23,8 +23,13 @@ using contact::Element;
 using contact::Hertz;
 using literate::Column;
 using literate::confirmed_if;
+using literate::fixed;
+using literate::integer;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
+using numerics::Estimate;
 using numerics::fit_power;
 using numerics::PowerFit;
 
@@ -73,7 +78,7 @@ void claim_quality(literate::Document& document, const std::vector<ElementQualit
       {.sentence = "Between the nodes the slope of the surface is right with triangles, "
                    "not with uniform elements.",
        .place = "this report",
-       .computed = Value::significant(gain, 2),
+       .computed = Value(gain, significant(2)),
        .route = "the slope against −x/R of Hertz at eighths between the nodes; the value "
                 "is the largest error with uniform elements over that with triangles",
        .tolerance = "a factor of ten at least, an order of magnitude",
@@ -89,7 +94,7 @@ void claim_quality(literate::Document& document, const std::vector<ElementQualit
       "every-element-acts",
       {.sentence = "Each element has an effect on the remaining elements.",
        .place = "paper, Conclusions, p. 9",
-       .computed = Value::significant(least, 3),
+       .computed = Value(least, significant(3)),
        .route = "the slope of the surface that a triangle makes 1 to 1000 spacings away, "
                 "as a share of that of a force; the value is the least",
        .tolerance = "a half: nowhere may it be lost beside that of a force",
@@ -101,9 +106,11 @@ void claim_quality(literate::Document& document, const std::vector<ElementQualit
 void register_quality(literate::Document& document, const parameters::ContactCase& c,
                       const Hertz& hertz) {
   constexpr long n_nodes = 89;  // a/c = 40.45
-  literate::Table table({Column::text("elements"), Column::text("displacement"),
-                         Column::text("gradient"), Column::scientific("slope", "", 2),
-                         Column::scientific("shear stress", "", 2)});
+  literate::Table table("element-quality",
+                        {Column::text("elements"), Column::text("displacement").under("at a node"),
+                         Column::text("gradient").under("at a node"),
+                         Column("slope", scientific(2)).under("largest error of"),
+                         Column("shear stress", scientific(2)).under("largest error of")});
   std::vector<ElementQuality> quality;
   std::vector<double> bounds;
   for (const Element element : {Element::point, Element::uniform, Element::triangular}) {
@@ -114,19 +121,20 @@ void register_quality(literate::Document& document, const parameters::ContactCas
     bounds.push_back(5 * pressure_error(solution) + rounded(c, 1));
     table.add_row({std::string(contact::name_of(element)),
                    element == Element::point ? "infinite" : "finite",
-                   element == Element::triangular ? "finite" : "infinite", quality.back().slope,
-                   quality.back().shear});
+                   element == Element::triangular ? "finite" : "infinite",
+                   Estimate{quality.back().slope, bounds.back()},
+                   Estimate{quality.back().shear, bounds.back()}});
   }
   const double spacing =
       contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes).spacing;
-  document.value("elements.count", Value::fixed(closed_form(hertz.half_width() / spacing), 1));
+  document.value("elements.count", Value(closed_form(hertz.half_width() / spacing), fixed(1)));
   claim_quality(document, quality);
-  document.table("element-quality", std::move(table));
+  document.table(std::move(table));
   const auto gain = [&](double ElementQuality::*error) {
     return quotient({quality[1].*error, bounds[1]}, {quality[2].*error, bounds[2]});
   };
-  document.value("elements.slope-gain", Value::significant(gain(&ElementQuality::slope), 2));
-  document.value("elements.shear-gain", Value::significant(gain(&ElementQuality::shear), 2));
+  document.value("elements.slope-gain", Value(gain(&ElementQuality::slope), significant(2)));
+  document.value("elements.shear-gain", Value(gain(&ElementQuality::shear), significant(2)));
   document.check(
       "triangles-gain-in-slopes-and-stresses",
       10 * quality[2].slope < quality[1].slope && 10 * quality[2].shear < quality[1].shear &&
@@ -141,15 +149,19 @@ struct Quantity {
   const char* expected_text;
   double expected;
   Errors errors;
+  Errors bounds;  // none: the errors are exact
 };
 
 const std::array<Quantity, 6> quantities = {{
-    {"pressure, largest error", "$\\tfrac12$", 0.5, &ConvergenceStudy::largest},
-    {"pressure, inside", "2", 2, &ConvergenceStudy::inside},
-    {"peak", "2", 2, &ConvergenceStudy::peak},
-    {"half-width by count", "1", 1, &ConvergenceStudy::count},
-    {"half-width extrapolated", "1", 1, &ConvergenceStudy::extrapolated},
-    {"half-width by second moment", "2", 2, &ConvergenceStudy::moment},
+    {"pressure, largest error", "$\\tfrac12$", 0.5, &ConvergenceStudy::largest,
+     &ConvergenceStudy::of_pressure},
+    {"pressure, inside", "2", 2, &ConvergenceStudy::inside, &ConvergenceStudy::of_pressure},
+    {"peak", "2", 2, &ConvergenceStudy::peak, &ConvergenceStudy::of_pressure},
+    {"half-width by count", "1", 1, &ConvergenceStudy::count, nullptr},
+    {"half-width extrapolated", "1", 1, &ConvergenceStudy::extrapolated,
+     &ConvergenceStudy::of_edge},
+    {"half-width by second moment", "2", 2, &ConvergenceStudy::moment,
+     &ConvergenceStudy::of_moment},
 }};
 
 void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
@@ -157,8 +169,8 @@ void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
                  {.sentence = "Where the pressure is smooth its error has order 2 in the elements' "
                               "width.",
                   .place = "this report",
-                  .stated = Value::integer(2),
-                  .computed = Value::fixed(inside.order, 2),
+                  .stated = Value(2, integer()),
+                  .computed = Value(inside.order, fixed(2)),
                   .route = "a power fitted to the errors against Hertz over |x| ≤ 0.9a on many "
                            "grids",
                   .tolerance = "0.25, the scatter of where the edge falls between the nodes",
@@ -169,7 +181,7 @@ void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
       {.sentence = "For the pressure at the nodes triangles are no better than uniform "
                    "elements.",
        .place = "this report",
-       .computed = Value::significant(ratio, 2),
+       .computed = Value(ratio, significant(2)),
        .route = "the errors of both against Hertz; the value is the ratio of the factors "
                 "of (c/a)²",
        .tolerance = "0.8 at least: a fifth better would be a gain",
@@ -179,20 +191,27 @@ void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
 
 void register_orders(literate::Document& document, const ConvergenceStudy& triangular,
                      const ConvergenceStudy& uniform) {
-  literate::Table table({Column::text("error of"), Column::text("expected"),
-                         Column::fixed("triangles: $r$", "", 2), Column::fixed("$C$", "", 2),
-                         Column::fixed("uniform: $r$", "", 2), Column::fixed("$C$", "", 2)});
+  literate::Table table(
+      "element-orders",
+      {Column::text("error of"), Column::text("expected"),
+       Column("$r$", fixed(2)).under("triangles"), Column("$C$", fixed(2)).under("triangles"),
+       Column("$r$", fixed(2)).under("uniform"), Column("$C$", fixed(2)).under("uniform")});
+  const auto fit = [](const ConvergenceStudy& study, const Quantity& quantity) {
+    return fit_power(study.elements, study.*quantity.errors,
+                     quantity.bounds == nullptr ? std::vector<double>{} : study.*quantity.bounds);
+  };
   double worst = 0;
   for (const Quantity& quantity : quantities) {
-    const PowerFit first = fit_power(triangular.elements, triangular.*quantity.errors);
-    const PowerFit second = fit_power(uniform.elements, uniform.*quantity.errors);
+    const PowerFit first = fit(triangular, quantity);
+    const PowerFit second = fit(uniform, quantity);
     for (const PowerFit& power : {first, second}) {
       worst = std::max(worst, std::abs(power.order - quantity.expected));
     }
-    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text), first.order,
-                   first.factor, second.order, second.factor});
+    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text),
+                   first.order_estimate(), first.factor_estimate(), second.order_estimate(),
+                   second.factor_estimate()});
   }
-  document.table("element-orders", std::move(table));
+  document.table(std::move(table));
   constexpr double scatter = 0.25;
   document.check("orders-of-convergence", worst < scatter,
                  "all errors of contact converge with the expected orders");
@@ -204,9 +223,9 @@ void register_orders(literate::Document& document, const ConvergenceStudy& trian
       "inside the contact triangles and uniform elements have errors of the same size");
   claim_orders(document, inside, inside.factor / uniform_inside.factor);
   const auto n = static_cast<long>(triangular.elements.size());
-  document.value("elements.n-grids", Value::integer(n));
-  document.value("elements.coarsest", Value::fixed(closed_form(triangular.elements.front()), 0));
-  document.value("elements.finest", Value::fixed(closed_form(triangular.elements.back()), 0));
+  document.value("elements.n-grids", Value(n, integer()));
+  document.value("elements.coarsest", Value(closed_form(triangular.elements.front()), fixed(0)));
+  document.value("elements.finest", Value(closed_form(triangular.elements.back()), fixed(0)));
 }
 
 struct Graded {
@@ -217,9 +236,15 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
                        const Hertz& hertz) {
   const double a = hertz.half_width();
   literate::Table table(
-      {Column::integer("elements over $a$"), Column::integer("steps of the edges"),
-       Column::scientific("largest error of $p$", "", 2), Column::scientific("peak", "", 2),
-       Column::scientific("half-width", "", 2)});
+      "graded", {Column("elements over $a$", integer()), Column("steps of the edges", integer()),
+                 Column("$p$, largest", scientific(2)).under("error of"),
+                 Column("peak", scientific(2)).under("error of"),
+                 Column("half-width", scientific(2)).under("error of")});
+  // Up to 300 elements rounding leaves 2e-6 in the pressures (contact/graded_contact.hpp), which at
+  // the edge is 6 times its square in the half-width, as 0.23/n² is of 0.30/n⁴. The peak goes with
+  // the load over the half-width.
+  constexpr double rounding = 2e-6;
+  constexpr double of_half_width = 6 * rounding * rounding;
   Graded graded;
   for (const long n : {12L, 25L, 50L, 100L}) {
     const contact::GradedSolution s = contact::solve_on_graded_grid(
@@ -233,23 +258,22 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
     graded.largest.push_back(largest);
     graded.half_width.push_back(std::abs(s.half_width() / a - 1));
     graded.peak.push_back(std::abs(s.peak_pressure() / hertz.peak_pressure() - 1));
-    table.add_row({n, s.n_iterations, largest, graded.peak.back(), graded.half_width.back()});
+    table.add_row({n, s.n_iterations, Estimate{largest, rounding},
+                   Estimate{graded.peak.back(), of_half_width},
+                   Estimate{graded.half_width.back(), of_half_width}});
   }
-  document.table("graded", std::move(table));
-  // Up to 300 elements rounding leaves 2e-6 in the pressures (contact/graded_contact.hpp), which at
-  // the edge is 6 times its square in the half-width, as 0.23/n² is of 0.30/n⁴.
-  constexpr double rounding = 2e-6;
+  document.table(std::move(table));
   const std::vector<double> of_pressure(graded.elements.size(), rounding);
-  const std::vector<double> of_width(graded.elements.size(), 6 * rounding * rounding);
+  const std::vector<double> of_width(graded.elements.size(), of_half_width);
   const PowerFit pressure_power = fit_power(graded.elements, graded.largest, of_pressure);
   const PowerFit width_power = fit_power(graded.elements, graded.half_width, of_width);
-  document.value("graded.order", Value::fixed(pressure_power.order_estimate(), 1));
-  document.value("graded.width-order", Value::fixed(width_power.order_estimate(), 1));
+  document.value("graded.order", Value(pressure_power.order_estimate(), fixed(1)));
+  document.value("graded.width-order", Value(width_power.order_estimate(), fixed(1)));
   const double order = pressure_power.order;
   document.claim("graded-order",
                  {.sentence = "A grid that ends on the edge removes the error of order ½ there.",
                   .place = "this report",
-                  .computed = Value::fixed(order, 1),
+                  .computed = Value(order, fixed(1)),
                   .route = "a power fitted to the largest error of the pressure against Hertz, on "
                            "graded grids of 12 to 100 elements",
                   .tolerance = "order 1.5 at least, since the errors inside, of order 2, are next",

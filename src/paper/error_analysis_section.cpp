@@ -20,6 +20,10 @@ namespace {
 
 using literate::Column;
 using literate::confirmed_if;
+using literate::fixed;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -44,12 +48,12 @@ void measure_datum(literate::Document& document, const parameters::HalfSpaceCase
   const Estimate middle = displacement(c, 0);
   const Estimate shift{largest, 2 * middle.abs_error};
   const Estimate at_datum = gradient(c, c.datum);
-  document.value("datum.nearer", Value::significant(closed_form(nearer), 3, units.length));
-  document.value("datum.shift", Value::scientific(shift, 3, units.length));
-  document.value("datum.shift-share", Value::percent(quotient(shift, middle), 0));
-  document.value("datum.gradient", Value::scientific(at_datum, 3));
+  document.value("datum.nearer", Value(closed_form(nearer), significant(3), units.length));
+  document.value("datum.shift", Value(shift, scientific(3), units.length));
+  document.value("datum.shift-share", Value(quotient(shift, middle), percent(0)));
+  document.value("datum.gradient", Value(at_datum, scientific(3)));
   document.value("datum.gradient-share",
-                 Value::scientific(quotient(at_datum, gradient(c, c.load.half_width())), 2));
+                 Value(quotient(at_datum, gradient(c, c.load.half_width())), scientific(2)));
   // Far from the load the shift is that of a concentrated force; (a/datum)² is what is left.
   const double left_over = 2 * std::pow(c.load.half_width() / nearer, 2);
   document.check(
@@ -69,7 +73,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
                  {.sentence = "The error is not sensitive to C, provided that it was calculated a "
                               "distance far from the loaded region.",
                   .place = "paper, Error Analysis, p. 8",
-                  .computed = Value::scientific(shift, 3, units.length),
+                  .computed = Value(shift, scientific(3), units.length),
                   .route = "the displacement by quadrature for two datums, one a factor e nearer; "
                            "the value is the shift",
                   .tolerance = "1 % of the largest displacement, which would be lost in a plot",
@@ -87,7 +91,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
                  {.sentence = "At x = 10 the displacement gradient approaches zero, so that C can "
                               "be evaluated there.",
                   .place = "paper, Results, p. 7",
-                  .computed = Value::scientific(at_datum, 3),
+                  .computed = Value(at_datum, scientific(3)),
                   .route = "eq. (2) by quadrature at the datum",
                   .tolerance = "small: below 1 % of the gradient at the end of the load; but "
                                "if it is K/x to 10⁻³, its integral has no limit, and C depends on "
@@ -99,10 +103,10 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
 // u_x outside the load, which the paper calls negligible.
 void measure_tangential(literate::Document& document, const parameters::HalfSpaceCase& c,
                         const config::UnitSystem& units) {
-  const double end = c.points.back();
+  const double end = c.farthest_point();
   const Estimate u_x = closed_form(std::abs(tangential_displacement(c.material, c.load, end)));
-  document.value("tangential.outside", Value::scientific(u_x, 3, units.length));
-  document.value("tangential.share", Value::percent(quotient(u_x, displacement(c, end)), 0));
+  document.value("tangential.outside", Value(u_x, scientific(3), units.length));
+  document.value("tangential.share", Value(quotient(u_x, displacement(c, end)), percent(0)));
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   bool agrees = true;
   for (const double x : c.points) {
@@ -126,7 +130,7 @@ void claim_tangential(literate::Document& document, const PrintedData& printed_d
                  {.sentence = "The finite-element displacements in the z-direction and their "
                               "magnitudes are nearly identical.",
                   .place = "paper, Error Analysis, p. 8",
-                  .computed = Value::percent_bound(largest, 1),
+                  .computed = Value(largest, percent(1).rounded_up()),
                   .route = "the printed columns; the value is their largest difference",
                   .tolerance = "2 %, the size of the marks in a plot like its Fig. 4",
                   .expected = Verdict::confirmed,
@@ -135,7 +139,7 @@ void claim_tangential(literate::Document& document, const PrintedData& printed_d
                  {.sentence = "This tells us that the displacements in the x-direction are "
                               "negligible.",
                   .place = "paper, Error Analysis, p. 8",
-                  .computed = Value::percent(largest_share, 0),
+                  .computed = Value(largest_share, percent(0)),
                   .route = "the x-displacement recovered from the printed magnitude and z, over z",
                   .tolerance = "2 %, as for the magnitudes from which it is concluded",
                   .expected = Verdict::refuted,
@@ -160,31 +164,32 @@ void compare_tangential(literate::Document& document, const parameters::HalfSpac
                         const config::UnitSystem& units, const PrintedData& printed_data) {
   const PrintedFigure5& printed = printed_data.figure5;
   const std::string& unit = units.length;
-  literate::Table table({Column::fixed("$x$", unit, decimals_of(c.points)),
-                         Column::scaled("$\\sqrt{\\mathrm{mag}^2 - u_z^2}$, FEA", unit, -8, 2),
-                         Column::scaled("$|u_x|$, half-space", unit, -8, 2),
-                         Column::fixed("FEA $|u_x|/u_z$, \\%", "", 1)});
+  literate::Table table(
+      "tangential", {Column("$x$", fixed(decimals_of(c.points)), unit).exact(),
+                     Column("$\\sqrt{\\mathrm{mag}^2 - u_z^2}$, FEA", fixed(2), unit).scaled(-8),
+                     Column("$|u_x|$, half-space", fixed(2), unit).scaled(-8),
+                     Column("FEA $|u_x|/u_z$, \\%", fixed(1))});
   Estimate largest_share;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const Estimate fea = leg(printed.fea_magnitude[i], printed.fea_z[i]);
     const Estimate share = quotient(fea, as_estimate(printed.fea_z[i]));
     if (share.value > largest_share.value) largest_share = share;
-    table.add_row({c.points[i], fea.value,
-                   std::abs(tangential_displacement(c.material, c.load, c.points[i])),
-                   100 * share.value});
+    table.add_row({c.points[i], fea,
+                   closed_form(std::abs(tangential_displacement(c.material, c.load, c.points[i]))),
+                   100 * share});
   }
-  document.table("tangential", table);
+  document.table(table);
   claim_tangential(document, printed_data, largest_share);
   document.value(
       "tangential.at-zero",
-      Value::scientific(leg(printed.fea_magnitude.front(), printed.fea_z.front()), 2, unit));
-  document.value("tangential.largest-share", Value::percent(largest_share, 0));
+      Value(leg(printed.fea_magnitude.front(), printed.fea_z.front()), scientific(2), unit));
+  document.value("tangential.largest-share", Value(largest_share, percent(0)));
   const config::PrintedNumber& largest = printed_data.appendix2.measures.at("max_disp_x");
   const Estimate half_space =
-      closed_form(std::abs(tangential_displacement(c.material, c.load, c.points.back())));
-  document.value("tangential.max-disp-x", Value::scientific(as_estimate(largest), 4, unit));
+      closed_form(std::abs(tangential_displacement(c.material, c.load, c.farthest_point())));
+  document.value("tangential.max-disp-x", Value(as_estimate(largest), scientific(4), unit));
   document.value("tangential.max-disp-x-ratio",
-                 Value::fixed(quotient(as_estimate(largest), half_space), 2));
+                 Value(quotient(as_estimate(largest), half_space), fixed(2)));
 }
 
 // Of the whole load, by the printed slopes: that stated, and that of the run's summary.
@@ -209,8 +214,8 @@ void claim_resultants(literate::Document& document, const parameters::HalfSpaceC
                  {.sentence = "The finite-element model carries the same load distribution as the "
                               "analytical solution.",
                   .place = "paper, Numerical Solution, p. 6",
-                  .stated = Value::significant(stated, 3, unit),
-                  .computed = Value::significant(found, 3, unit),
+                  .stated = Value(stated, significant(3), unit),
+                  .computed = Value(found, significant(3), unit),
                   .route = route,
                   .tolerance = tolerance,
                   .expected = Verdict::refuted,
@@ -220,8 +225,8 @@ void claim_resultants(literate::Document& document, const parameters::HalfSpaceC
       {.sentence = "The slopes of the printed columns far from the load tell the "
                    "resultant that the run reports.",
        .place = "this report; paper, Appendix 2, p. 15",
-       .stated = Value::significant(std::abs(summary.value()), 3, unit),
-       .computed = Value::significant(found, 3, unit),
+       .stated = Value(std::abs(summary.value()), significant(3), unit),
+       .computed = Value(found, significant(3), unit),
        .route = route,
        .tolerance = tolerance,
        .expected = Verdict::confirmed,
@@ -238,8 +243,9 @@ void compare_resultants(literate::Document& document, const parameters::HalfSpac
            (as_estimate(column[i]) - as_estimate(column[i - 1]));
   };
   literate::Table table(
-      {Column::text("between the points"), Column::common_exponent("slope, FEA ($z$)", "", 4),
-       Column::common_exponent("slope, analytical", "", 4), Column::fixed("ratio", "", 3)});
+      "far-slopes",
+      {Column::text("between the points"), Column("FEA ($z$)", significant(4)).under("slope"),
+       Column("analytical", significant(4)).under("slope"), Column("ratio", fixed(3))});
   const int n_decimals = decimals_of(c.points);
   const Estimate loads = quotient(resultant, closed_form(c.load.line_load()));
   Estimate least{HUGE_VAL, 0};
@@ -249,22 +255,22 @@ void compare_resultants(literate::Document& document, const parameters::HalfSpac
     const Estimate analytical = slope(printed_data.figure5.analytical, i);
     const Estimate ratio = quotient(fea, analytical);
     table.add_row(
-        {literate::Cell::latex(Value::fixed(c.points[i - 1], n_decimals).latex() + " and " +
-                               Value::fixed(c.points[i], n_decimals, units.length).latex()),
-         fea.value, analytical.value, ratio.value});
+        {literate::Cell::latex(Value(c.points[i - 1], fixed(n_decimals)).latex() + " and " +
+                               Value(c.points[i], fixed(n_decimals), units.length).latex()),
+         fea, analytical, ratio});
     if (ratio.value < least.value) least = ratio;
     if (ratio.value > most.value) most = ratio;
   }
-  document.table("far-slopes", table);
+  document.table(table);
   const Estimate below = magnitude(least - loads);
   const Estimate above = magnitude(most - loads);
   const Estimate gap = quotient(below.value > above.value ? below : above, loads);
-  document.value("appendix2.resultant", Value::fixed(resultant, 1, units.line_load));
-  document.value("appendix2.resultant-ratio", Value::fixed(loads, 2));
+  document.value("appendix2.resultant", Value(resultant, fixed(1), units.line_load));
+  document.value("appendix2.resultant-ratio", Value(loads, fixed(2)));
   claim_resultants(document, c, units, printed_data, least, most);
-  document.value("far-slope.least", Value::fixed(least, 2));
-  document.value("far-slope.most", Value::fixed(most, 2));
-  document.value("far-slope.gap", Value::percent_bound(gap, 1));
+  document.value("far-slope.least", Value(least, fixed(2)));
+  document.value("far-slope.most", Value(most, fixed(2)));
+  document.value("far-slope.gap", Value(gap, percent(1).rounded_up()));
   document.check("fea-carried-another-load", least.value > 1.5,
                  "far from the load the printed FEA falls more than half again as fast as eq. (3)");
 }
@@ -278,7 +284,7 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
   const Estimate first = as_estimate(printed.error.front());
   const Estimate last = as_estimate(printed.error.back());
   const Estimate fea = as_estimate(printed.fea_z.back());
-  const Estimate difference = displacement(c, c.points.back()) - fea;
+  const Estimate difference = displacement(c, c.farthest_point()) - fea;
   // The datum that would close a difference d is datum·exp(−d/K); it is as wrong as d/K,
   // relatively.
   const double closing = c.datum * std::exp(-difference.value / shift_per_e(c));
@@ -300,13 +306,13 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
                     "meant: 10E-7 is 10⁻⁶, more than any of them",
        .expected = Verdict::partly,
        .found = literate::confirmed_in(n_of_order, std::ssize(printed.error))});
-  document.value("error.first", Value::scientific(first, 2, unit));
-  document.value("error.last", Value::scientific(last, 2, unit));
-  document.value("error.last-share", Value::percent(quotient(last, fea), 0));
+  document.value("error.first", Value(first, scientific(2), unit));
+  document.value("error.last", Value(last, scientific(2), unit));
+  document.value("error.last-share", Value(quotient(last, fea), percent(0)));
   document.value("error.datum-that-closes-it",
-                 Value::significant(Estimate{closing, closing_error}, 2, unit));
+                 Value(Estimate{closing, closing_error}, significant(2), unit));
   document.value("error.shift-over-last",
-                 Value::percent(quotient(closed_form(shift_per_e(c)), difference), 0));
+                 Value(quotient(closed_form(shift_per_e(c)), difference), percent(0)));
 }
 
 }  // namespace

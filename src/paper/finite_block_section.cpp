@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "block/load_shapes.hpp"
@@ -24,6 +25,12 @@ using block::MeasureEstimate;
 using config::PrintedNumber;
 using literate::Cell;
 using literate::Column;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using numerics::Estimate;
 
@@ -34,31 +41,39 @@ std::string escaped(const std::string& name) {
   return text;
 }
 
-double percent(double computed, double printed) {
-  return 100 * (computed / printed - 1);
-}
-
 void register_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
                     const parameters::BlockCase& b, const config::UnitSystem& units,
                     const BlockStudy& study) {
-  document.value("block.width", Value::exact(b.rectangle.width(), units.length));
-  document.value("block.height", Value::exact(b.rectangle.height(), units.length));
-  document.value("block.order", Value::integer(b.discretization.order));
+  document.value("block.width", Value(b.rectangle.width(), exact(), units.length));
+  document.value("block.height", Value(b.rectangle.height(), exact(), units.length));
+  document.value("block.order", Value(b.discretization.order, integer()));
   document.value("block.sides", Value::text(name_of(b.sides)));
   const block::Factorization& fine = study.on(b.sides).fine();
-  document.value("block.unknowns", Value::integer(fine.n_unknowns()));
-  document.value("block.condensed", Value::integer(fine.n_condensed_unknowns()));
-  document.value("block.elements", Value::integer(fine.model()->mesh().n_elements()));
+  document.value("block.unknowns", Value(fine.n_unknowns(), integer()));
+  document.value("block.condensed", Value(fine.n_condensed_unknowns(), integer()));
+  document.value("block.elements", Value(fine.model()->mesh().n_elements(), integer()));
   double largest_error = 0;
   for (const double x : half_space.points) {
     const Estimate u_z = study.under_triangle().displacement_z(x, 0);
     largest_error = std::max(largest_error, u_z.abs_error / u_z.value);
   }
   // It is an error bound itself, and has none.
-  document.value("block.displacement-error", Value::scientific_bound(largest_error, 1));
+  document.value("block.displacement-error", Value(largest_error, scientific(1).rounded_up()));
   constexpr double promised = 2e-4;
   document.check("block-discretisation", largest_error < promised,
                  "refinement changes no displacement of the block by 0.02 % or more");
+}
+
+// Where the load jumps and in clamped corners the stress is infinite, so that each mesh has another
+// greatest one.
+bool has_limit(const MeasureEstimate& measure) {
+  return measure.name != "max_stress_prin";
+}
+
+// The computed measure, and how far it is off the printed one, in per cent.
+std::pair<Cell, Cell> computed_cells(const MeasureEstimate& measure, const PrintedNumber& printed) {
+  if (!has_limit(measure)) return {"–", "–"};
+  return {measure.value, percent_off(measure.value, printed)};
 }
 
 // Every printed measure beside the computed one, under the stated load and under the fitted one.
@@ -67,25 +82,34 @@ void tabulate_measures(literate::Document& document, const config::UnitSystem& u
                        const std::vector<MeasureEstimate>& fitted) {
   const auto& printed = printed_data.appendix2.measures;
   const auto stated = study.under_triangle().measures(study.measure_options());
-  literate::Table table({Column::text("measure"), Column::scientific("printed", "", 7),
-                         Column::fixed("conv., \\%", "", 1), Column::scientific("triangle", "", 4),
-                         Column::fixed("off, \\%", "", 2), Column::scientific("fitted", "", 4),
-                         Column::scientific("error, \\%", "", 1),
-                         Column::fixed("off, \\%", "", 2)});
+  // The error of a computed measure is a bound itself.
+  literate::Table table("appendix2",
+                        {Column::text("measure"), Column("value", scientific(7)).under("printed"),
+                         Column("conv., \\%", fixed(1)).under("printed"),
+                         Column("value", scientific(4)).under("triangle"),
+                         Column("off, \\%", fixed(2)).under("triangle"),
+                         Column("value", scientific(4)).under("fitted"),
+                         Column("error, \\%", scientific(1).rounded_up()).under("fitted").exact(),
+                         Column("off, \\%", fixed(2)).under("fitted")});
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const auto found = printed.find(fitted[i].name);
     if (found == printed.end() || found->second.value() == 0) continue;
-    const double value = found->second.value();
     const auto converged = printed_data.appendix2.convergence.find(fitted[i].name);
     const Cell convergence =
         converged == printed_data.appendix2.convergence.end() ? Cell() : quoted(converged->second);
+    const auto [stated_value, stated_off] = computed_cells(stated[i], found->second);
+    const auto [fitted_value, fitted_off] = computed_cells(fitted[i], found->second);
+    const Estimate& value = fitted[i].value;
+    const Cell error =
+        has_limit(fitted[i]) ? Cell(100 * value.abs_error / std::abs(value.value)) : Cell("–");
     table.add_row({Cell::latex("\\code{" + escaped(fitted[i].name) + "}"), quoted(found->second),
-                   convergence, stated[i].value.value, percent(stated[i].value.value, value),
-                   fitted[i].value.value,
-                   100 * fitted[i].value.abs_error / std::abs(fitted[i].value.value),
-                   percent(fitted[i].value.value, value)});
+                   convergence, stated_value, stated_off, fitted_value, error, fitted_off});
   }
-  document.table("appendix2", table);
+  table.note(
+      "A dash: the stress is infinite where the load jumps and in clamped corners, and no mesh "
+      "tells "
+      "its maximum.");
+  document.table(table);
 
   const auto value_of = [&](const std::string& name) {
     return std::ranges::find(fitted, name, &MeasureEstimate::name)->value;
@@ -100,22 +124,21 @@ void tabulate_measures(literate::Document& document, const config::UnitSystem& u
                                                         {"max_stress_vm", "von-mises"},
                                                         {"max_stress_zz", "stress-zz"}};
   for (const auto& [measure, key] : predicted) {
-    document.value("fit.predicts." + key, Value::percent_bound(magnitude(off(measure)), 2));
+    document.value("fit.predicts." + key, Value(magnitude(off(measure)), percent(2).rounded_up()));
   }
   document.value("fit.regular-tension",
-                 Value::significant(value_of("max_stress_prin_regular"), 1, units.stress));
+                 Value(value_of("max_stress_prin_regular"), significant(1), units.stress));
   const Estimate shear =
       quotient(as_estimate(printed.at("max_stress_xy")), value_of("max_stress_xy"));
-  document.value("fit.shear-excess", Value::percent(shear - Estimate{1, 0}, 0));
+  document.value("fit.shear-excess", Value(shear - Estimate{1, 0}, percent(0)));
   // σ_zz = ν(σ_xx + σ_yy) in plane strain; the printed maxima are all taken under the load's
   // middle.
   const Estimate in_plane =
       as_estimate(printed.at("max_stress_xx")) + as_estimate(printed.at("max_stress_yy"));
   document.value("appendix2.poisson",
-                 Value::fixed(quotient(as_estimate(printed.at("max_stress_zz")), in_plane), 3));
-  document.value(
-      "appendix2.peak-stress",
-      Value::significant(magnitude(as_estimate(printed.at("max_stress_yy"))), 4, units.stress));
+                 Value(quotient(as_estimate(printed.at("max_stress_zz")), in_plane), fixed(3)));
+  document.value("appendix2.peak-stress", Value(magnitude(as_estimate(printed.at("max_stress_yy"))),
+                                                significant(4), units.stress));
   constexpr double two_tenths = 2e-3, one_percent = 1e-2;
   document.check("fit-predicts-resultant", std::abs(predict("resultant_load_y")) < two_tenths,
                  "the fit predicts the printed resultant within 0.2 %");
@@ -134,23 +157,22 @@ void register_fit(literate::Document& document, const parameters::HalfSpaceCase&
                   const config::UnitSystem& units, const PrintedData& printed_data,
                   const BlockStudy& study) {
   const block::LinearFit& fit = *study.fit();
-  document.value("fit.peak", Value::significant(fit.peak, 4, units.stress));
-  document.value("fit.edge-fraction", Value::fixed(fit.edge_fraction, 3));
+  document.value("fit.peak", Value(fit.peak, significant(4), units.stress));
+  document.value("fit.edge-fraction", Value(fit.edge_fraction, fixed(3)));
   // Peak and edge fraction err together: the resultant is taken of the fit on either mesh.
   const double resultant = block::normal_resultant(fit.load);
   const double coarse_resultant = study.under_fit().coarse().applied().force.y();
-  document.value(
-      "fit.resultant",
-      Value::significant(Estimate{resultant, std::abs(resultant - std::abs(coarse_resultant)) +
-                                                 of_resultant * resultant},
-                         4, units.line_load));
+  document.value("fit.resultant",
+                 Value(Estimate{resultant, std::abs(resultant - std::abs(coarse_resultant)) +
+                                               of_resultant * resultant},
+                       significant(4), units.line_load));
   const double a = half_space.load.half_width();
   constexpr double six_tenths = 0.6;
   const auto round = block::linear_fall(half_space.load.peak_pressure(), six_tenths, a);
   const double round_resultant = block::normal_resultant(round);
-  document.value("fit.round-resultant", Value::significant(round_resultant, 4, units.line_load)
+  document.value("fit.round-resultant", Value(round_resultant, significant(4), units.line_load)
                                             .within(of_resultant * round_resultant));
-  document.value("fit.flat", Value::exact(flat_fraction));
+  document.value("fit.flat", Value(flat_fraction, exact()));
   Estimate least{HUGE_VAL, 0}, most;
   for (std::size_t i = 0; i < study.observed().size(); ++i) {
     const Estimate computed = study.under_triangle().displacement_z(study.observed()[i].x, 0);
@@ -159,40 +181,52 @@ void register_fit(literate::Document& document, const parameters::HalfSpaceCase&
     if (below.value < least.value) least = below;
     if (below.value > most.value) most = below;
   }
-  document.value("fit.triangle.least", Value::percent(least, 0));
-  document.value("fit.triangle.most", Value::percent(most, 0));
-  document.value("fit.misfit",
-                 Value::percent_bound(Estimate{fit.fit.max_misfit, study.misfit_error()}, 2));
+  document.value("fit.triangle.least", Value(least, percent(0)));
+  document.value("fit.triangle.most", Value(most, percent(0)));
+  document.value("fit.misfit", Value(Estimate{fit.fit.max_misfit, study.misfit_error()},
+                                     percent(2).rounded_up()));
   constexpr double promised = 1e-3;
   document.check("fit-explains-the-eleven", fit.fit.max_misfit < promised,
                  "a linear fall on the block fits every printed displacement within 0.1 %");
 }
 
+// A number of a fitted load's solution, as wrong as the fit on the coarser mesh has it otherwise.
+template <typename Number>
+Estimate of_refitted(const Candidate& candidate, Number&& number) {
+  const double fine = number(candidate.refitted.fine());
+  const double coarse = number(candidate.refitted.coarse());
+  return {fine, std::abs(fine - coarse) + of_resultant * std::abs(fine)};
+}
+
 void tabulate_candidates(literate::Document& document, const PrintedData& printed_data,
                          const BlockStudy& study) {
   const auto& printed = printed_data.appendix2.measures;
-  const double resultant = printed.at("resultant_load_y").value();
-  const double energy = printed.at("strain_energy").value();
-  literate::Table table(
-      {Column::text("load"), Column::text("sides"), Column::fixed("largest misfit, \\%", "", 2),
-       Column::fixed("rms misfit, \\%", "", 2), Column::fixed("resultant, \\%", "", 1),
-       Column::fixed("energy, \\%", "", 1)});
+  literate::Table table("fit-candidates",
+                        {Column::text("load"), Column::text("sides"),
+                         Column("largest, \\%", fixed(2)).under("misfit"),
+                         Column("rms, \\%", fixed(2)).under("misfit"),
+                         Column("resultant, \\%", fixed(1)).under("off the printed"),
+                         Column("energy, \\%", fixed(1)).under("off the printed")});
   Estimate best_other{HUGE_VAL, 0};
   for (const Candidate& candidate : study.candidates()) {
-    const block::Solution& solution = candidate.fit.solution.fine();
-    table.add_row({candidate.shape, name_of(candidate.sides), 100 * candidate.fit.max_misfit,
-                   100 * candidate.fit.rms_misfit,
-                   percent(-solution.applied().force.y(), resultant),
-                   percent(solution.strain_energy(), energy)});
+    const Estimate force =
+        of_refitted(candidate, [](const block::Solution& s) { return -s.applied().force.y(); });
+    const Estimate energy =
+        of_refitted(candidate, [](const block::Solution& s) { return s.strain_energy(); });
+    table.add_row({candidate.shape, name_of(candidate.sides),
+                   100 * Estimate{candidate.fit.max_misfit, candidate.misfit_error},
+                   100 * Estimate{candidate.fit.rms_misfit, candidate.misfit_error},
+                   percent_off(force, printed.at("resultant_load_y")),
+                   percent_off(energy, printed.at("strain_energy"))});
     const Estimate misfit{candidate.fit.max_misfit, candidate.misfit_error};
     if (candidate.shape == "linear fall") {
-      document.value("fit." + name_of(candidate.sides) + "-misfit", Value::percent(misfit, 2));
+      document.value("fit." + name_of(candidate.sides) + "-misfit", Value(misfit, percent(2)));
     } else if (misfit.value < best_other.value) {
       best_other = misfit;
     }
   }
-  document.table("fit-candidates", table);
-  document.value("fit.best-other", Value::percent(best_other, 1));
+  document.table(table);
+  document.value("fit.best-other", Value(best_other, percent(1)));
   document.check("fit-stands-out", best_other.value > 10 * study.fit()->fit.max_misfit,
                  "every other shape misses the printed displacements by ten times more");
 }
@@ -218,34 +252,40 @@ std::vector<Share> like_with_like(const parameters::HalfSpaceCase& h, const Bloc
 }
 
 void tabulate_shares(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                     const config::UnitSystem& units, const std::vector<Share>& shares,
-                     const std::vector<Share>& coarse) {
+                     const config::UnitSystem& units, const std::vector<PrintedNumber>& printed,
+                     const std::vector<Share>& shares, const std::vector<Share>& coarse) {
   const auto column = [&](const char* heading) {
-    return Column::scaled(heading, units.length, -8, 3);
+    return Column(heading, fixed(3), units.length).scaled(-8);
   };
-  literate::Table table({Column::fixed("$x$", units.length, decimals_of(half_space.points)),
-                         column("whole"), column("datum"), column("finite body"), column("load"),
-                         column("rest")});
-  double largest_gap = 0;
-  for (const Share& s : shares) {
-    table.add_row({s.x, s.whole, s.datum, s.body, s.load, s.rest});
-    largest_gap = std::max(largest_gap, std::abs(s.datum + s.body + s.load + s.rest - s.whole));
-  }
-  document.table("like-with-like", table);
-  const std::string& unit = units.length;
+  literate::Table table(
+      "like-with-like",
+      {Column("$x$", fixed(decimals_of(half_space.points)), units.length).exact(), column("whole"),
+       column("datum"), column("finite body"), column("load"), column("rest")});
   // The block's error from the coarser mesh, and the half-space's, twice in differences of points.
   const double of_half_space = 2 * displacement(half_space, 0).abs_error;
   const auto part = [&](double Share::*which, const Share& fine, const Share& from_coarse) {
     return Estimate{fine.*which, std::abs(fine.*which - from_coarse.*which) + of_half_space};
   };
+  double largest_gap = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Share& s = shares[i];
+    // The printed displacement is in the whole and in the rest.
+    const Estimate print{0, as_estimate(printed[i]).abs_error};
+    table.add_row({s.x, part(&Share::whole, s, coarse[i]) + print,
+                   part(&Share::datum, s, coarse[i]), part(&Share::body, s, coarse[i]),
+                   part(&Share::load, s, coarse[i]), part(&Share::rest, s, coarse[i]) + print});
+    largest_gap = std::max(largest_gap, std::abs(s.datum + s.body + s.load + s.rest - s.whole));
+  }
+  document.table(table);
+  const std::string& unit = units.length;
   const Estimate datum = part(&Share::datum, shares.front(), coarse.front());
   const Estimate first_load = part(&Share::load, shares.front(), coarse.front());
   const Estimate last_load = part(&Share::load, shares.back(), coarse.back());
   const Estimate last_body = part(&Share::body, shares.back(), coarse.back());
-  document.value("shares.datum", Value::scientific(datum, 3, unit));
-  document.value("shares.first.load", Value::scientific(magnitude(first_load), 3, unit));
-  document.value("shares.last.load", Value::scientific(magnitude(last_load), 3, unit));
-  document.value("shares.last.body", Value::scientific_bound(magnitude(last_body), 3, unit));
+  document.value("shares.datum", Value(datum, scientific(3), unit));
+  document.value("shares.first.load", Value(magnitude(first_load), scientific(3), unit));
+  document.value("shares.last.load", Value(magnitude(last_load), scientific(3), unit));
+  document.value("shares.last.body", Value(magnitude(last_body), scientific(3).rounded_up(), unit));
   document.check("shares-add-up", largest_gap < 1e-12 * std::abs(shares.front().datum),
                  "the parts of the difference add up to the whole");
 }
@@ -253,17 +293,18 @@ void tabulate_shares(literate::Document& document, const parameters::HalfSpaceCa
 void tabulate_mass(literate::Document& document, const parameters::BlockCase& block_case,
                    const PrintedData& printed_data) {
   const auto& printed = printed_data.appendix2.mass_properties;
-  literate::Table table({Column::text("property"), Column::scientific("printed", "", 7),
-                         Column::scientific("computed", "", 7),
-                         Column::integer("digits that agree")});
+  literate::Table table(
+      "mass-properties",
+      {Column::text("property"), Column("printed", scientific(7)),
+       Column("computed", scientific(7)), Column("digits that agree", integer())});
   bool agree = true;
   for (const auto& [name, value] : mass_by_name(block_case)) {
     const PrintedNumber& number = printed.at(name);
-    table.add_row({Cell::latex("\\code{" + escaped(name) + "}"), quoted(number), value,
+    table.add_row({Cell::latex("\\code{" + escaped(name) + "}"), quoted(number), closed_form(value),
                    number.n_agreeing_digits(value)});
     agree = agree && std::abs(value - number.value()) <= number.last_place();
   }
-  document.table("mass-properties", table);
+  document.table(table);
   document.check("mass-properties", agree,
                  "a block of the case's size has the printed mass, centre and inertia");
 }
@@ -286,7 +327,7 @@ void compute_finite_block(literate::Document& document, const parameters::HalfSp
   tabulate_candidates(document, *printed_data, study);
   const std::vector<Share> shares =
       like_with_like(half_space, study, &block::RefinedSolution::fine);
-  tabulate_shares(document, half_space, units, shares,
+  tabulate_shares(document, half_space, units, printed_data->figure5.fea_z, shares,
                   like_with_like(half_space, study, &block::RefinedSolution::coarse));
   tabulate_mass(document, block_case, *printed_data);
   claim_block(document, half_space, block_case, units, *printed_data, study, fitted, shares);

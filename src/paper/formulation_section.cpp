@@ -18,6 +18,10 @@ namespace {
 
 using elasticity::SurfaceQuadrature;
 using literate::confirmed_if;
+using literate::exact;
+using literate::integer;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 
@@ -27,17 +31,17 @@ void register_parameters(literate::Document& document, const parameters::HalfSpa
   document.value("units.force", Value::text(units.force));
   document.value("units.stress", Value::text(units.stress));
   document.value("units.line-load", Value::text(units.line_load));
-  document.value("young", Value::exact(half_space.material.young(), units.stress));
-  document.value("poisson", Value::exact(half_space.material.poisson()));
-  document.value("peak-pressure", Value::exact(half_space.load.peak_pressure(), units.stress));
-  document.value("half-width", Value::exact(half_space.load.half_width(), units.length));
+  document.value("young", Value(half_space.material.young(), exact(), units.stress));
+  document.value("poisson", Value(half_space.material.poisson(), exact()));
+  document.value("peak-pressure", Value(half_space.load.peak_pressure(), exact(), units.stress));
+  document.value("half-width", Value(half_space.load.half_width(), exact(), units.length));
   const double line_load = half_space.load.line_load();
   document.value("line-load",
-                 Value::significant(line_load, 4, units.line_load).within(rounded(line_load)));
-  document.value("datum", Value::exact(half_space.datum, units.length));
-  document.value("n-points", Value::integer(std::ssize(half_space.points)));
+                 Value(line_load, significant(4), units.line_load).within(rounded(line_load)));
+  document.value("datum", Value(half_space.datum, exact(), units.length));
+  document.value("n-points", Value(std::ssize(half_space.points), integer()));
   const double k = half_space.material.integral_compliance() * line_load;
-  document.value("displacement-scale", Value::scientific(k, 4, units.length).within(rounded(k)));
+  document.value("displacement-scale", Value(k, scientific(4), units.length).within(rounded(k)));
 }
 
 // Two like cylinders under a load that makes the deformation visible; lengths over the half-width.
@@ -158,7 +162,7 @@ void claim_force(literate::Document& document, const parameters::HalfSpaceCase& 
   document.claim("force-sinks-without-limit",
                  {.sentence = "Under a concentrated force the displacement is infinite.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(closed_form(expected), 3, units.length),
+                  .computed = Value(closed_form(expected), scientific(3), units.length),
                   .route = "eq. (2) integrated from the datum to points ever nearer to the force; "
                            "the value is what each step to a thousandth of the distance adds",
                   .tolerance = "three such steps add the same within the quadrature's error, so "
@@ -179,7 +183,7 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
   document.claim("uniform-displacement-finite",
                  {.sentence = "Under uniform pressures the displacement is finite everywhere.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(at_end, 3, units.length),
+                  .computed = Value(at_end, scientific(3), units.length),
                   .route = "the integral of the logarithm at the very end of the pressure",
                   .tolerance = "10⁻⁹ half-widths beside the end it differs by no more than 10⁻⁷ of "
                                "the scale K: a gradient that is infinite like a logarithm adds "
@@ -197,7 +201,7 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
   document.claim("uniform-gradient-infinite",
                  {.sentence = "Where a uniform pressure ends in a step, the gradient is infinite.",
                   .place = "paper, Problem Description, p. 4",
-                  .computed = Value::scientific(closed_form(expected), 3),
+                  .computed = Value(closed_form(expected), scientific(3)),
                   .route = "eq. (2) by quadrature at points ever nearer to the step; the value is "
                            "what each step to a thousandth of the distance adds",
                   .tolerance = "three such steps add the same to 10⁻³, the distance at which they "

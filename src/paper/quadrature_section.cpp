@@ -16,6 +16,10 @@ namespace {
 using elasticity::SurfaceQuadrature;
 using literate::Column;
 using literate::confirmed_if;
+using literate::fixed;
+using literate::integer;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -83,16 +87,24 @@ std::vector<double> wide_points(double half_width) {
   return points;
 }
 
+// The error that the quadrature reports is a bound, and the difference of the two numbers as they
+// were computed is rounding: neither has an error of its own.
 literate::Table comparison_table(const Comparisons& gradients, const Comparisons& displacements,
                                  int n_decimals, const config::UnitSystem& units) {
-  literate::Table table({Column::fixed("$x$", units.length, n_decimals),
-                         Column::common_exponent("eq.~(2)", "", 10),
-                         Column::common_exponent("difference", "", 2),
-                         Column::common_exponent("$u_z$ from eq.~(2)", units.length, 10),
-                         Column::common_exponent("difference", units.length, 2)});
+  std::vector<Column> columns{Column("$x$", fixed(n_decimals), units.length).exact()};
+  const auto add = [&](const std::string& group, const std::string& unit) {
+    columns.push_back(Column("eq.~(2)", significant(10), unit).under(group));
+    columns.push_back(Column("error", scientific(1).rounded_up(), unit).under(group).exact());
+    columns.push_back(Column("difference", scientific(1), unit).under(group).exact());
+  };
+  add("$\\partial u_z/\\partial x$", "");
+  add("$u_z$", units.length);
+  literate::Table table("quadrature", columns);
   for (std::size_t i = 0; i < gradients.size(); ++i) {
-    table.add_row({gradients[i].x, gradients[i].quadrature.value, gradients[i].difference(),
-                   displacements[i].quadrature.value, displacements[i].difference()});
+    const Comparison& g = gradients[i];
+    const Comparison& u = displacements[i];
+    table.add_row({g.x, g.quadrature, g.quadrature.abs_error, g.difference(), u.quadrature,
+                   u.quadrature.abs_error, u.difference()});
   }
   return table;
 }
@@ -117,12 +129,12 @@ void count_evaluations(literate::Document& document, const parameters::HalfSpace
     return static_cast<double>(*n_evaluations) / static_cast<double>(c.points.size());
   };
   document.value("quadrature.gradient.evaluations",
-                 Value::fixed(average([&](double x) { surface.normal_gradient(x); }), 0));
+                 Value(average([&](double x) { surface.normal_gradient(x); }), fixed(0)));
   document.value("quadrature.displacement.evaluations",
-                 Value::fixed(average([&](double x) { surface.normal_displacement(x); }), 0));
+                 Value(average([&](double x) { surface.normal_displacement(x); }), fixed(0)));
   document.value(
       "quadrature.from-gradient.evaluations",
-      Value::fixed(average([&](double x) { surface.normal_displacement_from_gradient(x); }), 0));
+      Value(average([&](double x) { surface.normal_displacement_from_gradient(x); }), fixed(0)));
 }
 
 // How far the quadratures are from the closed forms and how far they say they may be, against x/a.
@@ -155,7 +167,7 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
       "equation-3-follows",
       {.sentence = "Putting eq. (4) into eq. (2) and integrating yields eq. (3).",
        .place = "paper, Problem Description, p. 5",
-       .computed = Value::scientific_bound(difference / displacement_unit, 1),
+       .computed = Value(difference / displacement_unit, scientific(1).rounded_up()),
        .route = "eq. (2) by quadrature, integrated from the datum by quadrature, and the integral "
                 "of the logarithm; the value is the largest difference, over K",
        .tolerance = "the error that each quadrature reports, at every point of the tables and over "
@@ -166,8 +178,8 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
       "quadrature-knows-its-error",
       {.sentence = "The quadrature of eq. (2) is right within the error that it reports itself.",
        .place = "this report",
-       .stated = Value::scientific_bound(largest_estimate(gradients) / gradient_unit, 1),
-       .computed = Value::scientific_bound(largest_difference(gradients) / gradient_unit, 1),
+       .stated = Value(largest_estimate(gradients) / gradient_unit, scientific(1).rounded_up()),
+       .computed = Value(largest_difference(gradients) / gradient_unit, scientific(1).rounded_up()),
        .route = "the derivative of eq. (3) in closed form; stated is the largest error reported, "
                 "computed the largest difference, over K/a",
        .tolerance = "at each of the points the difference must be within the error reported there",
@@ -184,24 +196,23 @@ void compute_quadrature(literate::Document& document, const parameters::HalfSpac
 
   const Comparisons gradients = compare_gradients(c, c.points);
   const Comparisons from_gradients = compare_displacements(c, c.points, true);
-  document.table("quadrature",
-                 comparison_table(gradients, from_gradients, decimals_of(c.points), units));
+  document.table(comparison_table(gradients, from_gradients, decimals_of(c.points), units));
   count_evaluations(document, c);
 
   const std::vector<double> points = wide_points(a);
   const Comparisons wide_gradients = compare_gradients(c, points);
   const Comparisons wide_displacements = compare_displacements(c, points);
-  document.value("quadrature.n-points", Value::integer(std::ssize(points)));
+  document.value("quadrature.n-points", Value(std::ssize(points), integer()));
   document.value("quadrature.gradient.difference",
-                 Value::scientific_bound(largest_difference(wide_gradients) * a / unit, 1));
+                 Value(largest_difference(wide_gradients) * a / unit, scientific(1).rounded_up()));
   document.value("quadrature.gradient.estimate",
-                 Value::scientific_bound(largest_estimate(wide_gradients) * a / unit, 1));
+                 Value(largest_estimate(wide_gradients) * a / unit, scientific(1).rounded_up()));
   document.value("quadrature.displacement.difference",
-                 Value::scientific_bound(largest_difference(wide_displacements) / unit, 1));
+                 Value(largest_difference(wide_displacements) / unit, scientific(1).rounded_up()));
   document.value("quadrature.displacement.estimate",
-                 Value::scientific_bound(largest_estimate(wide_displacements) / unit, 1));
+                 Value(largest_estimate(wide_displacements) / unit, scientific(1).rounded_up()));
   document.value("quadrature.from-gradient.difference",
-                 Value::scientific_bound(largest_difference(from_gradients) / unit, 1));
+                 Value(largest_difference(from_gradients) / unit, scientific(1).rounded_up()));
   claim_quadrature(document, wide_gradients, wide_displacements, from_gradients, unit, unit / a);
   document.figure("quadrature-error", error_figure(wide_gradients, wide_displacements, a, unit));
 

@@ -26,6 +26,11 @@ using Eigen::Index;
 using literate::Cell;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -113,10 +118,11 @@ const std::array<Loading, 7> loadings = {{{"$P/64$", 1. / 64, false},
 
 void register_regions(literate::Document& document, const ContactCase& c, const Hertz& hertz,
                       const WavyCylinders& wavy) {
-  literate::Table table({Column::text("load"), Column::integer("regions"),
-                         Column::integer("valleys closed"), Column::integer("expected"),
-                         Column::fixed("outermost edge$/a$", "", 2),
-                         Column::fixed("share in contact", "", 2)});
+  literate::Table table(
+      "several-regions",
+      {Column::text("load"), Column("regions", integer()),
+       Column("closed", integer()).under("valleys"), Column("expected", integer()).under("valleys"),
+       Column("outermost edge$/a$", fixed(2)), Column("share in contact", fixed(2))});
   literate::Figure figure{.width_cm = 14, .height_cm = 8.6};
   int n_panels = 0;
   std::vector<std::size_t> counts;
@@ -135,24 +141,29 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
     counts.push_back(regions.size());
     as_expected = as_expected && closed == expected;
     n_closed += closed;
+    // Every edge is wrong by so much, with either sign.
+    const double of_edge = edge_error(solution);
+    const double of_touching = 2 * static_cast<double>(regions.size()) * of_edge;
     table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
-                   regions.back().end / hertz.half_width(), touching / extent});
+                   Estimate{regions.back().end / hertz.half_width(),
+                            of_edge / hertz.half_width() + rounded(c, 1)},
+                   quotient({touching, of_touching}, {extent, 2 * of_edge})});
     if (loading.is_drawn) {
       ++n_panels;
       figure.data[fmt::format("panel_{}", n_panels)] = panel_of(solution, smooth, hertz);
       figure.texts[fmt::format("title_{}", n_panels)] = loading.name;
     }
   }
-  document.table("several-regions", std::move(table));
+  document.table(std::move(table));
   figure.numbers["n_panels"] = n_panels;
   document.figure("several-regions", std::move(figure));
   const std::size_t most = std::ranges::max(counts);
-  document.value("wavy.most-regions", Value::integer(static_cast<long>(most)));
+  document.value("wavy.most-regions", Value(static_cast<long>(most), integer()));
   document.claim("valleys-close",
                  {.sentence = "Between waves the valleys close where smooth cylinders would have a "
                               "pressure above that which presses the waves flat.",
                   .place = "this report",
-                  .computed = Value::integer(n_closed),
+                  .computed = Value(n_closed, integer()),
                   .route = "seven loads on wavy cylinders, given as a measured profile; the value "
                            "counts the valleys closed in all",
                   .tolerance = "none, it is a count, and must be right under each load",
@@ -185,10 +196,10 @@ void register_round_trip(literate::Document& document, const ContactCase& c, con
   const double approach = solution.approach(c.datum);
   const Solution again = contact::solve_for_approach(wavy.problem, approach, c.datum, method);
   const double difference = std::abs(again.line_load() / solution.line_load() - 1);
-  document.value("wavy.approach", Value::significant(refined_approach(solution, c, wavy.problem,
-                                                                      domain * hertz.half_width()),
-                                                     4, units.length));
-  document.value("wavy.round-trip", Value::scientific_bound(difference, 1));
+  document.value("wavy.approach",
+                 Value(refined_approach(solution, c, wavy.problem, domain * hertz.half_width()),
+                       significant(4), units.length));
+  document.value("wavy.round-trip", Value(difference, scientific(1).rounded_up()));
   document.check("approach-gives-the-load-back",
                  difference < 1e-11 && again.n_in_contact() == solution.n_in_contact(),
                  "the approach that a load makes gives the same load back");
@@ -202,12 +213,12 @@ void compute_regions(literate::Document& document, const parameters::ContactCase
   const WavyCylinders wavy = wavy_cylinders(c, hertz);
   const std::string& unit = units.length;
   document.value("wavy.amplitude",
-                 Value::significant(wavy.amplitude, 3, unit).within(rounded(c, wavy.amplitude)));
+                 Value(wavy.amplitude, significant(3), unit).within(rounded(c, wavy.amplitude)));
   document.value("wavy.length",
-                 Value::significant(wavy.length, 3, unit).within(rounded(c, wavy.length)));
-  document.value("wavy.waves", Value::exact(waves_in_half_width));
-  document.value("wavy.flattening-share", Value::fixed(flattening_share, 1));
-  document.value("wavy.points", Value::integer(n_sampled));
+                 Value(wavy.length, significant(3), unit).within(rounded(c, wavy.length)));
+  document.value("wavy.waves", Value(waves_in_half_width, exact()));
+  document.value("wavy.flattening-share", Value(flattening_share, fixed(1)));
+  document.value("wavy.points", Value(n_sampled, integer()));
   register_regions(document, c, hertz, wavy);
   register_round_trip(document, c, hertz, wavy, units);
 }

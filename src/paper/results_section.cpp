@@ -20,6 +20,12 @@ namespace {
 using config::PrintedNumber;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 
@@ -39,7 +45,7 @@ literate::Figure comparison_figure(const parameters::HalfSpaceCase& c,
                                    const std::optional<PrintedData>& printed_data) {
   std::vector<double> curve_x, u_z;
   constexpr int n = 300;
-  const double end = 1.2 * c.points.back();
+  const double end = 1.2 * c.farthest_point();
   for (int i = 0; i <= n; ++i) {
     curve_x.push_back(end * i / n);
     u_z.push_back(analytical(c, curve_x.back()));
@@ -75,14 +81,14 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
   document.claim("symmetric",
                  {.sentence = "The displacements are symmetrical about x = 0.",
                   .place = "paper, Results, p. 8",
-                  .computed = Value::scientific_bound(largest / unit, 1),
+                  .computed = Value(largest / unit, scientific(1).rounded_up()),
                   .route = "eq. (2) by quadrature at x and at −x, where nothing is known of the "
                            "symmetry; the value is the largest difference over K",
                   .tolerance = "the errors that the two quadratures report",
                   .expected = Verdict::confirmed,
                   .found = confirmed_if(is_symmetric)});
   if (!printed_data) return;
-  const double end = c.points.back();
+  const double end = c.farthest_point();
   const numerics::Estimate share =
       quotient(surface.normal_displacement(end), surface.normal_displacement(0));
   document.claim(
@@ -90,7 +96,7 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
       {.sentence = "The triangular load deflects the surface at distances well outside "
                    "the loaded region.",
        .place = "paper, Conclusions, p. 9",
-       .computed = Value::percent(share, 0),
+       .computed = Value(share, percent(0)),
        .route = "eq. (2) by quadrature at the last point, as a share of the middle",
        .tolerance = "at least a tenth, less than which would hardly be seen in its Fig. 4",
        .expected = Verdict::confirmed,
@@ -100,13 +106,12 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
 // Eq. (3) at the points, for a case that has no printed data to stand beside.
 void tabulate_displacements(literate::Document& document, const parameters::HalfSpaceCase& c,
                             const config::UnitSystem& units) {
-  literate::Table table({Column::fixed("$x$", units.length, decimals_of(c.points)),
-                         Column::common_exponent("$u_z$, eq.~(3)", units.length, 8),
-                         Column::common_exponent("$\\partial u_z/\\partial x$", "", 8)});
-  for (const double x : c.points) {
-    table.add_row({x, analytical(c, x), normal_gradient(c.material, c.load, x)});
-  }
-  document.table("displacements", table);
+  literate::Table table("displacements",
+                        {Column("$x$", fixed(decimals_of(c.points)), units.length).exact(),
+                         Column("$u_z$, eq.~(3)", significant(8), units.length),
+                         Column("$\\partial u_z/\\partial x$", significant(8))});
+  for (const double x : c.points) table.add_row({x, displacement(c, x), gradient(c, x)});
+  document.table(table);
 }
 
 // The point whose printed value is farthest from eq. (3), in units of its last place.
@@ -120,13 +125,13 @@ void describe_odd_point(literate::Document& document, const parameters::HalfSpac
   const numerics::Estimate slope = gradient(c, x);
   // The print is meant as it stands, not as the interval of what rounds to it.
   const double difference = std::abs(printed.value() - exact.value);
-  document.value("tri-dist.odd.x", Value::fixed(x, decimals_of(c.points), unit));
+  document.value("tri-dist.odd.x", Value(x, fixed(decimals_of(c.points)), unit));
   document.value("tri-dist.odd.printed",
-                 Value::scientific(printed.value(), printed.n_digits(), unit));
-  document.value("tri-dist.odd.exact", Value::scientific(exact, printed.n_digits(), unit));
+                 Value(printed.value(), scientific(printed.n_digits()), unit));
+  document.value("tri-dist.odd.exact", Value(exact, scientific(printed.n_digits()), unit));
   document.value("tri-dist.odd.difference",
-                 Value::scientific(numerics::Estimate{difference, exact.abs_error}, 2, unit));
-  document.value("tri-dist.odd.slope", Value::scientific(slope, 3));
+                 Value(numerics::Estimate{difference, exact.abs_error}, scientific(2), unit));
+  document.value("tri-dist.odd.slope", Value(slope, scientific(3)));
 }
 
 // What the listed program's output says of the load, and of the program.
@@ -141,8 +146,8 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
   document.claim("load-in-words",
                  {.sentence = "A 1000 pound/inch load is applied.",
                   .place = "paper, Numerical Solution, p. 6; Appendix 1, p. 12",
-                  .stated = Value::exact(in_words, units.line_load),
-                  .computed = Value::significant(load, 4, units.line_load),
+                  .stated = Value(in_words, exact(), units.line_load),
+                  .computed = Value(load, significant(4), units.line_load),
                   .route = "the first printed displacement over that of eq. (3) under unit load",
                   .tolerance = "1 %, where the print and eq. (3) have eight digits",
                   .expected = Verdict::refuted,
@@ -175,11 +180,13 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
 void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceCase& c,
                       const config::UnitSystem& units, const PrintedData& printed_data) {
   const PrintedTriDist& printed = printed_data.tri_dist;
-  literate::Table table({Column::fixed("$x$", units.length, decimals_of(c.points)),
-                         Column::scaled("Tri\\_dist.m", units.length, -6, 7),
-                         Column::scaled("eq.~(3)", units.length, -6, 7),
-                         Column::integer("digits that agree"),
-                         Column::scaled("eq.~(3), stepped off", units.length, -6, 7)});
+  const auto column = [&](const char* heading) {
+    return Column(heading, fixed(7), units.length).scaled(-6);
+  };
+  literate::Table table(
+      "tri-dist",
+      {Column("$x$", fixed(decimals_of(c.points)), units.length).exact(), column("Tri\\_dist.m"),
+       column("eq.~(3)"), Column("digits that agree", integer()), column("eq.~(3), stepped off")});
   long n_agree = 0;
   long n_agree_stepped = 0;
   double largest_off = 0;
@@ -190,9 +197,11 @@ void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceC
     const bool steps_off =
         x == 0 || std::abs(x - c.load.half_width()) < 1e-12 * c.load.half_width();
     const double exact = analytical(c, x);
-    const double stepped = analytical(c, steps_off ? x + printed.step.value() : x);
+    const double stepped_x = steps_off ? x + printed.step.value() : x;
+    const double stepped = analytical(c, stepped_x);
     const PrintedNumber& digits = printed.displacement[i];
-    table.add_row({x, quoted(digits), exact, digits.n_agreeing_digits(exact), stepped});
+    table.add_row({x, quoted(digits), displacement(c, x), digits.n_agreeing_digits(exact),
+                   displacement(c, stepped_x)});
     n_agree += digits.agrees_with(exact);
     n_agree_stepped += digits.agrees_with(stepped);
     const double off = std::abs(digits.value() - exact) / digits.last_place();
@@ -204,11 +213,11 @@ void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceC
   describe_odd_point(document, c, units, printed_data, odd);
   claim_tri_dist(document, c, units, printed_data, n_agree, n_agree_stepped);
   const long n_points = std::ssize(c.points);
-  document.table("tri-dist", table);
-  document.value("tri-dist.n-agree", Value::integer(n_agree));
-  document.value("tri-dist.n-agree-stepped", Value::integer(n_agree_stepped));
-  document.value("tri-dist.step", Value::exact(printed.step.value(), units.length));
-  document.value("tri-dist.n-digits", Value::integer(printed.displacement.front().n_digits()));
+  document.table(table);
+  document.value("tri-dist.n-agree", Value(n_agree, integer()));
+  document.value("tri-dist.n-agree-stepped", Value(n_agree_stepped, integer()));
+  document.value("tri-dist.step", Value(printed.step.value(), exact(), units.length));
+  document.value("tri-dist.n-digits", Value(printed.displacement.front().n_digits(), integer()));
   document.check("tri-dist-digits", n_agree == n_points - 1,
                  "eq. (3) has every printed digit of Tri_dist.m at all points but one");
   document.check("tri-dist-step", n_agree_stepped == n_points,
@@ -290,8 +299,8 @@ void claim_accuracy(literate::Document& document, const parameters::HalfSpaceCas
       "fea-most-accurate",
       {.sentence = "FEA has the advantage of providing the most accurate results.",
        .place = "paper, Conclusions, p. 10",
-       .stated = Value::scientific(fea, 1),
-       .computed = Value::scientific_bound(closed_form, 1),
+       .stated = Value(fea, scientific(1)),
+       .computed = Value(closed_form, scientific(1).rounded_up()),
        .route = "stated is the best convergence that the run reports for a displacement, "
                 "computed the largest relative error of the printed closed form",
        .tolerance = "none: the smaller error is the more accurate",
@@ -304,19 +313,21 @@ void compare_figure5(literate::Document& document, const parameters::HalfSpaceCa
                      const config::UnitSystem& units, const PrintedData& printed_data) {
   const PrintedFigure5& printed = printed_data.figure5;
   const std::string& unit = units.length;
-  literate::Table table(
-      {Column::fixed("$x$", unit, decimals_of(c.points)), Column::scaled("FEA ($z$)", unit, -6, 6),
-       Column::scaled("analytical", unit, -6, 6), Column::scaled("eq.~(3)", unit, -6, 6),
-       Column::scaled("error", unit, -8, 6),
-       Column::scaled("$|$eq.~(3) $-$ FEA ($z$)$|$", unit, -8, 6)});
+  const auto column = [&](const char* heading, int exponent) {
+    return Column(heading, fixed(6), unit).scaled(exponent);
+  };
+  literate::Table table("figure5",
+                        {Column("$x$", fixed(decimals_of(c.points)), unit), column("FEA ($z$)", -6),
+                         column("analytical", -6), column("eq.~(3)", -6), column("error", -8),
+                         column("$|$eq.~(3) $-$ FEA ($z$)$|$", -8)});
   long n_analytical = 0;
   long n_errors_of_magnitude = 0;
   long n_errors_of_z = 0;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const double exact = analytical(c, c.points[i]);
-    const double error_z = std::abs(exact - printed.fea_z[i].value());
+    const numerics::Estimate u_z = displacement(c, c.points[i]);
     table.add_row({quoted(printed.x[i]), quoted(printed.fea_z[i]), quoted(printed.analytical[i]),
-                   exact, quoted(printed.error[i]), error_z});
+                   u_z, quoted(printed.error[i]), magnitude(u_z - as_estimate(printed.fea_z[i]))});
     n_analytical += printed.analytical[i].agrees_with(exact);
 
     // The error column is the difference of two printed columns: of which? It carries more digits
@@ -329,12 +340,12 @@ void compare_figure5(literate::Document& document, const parameters::HalfSpaceCa
     n_errors_of_magnitude += explains(printed.fea_magnitude[i]);
     n_errors_of_z += explains(printed.fea_z[i]);
   }
-  document.table("figure5", table);
+  document.table(table);
   claim_figure5(document, units, printed_data, n_analytical, n_errors_of_z);
   claim_accuracy(document, c, printed_data);
-  document.value("figure5.n-analytical", Value::integer(n_analytical));
-  document.value("figure5.n-errors-of-magnitude", Value::integer(n_errors_of_magnitude));
-  document.value("figure5.n-errors-of-z", Value::integer(n_errors_of_z));
+  document.value("figure5.n-analytical", Value(n_analytical, integer()));
+  document.value("figure5.n-errors-of-magnitude", Value(n_errors_of_magnitude, integer()));
+  document.value("figure5.n-errors-of-z", Value(n_errors_of_z, integer()));
   document.check("figure5-error-column", n_errors_of_magnitude == std::ssize(c.points),
                  "the error column of Fig. 5 is the difference from the FEA magnitude everywhere");
 }

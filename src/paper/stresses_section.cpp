@@ -30,6 +30,11 @@ using contact::Solution;
 using elasticity::PiecewiseLinearTraction;
 using literate::Column;
 using literate::confirmed_if;
+using literate::exact;
+using literate::fixed;
+using literate::scientific;
+using literate::significant;
+using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -47,6 +52,16 @@ Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_node
 // each component is less than 10 p₀.
 double shear_error_of(const Solution& solution) {
   return 2 * pressure_error(solution) + 1e-13;
+}
+
+// McEwen's closed form, over p₀ (contact/mcewen.hpp, contact/sliding_hertz.hpp).
+constexpr double of_mcewen = 1e-13;
+
+// How wrong the place of the greatest shear may be, over a: the shear is known to so much only, its
+// curvature there is 0.3 p₀/a² at least, and the search ends with steps of 1e-7 a.
+double place_error(double shear_error) {
+  constexpr double least_curvature = 0.3;
+  return 1e-7 + std::sqrt(4 * shear_error / least_curvature);
 }
 
 // The edge's kinks, which only elements have, show above this depth (over a).
@@ -76,10 +91,11 @@ Estimate friction_at_surface(const Hertz& hertz) {
 
 literate::Table depth_table(literate::Document& document, const PiecewiseLinearTraction& traction,
                             const Solution& solution, const Hertz& hertz,
-                            double depth_of_greatest) {
-  literate::Table table({Column::fixed("$z/a$", "", 5), Column::fixed("McEwen", "", 7),
-                         Column::fixed("elements", "", 7), Column::scientific("difference", "", 1),
-                         Column::scientific("largest at this depth", "", 1)});
+                            Estimate depth_of_greatest) {
+  literate::Table table(
+      "shear-depths",
+      {Column("$z/a$", fixed(5)), Column("McEwen", fixed(7)), Column("elements", fixed(7)),
+       Column("difference", scientific(1)), Column("largest at this depth", scientific(1))});
   const McEwen mcewen(hertz);
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
@@ -88,22 +104,25 @@ literate::Table depth_table(literate::Document& document, const PiecewiseLinearT
   };
   double near = 0;
   double at_greatest = 0;
-  for (const double depth : {0.01, 0.05, 0.25, depth_of_greatest, 2.0, 5.0, 20.0}) {
+  const double bound = shear_error_of(solution);
+  for (const double depth : {0.01, 0.05, 0.25, depth_of_greatest.value, 2.0, 5.0, 20.0}) {
     double largest = 0;
     for (int i = -300; i <= 300; ++i) {
       largest = std::max(largest, std::abs(difference(0.005 * i * a, depth * a)));
     }
     near = std::max(near, largest);
-    const bool is_greatest = depth == depth_of_greatest;
+    const bool is_greatest = depth == depth_of_greatest.value;
     if (is_greatest) at_greatest = largest;
-    table.add_row({is_greatest ? literate::Cell(depth) : literate::Cell::to_place(depth, -2),
-                   mcewen.stress(0, depth * a).max_shear() / p0,
-                   traction.stress(0, depth * a).max_shear() / p0, difference(0, depth * a),
-                   largest});
+    const auto over_peak = [&](double shear, double error) { return Estimate{shear / p0, error}; };
+    table.add_row(
+        {is_greatest ? literate::Cell(depth_of_greatest) : literate::Cell::quoted(depth, -2),
+         over_peak(mcewen.stress(0, depth * a).max_shear(), of_mcewen),
+         over_peak(traction.stress(0, depth * a).max_shear(), bound),
+         Estimate{difference(0, depth * a), bound + of_mcewen},
+         Estimate{largest, bound + of_mcewen}});
   }
-  const double bound = shear_error_of(solution);
   document.value("stresses.decay",
-                 Value::significant(near / at_greatest, 1)
+                 Value(near / at_greatest, significant(1))
                      .within(quotient({near, bound}, {at_greatest, bound}).abs_error));
   document.check("stresses-decay", near > 10 * at_greatest,
                  "the largest difference falls by more than ten down to the greatest shear");
@@ -122,20 +141,20 @@ void compare_deep(literate::Document& document, const PiecewiseLinearTraction& t
   const double width_error = solution.half_width() / a - 1;
   const double expected = -1.5 * width_error / (depth * depth);
   const double square = std::pow(solution.grid.spacing / a, 2);
-  document.value("stresses.deep", Value::exact(depth));
+  document.value("stresses.deep", Value(depth, exact()));
   // So far below the shear goes with the load, which pressures wrong by δp₀ change by (4/π)δ.
   document.value("stresses.deep.difference",
-                 Value::scientific(Estimate{relative, shear_error_of(solution)}, 2));
+                 Value(Estimate{relative, shear_error_of(solution)}, scientific(2)));
   const double width_bound = half_width_error(solution) + rounded(1);
   document.value("stresses.deep.expected",
-                 Value::scientific(Estimate{expected, 1.5 * width_bound / (depth * depth)}, 2));
+                 Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)));
   const double left = std::abs(relative - expected);
   document.claim("load-and-moment-felt-below",
                  {.sentence = "Far below only the load and the second moment of the pressure are "
                               "felt.",
                   .place = "this report",
-                  .stated = Value::scientific(expected, 2),
-                  .computed = Value::scientific(relative, 2),
+                  .stated = Value(expected, scientific(2)),
+                  .computed = Value(relative, scientific(2)),
                   .route = "the shear of the elements less McEwen's at twenty half-widths, against "
                            "what the error of the half-width makes there",
                   .tolerance = "(c/a)²(a/z)⁴, the next moment",
@@ -155,17 +174,17 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
   const double depth_error = std::abs(found.z - exact.depth.value) / a;
   const double shear = exact.shear / hertz.peak_pressure();
   // McEwen::greatest_shear() states 1e-14. The elements' shear is over p₀, a third of it and more.
-  document.value("stresses.shear", Value::fixed(shear, 7).within(1e-14 * shear + rounded(shear)));
+  document.value("stresses.shear", Value(shear, fixed(7)).within(1e-14 * shear + rounded(shear)));
   const double shear_bound = 4 * shear_error_of(solution);
   // Rounding of the shear, 1e-13 at most, hides its maximum within √(4·1e-13/0.85) of the depth,
   // and the search ends with steps of 1e-7 a.
   const double depth_bound = 8e-7 + exact.depth.abs_error / a;
   document.value("stresses.depth",
-                 Value::with_uncertainty({exact.depth.value / a, exact.depth.abs_error / a}));
+                 Value({exact.depth.value / a, exact.depth.abs_error / a}, uncertain()));
   document.value("stresses.shear-error",
-                 Value::scientific_bound(Estimate{shear_error, shear_bound}, 1));
+                 Value(Estimate{shear_error, shear_bound}, scientific(1).rounded_up()));
   document.value("stresses.depth-error",
-                 Value::scientific_bound(Estimate{depth_error, depth_bound}, 1));
+                 Value(Estimate{depth_error, depth_bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / a, 2);
   document.claim(
       "mcewen",
@@ -201,9 +220,9 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
     bounds.push_back(4 * shear_error_of(solution));
   }
   const PowerFit power = fit_power(elements, errors, bounds);
-  document.value("stresses.fit.least", Value::fixed(closed_form(elements.front()), 0));
-  document.value("stresses.fit.most", Value::fixed(closed_form(elements.back()), 0));
-  document.value("stresses.fit.order", Value::fixed(power.order_estimate(), 1));
+  document.value("stresses.fit.least", Value(closed_form(elements.front()), fixed(0)));
+  document.value("stresses.fit.most", Value(closed_form(elements.back()), fixed(0)));
+  document.value("stresses.fit.order", Value(power.order_estimate(), fixed(1)));
   document.check("stresses-order-two", power.order > 1.6 && power.order < 2.5,
                  "inside the body the stresses converge with order two");
 }
@@ -212,10 +231,13 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   const double square = std::pow(solution.grid.spacing / a, 2);
-  literate::Table table({Column::fixed("$\\mu$", "", 1), Column::fixed("$x/a$", "", 3),
-                         Column::fixed("$z/a$", "", 3), Column::fixed("$\\tau_1/p_0$", "", 5),
-                         Column::fixed("closed form", "", 5),
-                         Column::scientific("relative difference", "", 1)});
+  literate::Table table(
+      "sliding-shear",
+      {Column("$\\mu$", fixed(1)).exact(), Column("$x/a$", fixed(3)), Column("$z/a$", fixed(3)),
+       Column("$\\tau_1/p_0$", fixed(5)), Column("closed form", fixed(5)),
+       Column("relative difference", scientific(1))});
+  // The shear tractions are those pressures times μ, and add their share.
+  const double bound = 2 * shear_error_of(solution);
   double largest = 0;
   for (const double mu : {0.0, 0.1, 0.2, greatest_friction}) {
     const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
@@ -223,11 +245,15 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
     const ShearPoint exact = greatest_shear(SlidingHertz(hertz, mu), a);
     const double difference = found.shear / exact.shear - 1;
     largest = std::max(largest, std::abs(difference));
-    table.add_row({mu, found.x / a, found.z / a, found.shear / p0, exact.shear / p0, difference});
+    const Estimate shear{found.shear / p0, bound};
+    const Estimate closed{exact.shear / p0, of_mcewen};
+    table.add_row({mu, Estimate{found.x / a, place_error(bound)},
+                   Estimate{found.z / a, place_error(bound)}, shear, closed,
+                   Estimate{difference, quotient(shear, closed).abs_error}});
   }
-  document.table("sliding-shear", table);
-  document.value("stresses.least-depth", Value::exact(least_depth));
-  document.value("stresses.surface-friction", Value::fixed(friction_at_surface(hertz), 3));
+  document.table(table);
+  document.value("stresses.least-depth", Value(least_depth, exact()));
+  document.value("stresses.surface-friction", Value(friction_at_surface(hertz), fixed(3)));
   document.check("sliding-shear", largest < 0.6 * square,
                  "beneath sliding cylinders the elements find the greatest shear to second order");
 }
@@ -246,7 +272,7 @@ void check_surface(literate::Document& document, const Solution& solution, const
   // are over μp₀ here.
   const double bound = 6 / greatest_friction * shear_error_of(solution);
   document.value("stresses.surface-difference",
-                 Value::scientific_bound(Estimate{largest, bound}, 1));
+                 Value(Estimate{largest, bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
   document.check("sliding-surface", largest < 1.5 * square,
                  "on the surface of sliding cylinders the greatest shear is mu p0");
@@ -347,8 +373,8 @@ void compute_stresses(literate::Document& document, const parameters::ContactCas
   const contact::GreatestShear exact = McEwen(hertz).greatest_shear();
 
   compare_greatest(document, traction, exact, solution, hertz);
-  document.table("shear-depths", depth_table(document, traction, solution, hertz,
-                                             exact.depth.value / hertz.half_width()));
+  document.table(
+      depth_table(document, traction, solution, hertz, 1 / hertz.half_width() * exact.depth));
   compare_deep(document, traction, solution, hertz);
   fit_order(document, c, hertz);
   compare_sliding(document, solution, hertz);

@@ -19,8 +19,8 @@ class Workplace {
   explicit Workplace(const std::string& prose, bool holds = true) {
     folder_.write("report/report.tex", prose);
     literate::Document document;
-    document.value("peak", literate::Value::fixed(1.5, 1));
-    document.table("peaks", literate::Table({literate::Column::integer("n")}));
+    document.value("peak", literate::Value(1.5, literate::fixed(1)));
+    document.table(literate::Table("peaks", {literate::Column("n", literate::integer())}));
     document.check("balance", holds, "The forces balance.");
     document.write(folder_.path() / "generated");
   }

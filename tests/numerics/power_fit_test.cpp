@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(fewer_than_two_errors_and_lists_of_different_lengths_are_re
   BOOST_CHECK_THROW(fit_power({1, 2}, {1, 2}, {1}), sys::InvalidQuantity);
 }
 
-BOOST_AUTO_TEST_CASE(the_order_of_a_fit_moves_by_no_more_than_its_error) {
+BOOST_AUTO_TEST_CASE(order_and_factor_of_a_fit_move_by_no_more_than_their_errors) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const std::size_t n_grids : {4U, 30U}) {
@@ -71,6 +71,7 @@ BOOST_AUTO_TEST_CASE(the_order_of_a_fit_moves_by_no_more_than_its_error) {
     BOOST_TEST(power.order_error > 0.01);
     BOOST_TEST(power.order_error < 0.5);
     BOOST_TEST(fit_power(n, errors).order_error == 0);
+    BOOST_TEST(fit_power(n, errors).factor_error == 0);
     // Of errors that are no more than their bounds the order is as good as unknown.
     BOOST_TEST(fit_power(n, errors, errors).order_error > 1);
     BOOST_TEST(std::isfinite(fit_power(n, errors, errors).order_error));
@@ -78,7 +79,9 @@ BOOST_AUTO_TEST_CASE(the_order_of_a_fit_moves_by_no_more_than_its_error) {
       std::vector<double> moved = errors;
       for (std::size_t i = 0; i < n_grids; ++i)
         moved[i] += bounds[i] * std::copysign(1, uniform(random));
-      BOOST_TEST(std::abs(fit_power(n, moved).order - power.order) <= power.order_error);
+      const PowerFit again = fit_power(n, moved);
+      BOOST_TEST(std::abs(again.order - power.order) <= power.order_error);
+      BOOST_TEST(std::abs(again.factor - power.factor) <= power.factor_error);
     }
   }
 }

@@ -76,6 +76,31 @@ BOOST_AUTO_TEST_CASE(a_printed_number_is_half_a_unit_of_its_last_place_wrong) {
   BOOST_TEST(paper::as_estimate(PrintedNumber("16")).abs_error == 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(how_far_a_number_is_off_a_print_holds_the_errors_of_both) {
+  const Estimate off = paper::percent_off({1.5, 0.01}, PrintedNumber("1.25"));
+  BOOST_TEST(off.value == 20, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(contains(off, 100 * (1.51 / 1.245 - 1)));
+  BOOST_TEST(!contains(off, 100 * (1.52 / 1.244 - 1)));
+}
+
+BOOST_AUTO_TEST_CASE(the_edges_that_all_methods_find_lie_within_their_errors) {
+  for (const long n_nodes : {23L, 91L, 181L}) {
+    const std::vector<Solution> solutions = by_all_methods(cylinders_of(25, 75), n_nodes);
+    const Solution& first = solutions.front();
+    for (const Solution& solution : solutions) {
+      const double apart = std::abs(solution.regions().back().end - first.regions().back().end);
+      BOOST_TEST(apart <= paper::edge_error(solution) + paper::edge_error(first));
+      BOOST_TEST(paper::edge_error(solution) < 1e-6 * solution.grid.spacing);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_is_known_to_a_spacing_even_if_no_pressure_is) {
+  Solution solution = by_all_methods(cylinders_of(25, 75), 23).front();
+  solution.residuals.pressure = solution.peak_pressure();
+  BOOST_TEST(paper::edge_error(solution) == solution.grid.spacing);
+}
+
 BOOST_AUTO_TEST_CASE(where_curvatures_cancel_closed_forms_are_less_certain) {
   BOOST_TEST(paper::rounded(cylinders_of(25, 75), 3) == paper::rounded(3));
   // 1/25 − 1/25.1 is a 251st of either, and there are two.

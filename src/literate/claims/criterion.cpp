@@ -31,8 +31,8 @@ double require_abs_error(const std::string& name, const Value& quantity) {
 
 /// A limit, or an error, in the notation of the quantity that it belongs to.
 std::string printed_limit(double limit, const Value& quantity) {
-  return quantity.is_percentage() ? Value::exact_percent(limit).printed()
-                                  : Value::exact(limit, quantity.unit()).printed();
+  return quantity.is_percentage() ? Value(limit, exact().in_percent()).printed()
+                                  : Value(limit, exact(), quantity.unit()).printed();
 }
 
 }  // namespace
@@ -132,10 +132,10 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   const double off = std::abs(c / s - 1);
   criterion.found_ =
       fmt::format("{}, {} from {}", criterion.quantity_.printed(),
-                  Value::percent_significant({off, unsure}, 2).printed(), stated.printed());
-  criterion.condition_ =
-      fmt::format("within {} of {}", Value::exact_percent(criterion.limit_.number()).printed(),
-                  stated.printed());
+                  Value({off, unsure}, significant(2).in_percent()).printed(), stated.printed());
+  criterion.condition_ = fmt::format(
+      "within {} of {}", Value(criterion.limit_.number(), exact().in_percent()).printed(),
+      stated.printed());
   criterion.decide(off, unsure, true);
   return criterion;
 }
@@ -157,7 +157,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   const auto n = std::ssize(each);
   const auto n_undecided = n_with(Outcome::undecided);
 
-  Criterion criterion(std::move(name), Value::integer(n_holding).within(0), first.limit_);
+  Criterion criterion(std::move(name), Value(n_holding, integer()).within(0), first.limit_);
   criterion.found_ = fmt::format("{} of {} {}", n_holding, n, cases);
   criterion.condition_ = first.condition_;
   if (n_undecided > 0) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src
-#   [FIGURES figures] [DATA file …] [ROOT folder])
+#   [FIGURES figures] [DATA file …] [ROOT folder] [ENGINE pdflatex|lualatex])
 # makes the targets of a paper, none of them part of `all`:
 #
 #   rod            the PDF, and manifest.json beside it
@@ -22,9 +22,10 @@
 # FIGURES    the folder with a gnuplot script for each figure, and style.gp
 # DATA       files that the program imports, and their scripts: a changed one computes the paper again
 # ROOT       the paper's repository, if not the folder of the CMake project
+# ENGINE     the LaTeX that typesets it, pdflatex by default
 #
 # All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
-# names of source files begin at ROOT, and gets literate::this_paper(): project, version, commit, date, excerpts.
+# names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
 
 # The names of files in a program and in the paper's own libraries that it links start at `root`.
 function(literate_map_prefix target root)
@@ -53,11 +54,13 @@ function(literate_map_prefix target root)
   endforeach()
 endfunction()
 
-# What literate::this_paper() answers is asked for in every build, before anything is compiled, and written only where it
-# changed: a commit recompiles one file.
+# Before anything is compiled, every build asks for what the program is compiled from, the excerpts, and for what only
+# the document tells, the state of the repository. Either is written only where it changed, and no program knows the
+# commit: after one nothing is compiled or computed, and the document alone is typeset again.
 function(literate_describe_paper name program main root sources figures)
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
+  set(repository "${folder}/repository")
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
   if(HALFSPACE_SANITIZE)
@@ -65,32 +68,32 @@ function(literate_describe_paper name program main root sources figures)
   endif()
   # Flags may name a folder of this machine, as -isystem does, and the paper is the same everywhere.
   string(REPLACE "${root}" "." flags "${flags}")
-  set(version "${PROJECT_VERSION}")
-  if(NOT version)
-    set(version 0)
-  endif()
-  list(TRANSFORM sources REPLACE ".+" "\"\\0\"" OUTPUT_VARIABLE quoted)
-  list(JOIN quoted ", " quoted)
   list(JOIN sources ":" folders)
-  set(written "${folder}/paper.cpp" "${folder}/excerpts.cpp")
+
+  # What literate::this_paper() answers; the program finds the state of the repository as seen from its own folder.
+  set(PROJECT "${PROJECT_NAME}")
+  set(VERSION "${PROJECT_VERSION}")
+  if(NOT VERSION)
+    set(VERSION 0)
+  endif()
+  set(COMPILER "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+  set(BUILD_TYPE "${CMAKE_BUILD_TYPE}")
+  set(FLAGS "${flags}")
+  set(MAIN "${main}")
+  list(TRANSFORM sources REPLACE ".+" "\"\\0\"" OUTPUT_VARIABLE SOURCE_FOLDERS)
+  list(JOIN SOURCE_FOLDERS ", " SOURCE_FOLDERS)
+  set(FIGURES "${figures}")
+  set(REPOSITORY "$<PATH:RELATIVE_PATH,${repository},$<TARGET_FILE_DIR:${program}>>")
+  configure_file("${engine}/cmake/paper.cpp.in" "${folder}/paper.cpp.in" @ONLY)
+  file(GENERATE OUTPUT "${folder}/paper.cpp" INPUT "${folder}/paper.cpp.in")
+
   add_custom_target(ask_for_${name}
-    COMMAND "${CMAKE_COMMAND}"
-      "-DSOURCE=${root}"
-      "-DTEMPLATE=${engine}/cmake/paper.cpp.in"
-      "-DOUTPUT=${folder}/paper.cpp"
-      "-DPROJECT=${PROJECT_NAME}"
-      "-DVERSION=${version}"
-      "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
-      "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}"
-      "-DFLAGS=${flags}"
-      "-DMAIN=${main}"
-      "-DSOURCE_FOLDERS=${quoted}"
-      "-DFIGURES=${figures}"
-      -P "${engine}/cmake/WriteBuildInfo.cmake"
+    COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${root}" "-DOUTPUT=${repository}" -P "${engine}/cmake/WriteRepository.cmake"
     COMMAND literate::program excerpts --source "${root}" --folders "${folders}" --output "${folder}/excerpts.cpp"
-    BYPRODUCTS ${written}
+    BYPRODUCTS "${folder}/excerpts.cpp" "${repository}/repository.json" "${repository}/repository.tex"
     COMMENT "commit and excerpts"
     VERBATIM)
+  set(written "${folder}/paper.cpp" "${folder}/excerpts.cpp")
   set_source_files_properties(${written} TARGET_DIRECTORY ${program}
     PROPERTIES GENERATED ON SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${program} PRIVATE ${written})
@@ -102,7 +105,7 @@ endfunction()
 # The files that LaTeX reads of a document: without those of folders below that hold a document of their own.
 function(literate_document_files document result)
   set(patterns "")
-  foreach(ending IN ITEMS tex bib sty cls bst)
+  foreach(ending IN ITEMS tex bib sty cls bst png jpg jpeg pdf)
     list(APPEND patterns "${document}/*.${ending}")
   endforeach()
   file(GLOB_RECURSE files CONFIGURE_DEPENDS LIST_DIRECTORIES false ${patterns})
@@ -125,7 +128,7 @@ function(literate_document_files document result)
 endfunction()
 
 function(literate_add_paper)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT" "SOURCES;DATA")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT;ENGINE" "SOURCES;DATA")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "literate_add_paper: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -134,6 +137,11 @@ function(literate_add_paper)
       message(FATAL_ERROR "literate_add_paper: ${required} is missing")
     endif()
   endforeach()
+  if(NOT arg_ENGINE)
+    set(arg_ENGINE pdflatex)
+  elseif(NOT arg_ENGINE MATCHES "^(pdf|lua)latex$")
+    message(FATAL_ERROR "literate_add_paper: ENGINE ${arg_ENGINE} is neither pdflatex nor lualatex")
+  endif()
   if(NOT TARGET ${arg_PROGRAM})
     message(FATAL_ERROR "literate_add_paper: PROGRAM ${arg_PROGRAM} is no target; add_executable comes first")
   endif()
@@ -165,12 +173,14 @@ function(literate_add_paper)
   set(digest "${output}/generated.sha256")
   set(computed "${output}/computed")
   set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
+  set(repository "${PROJECT_BINARY_DIR}/generated/${name}/repository")
 
   cmake_path(RELATIVE_PATH figures BASE_DIRECTORY "${root}" OUTPUT_VARIABLE figures_from_root)
   literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}" "${figures_from_root}")
 
   # What the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
+  list(JOIN data ":" joined_data)
   file(GENERATE OUTPUT "${settings}" CONTENT
 "name=${name}
 project=${PROJECT_NAME}
@@ -183,8 +193,11 @@ main=${arg_MAIN}
 case=${case}
 sources=${sources}
 figures=${figures}
+data=${joined_data}
 output=${output}
+repository=${repository}
 engine=${engine}
+latex=${arg_ENGINE}
 ")
 
   # The program leaves a file alone that would not change, and so does WriteDigest: whatever was computed or drawn anew,
@@ -218,13 +231,14 @@ engine=${engine}
   set(typeset
     ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
       --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
-      --manifest "${output}/manifest.json" --case "${case}" --source "${root}")
+      --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
+      --repository "${repository}" --engine ${arg_ENGINE})
   add_custom_command(
     OUTPUT "${output}/${name}.pdf" "${output}/manifest.json"
     COMMAND ${typeset}
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
-    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" ${files}
+    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" "${repository}/repository.json" ${files}
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)
@@ -240,7 +254,7 @@ engine=${engine}
   add_custom_command(
     OUTPUT "${output}/${name}.html"
     COMMAND bash "${scripts}/html" "${settings}"
-    DEPENDS "${digest}" ${files} ${bindings} "${scripts}/html"
+    DEPENDS "${digest}" "${repository}/repository.tex" ${files} ${bindings} "${scripts}/html"
     COMMENT "html"
     USES_TERMINAL
     VERBATIM)

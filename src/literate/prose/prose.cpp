@@ -8,15 +8,13 @@
 namespace literate {
 namespace {
 
-constexpr auto npos = std::string_view::npos;
-
 /// Commands whose first argument, or first two or three, are not printed.
 // clang-format off
 const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
     "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "href", "hspace", "hypertarget",
     "ifflag", "include", "includegraphics", "input", "label", "pageref", "parbox", "phantom",
-    "raisebox", "rawval", "ref", "tab", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
+    "raisebox", "rawval", "ref", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
 const std::set<std::string_view> two_silent = {
     "addtocounter", "addtolength", "crefrange", "fontsize", "rule", "setcounter", "setlength"};
 const std::set<std::string_view> three_silent = {"addcontentsline", "definecolor"};
@@ -41,7 +39,8 @@ class Reader {
         prose_{std::string(latex), std::vector<TexMode>(latex.size(), TexMode::text)} {}
 
   Prose read() {
-    if (const auto begin = latex_.find("\\begin{document}"); begin != npos) blank_next(begin);
+    if (const auto begin = latex_.find("\\begin{document}"); begin != std::string_view::npos)
+      blank_next(begin);
     while (const auto token = scanner_.next()) {
       std::fill_n(prose_.modes.begin() + position(token->text), token->text.size(), token->mode);
       read(*token);
@@ -67,6 +66,12 @@ class Reader {
       blank_group('{', '}');
       blank_group('[', ']');
     }
+  }
+
+  /// Blanks the name of a table, but not the caption in brackets before it, which is printed.
+  void blank_name_behind_options() {
+    const std::string_view caption = group_at(scanner_.rest(), '[', ']');
+    blank(group_at(scanner_.rest().substr(caption.size())));
   }
 
   void read(const TexToken& token);
@@ -111,6 +116,7 @@ void Reader::read_command(const TexToken& command) {
   if (quantity_commands.contains(command.name)) first = Prose::quantity;
   if (command.name == "cite") first = Prose::citation;
   if (command.name == "makebox") blank_arguments(0);
+  if (command.name == "tab") blank_name_behind_options();
   if (one_silent.contains(command.name)) blank_arguments(1);
   if (two_silent.contains(command.name)) blank_arguments(2);
   if (three_silent.contains(command.name)) blank_arguments(3);

@@ -99,7 +99,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     }
   }
   for (const ReferenceKind& kind : kinds) {
-    if (kind.noun == std::string_view("excerpt")) continue;  // another document may print it
+    if (kind.noun == std::string_view("excerpt")) continue;    // another document may print it
     if (kind.command == std::string_view("rawval")) continue;  // told already, as \val
     for (const std::string& name : kind.names) {
       if (!used.contains({kind.noun, name})) {

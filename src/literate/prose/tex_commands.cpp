@@ -49,6 +49,22 @@ class Conditionals {
   int depth_ = 0;
 };
 
+/// The content of a group in brackets, as TeX reads it: white space is one blank.
+std::string in_one_line(std::string_view group) {
+  if (group.empty()) return "";
+  const auto open = group.find('[');
+  std::string text;
+  for (const char c : group.substr(open + 1, group.size() - open - 2)) {
+    const bool is_blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!is_blank) {
+      text += c;
+    } else if (!text.ends_with(' ')) {
+      text += ' ';
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names) {
@@ -59,11 +75,13 @@ std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::s
     conditionals.read(*token);
     if (token->kind != TexKind::command) continue;
     const std::string name(token->name);
-    const std::string argument(argument_at(scanner.rest()));
+    const std::string_view in_brackets = group_at(scanner.rest(), '[', ']');
+    const std::string argument(argument_at(scanner.rest().substr(in_brackets.size())));
     if (argument.empty() || argument.find('#') != std::string::npos) continue;
     if (names.contains(name)) {
       const auto [line, column] = place_in(text, token->text);
-      commands.push_back({name, argument, line, column, conditionals.branches()});
+      commands.push_back(
+          {name, argument, in_one_line(in_brackets), line, column, conditionals.branches()});
     }
     if (name == "ifflag") conditionals.begin(argument);
   }

@@ -4,39 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <set>
 #include <system_error>
 #include <vector>
 
+#include "literate/figures/draw_at_width.hpp"
 #include "literate/prose/place_of_use.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/typesetting/latex_log.hpp"
+#include "literate/typesetting/latex_run.hpp"
+#include "literate/typesetting/preamble_format.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
+#include "system/pattern.hpp"
 #include "system/process.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
-
-/// The path relative to the folder in which LaTeX runs, so that its output names no folder of this
-/// machine.
-std::string seen_from(const fs::path& source_dir, const fs::path& path) {
-  const fs::path from = fs::weakly_canonical(fs::absolute(source_dir));
-  return fs::weakly_canonical(fs::absolute(path)).lexically_relative(from).generic_string();
-}
-
-std::map<std::string, std::string> environment(const TypesetOptions& options) {
-  // TEXMFHOME, the folder of the user's own packages, is set to one that does not exist.
-  return {{"SOURCE_DATE_EPOCH", fmt::format("{}", options.source_date_epoch)},
-          {"FORCE_SOURCE_DATE", "1"},
-          {"TZ", "UTC"},
-          {"LC_ALL", "C"},
-          {"max_print_line", "1000"},
-          {"TEXMFHOME", "no-texmf-of-the-user"},
-          {"TEXINPUTS", ".:" + seen_from(options.source_dir, options.generated_dir) + ":"}};
-}
 
 /// The last lines of what latexmk printed, for failures that are not in LaTeX's log.
 std::string last_lines(std::string_view output) {
@@ -46,28 +32,33 @@ std::string last_lines(std::string_view output) {
       "{}", fmt::join(lines.end() - static_cast<std::ptrdiff_t>(n_shown), lines.end(), "\n"));
 }
 
-fs::path in_build_dir(const TypesetOptions& options, const char* extension) {
-  return options.build_dir / fs::path(options.main_file).filename().replace_extension(extension);
-}
-
-sys::ProcessResult run_latexmk(const TypesetOptions& options, bool from_scratch) {
+sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleFormat& preamble,
+                               bool from_scratch) {
   std::vector<std::string> arguments{"-norc",
-                                     "-pdf",
+                                     options.engine == "lualatex" ? "-lualatex" : "-pdf",
                                      "-interaction=nonstopmode",
                                      "-halt-on-error",
                                      "-file-line-error",
                                      "-outdir=" + seen_from(options.source_dir, options.build_dir)};
-  // latexmk does not notice a new date, although the document prints it.
+  auto environment = latex_environment(options);
+  if (preamble.is_usable) {
+    environment["TEXFORMATS"] = seen_from(options.source_dir, preamble.folder) + ":";
+    arguments.emplace_back("-pdflatex=pdflatex -fmt=preamble %O %S");
+  }
   if (from_scratch) arguments.emplace_back("-g");
   arguments.push_back(options.main_file);
-  sys::find_tool("pdflatex");
-  return sys::run({"latexmk", arguments, options.source_dir, environment(options)});
+  return sys::run({"latexmk", arguments, options.source_dir, environment});
 }
 
-/// All messages in one error, each with the place at which the document's author can mend it.
-sys::ToolError failure(std::vector<std::string> messages, const TypesetOptions& options) {
+/// Messages with the places at which the document's author can mend them.
+std::vector<std::string> placed(std::vector<std::string> messages, const TypesetOptions& options) {
   for (std::string& message : messages) message = with_place_of_use(message, options.source_dir);
-  return sys::ToolError(fmt::format("{}", fmt::join(messages, "\n")));
+  return messages;
+}
+
+/// All messages in one error.
+sys::ToolError failure(const std::vector<std::string>& messages, const TypesetOptions& options) {
+  return sys::ToolError(fmt::format("{}", fmt::join(placed(messages, options), "\n")));
 }
 
 /// Throws the errors in LaTeX's log, or the last lines of latexmk if there are none.
@@ -82,9 +73,30 @@ sys::ToolError failure(std::vector<std::string> messages, const TypesetOptions& 
   throw failure(errors, options);
 }
 
+/// The figures with a width that LaTeX told in its .aux files.
+std::set<FigureAtWidth> wanted_widths(const TypesetOptions& options) {
+  static const sys::Pattern told(R"(\\LiterateWidth\s*\{([^{}]+)\}\{(\d+)\})");
+  std::set<FigureAtWidth> figures;
+  for (const std::string& file : sys::files_below(options.build_dir)) {
+    if (!file.ends_with(".aux")) continue;
+    const std::string text = sys::read_file(options.build_dir / file);
+    for (const std::string_view line : sys::lines_of(text)) {
+      if (const auto found = told.match_all_of(line)) {
+        figures.insert({std::string(found->parts[1]), std::stoll(std::string(found->parts[2]))});
+      }
+    }
+  }
+  return figures;
+}
+
+std::size_t draw_wanted(const TypesetOptions& options) {
+  return draw_at_widths(options.generated_dir, at_width_dir(options), wanted_widths(options),
+                        options.figures, options.scripts_label);
+}
+
 }  // namespace
 
-void typeset(const TypesetOptions& options) {
+Typeset typeset(const TypesetOptions& options) {
   std::error_code error;
   fs::create_directories(options.build_dir, error);
   if (error) {
@@ -95,15 +107,45 @@ void typeset(const TypesetOptions& options) {
     throw sys::OutputError(
         fmt::format("there is no '{}'", (options.source_dir / options.main_file).string()));
   }
+  sys::find_tool(options.engine);
+  const PreambleFormat preamble =
+      options.engine == "pdflatex" ? keep_preamble(options) : PreambleFormat{};
+  // latexmk does not notice a new date, although the document prints it.
   const bool is_new_date = sys::write_if_changed(options.build_dir / "source_date_epoch",
                                                  fmt::format("{}\n", options.source_date_epoch));
-  const sys::ProcessResult result = run_latexmk(options, is_new_date);
-  if (result.exit_status != 0) fail(options, result.output);
+  bool from_scratch = is_new_date || preamble.is_new || !fs::exists(in_build_dir(options, ".log"));
 
-  const auto defects = latex_defects(sys::read_file(in_build_dir(options, ".log")),
-                                     source_label(options.source_dir));
+  // The widths of the run before are those of this one, but for what its author changed.
+  draw_wanted(options);
+  constexpr int most_runs = 5;  // a width that depends on its own figure might never settle
+  for (int n_runs = 1;; ++n_runs) {
+    const sys::ProcessResult result = run_latexmk(options, preamble, from_scratch);
+    if (result.exit_status != 0) fail(options, result.output);
+    if (draw_wanted(options) == 0) break;
+    if (n_runs == most_runs) {
+      throw sys::ToolError(fmt::format("{}: the widths of its figures do not settle",
+                                       (options.source_dir / options.main_file).string()));
+    }
+    from_scratch = true;
+  }
+
+  Typeset result{.drawn = keep_at_widths(at_width_dir(options), wanted_widths(options)),
+                 .warnings = {}};
+  std::vector<std::string> defects = latex_defects(sys::read_file(in_build_dir(options, ".log")),
+                                                   source_label(options.source_dir));
+  if (options.tolerates_overfull) {
+    const auto is_error = [](const std::string& defect) { return !is_overfull_box(defect); };
+    const auto tolerated = std::stable_partition(defects.begin(), defects.end(), is_error);
+    result.warnings = placed({tolerated, defects.end()}, options);
+    defects.erase(tolerated, defects.end());
+  }
   if (!defects.empty()) throw failure(defects, options);
   sys::write_if_changed(options.output_pdf, sys::read_file(in_build_dir(options, ".pdf")));
+  return result;
+}
+
+fs::path at_width_dir(const TypesetOptions& options) {
+  return options.build_dir / "at-width";
 }
 
 }  // namespace literate

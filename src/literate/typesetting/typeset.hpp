@@ -1,31 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "literate/typesetting/typeset_options.hpp"
 
 namespace literate {
 
-/// A LaTeX document and the folders of its parts.
-struct TypesetOptions {
-  std::filesystem::path source_dir;     ///< the folder in which LaTeX runs
-  std::string main_file;                ///< relative to source_dir, such as "report.tex"
-  std::filesystem::path generated_dir;  ///< the folder that Document::write made
-  std::filesystem::path build_dir;      ///< for LaTeX's own files; made if it is missing
-  std::filesystem::path output_pdf;     ///< the finished document
-  std::int64_t source_date_epoch = 0;   ///< the date that \today prints, in seconds
+/// What came with a document that was typeset.
+struct Typeset {
+  std::vector<std::string> drawn;     ///< figures at widths of its own, relative to at_width_dir()
+  std::vector<std::string> warnings;  ///< the defects that were tolerated
 };
 
-/// Typesets a document with latexmk, which runs pdflatex as often as the references need.
+/// Typesets a document with latexmk, which runs pdflatex as often as the references need, starting
+/// from the preamble as keep_preamble keeps it (not so lualatex, which cannot). Draws the figures
+/// that the document wants at a width of its own, as LaTeX tells it, and runs LaTeX again where one
+/// was not there yet.
 ///
 /// The output does not depend on date, time zone, locale, folder or the user's settings of latexmk;
-/// its bytes are the same each time if the document sets \pdfinfoomitdate=1, \pdftrailerid{} and
-/// \pdfsuppressptexinfo=-1. The output is written beside its place and renamed, or left untouched
-/// if its bytes are the same. Throws sys::ToolError if latexmk or pdflatex is missing (it names
-/// `make setup`), with «file:line: message» for LaTeX's errors, and with all latex_defects if there
-/// are any; with_place_of_use rewrites these messages. Throws sys::OutputError if the output or the
-/// build folder cannot be written.
-void typeset(const TypesetOptions& options);
+/// its bytes are the same each time. The output is written beside its place and renamed, or left
+/// untouched if its bytes are the same. Throws sys::ToolError if latexmk or the engine is missing
+/// (it names `make setup`), with «file:line: message» for LaTeX's errors, and with all
+/// latex_defects if there are any; with_place_of_use rewrites these messages. Throws
+/// sys::OutputError if the output or the build folder cannot be written.
+Typeset typeset(const TypesetOptions& options);
+
+/// The folder of the figures that are drawn at a width of the document.
+std::filesystem::path at_width_dir(const TypesetOptions& options);
 
 }  // namespace literate

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_contact/solver/problem.hpp"
+#include "point_contact/solver/memory.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
+#include "point_contact/solver/memory.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {
@@ -15,7 +17,7 @@ using Eigen::Index;
 void require_within_profile(const Problem& problem) {
   const Grid& grid = problem.grid;
   const Vector2& half_sides = problem.profile.half_sides();
-  for (const Index j : {Index{0}, grid.n2 - 1}) {
+  for (const Index j : {Index{0}, Index{1}, grid.n2 - 1}) {
     for (const Index i : {Index{0}, grid.n1 - 1}) {
       const Vector2 corner = grid.node(i, j);
       if (!(corner.array().abs() <= half_sides.array()).all()) {

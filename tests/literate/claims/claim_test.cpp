@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(verdicts_have_names_and_follow_from_what_holds) {
 namespace {
 
 Criterion share_at_most(double share, double limit, double abs_error = 0) {
-  return Criterion::at_most("share", Value::percent({share, abs_error}, 1),
+  return Criterion::at_most("share", Value({share, abs_error}, percent(1)),
                             {LimitKind::derived, limit, "a formula"});
 }
 
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_said_beside_criteria) {
   with_tolerance.tolerance = "1 %";
   BOOST_CHECK_THROW(decided(with_tolerance), std::invalid_argument);
   Claim with_value = claim_of({held});
-  with_value.computed = Value::integer(3);
+  with_value.computed = Value(3, integer());
   BOOST_CHECK_THROW(decided(with_value), std::invalid_argument);
 
   Claim without_criteria = claim_of({});

@@ -24,8 +24,8 @@ const std::string here = "tests/literate/document/document_tex_test.cpp:";
 Claim claim_of_apples(Verdict found) {
   return {.sentence = "An apple costs 2.6.",
           .place = "market, stall 3",
-          .stated = Value::fixed(2.6, 1, "kr"),
-          .computed = Value::fixed(2.612, 3, "kr"),
+          .stated = Value(2.6, fixed(1), "kr"),
+          .computed = Value(2.612, fixed(3), "kr"),
           .route = "weighing and adding up",
           .tolerance = "half of the last digit stated",
           .expected = Verdict::confirmed,
@@ -46,7 +46,7 @@ bool holds(const std::string& text, const std::string& part) {
 std::vector<std::string> pages_with(Verdict found) {
   const TemporaryFolder scratch;
   Document document = document_with(found);
-  document.value("unused", Value::integer(1));
+  document.value("unused", Value(1, integer()));
   document.write(scratch / "generated");
   sys::write_file_atomically(scratch / "text/main.tex",
                              "\\documentclass{article}\\usepackage{literate,hyperref}\n"

@@ -63,6 +63,12 @@ BOOST_AUTO_TEST_CASE(what_is_no_prose_is_not_read) {
   BOOST_TEST(found_in("MEAE-4960, SHA-256, a1234, x_123, \\code{Fig123}") == "");
 }
 
+BOOST_AUTO_TEST_CASE(the_caption_of_a_table_that_breaks_over_pages_is_prose) {
+  BOOST_TEST(
+      found_in("\\tab[It takes 1.234 \\val{k-1.777}.]{t-1.888} and \\val[digits=3456]{k} 1.999") ==
+      "1.234 1.999 ");
+}
+
 BOOST_AUTO_TEST_CASE(years_and_places_in_sources_are_no_results) {
   BOOST_TEST(found_in("Ruggiero (2001), 23 April 2001") == "");
   BOOST_TEST(found_in("(\\cite{a}, 13.12; \\cite{b}, chapter 1.23)") == "");

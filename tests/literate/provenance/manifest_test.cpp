@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_manifest_reads_back_as_it_was_written) {
 BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
   const TemporaryFolder scratch;
   Document document;
-  document.value("u", Value::estimate({1.6236054e-6, 3e-10}, "in"));
+  document.value("u", Value({1.6236054e-6, 3e-10}, supported(), "in"));
   document.value("words", Value::text("none"));
   document.write(scratch / "out");
 

@@ -10,7 +10,13 @@ namespace {
 
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::LimitKind;
+using literate::percent;
+using literate::significant;
+using literate::supported;
 using literate::Value;
 
 constexpr double degree = std::numbers::pi / 180;
@@ -33,13 +39,20 @@ Parameters read_case(const std::filesystem::path& file) {
   return parameters;
 }
 
+// A sum of two terms, to rounding.
+numerics::Estimate by_series(double angle) {
+  const double series = short_series(angle);
+  return {series, 1e-15 * series};
+}
+
 void register_table(literate::Document& document) {
-  literate::Table table({Column::integer("$\\theta$", "°"), Column::fixed("$T/T_0$", "", 8),
-                         Column::fixed("$1 + \\theta^2/16$", "", 8)});
+  literate::Table table("periods", {Column("$\\theta$", integer(), "°"),
+                                    Column("integral", fixed(8)).under("$T/T_0$"),
+                                    Column("$1 + \\theta^2/16$", fixed(8)).under("$T/T_0$")});
   for (const int angle : {10, 30, 60, 90}) {
-    table.add_row({angle, relative_period(angle * degree).value, short_series(angle * degree)});
+    table.add_row({angle, relative_period(angle * degree), by_series(angle * degree)});
   }
-  document.table("periods", std::move(table));
+  document.table(std::move(table));
 }
 
 void register_figure(literate::Document& document) {
@@ -62,31 +75,31 @@ void register_claims(literate::Document& document, const Parameters& parameters)
   document.claim("longer",
                  {.sentence = "A pendulum that swings far takes at least a tenth longer.",
                   .place = "folklore",
-                  .stated = Value::percent(0.1, 0),
+                  .stated = Value(0.1, percent(0)),
                   .route = "the integral for the period",
                   .expected = literate::Verdict::confirmed,
-                  .criteria = {Criterion::at_least("excess", Value::percent(excess, 1),
+                  .criteria = {Criterion::at_least("excess", Value(excess, percent(1)),
                                                    {LimitKind::stated, 0.1, "a tenth"})}});
-  const double series = short_series(parameters.angle * degree);
-  const Value by_series = Value::significant({series, 1e-15 * series}, 4);
-  document.claim("series-suffices", {.sentence = "One term of the series is enough for 1 %.",
-                                     .place = "folklore",
-                                     .stated = Value::percent(0.01, 0),
-                                     .route = "the same integral",
-                                     .expected = literate::Verdict::refuted,
-                                     .criteria = {Criterion::agrees_relatively(
-                                         "series", by_series, Value::significant(relative, 4),
-                                         {LimitKind::stated, 0.01, "1 %"})}});
+  const Value series(by_series(parameters.angle * degree), significant(4));
+  document.claim(
+      "series-suffices",
+      {.sentence = "One term of the series is enough for 1 %.",
+       .place = "folklore",
+       .stated = Value(0.01, percent(0)),
+       .route = "the same integral",
+       .expected = literate::Verdict::refuted,
+       .criteria = {Criterion::agrees_relatively("series", series, Value(relative, significant(4)),
+                                                 {LimitKind::stated, 0.01, "1 %"})}});
 }
 
 void compute(literate::Document& document, const literate::Inputs& inputs) {
   const Parameters parameters = read_case(inputs.case_file);
   const numerics::Estimate relative = relative_period(parameters.angle * degree);
   const double small = 2 * std::numbers::pi * std::sqrt(parameters.length / parameters.gravity);
-  document.value("angle", Value::exact(parameters.angle, "°"));
-  document.value("length", Value::exact(parameters.length, "m"));
-  document.value("relative-period", Value::estimate(relative));
-  document.value("period", Value::significant(small * relative, 6, "s"));
+  document.value("angle", Value(parameters.angle, exact(), "°"));
+  document.value("length", Value(parameters.length, exact(), "m"));
+  document.value("relative-period", Value(relative, supported()));
+  document.value("period", Value(small * relative, significant(6), "s"));
   document.flag("is-wide", parameters.angle > 60);
   document.check("longer-than-small", relative.value > 1,
                  "Far swings take longer than small ones.");

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DSOURCE= -DTEMPLATE= -DOUTPUT= -DVERSION= … -P WriteBuildInfo.cmake
-# Fills the template in with the commit of SOURCE and the date; leaves OUTPUT untouched if it says the same already.
+# cmake -DSOURCE= -DOUTPUT= -P WriteRepository.cmake
+# Writes the state of the repository SOURCE to the folder OUTPUT, for the program as repository.json and for LaTeX as
+# repository.tex: the commit, whether files differ from it, and the date. Files that would not change are left untouched.
 cmake_minimum_required(VERSION 3.25)
 
 set(COMMIT unknown)
@@ -44,4 +45,8 @@ if(seconds MATCHES "^[0-9]+$")
   string(TIMESTAMP DATE "%Y-%m-%dT%H:%M:%SZ" UTC)
 endif()
 
-configure_file("${TEMPLATE}" "${OUTPUT}" @ONLY)
+file(CONFIGURE OUTPUT "${OUTPUT}/repository.json" @ONLY CONTENT
+  [[{"commit": "@COMMIT@", "modified": @MODIFIED@, "date": "@DATE@"}
+]])
+file(CONFIGURE OUTPUT "${OUTPUT}/repository.tex" @ONLY CONTENT [[\LiterateRepository{@COMMIT@}{@MODIFIED@}{@DATE@}
+]])
