@@ -37,13 +37,23 @@ std::vector<pid_t> numbers_in(const std::string& folder) {
   return numbers;
 }
 
-/// The fields of /proc/PID/stat from the third on. The second is a name, which may hold anything.
+/// The fields of /proc/ID/stat of a process or thread from the third on. The second is a name,
+/// which may hold anything.
 std::vector<std::string> statistics_of(pid_t process) {
   const std::string text = text_of(fmt::format("/proc/{}/stat", process));
   const auto end_of_name = text.rfind(')');
   if (end_of_name == text.npos) return {};
   std::istringstream rest(text.substr(end_of_name + 1));
   return {std::istream_iterator<std::string>(rest), {}};
+}
+
+/// Whether no thread of a process is on a processor, in the queue for one, or at a disk.
+bool waits(pid_t process) {
+  for (const pid_t thread : numbers_in(fmt::format("/proc/{}/task", process))) {
+    const std::vector<std::string> fields = statistics_of(thread);
+    if (!fields.empty() && (fields[0] == "R" || fields[0] == "D")) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -68,8 +78,7 @@ Usage usage_of(const std::vector<pid_t>& processes) {
   for (const pid_t process : processes) {
     const std::vector<std::string> fields = statistics_of(process);
     if (fields.size() < 22) continue;  // it has ended
-    const std::string& state = fields[0];
-    if (state == "R" || state == "D") usage.is_waiting = false;
+    if (usage.is_waiting) usage.is_waiting = waits(process);
     for (std::size_t i = 11; i < 15; ++i) usage.cpu_seconds += std::stod(fields[i]) / ticks;
     usage.tasks += std::stoul(fields[17]);
     usage.bytes += std::stoul(fields[21]) * page;

@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <csignal>
+#include <thread>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(descendants_test)
@@ -35,6 +37,28 @@ BOOST_AUTO_TEST_CASE(processes_that_end_while_they_are_looked_at_are_no_error) {
 
   BOOST_TEST(n_seen > 0U);
   BOOST_TEST(course::descendants(::getpid()).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_process_whose_thread_works_does_not_wait) {
+  const pid_t process = ::fork();
+  if (process == 0) {
+    std::thread works([] {
+      for (volatile bool goes_on = true; goes_on;) {
+      }
+    });
+    works.join();
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+
+  const bool is_waiting = course::usage_of({process}).is_waiting;
+  ::kill(process, SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const bool is_waiting_when_stopped = course::usage_of({process}).is_waiting;
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+
+  BOOST_TEST(!is_waiting);
+  BOOST_TEST(is_waiting_when_stopped);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
