@@ -119,6 +119,9 @@ PointContactOptions::PointContactOptions(CLI::App& command)
              "What stands at a node for the pressure around it");
   add_choice(command, "--method", method_, {"fft", "variational", "matrix-inversion"},
              "How to solve; the last two are references for small grids");
+  add_text(command, "--depths", depths_, "LIST",
+           "Depths beneath the middle of the domain to tell the stresses at, as 0.01,0.02");
+  add_choice(command, "--body", body_, {"1", "2"}, "In which of the two bodies");
   add_text(command, "--case", case_file_, "FILE",
            "Case file; its materials and radii, which flags override");
 }
@@ -389,6 +392,16 @@ PointContactInput PointContactOptions::read(
   if (method_ == "matrix-inversion" && tolerance_.number()) {
     throw sys::InputError("--tolerance has no meaning for --method matrix-inversion");
   }
+  if (!depths_.empty()) input.depths = parse_numbers("--depths", depths_);
+  for (const double depth : input.depths) sys::require_positive("depth", depth);
+  if (!depths_.empty() && element_ != "pyramid") {
+    throw sys::InputError("--depths needs --element pyramid");
+  }
+  if (!depths_.empty() && input.friction) {
+    throw sys::InputError("--depths and --friction: the stresses are those of the pressure alone");
+  }
+  input.is_second_body = body_ == "2";
+  if (input.is_second_body && depths_.empty()) throw sys::InputError("--body needs --depths");
   input.accuracy.tolerance = tolerance_.number().value_or(input.accuracy.tolerance);
   point_contact::require_tolerance(input.accuracy.tolerance);
   const long n_threads = threads_.integer().value_or(1);

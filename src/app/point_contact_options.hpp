@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command_line/options.hpp"
 #include "parameters/case.hpp"
@@ -41,7 +42,9 @@ struct PointContactInput {
   std::optional<PointClosedForm> closed_form;
   std::optional<point_contact::RelativeCurvatures> curvatures;  ///< of curved bodies
   std::optional<point_contact::Hertz> hertz;  ///< of spheres, whatever else is given
-  bool is_of_revolution = false;              ///< the gap depends on the distance alone
+  std::vector<double> depths = {};  ///< beneath the middle of the domain, for the stresses
+  bool is_second_body = false;      ///< whose stresses
+  bool is_of_revolution = false;    ///< the gap depends on the distance alone
   double least_radius = 0;  ///< of the bodies' principal radii of curvature; 0 if none is known
 };
 
@@ -83,6 +86,8 @@ class PointContactOptions {
   std::string grid_ = "hexagonal";
   std::string element_ = "pyramid";
   std::string method_ = "fft";
+  std::string depths_;
+  std::string body_ = "1";
   std::string case_file_;
 };
 

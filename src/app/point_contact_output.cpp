@@ -133,6 +133,7 @@ std::string point_contact_json(const PointContactInput& input, const SolvedPoint
   json["contact_regions"] = regions_json(s);
   if (solved.friction) json["friction"] = friction_json(input, solved);
   if (input.closed_form) json[input.closed_form->name] = closed_form_json(*input.closed_form);
+  if (!solved.stresses.empty()) json["stresses"] = stresses_json(solved.stresses);
   return json_text(json);
 }
 
@@ -216,6 +217,7 @@ std::string point_contact_text(const PointContactInput& input, const SolvedPoint
     text += '\n';
   }
   text += point_regions_text(s, units);
+  text += stresses_text(solved.stresses, units);
   text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} grid, {} elements",
                       s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.lattice.first.norm(),
                       units.length, input.method, input.grid, point_contact::name_of(s.element));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/point_contact_options.hpp"
+#include "app/point_contact_stress.hpp"
 #include "config/units.hpp"
 #include "point_contact/solver/partial_slip.hpp"
 #include "point_contact/solver/solution.hpp"
@@ -18,6 +19,7 @@ struct SolvedPointContact {
   std::optional<point_contact::Friction> friction;
   std::optional<double> tangential_displacement;  ///< of bodies of revolution, under partial slip
   double seconds;
+  std::vector<StressBeneath> stresses = {};
 };
 
 /// Solves it. Throws sys::InputError for a contact of too few nodes besides what the methods throw.

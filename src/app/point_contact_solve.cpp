@@ -56,6 +56,7 @@ SolvedPointContact solve(const PointContactInput& input) {
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   solved.seconds = elapsed.count();
+  solved.stresses = stresses_beneath(input, solved.solution);
   return solved;
 }
 

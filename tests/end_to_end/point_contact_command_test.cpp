@@ -192,6 +192,27 @@ BOOST_AUTO_TEST_CASE(partial_slip_of_spheres_is_that_of_cattaneo_and_mindlin) {
                  .starts_with("x,y,pressure,gap,shear\n"));
 }
 
+BOOST_AUTO_TEST_CASE(stresses_beneath_spheres_are_those_of_huber) {
+  for (const char* body : {"1", "2"}) {
+    const json result =
+        result_of(spheres + Words{"--nodes", "64", "--depths", "0.05,0.1,0.4", "--body", body});
+    BOOST_TEST_REQUIRE(result.at("stresses").size() == 3U);
+    for (const json& at : result.at("stresses")) {
+      BOOST_TEST(relative_difference(number(at, "max_shear"), number(at, "huber_max_shear")) <
+                 1e-3);
+      BOOST_TEST(relative_difference(number(at, "stress_xx"), number(at, "stress_yy")) < 1e-3);
+      // on the axis both measures hang on one difference
+      BOOST_TEST(relative_difference(number(at, "von_mises"), 2 * number(at, "max_shear")) < 1e-3);
+    }
+  }
+  check_refused(2, spheres + Words{"--depths", "0"}, {"depth = 0", "greater than 0"});
+  check_refused(2, spheres + Words{"--depths", "1", "--element", "uniform"},
+                {"--depths", "pyramid"});
+  check_refused(2, spheres + Words{"--depths", "1", "--friction", "0.1"},
+                {"--depths", "--friction"});
+  check_refused(2, spheres + Words{"--body", "2"}, {"--body needs --depths"});
+}
+
 BOOST_AUTO_TEST_CASE(a_measured_surface_touches_in_several_regions) {
   const TemporaryFolder folder;
   std::string map;
