@@ -43,8 +43,11 @@ std::string values_tex(const Registered& registered) {
   }
   int number = 0;
   for (const auto& [id, claim] : registered.claims) {
-    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", id, ++number,
-                        name_of(claim.found), claim.stated.latex(), claim.computed.latex());
+    // Only one number stands well within a sentence; several stand in the ledger.
+    const bool is_single = claim.criteria.size() == 1;
+    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}{{{}}}{{{}}}\n", id, ++number,
+                        name_of(claim.found()),
+                        is_single ? claim.criteria.front().found().latex : std::string());
   }
   const std::size_t n_faults = faults(registered).size();
   if (n_faults > 0) {
@@ -64,13 +67,29 @@ std::string ledger_summary(const Registered& registered) {
                                  [&](const auto& entry) { return is_meant(entry.second); });
   };
   const auto count_of = [&](Verdict verdict) {
-    return count([verdict](const Claim& claim) { return claim.found == verdict; });
+    return count([verdict](const Claim& claim) { return claim.found() == verdict; });
   };
   return fmt::format("\\LiterateLedgerSummary{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n",
                      registered.claims.size(), count_of(Verdict::confirmed),
                      count_of(Verdict::partly), count_of(Verdict::refuted),
                      count_of(Verdict::undecided),
-                     count([](const Claim& claim) { return claim.found != claim.expected; }));
+                     count([](const Claim& claim) { return claim.found() != claim.expected; }));
+}
+
+}  // namespace
+
+namespace {
+
+/// «\LiterateCriterion{name}{found}{condition}{reason}{outcome}{why it is undecided}», one a line.
+std::string criteria_tex(const Claim& claim) {
+  std::string text;
+  for (const Criterion& criterion : claim.criteria) {
+    text += fmt::format("    \\LiterateCriterion{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}%\n",
+                        escape_latex(criterion.name()), criterion.found().latex,
+                        criterion.condition().latex, escape_latex(criterion.reason()),
+                        name_of(criterion.outcome()), escape_latex(criterion.missing()));
+  }
+  return text;
 }
 
 }  // namespace
@@ -79,11 +98,11 @@ std::string claims_tex(const Registered& registered) {
   std::string text = ledger_summary(registered);
   for (const auto& [id, claim] : registered.claims) {
     text += fmt::format(
-        "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  "
-        "{{{}}}{{{}}}{{{}}}\n",
+        "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}"
+        "{{{}}}{{{}}}{{%\n{}  }}\n",
         id, escape_latex(claim.sentence), escape_latex(claim.place), escape_latex(claim.route),
-        escape_latex(claim.tolerance), name_of(claim.expected), name_of(claim.found),
-        escape_latex_path(text_of(registered.places.at({"claim", id}))));
+        name_of(claim.expected), name_of(claim.found()),
+        escape_latex_path(text_of(registered.places.at({"claim", id}))), criteria_tex(claim));
   }
   return text;
 }

@@ -30,17 +30,29 @@ json checks_json(const std::vector<Check>& checks) {
   return entries;
 }
 
+json criteria_json(const std::vector<Criterion>& criteria) {
+  json entries = json::array();
+  for (const Criterion& criterion : criteria) {
+    json entry{{"name", criterion.name()},
+               {"found", criterion.found().plain},
+               {"condition", criterion.condition().plain},
+               {"reason", criterion.reason()},
+               {"outcome", name_of(criterion.outcome())}};
+    if (!criterion.missing().empty()) entry["missing"] = criterion.missing();
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
 json claims_json(const Registered& registered) {
   json entries = json::object();
   for (const auto& [id, claim] : registered.claims) {
     entries[id] = {{"sentence", claim.sentence},
                    {"place", claim.place},
-                   {"stated", claim.stated.printed()},
-                   {"computed", claim.computed.printed()},
                    {"route", claim.route},
-                   {"tolerance", claim.tolerance},
+                   {"criteria", criteria_json(claim.criteria)},
                    {"expected", name_of(claim.expected)},
-                   {"found", name_of(claim.found)}};
+                   {"found", name_of(claim.found())}};
   }
   return entries;
 }

@@ -62,7 +62,6 @@ void register_claims(literate::Document& document, const Parameters& parameters)
   document.claim("longer",
                  {.sentence = "A pendulum that swings far takes at least a tenth longer.",
                   .place = "folklore",
-                  .stated = Value::percent(0.1, 0),
                   .route = "the integral for the period",
                   .expected = literate::Verdict::confirmed,
                   .criteria = {Criterion::at_least("excess", Value::percent(excess, 1),
@@ -71,7 +70,6 @@ void register_claims(literate::Document& document, const Parameters& parameters)
   const Value by_series = Value::significant({series, 1e-15 * series}, 4);
   document.claim("series-suffices", {.sentence = "One term of the series is enough for 1 %.",
                                      .place = "folklore",
-                                     .stated = Value::percent(0.01, 0),
                                      .route = "the same integral",
                                      .expected = literate::Verdict::refuted,
                                      .criteria = {Criterion::agrees_relatively(
@@ -88,8 +86,11 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
   document.value("relative-period", Value::estimate(relative));
   document.value("period", Value::significant(small * relative, 6, "s"));
   document.flag("is-wide", parameters.angle > 60);
-  document.check("longer-than-small", relative.value > 1,
-                 "Far swings take longer than small ones.");
+  document.check(
+      "longer-than-small",
+      {Criterion::at_least("period over that of small swings", Value::significant(relative, 4),
+                           {LimitKind::stated, 1.0, "as long"})},
+      "Far swings take longer than small ones.");
   register_table(document);
   register_figure(document);
   register_claims(document, parameters);
