@@ -32,10 +32,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
       as_estimate(printed.at("max_stress_xx")) + as_estimate(printed.at("max_stress_yy"));
   const Estimate ratio = quotient(as_estimate(printed.at("max_stress_zz")), in_plane);
   document.claim("plane-strain",
-                 {.sentence = "The body of the run is in plane strain, with the Poisson's ratio of "
-                              "the analytical solution.",
-                  .place = "paper, Numerical Solution, p. 6; Appendix 2, p. 13",
-                  .route = "the printed largest stresses: in plane strain the one out of the plane "
+                 {.route = "the printed largest stresses: in plane strain the one out of the plane "
                            "over the sum of those in it is ν",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::agrees(
@@ -45,10 +42,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
   const Estimate middle = study.under_triangle().displacement_z(0, 0);
   const Estimate half_way = study.under_triangle().displacement_z(0, r.height() / 2);
   document.claim("felt-throughout",
-                 {.sentence = "The displacement effects of the load are apparent throughout the "
-                              "body.",
-                  .place = "paper, Numerical Solution, p. 7",
-                  .route = "the block by finite elements of high order",
+                 {.route = "the block by finite elements of high order",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least(
                       "displacement half way down, over the largest",
@@ -69,10 +63,7 @@ void claim_mass(literate::Document& document, const parameters::BlockCase& block
          "the density that they come from has no more digits than they have"}));
   }
   document.claim("mass-properties",
-                 {.sentence = "Mass, centre and moments of inertia of the run are those of one "
-                              "rectangle.",
-                  .place = "paper, Appendix 2, pp. 14–15",
-                  .route = "closed forms for a rectangle of the case's size and density; at most "
+                 {.route = "closed forms for a rectangle of the case's size and density; at most "
                            "five of the eight are independent",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::in_each("difference in units of the last printed place",
@@ -92,10 +83,7 @@ void claim_size(literate::Document& document, const SharesOnBothMeshes& shares, 
                          "a tenth of the convergence that the run asks for");
   document.claim(
       "geometry-large-enough",
-      {.sentence = "The geometry is sufficiently large compared to the loaded region and does not "
-                   "affect the results.",
-       .place = "paper, Numerical Solution, p. 7",
-       .route = "eq. (3) less the block by finite elements under the same triangle, over the "
+      {.route = "eq. (3) less the block by finite elements under the same triangle, over the "
                 "largest displacement",
        .expected = Verdict::partly,
        .criteria = {
@@ -131,9 +119,7 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
   const Limit nearly(LimitKind::convention, 3e-2, "the height of two marks in the paper's Fig. 4");
   document.claim(
       "nearly-identical-under-load",
-      {.sentence = "The displacements are nearly identical under the loaded region.",
-       .place = "paper, Results, p. 8",
-       .route = "eq. (3) less the printed FEA (z), over the latter, at the points under the load; "
+      {.route = "eq. (3) less the printed FEA (z), over the latter, at the points under the load; "
                 "and the two parts of that difference that the block tells, which are alike only "
                 "by chance",
        .expected = Verdict::partly,
@@ -148,10 +134,7 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
                magnitude(shares.part(&Share::whole, last)));
   document.claim(
       "error-grows",
-      {.sentence = "The error increases as the measure is taken further and further from the "
-                   "loaded region.",
-       .place = "paper, Results and Error Analysis, p. 8",
-       .route = "the printed error column outside the load; and the last difference between the "
+      {.route = "the printed error column outside the load; and the last difference between the "
                 "displacements when datum and load are made alike by the block",
        .expected = Verdict::partly,
        .criteria = {
@@ -176,10 +159,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
     if (below.value < least.value) least = below;
   }
   document.claim("robust-model",
-                 {.sentence = "The correlation is a good indicator that the FEA was performed on a "
-                              "robust model.",
-                  .place = "paper, Discussion, p. 9",
-                  .route = "the block by finite elements under the load that the paper states",
+                 {.route = "the block by finite elements under the load that the paper states",
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::at_most(
                       "how far its displacements are below the printed ones, at least",
@@ -191,10 +171,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
   }
   const double misfit = convergence.value() / 100;
   document.claim("fit-explains-all",
-                 {.sentence = "A pressure that falls linearly from its peak to a fraction of it at "
-                              "the ends explains every printed displacement.",
-                  .place = "this report",
-                  .route = "least squares for two numbers on eleven displacements of the block",
+                 {.route = "least squares for two numbers on eleven displacements of the block",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_most(
                       "largest misfit",
@@ -210,9 +187,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
   };
   document.claim(
       "resultant",
-      {.sentence = "The run reports its resultant load.",
-       .place = "paper, Appendix 2, p. 15",
-       .route = "the load fitted to the printed displacements, of which the resultant is none",
+      {.route = "the load fitted to the printed displacements, of which the resultant is none",
        .expected = Verdict::confirmed,
        .criteria = {agrees(
            "resultant", "resultant_load_y",
@@ -220,9 +195,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
            units.line_load, 2 * misfit, "twice the misfit that is allowed to the displacements")}});
   document.claim(
       "strain-energy",
-      {.sentence = "The run reports its strain energy.",
-       .place = "paper, Appendix 2, p. 16",
-       .route = "the energy of the block under the fitted load",
+      {.route = "the energy of the block under the fitted load",
        .expected = Verdict::confirmed,
        .criteria = {agrees(
            "energy", "strain_energy",
@@ -244,9 +217,7 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
       std::abs(named(fitted, "max_disp_y").value / named(fitted, "measure1").value - 1);
   document.claim(
       "largest-in-the-middle",
-      {.sentence = "The largest normal displacement is that of the middle, measure1.",
-       .place = "paper, Appendix 2, pp. 15–16",
-       .route = "the largest on the plotting grid of the block under the fitted load; and the two "
+      {.route = "the largest on the plotting grid of the block under the fitted load; and the two "
                 "numbers in print",
        .expected = Verdict::confirmed,
        .criteria = {
@@ -259,9 +230,7 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
   const PrintedNumber& tension = printed.measures.at("max_stress_prin");
   document.claim(
       "tension-converged",
-      {.sentence = "The largest principal stress converged as printed.",
-       .place = "paper, Appendix 2, p. 15",
-       .route = "the block under the fitted load, with the points beside the step of the pressure "
+      {.route = "the block under the fitted load, with the points beside the step of the pressure "
                 "and in the corners, as the run has them; there stresses have no limit, and what "
                 "is found depends on the mesh",
        .expected = Verdict::undecided,
@@ -276,10 +245,7 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
       quotient(as_estimate(shear), named(fitted, "max_stress_xy")) - Estimate{1, 0};
   document.claim(
       "convergence-is-no-bound",
-      {.sentence = "The convergence that the run prints for its largest shear stress does not "
-                   "bound the error of that stress.",
-       .place = "this report",
-       .route = "the block under the fitted load, where the largest shear lies inside the body and "
+      {.route = "the block under the fitted load, where the largest shear lies inside the body and "
                 "has a limit",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least(

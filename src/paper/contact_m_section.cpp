@@ -270,10 +270,7 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
                    const std::vector<Row>& rows) {
   const double carried = rows[printed].program.line_load;
   document.claim("contact-m-load",
-                 {.sentence = "Contact.m calculates the pressure distribution between two "
-                              "cylinders.",
-                  .place = "paper, Problem Description, p. 6; Appendix 3, p. 17",
-                  .route = "the listed program run as printed",
+                 {.route = "the listed program run as printed",
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::agrees_relatively(
                       "load that its triangles carry",
@@ -284,9 +281,7 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
   const ContactM own = run_contact_m(c, input, {.free_edge = true});
   document.claim(
       "contact-m-area",
-      {.sentence = "A = c(aa − 2) is the contact area.",
-       .place = "paper, Appendix 3, p. 18",
-       .route = "the listed program run as printed but for its edge, which is found by "
+      {.route = "the listed program run as printed but for its edge, which is found by "
                 "p ≥ 0; for one side, as A is",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::agrees(
@@ -299,9 +294,7 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
                              {LimitKind::stated, 0.0, "it is a count"});
   };
   document.claim("contact-m-edge",
-                 {.sentence = "aa is the node where p becomes zero.",
-                  .place = "paper, Appendix 3, p. 17",
-                  .route = "the edge found by p ≥ 0",
+                 {.route = "the edge found by p ≥ 0",
                   .expected = Verdict::partly,
                   .criteria = {is_node("in the program as printed", own.zero_node),
                                is_node("with every repair", rows[all].program.zero_node)}});
@@ -323,9 +316,7 @@ void claim_hertz(literate::Document& document, const parameters::ContactCase& c,
       "side x ≥ 0, so that all between P and 2P is left open";
   document.claim(
       "contact-m-hertz-width",
-      {.sentence = "a of Contact.m is Hertz's contact width.",
-       .place = "paper, Appendix 3, p. 18",
-       .route = route,
+      {.route = route,
        .expected = Verdict::undecided,
        .criteria = {Criterion::agrees_relatively(
            "half-width under P or 2P",
@@ -334,9 +325,7 @@ void claim_hertz(literate::Document& document, const parameters::ContactCase& c,
                .within(rounded(c, program.hertz_half_width)),
            limit)}});
   document.claim("contact-m-hertz-peak",
-                 {.sentence = "p0 of Contact.m is Hertz's maximum pressure.",
-                  .place = "paper, Appendix 3, p. 18",
-                  .route = route,
+                 {.route = route,
                   .expected = Verdict::undecided,
                   .criteria = {Criterion::agrees_relatively(
                       "peak under P or 2P",
@@ -359,9 +348,7 @@ void claim_mended(literate::Document& document, const ContactMInput& input,
   const double ratio = rows[all].misfit / rows[finer].misfit;
   document.claim(
       "contact-m-mended",
-      {.sentence = "With six repairs Contact.m converges to Hertz.",
-       .place = "this report",
-       .route = "the mended program on its own grid and on one four times as fine",
+      {.route = "the mended program on its own grid and on one four times as fine",
        .expected = Verdict::confirmed,
        .criteria = {
            peak_error("relative difference of the peaks, over (c/a)²", rows[all], input.spacing),

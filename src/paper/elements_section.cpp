@@ -71,10 +71,7 @@ literate::Figure element_figure() {
 void claim_quality(literate::Document& document, Estimate gain) {
   document.claim(
       "triangles-gain-between-nodes",
-      {.sentence = "Between the nodes the slope of the surface is right with triangles, "
-                   "not with uniform elements.",
-       .place = "this report",
-       .route = "the slope against −x/R of Hertz at eighths between the nodes",
+      {.route = "the slope against −x/R of Hertz at eighths between the nodes",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least(
            "largest error with uniform elements over that with triangles",
@@ -89,9 +86,7 @@ void claim_quality(literate::Document& document, Estimate gain) {
   constexpr double of_gradient = 1e-15;  // absolute, as contact/element.hpp states
   document.claim(
       "every-element-acts",
-      {.sentence = "Each element has an effect on the remaining elements.",
-       .place = "paper, Conclusions, p. 9",
-       .route = "the slope of the surface that a triangle makes one to a thousand spacings away",
+      {.route = "the slope of the surface that a triangle makes one to a thousand spacings away",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least(
            "the least of these, as a share of that of a force",
@@ -173,18 +168,12 @@ constexpr double of_factors = 1e-6;
 
 void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
   document.claim("interior-order-two",
-                 {.sentence = "Where the pressure is smooth its error has order 2 in the elements' "
-                              "width.",
-                  .place = "this report",
-                  .route = "a power fitted to the errors against Hertz over |x| ≤ 0.9a on many "
+                 {.route = "a power fitted to the errors against Hertz over |x| ≤ 0.9a on many "
                            "grids",
                   .expected = Verdict::confirmed,
                   .criteria = {of_order("order", inside.order_estimate(), 2)}});
   document.claim("no-gain-in-the-pressure",
-                 {.sentence = "For the pressure at the nodes triangles are no better than uniform "
-                              "elements.",
-                  .place = "this report",
-                  .route = "the errors of both against Hertz over |x| ≤ 0.9a",
+                 {.route = "the errors of both against Hertz over |x| ≤ 0.9a",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least(
                       "ratio of the factors of (c/a)², triangles over uniform elements",
@@ -256,9 +245,7 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
   document.value("graded.order", Value::fixed(pressure_power.order_estimate(), 1));
   document.value("graded.width-order", Value::fixed(width_power.order_estimate(), 1));
   document.claim("graded-order",
-                 {.sentence = "A grid that ends on the edge removes the error of order ½ there.",
-                  .place = "this report",
-                  .route = "a power fitted to the largest error of the pressure against Hertz, on "
+                 {.route = "a power fitted to the largest error of the pressure against Hertz, on "
                            "graded grids of a dozen to a hundred elements",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least(

@@ -173,9 +173,7 @@ void claim_force(literate::Document& document, const parameters::HalfSpaceCase& 
   };
   document.claim(
       "force-sinks-without-limit",
-      {.sentence = "Under a concentrated force the displacement is infinite.",
-       .place = "paper, Problem Description, p. 4",
-       .route = "eq. (2) integrated by quadrature from the datum to points ever nearer "
+      {.route = "eq. (2) integrated by quadrature from the datum to points ever nearer "
                 "to the force; steps that all add the same have no limit, since one "
                 "can take as many as one likes",
        .expected = Verdict::confirmed,
@@ -194,9 +192,7 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
       surface.normal_displacement(a * (1 + beside)) - surface.normal_displacement(a);
   document.claim(
       "uniform-displacement-finite",
-      {.sentence = "Under uniform pressures the displacement is finite everywhere.",
-       .place = "paper, Problem Description, p. 4",
-       .route = "the integral of the logarithm at the very end of the pressure, the one place "
+      {.route = "the integral of the logarithm at the very end of the pressure, the one place "
                 "where the gradient is infinite, and a distance ε beside it",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
@@ -218,9 +214,7 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
   };
   document.claim(
       "uniform-gradient-infinite",
-      {.sentence = "Where a uniform pressure ends in a step, the gradient is infinite.",
-       .place = "paper, Problem Description, p. 4",
-       .route = "eq. (2) by quadrature at points ever nearer to the step; steps that "
+      {.route = "eq. (2) by quadrature at points ever nearer to the step; steps that "
                 "all add the same have no limit",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::in_each("what a step to a thousandth of the distance adds", "steps",
@@ -253,10 +247,7 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
   }
   document.claim(
       "triangles-smooth",
-      {.sentence = "Overlapping triangles give displacements that are everywhere smooth and "
-                   "continuous.",
-       .place = "paper, Problem Description, p. 4; Conclusions, p. 9",
-       .route = "eq. (2) by quadrature at distances h (over a) on both sides of the triangle's "
+      {.route = "eq. (2) by quadrature at distances h (over a) on both sides of the triangle's "
                 "ends and of its peak; smooth is taken to mean that the slope is continuous",
        .expected = Verdict::confirmed,
        .criteria = {
@@ -264,9 +255,7 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
                               "pairs of points", continuous)}});
   document.claim(
       "triangles-curvature",
-      {.sentence = "Where the triangle has a kink, the curvature of the surface is infinite.",
-       .place = "this report",
-       .route = "eq. (2) by quadrature on both sides of the triangle's ends and of its peak",
+      {.route = "eq. (2) by quadrature on both sides of the triangle's ends and of its peak",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::in_each("growth of the slope's change over h, over K/a², when h "
                                        "falls to a thousandth",

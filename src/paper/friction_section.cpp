@@ -171,10 +171,7 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
       "the largest slope of the shear over that of the pressure is beta mu");
   document.claim(
       "sliding-in-closed-form",
-      {.sentence = "With friction between unlike bodies the pressure is a product of two "
-                   "powers, of the distances from the two edges.",
-       .place = "this report",
-       .route = "eq. (2) for both bodies by quadrature, for all pairs of materials",
+      {.route = "eq. (2) for both bodies by quadrature, for all pairs of materials",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
            "largest departure of the slope from −x/R, over a/R",
@@ -208,10 +205,7 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
   const Estimate lost = magnitude(body1 - body2);
   document.claim(
       "friction-small-loss",
-      {.sentence = "To neglect tangential tractions will incur only a small loss of "
-                   "precision.",
-       .place = "paper, Problem Description, p. 4",
-       .route = "eq. (2) for both bodies of this case, sliding; the slopes of like bodies cancel "
+      {.route = "eq. (2) for both bodies of this case, sliding; the slopes of like bodies cancel "
                 "whatever the friction, and for these nothing else is said",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
@@ -401,10 +395,7 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
   // As for the half-width of the contact itself (0.36 (c/a)²), with the strip for the contact.
   document.claim(
       "strip-of-cattaneo-and-mindlin",
-      {.sentence = "Under a tangential load the strip that sticks is that of Cattaneo "
-                   "and Mindlin.",
-       .place = "this report",
-       .route = "the difference of two frictionless contacts against the closed form, under "
+      {.route = "the difference of two frictionless contacts against the closed form, under "
                 "three loads",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(

@@ -182,9 +182,7 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
   const char* const reason = "ten digits of the scale K, for which the quadratures are written";
   document.claim(
       "equation-3-follows",
-      {.sentence = "Putting eq. (4) into eq. (2) and integrating yields eq. (3).",
-       .place = "paper, Problem Description, p. 5",
-       .route = "eq. (2) by quadrature, integrated from the datum by quadrature, at the points of "
+      {.route = "eq. (2) by quadrature, integrated from the datum by quadrature, at the points of "
                 "the tables; and the integral of the logarithm over eight decades of distance",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
@@ -197,9 +195,7 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
                         promised(reason))}});
   document.claim(
       "quadrature-knows-its-error",
-      {.sentence = "The quadrature of eq. (2) is right within the error that it reports itself.",
-       .place = "this report",
-       .route = "eq. (3) and its derivative in closed form, over eight decades of distance and at "
+      {.route = "eq. (3) and its derivative in closed form, over eight decades of distance and at "
                 "the points of the tables",
        .expected = Verdict::confirmed,
        .criteria = {within_errors("difference of the gradient over the errors of both", gradients),

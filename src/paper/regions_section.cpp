@@ -153,10 +153,7 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
   document.value("wavy.most-regions", Value::integer(static_cast<long>(most)));
   document.claim(
       "valleys-close",
-      {.sentence = "Between waves the valleys close where smooth cylinders would have a "
-                   "pressure above that which presses the waves flat.",
-       .place = "this report",
-       .route = "seven loads on wavy cylinders, given as a measured profile",
+      {.route = "seven loads on wavy cylinders, given as a measured profile",
        .expected = Verdict::confirmed,
        .criteria = {
            Criterion::in_each("valleys closed, more or less than expected", "loads",

@@ -76,9 +76,7 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
   }
   document.claim(
       "symmetric",
-      {.sentence = "The displacements are symmetrical about x = 0.",
-       .place = "paper, Results, p. 8",
-       .route = "eq. (2) by quadrature at x and at −x, where nothing is known of the "
+      {.route = "eq. (2) by quadrature at x and at −x, where nothing is known of the "
                 "symmetry",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
@@ -90,10 +88,7 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
   const Estimate share = quotient(surface.normal_displacement(end), surface.normal_displacement(0));
   document.claim(
       "deflects-far-away",
-      {.sentence = "The triangular load deflects the surface at distances well outside "
-                   "the loaded region.",
-       .place = "paper, Conclusions, p. 9",
-       .route = "eq. (2) by quadrature at the last point of the tables",
+      {.route = "eq. (2) by quadrature at the last point of the tables",
        .expected = Verdict::confirmed,
        .criteria = {
            Criterion::at_least("distance of the point from the middle, over a",
@@ -166,9 +161,7 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
       "far more than the digits of the print leave open, far less than other readings differ");
   document.claim(
       "load-in-words",
-      {.sentence = "A 1000 pound/inch load is applied.",
-       .place = "paper, Numerical Solution, p. 6; Appendix 1, p. 12",
-       .route = "the first printed displacement over that of eq. (3) under unit load; a load on an "
+      {.route = "the first printed displacement over that of eq. (3) under unit load; a load on an "
                 "edge is a force per length of edge, and so is a pressure times the unit thickness "
                 "of a plane model",
        .expected = Verdict::partly,
@@ -179,16 +172,11 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
                                                  Value::significant(load, 4, units.line_load),
                                                  in_words, apart)}});
   document.claim("tri-dist-is-equation-3",
-                 {.sentence = "The listed program, Tri_dist.m, computes eq. (3).",
-                  .place = "paper, Appendix 1, p. 12",
-                  .route = "eq. (3) in this report's form, with the limits taken as limits",
+                 {.route = "eq. (3) in this report's form, with the limits taken as limits",
                   .expected = Verdict::partly,
                   .criteria = {rounds_to_print("eq. (3)", exact)}});
   document.claim("tri-dist-steps-off",
-                 {.sentence = "Tri_dist.m is eq. (3) where it really evaluates it, a step off the "
-                              "singular points.",
-                  .place = "this report",
-                  .route = "eq. (3) at the abscissae that the listing assigns",
+                 {.route = "eq. (3) at the abscissae that the listing assigns",
                   .expected = Verdict::confirmed,
                   .criteria = {rounds_to_print("eq. (3) there", stepped)}});
 }
@@ -242,16 +230,12 @@ void claim_figure5(literate::Document& document, const config::UnitSystem& units
                    const std::vector<Criterion>& errors_of_z) {
   const PrintedFigure5& printed = printed_data.figure5;
   const auto& measures = printed_data.appendix2.measures;
-  document.claim("figure5-analytical", {.sentence = "The analytical column of Fig. 5 is eq. (3).",
-                                        .place = "paper, Error Analysis, Fig. 5, p. 9",
-                                        .route = "eq. (3) with its limits",
+  document.claim("figure5-analytical", {.route = "eq. (3) with its limits",
                                         .expected = Verdict::partly,
                                         .criteria = {rounds_to_print("eq. (3)", analytical)}});
   document.claim(
       "error-of-z",
-      {.sentence = "The error is calculated using displacements in the z-direction only.",
-       .place = "paper, Error Analysis, p. 8",
-       .route = "the difference of the printed columns, analytical less FEA (z)",
+      {.route = "the difference of the printed columns, analytical less FEA (z)",
        .expected = Verdict::refuted,
        .criteria = {Criterion::in_each("that difference less the printed error, in units of the "
                                        "columns' last place",
@@ -267,18 +251,14 @@ void claim_figure5(literate::Document& document, const config::UnitSystem& units
   }
   document.claim(
       "fea-z-are-measures",
-      {.sentence = "Fig. 5 shows the values obtained from the finite-element run.",
-       .place = "paper, Error Analysis, p. 8; Appendix 2, pp. 15–16",
-       .route = "the column FEA (z) against measure1 to measure11 of the run's summary",
+      {.route = "the column FEA (z) against measure1 to measure11 of the run's summary",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::in_each("difference in units of the last place", "points", same)}});
   const PrintedNumber& maximum = measures.at("max_disp_mag");
   const PrintedNumber& largest = *std::ranges::max_element(
       printed.fea_magnitude, {}, [](const PrintedNumber& number) { return number.value(); });
   document.claim("largest-magnitude",
-                 {.sentence = "The largest displacement of the run is max_disp_mag.",
-                  .place = "paper, Appendix 2, p. 15",
-                  .route = "the magnitudes that Fig. 5 prints from the same run",
+                 {.route = "the magnitudes that Fig. 5 prints from the same run",
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::at_most(
                       "largest of the magnitudes in Fig. 5",

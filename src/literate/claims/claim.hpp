@@ -19,11 +19,10 @@ std::string_view name_of(Verdict verdict);
 /// and partly confirmed in between. There must be at least one.
 Verdict verdict_of(const std::vector<Criterion>& criteria);
 
-/// A statement that the computation checks. The criteria alone say what was computed, what was
-/// asked of it, and which verdict it has. All texts are plain, not LaTeX.
+/// How the computation checks a statement, whose sentence stands in the prose. The criteria alone
+/// say what was computed, what was asked of it, and which verdict it has. All texts are plain, not
+/// LaTeX.
 struct Claim {
-  std::string sentence;                   ///< what is claimed, one sentence with its full stop
-  std::string place;                      ///< who states it and where: «paper, Results, p. 3»
   std::string route;                      ///< how it was computed, independently of the statement
   Verdict expected = Verdict::undecided;  ///< the verdict that the prose gives
   std::vector<Criterion> criteria;        ///< what decides, each with its limit and its reason

@@ -103,8 +103,6 @@ void Document::claim(const std::string& id, Claim claim, Location location) {
     throw std::logic_error(
         fmt::format("{}: claim '{}' has no {}", text_of(place_of(location)), id, part));
   };
-  require(!claim.sentence.empty(), "sentence");
-  require(!claim.place.empty(), "place");
   require(!claim.route.empty(), "route");
   require(!claim.criteria.empty(), "criterion");
   registered_.claims.emplace_back(id, std::move(claim));

@@ -41,8 +41,8 @@ class Document {
   void check(const std::string& id, bool passed, std::string statement,
              Location location = Location::current());
 
-  /// Registers a statement with its verdict: `\claim{id}`. Throws std::logic_error if its sentence,
-  /// place or route is empty, and without a criterion.
+  /// Registers a statement with its verdict: `\claim{id}`. Its sentence stands in the
+  /// prose: `\statement{id}{…}`. Throws std::logic_error without a route or a criterion.
   void claim(const std::string& id, Claim claim, Location location = Location::current());
 
   /// Registers what comes from another program's file, with the place in that file.

@@ -41,12 +41,10 @@ std::string values_tex(const Registered& registered) {
   for (const auto& [key, is_set] : registered.flags) {
     text += fmt::format("\\LiterateFlag{{{}}}{{{}}}\n", key, is_set ? "true" : "false");
   }
-  int number = 0;
   for (const auto& [id, claim] : registered.claims) {
     // Only one number stands well within a sentence; several stand in the ledger.
     const bool is_single = claim.criteria.size() == 1;
-    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}{{{}}}{{{}}}\n", id, ++number,
-                        name_of(claim.found()),
+    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}{{{}}}\n", id, name_of(claim.found()),
                         is_single ? claim.criteria.front().found().latex : std::string());
   }
   const std::size_t n_faults = faults(registered).size();
@@ -57,26 +55,6 @@ std::string values_tex(const Registered& registered) {
   }
   return text;
 }
-
-namespace {
-
-/// Writes «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{undecided}{not as expected}».
-std::string ledger_summary(const Registered& registered) {
-  const auto count = [&](auto&& is_meant) {
-    return std::ranges::count_if(registered.claims,
-                                 [&](const auto& entry) { return is_meant(entry.second); });
-  };
-  const auto count_of = [&](Verdict verdict) {
-    return count([verdict](const Claim& claim) { return claim.found() == verdict; });
-  };
-  return fmt::format("\\LiterateLedgerSummary{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n",
-                     registered.claims.size(), count_of(Verdict::confirmed),
-                     count_of(Verdict::partly), count_of(Verdict::refuted),
-                     count_of(Verdict::undecided),
-                     count([](const Claim& claim) { return claim.found() != claim.expected; }));
-}
-
-}  // namespace
 
 namespace {
 
@@ -95,13 +73,11 @@ std::string criteria_tex(const Claim& claim) {
 }  // namespace
 
 std::string claims_tex(const Registered& registered) {
-  std::string text = ledger_summary(registered);
+  std::string text;
   for (const auto& [id, claim] : registered.claims) {
     text += fmt::format(
-        "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}"
-        "{{{}}}{{{}}}{{%\n{}  }}\n",
-        id, escape_latex(claim.sentence), escape_latex(claim.place), escape_latex(claim.route),
-        name_of(claim.expected), name_of(claim.found()),
+        "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}{{{}}}{{{}}}{{%\n{}  }}\n", id,
+        escape_latex(claim.route), name_of(claim.expected), name_of(claim.found()),
         escape_latex_path(text_of(registered.places.at({"claim", id}))), criteria_tex(claim));
   }
   return text;

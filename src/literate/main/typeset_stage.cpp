@@ -18,6 +18,7 @@
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/references.hpp"
+#include "literate/prose/statements.hpp"
 #include "literate/provenance/digest.hpp"
 #include "literate/provenance/manifest.hpp"
 #include "literate/provenance/manifest_comparison.hpp"
@@ -76,7 +77,8 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   const std::string folder = name_within(root, document);
   const std::string prefix = folder == "." ? "" : folder + "/";
   files.merge(digests(document, document_files(document), prefix));
-  for (const auto& [file, digest] : sources_below(document, ".", {".bib", ".sty"})) {
+  for (const auto& [file, digest] :
+       sources_below(document, ".", {".bib", ".sty", "quotations.toml"})) {
     files[prefix + file.substr(2)] = digest;
   }
   if (!options.case_file.empty()) {
@@ -153,6 +155,7 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
     complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
   }
 
+  write_statements(options.document, names, fs::path(options.build) / "statements.tex");
   typeset({.source_dir = options.document,
            .main_file = options.main_file,
            .generated_dir = options.generated,

@@ -45,6 +45,12 @@ Table& Table::add_row(std::vector<Cell> cells) {
   return *this;
 }
 
+std::vector<std::string> Table::headings() const {
+  std::vector<std::string> headings;
+  for (const Column& column : columns_) headings.push_back(column.format().heading);
+  return headings;
+}
+
 std::string Table::latex() const {
   std::vector<ColumnWriter> columns;
   for (std::size_t i = 0; i < columns_.size(); ++i) {

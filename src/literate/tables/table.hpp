@@ -18,6 +18,9 @@ class Table {
   /// Adds a row; throws std::invalid_argument unless it has one cell for each column.
   Table& add_row(std::vector<Cell> cells);
 
+  /// The headings of the columns, as LaTeX.
+  std::vector<std::string> headings() const;
+
   /// Writes the tabular. Throws std::invalid_argument for a number that is not finite, and for one
   /// in a text column.
   std::string latex() const;

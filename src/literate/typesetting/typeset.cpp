@@ -29,13 +29,15 @@ std::string seen_from(const fs::path& source_dir, const fs::path& path) {
 
 std::map<std::string, std::string> environment(const TypesetOptions& options) {
   // TEXMFHOME, the folder of the user's own packages, is set to one that does not exist.
-  return {{"SOURCE_DATE_EPOCH", fmt::format("{}", options.source_date_epoch)},
-          {"FORCE_SOURCE_DATE", "1"},
-          {"TZ", "UTC"},
-          {"LC_ALL", "C"},
-          {"max_print_line", "1000"},
-          {"TEXMFHOME", "no-texmf-of-the-user"},
-          {"TEXINPUTS", ".:" + seen_from(options.source_dir, options.generated_dir) + ":"}};
+  return {
+      {"SOURCE_DATE_EPOCH", fmt::format("{}", options.source_date_epoch)},
+      {"FORCE_SOURCE_DATE", "1"},
+      {"TZ", "UTC"},
+      {"LC_ALL", "C"},
+      {"max_print_line", "1000"},
+      {"TEXMFHOME", "no-texmf-of-the-user"},
+      {"TEXINPUTS", fmt::format(".:{}:{}:", seen_from(options.source_dir, options.generated_dir),
+                                seen_from(options.source_dir, options.build_dir))}};
 }
 
 /// The last lines of what latexmk printed, for failures that are not in LaTeX's log.

@@ -19,8 +19,9 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_generated_file_is_told_where_the_documen
 
   BOOST_TEST(told("../my build/generated/tables/t.tex:7: Misplaced \\noalign.\n  l.7 x") ==
              "report/part/a.tex:2: in table 't': Misplaced \\noalign. (tables/t.tex:7)\n  l.7 x");
-  BOOST_TEST(told("../generated/figures/f/f.tex: Undefined") ==
-             "report/main.tex:4 or report/part/a.tex:2: in figure 'f': Undefined (figures/f/f.tex)");
+  BOOST_TEST(
+      told("../generated/figures/f/f.tex: Undefined") ==
+      "report/main.tex:4 or report/part/a.tex:2: in figure 'f': Undefined (figures/f/f.tex)");
   BOOST_TEST(told("../generated/tables/none.tex:7: Bad") == "../generated/tables/none.tex:7: Bad");
   BOOST_TEST(told("report/part/a.tex:7: Bad") == "report/part/a.tex:7: Bad");
 }

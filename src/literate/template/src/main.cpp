@@ -60,17 +60,13 @@ void register_claims(literate::Document& document, const Parameters& parameters)
   const numerics::Estimate relative = relative_period(parameters.angle * degree);
   const numerics::Estimate excess = relative - numerics::Estimate{1, 0};
   document.claim("longer",
-                 {.sentence = "A pendulum that swings far takes at least a tenth longer.",
-                  .place = "folklore",
-                  .route = "the integral for the period",
+                 {.route = "the integral for the period",
                   .expected = literate::Verdict::confirmed,
                   .criteria = {Criterion::at_least("excess", Value::percent(excess, 1),
                                                    {LimitKind::stated, 0.1, "a tenth"})}});
   const double series = short_series(parameters.angle * degree);
   const Value by_series = Value::significant({series, 1e-15 * series}, 4);
-  document.claim("series-suffices", {.sentence = "One term of the series is enough for 1 %.",
-                                     .place = "folklore",
-                                     .route = "the same integral",
+  document.claim("series-suffices", {.route = "the same integral",
                                      .expected = literate::Verdict::refuted,
                                      .criteria = {Criterion::agrees_relatively(
                                          "series", by_series, Value::significant(relative, 4),
