@@ -25,7 +25,7 @@ export LC_ALL := C
 # Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report reports html figures figure check-report test test-all mutants bench verify dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report reports html figures figure check-report test test-all mutants bench peers verify dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
@@ -57,6 +57,9 @@ mutants: ## plants faults, each of which must turn a test or the report red
 
 bench: ## benchmarks, results in build/bench/bench.json
 	@bash src/toolchain/build bench
+
+peers: ## what an author's edits cost here and with knitr (first make setup STAGES=peers)
+	@bash src/toolchain/build peers
 
 verify: ## makes the report again elsewhere and asks for the same bytes
 	@bash src/toolchain/build verify

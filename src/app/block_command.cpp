@@ -2,17 +2,16 @@
 #include <fmt/core.h>
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/json_text.hpp"
+#include "app/output_file.hpp"
 #include "app/output_format.hpp"
 #include "block/analysis.hpp"
 #include "block/calculix_deck.hpp"
@@ -94,14 +93,6 @@ Problem problem_of(const BlockOptions& options) {
   elasticity::Load load = load_of(options.load, h.load.peak_pressure(), h.load.half_width());
   const block::Supports supports = block::with_sides(sides_of(options.sides, c.block->sides));
   return {std::move(c), rectangle, discretization, std::move(load), supports};
-}
-
-// Called before the computation, so that a wrong name is found at once and not at its end.
-void require_folder_of(const std::string& flag, const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  std::error_code ignored;
-  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return;
-  throw sys::InputError(fmt::format("{} {}: folder does not exist", flag, file));
 }
 
 void write_files(const BlockOptions& options, const Problem& problem,

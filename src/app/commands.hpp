@@ -13,6 +13,7 @@ using namespace command_line;  // the commands are made of its parts
 void add_displacement_command(CLI::App& program, ExitCode& exit_code);
 void add_block_command(CLI::App& program, ExitCode& exit_code);
 void add_contact_command(CLI::App& program, ExitCode& exit_code);
+void add_point_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_stress_command(CLI::App& program, ExitCode& exit_code);
 
 /// Adds compute, draw, typeset, check and describe: what makes the report.
@@ -20,7 +21,7 @@ void add_report_stages(CLI::App& program, ExitCode& exit_code);
 
 /// All subcommands, in the order in which the help lists them.
 inline const std::vector<AddCommand> all_commands{
-    add_displacement_command, add_block_command, add_contact_command, add_stress_command,
-    add_report_stages};
+    add_displacement_command,  add_block_command,  add_contact_command,
+    add_point_contact_command, add_stress_command, add_report_stages};
 
 }  // namespace app

@@ -3,18 +3,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/profile_file.hpp"
 #include "contact/dense_system.hpp"
 #include "contact/fft_solver.hpp"
 #include "contact/hertz.hpp"
-#include "contact/power_law.hpp"
-#include "contact/rounded_punch.hpp"
-#include "contact/wedge.hpp"
 #include "system/require.hpp"
 
 namespace app {
@@ -28,17 +25,11 @@ bool is_file(const std::string& profile) {
   return profile.starts_with(file_prefix);
 }
 
-template <class Contact>
-ClosedForm closed_form(std::string name, const Contact& contact, double peak_pressure) {
-  return {std::move(name), contact.half_width(), peak_pressure,
-          [contact](double x) { return contact.pressure(x); }};
-}
-
-// A number that must be given on the command line, because no case file has it.
-double required(const NumberOption& option) {
-  const auto number = option.number();
-  if (!number) throw sys::InputError(option.flag() + " is missing");
-  return *number;
+// What --profile may name, as the help and the message for a wrong name have it.
+std::string names_of_profiles(std::string_view between, std::string_view before_last) {
+  std::string names = "cylinder";
+  for (const ProfileChoice& choice : profile_choices()) names.append(between).append(choice.name);
+  return names.append(before_last) + "file:PATH";
 }
 
 contact::Element element_named(const std::string& name) {
@@ -62,11 +53,7 @@ ContactOptions::ContactOptions(CLI::App& command)
       load_(command, "--load", "Load P per unit length"),
       approach_(command, "--approach", "Approach of the bodies instead of the load; needs --datum"),
       datum_(command, "--datum", "Where the points lie whose approach is meant"),
-      slope_(command, "--slope", "Wedge: tangent of the angle between face and surface"),
-      flat_(command, "--flat", "Rounded punch: half-width of its flat"),
-      edge_radius_(command, "--edge-radius", "Rounded punch: radius of its edges"),
-      power_(command, "--power", "Power law A x^2n: n"),
-      coefficient_(command, "--coefficient", "Power law A x^2n: A"),
+      profile_numbers_(command),
       nodes_(command, "--nodes", "Number of nodes"),
       domain_(command, "--domain",
               "Total width that the nodes fill [a little more than the contact]"),
@@ -74,7 +61,7 @@ ContactOptions::ContactOptions(CLI::App& command)
                  "Error of the pressure allowed to fft, relative to the peak [1e-10]"),
       friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
       tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
-  add_text(command, "--profile", profile_, "cylinder|wedge|rounded-punch|power|file:PATH",
+  add_text(command, "--profile", profile_, names_of_profiles("|", "|"),
            "Shape of the gap; file: a CSV file with the columns x,gap");
   add_choice(command, "--element", element_, {"triangular", "uniform", "point"},
              "What stands at a node for the pressure around it");
@@ -102,24 +89,18 @@ contact::Radius ContactOptions::Body::radius_or(const std::optional<CylinderCase
   return contact::Radius::of_cylinder(radius.flag().c_str() + 2, length);
 }
 
-// Refuse a flag that would be ignored: the user made a mistake.
-void ContactOptions::refuse_flags_of_other_profiles() const {
-  const std::vector<std::pair<const NumberOption*, const char*>> flags = {
-      {&body1_.radius, "cylinder"}, {&body2_.radius, "cylinder"},     {&slope_, "wedge"},
-      {&flat_, "rounded-punch"},    {&edge_radius_, "rounded-punch"}, {&power_, "power"},
-      {&coefficient_, "power"}};
-  for (const auto& [option, profile] : flags) {
-    if (!option->text().empty() && profile_ != profile) {
-      throw sys::InputError(
-          fmt::format("{} has no meaning for --profile {}", option->flag(), profile_));
-    }
+// Refuse radii for a profile that has none: the user made a mistake.
+void ContactOptions::refuse_radii() const {
+  for (const NumberOption* option : {&body1_.radius, &body2_.radius}) {
+    if (option->text().empty()) continue;
+    throw sys::InputError(
+        fmt::format("{} has no meaning for --profile {}", option->flag(), profile_));
   }
 }
 
 void ContactOptions::set_profile(ContactInput& input,
                                  const std::optional<parameters::Case>& from_file) const {
-  refuse_flags_of_other_profiles();
-  const double modulus = input.problem.contact_modulus;
+  profile_numbers_.refuse_flags_of_others(profile_);
   contact::Profile& profile = input.problem.profile;
   if (profile_ == "cylinder") {
     std::optional<CylinderCase> given1, given2;
@@ -133,37 +114,23 @@ void ContactOptions::set_profile(ContactInput& input,
     if (!input.line_load) return;
     input.hertz.emplace(cylinders, *input.line_load);
     input.closed_form = closed_form("hertz", *input.hertz, input.hertz->peak_pressure());
-  } else if (profile_ == "wedge") {
-    const double slope = required(slope_);
-    profile = contact::Profile::wedge(slope);
-    if (!input.line_load) return;
-    input.closed_form = closed_form("wedge", contact::Wedge(modulus, slope, *input.line_load),
-                                    std::numeric_limits<double>::infinity());
-  } else if (profile_ == "rounded-punch") {
-    const double flat = required(flat_);
-    const double radius = sys::require_positive("edge-radius", required(edge_radius_));
-    profile = contact::Profile::rounded_punch(flat, 1 / radius);
-    if (!input.line_load) return;
-    const contact::RoundedPunch punch(modulus, flat, 1 / radius, *input.line_load);
-    input.closed_form = closed_form("rounded-punch", punch, punch.peak_pressure());
-  } else if (profile_ == "power") {
-    const auto n = power_.integer();
-    if (!n) throw sys::InputError("--power is missing");
-    if (*n < 1 || *n > contact::Profile::max_power) {
-      throw sys::InputError(
-          fmt::format("--power = {}: must be from 1 to {}", *n, contact::Profile::max_power));
-    }
-    const double coefficient = required(coefficient_);
-    profile = contact::Profile::power_law(coefficient, static_cast<int>(*n));
-    if (!input.line_load) return;
-    const contact::PowerLaw power(modulus, coefficient, static_cast<int>(*n), *input.line_load);
-    input.closed_form = closed_form("power", power, power.peak_pressure());
-  } else if (is_file(profile_)) {
-    profile = read_profile(profile_.substr(std::string(file_prefix).size()));
-  } else {
-    throw sys::InputError(fmt::format(
-        "--profile = {}: must be cylinder, wedge, rounded-punch, power or file:PATH", profile_));
+    return;
   }
+  refuse_radii();
+  if (is_file(profile_)) {
+    profile = read_profile(profile_.substr(std::string(file_prefix).size()));
+    return;
+  }
+  const auto& choices = profile_choices();
+  const auto choice = std::ranges::find(choices, profile_, &ProfileChoice::name);
+  if (choice == choices.end()) {
+    throw sys::InputError(
+        fmt::format("--profile = {}: must be {}", profile_, names_of_profiles(", ", " or ")));
+  }
+  ChosenProfile chosen =
+      choice->choose(profile_numbers_, input.problem.contact_modulus, input.line_load);
+  profile = std::move(chosen.profile);
+  input.closed_form = std::move(chosen.closed_form);
 }
 
 void ContactOptions::set_grid(ContactInput& input, Eigen::Index n_nodes) const {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "app/profile_choices.hpp"
 #include "command_line/options.hpp"
 #include "contact/friction.hpp"
 #include "contact/hertz.hpp"
@@ -14,14 +14,6 @@
 
 namespace app {
 using namespace command_line;
-
-/// A contact that has a closed form, to compare with.
-struct ClosedForm {
-  std::string name;
-  double half_width;
-  double peak_pressure;  ///< infinite for a wedge
-  std::function<double(double)> pressure;
-};
 
 /// A contact to be solved, as the command line and the case file describe it.
 struct ContactInput {
@@ -60,12 +52,12 @@ class ContactOptions {
   };
 
   void set_profile(ContactInput& input, const std::optional<parameters::Case>& from_file) const;
-  void refuse_flags_of_other_profiles() const;
+  void refuse_radii() const;
   void set_grid(ContactInput& input, Eigen::Index n_nodes) const;
 
   Body body1_, body2_;
   NumberOption load_, approach_, datum_;
-  NumberOption slope_, flat_, edge_radius_, power_, coefficient_;
+  ProfileNumbers profile_numbers_;
   NumberOption nodes_, domain_, tolerance_, friction_, tangential_;
   std::string profile_ = "cylinder";
   std::string element_ = "triangular";

@@ -3,9 +3,10 @@
 
 #include <exception>
 
-#include "assignment/answers.hpp"
-#include "assignment/public_contact.hpp"
-#include "assignment/tasks.hpp"
+#include "assignment/exercises/closed_form.hpp"
+#include "assignment/exercises/contact_solver.hpp"
+#include "assignment/exercises/displacement.hpp"
+#include "assignment/exercises/quadrature.hpp"
 #include "system/error.hpp"
 
 namespace assignment {
@@ -24,7 +25,7 @@ Numbers places() {
 }
 
 Numbers slope_by_eq_3(const Program& program, const Surface& surface) {
-  return ask_gradient(program, surface, times(surface.half_width, places()));
+  return closed_form::ask(program, surface, times(surface.half_width, places()));
 }
 
 Curve slope(const Program& program, const Variant& variant) {
@@ -35,15 +36,15 @@ Curve slope(const Program& program, const Variant& variant) {
 Curve disagreement(const Program& program, const Variant& variant) {
   const Surface surface = surface_of(variant);
   const Numbers by_eq_3 = slope_by_eq_3(program, surface);
-  Numbers difference = ask_quadrature(program, surface, times(surface.half_width, places())).value;
+  Numbers difference = quadrature::ask(program, surface, times(surface.half_width, places())).value;
   for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= by_eq_3[i];
   return {"Your eq. (2) minus your eq. (3)", "x/a", "difference", places(), difference};
 }
 
-Curve displacement(const Program& program, const Variant& variant) {
+Curve depth(const Program& program, const Variant& variant) {
   const Surface surface = surface_of(variant);
   return {"Your displacement under the triangle", "x/a", "u_z in m", places(),
-          ask_displacement(program, surface, times(surface.half_width, places()))};
+          displacement::ask(program, surface, times(surface.half_width, places()))};
 }
 
 Numbers nodes_of(const Cylinders& cylinders) {
@@ -55,21 +56,21 @@ Numbers nodes_of(const Cylinders& cylinders) {
 Curve contact_pressure(const Program& program, const Variant& variant) {
   const Cylinders cylinders = cylinders_of(variant);
   return {"Your contact pressure", "x in m", "p in Pa", nodes_of(cylinders),
-          ask_contact(program, cylinders).pressure};
+          contact_solver::ask(program, cylinders).pressure};
 }
 
 Curve contact_gap(const Program& program, const Variant& variant) {
   const Cylinders cylinders = cylinders_of(variant);
-  const ContactAnswer contact = ask_contact(program, cylinders);
+  const contact_solver::Answer contact = contact_solver::ask(program, cylinders);
   return {"The gap that your pressure leaves, by your coefficients: eq. (1a), (1b)", "x in m",
-          "gap in m", nodes_of(cylinders), gaps(program, cylinders, contact)};
+          "gap in m", nodes_of(cylinders), contact_solver::gaps(program, cylinders, contact)};
 }
 
 }  // namespace
 
 std::vector<Curve> curves(const Program& program, const Variant& variant) {
   std::vector<Curve> all;
-  for (const auto curve : {slope, disagreement, displacement, contact_pressure, contact_gap}) {
+  for (const auto curve : {slope, disagreement, depth, contact_pressure, contact_gap}) {
     try {
       all.push_back(curve(program, variant));
     } catch (const sys::ToolError&) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assignment/hidden_checks.hpp"
 
-#include "assignment/answers.hpp"
-#include "assignment/hidden_contact.hpp"
-#include "assignment/hidden_surface.hpp"
+#include "assignment/given/answers.hpp"
+#include "exercise_list.hpp"
 
 namespace assignment {
 
 course::Checks hidden_checks() {
-  course::Checks checks = hidden_surface_checks();
-  checks.merge(hidden_contact_checks());
-  for (auto& [id, check] : checks) check = guarded(check);
+  course::Checks checks;
+  for (const ChecksOfExercise of_exercise : hidden_checks_of_exercises) {
+    checks.merge(guarded(of_exercise()));
+  }
   return checks;
 }
 

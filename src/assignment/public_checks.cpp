@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assignment/public_checks.hpp"
 
-#include "assignment/answers.hpp"
-#include "assignment/public_contact.hpp"
-#include "assignment/public_influence.hpp"
-#include "assignment/public_surface.hpp"
+#include "assignment/given/answers.hpp"
+#include "exercise_list.hpp"
 
 namespace assignment {
 
 course::Checks public_checks() {
-  course::Checks checks = public_surface_checks();
-  checks.merge(public_influence_checks());
-  checks.merge(public_contact_checks());
-  for (auto& [id, check] : checks) check = guarded(check);
+  course::Checks checks;
+  for (const ChecksOfExercise of_exercise : public_checks_of_exercises) {
+    checks.merge(guarded(of_exercise()));
+  }
   return checks;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "assignment/sheet_figures.hpp"
 
@@ -20,6 +21,8 @@ using course::Visibility;
 using literate::Cell;
 using literate::Column;
 using literate::Document;
+using literate::exact;
+using literate::integer;
 using literate::Table;
 using literate::Value;
 
@@ -45,21 +48,30 @@ const std::map<std::string, Meaning> meanings = {
     {"datum", {"$d$", "datum, where the displacement is zero"}},
 };
 
+// A count as a text has it: in words up to twelve.
+std::string in_words(std::size_t count) {
+  static const std::vector<std::string> words = {"no",   "one",    "two",   "three", "four",
+                                                 "five", "six",    "seven", "eight", "nine",
+                                                 "ten",  "eleven", "twelve"};
+  return count < words.size() ? words[count] : fmt::format("{}", count);
+}
+
 void register_facts(Document& document, const Assignment& assignment, const Variant& variant) {
   document.value("sheet.title", Value::text(assignment.title));
   document.value("sheet.deadline", Value::text(fmt::format("{:%Y-%m-%d, %H:%M} UTC",
                                                            fmt::gmtime(assignment.deadline))));
-  document.value("sheet.points", Value::exact(assignment.points));
+  document.value("sheet.points", Value(assignment.points, exact()));
+  document.value("sheet.exercises", Value::text(in_words(assignment.exercises.size())));
   document.value("sheet.student", Value::text(variant.student));
   document.flag("sheet.is-personal", !variant.student.empty());
-  document.value("late.percent", Value::exact(assignment.late.percent_per_day));
-  document.value("late.days", Value::integer(assignment.late.days));
-  document.value("limit.compile", Value::integer(assignment.limits.compile_seconds, "s"));
-  document.value("limit.run", Value::integer(assignment.limits.run_seconds, "s"));
-  document.value("limit.memory", Value::integer(assignment.limits.memory_mb, "MB"));
-  document.value("limit.output", Value::integer(assignment.limits.output_kb, "kB"));
-  document.value("limit.submission", Value::integer(assignment.limits.submission_mb, "MB"));
-  document.value("limit.file", Value::integer(assignment.limits.file_kb, "kB"));
+  document.value("late.percent", Value(assignment.late.percent_per_day, exact()));
+  document.value("late.days", Value(assignment.late.days, integer()));
+  document.value("limit.compile", Value(assignment.limits.compile_seconds, integer(), "s"));
+  document.value("limit.run", Value(assignment.limits.run_seconds, integer(), "s"));
+  document.value("limit.memory", Value(assignment.limits.memory_mb, integer(), "MB"));
+  document.value("limit.output", Value(assignment.limits.output_kb, integer(), "kB"));
+  document.value("limit.submission", Value(assignment.limits.submission_mb, integer(), "MB"));
+  document.value("limit.file", Value(assignment.limits.file_kb, integer(), "kB"));
 }
 
 const char* name_of(Visibility visibility) {
@@ -78,7 +90,7 @@ void register_exercises(Document& document, const Assignment& assignment) {
       checks.add_row({check.says, name_of(check.visibility), fmt::format("{}", check.points)});
     }
     document.table("checks-" + exercise.id, std::move(checks));
-    document.value("points." + exercise.id, Value::exact(exercise.points()));
+    document.value("points." + exercise.id, Value(exercise.points(), exact()));
     const std::string before = fmt::format("{}", fmt::join(exercise.builds_on, ", "));
     exercises.add_row({fmt::format("{}. {}", ++number, exercise.title), exercise.file,
                        before.empty() ? "–" : before, fmt::format("{}", exercise.points()),
@@ -91,7 +103,7 @@ void register_quantities(Document& document, const Assignment& assignment, const
   Table table(
       {Column::text(""), Column::text("quantity"), Column::text("name"), Column::text("value")});
   for (const course::Quantity& quantity : assignment.quantities) {
-    const Value value = Value::exact(variant(quantity.name), quantity.unit);
+    const Value value = Value(variant(quantity.name), exact(), quantity.unit);
     const auto known = meanings.find(quantity.name);
     const Meaning meaning = known == meanings.end() ? Meaning{} : known->second;
     table.add_row(

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "assignment/tasks.hpp"
+#include "assignment/given/cylinders.hpp"
+#include "assignment/given/surface.hpp"
 
 namespace assignment {
 namespace {

@@ -16,7 +16,8 @@
 namespace block {
 namespace {
 
-constexpr double same_line = 1e-9;  // of the width
+// Two lines that are closer than this part of the block's width are one.
+constexpr double same_line = 1e-9;
 
 std::vector<double> subdivided(const std::vector<double>& lines, int n_parts) {
   std::vector<double> result{lines.front()};
@@ -32,13 +33,14 @@ std::vector<double> subdivided(const std::vector<double>& lines, int n_parts) {
 void write_nodes(std::ostream& out, const Mesh& mesh) {
   out << "*NODE, NSET=ALL\n";
   for (Index node = 0; node < mesh.n_nodes(); ++node) {
-    if (mesh.is_interior(node)) continue;  // the centre of an element, which CPE8 has not
+    if (mesh.is_interior(node)) continue;  // CPE8 has no node in the centre of an element
     const Eigen::Vector2d position = mesh.position(node);
     out << fmt::format("{}, {:.13g}, {:.13g}\n", node + 1, position.x(), 0.0 - position.y());
   }
 }
 
-// Corners counter-clockwise as seen with y up, then the middles of the edges between them.
+// Writes the nodes of each element: its corners, counter-clockwise as one sees them with y up, and
+// then the middles of the edges between them.
 void write_elements(std::ostream& out, const Mesh& mesh) {
   constexpr std::array<std::array<int, 2>, 8> steps{
       {{0, 2}, {2, 2}, {2, 0}, {0, 0}, {1, 2}, {2, 1}, {1, 0}, {0, 1}}};

@@ -11,10 +11,12 @@
 namespace block {
 namespace {
 
-// Kinks closer than this part of the width are one: what rounding, or a change of units, set apart.
+// Two kinks that are closer than this part of the width are one kink, which rounding or a change of
+// units set apart.
 constexpr double same_place = 1e-9;
 
-// The kinks with the sizes of the elements beside them, and the block's sides about them.
+// Returns the kinks, each with the size of the elements beside it, and the sides of the block on
+// the left and right of them.
 std::vector<GradedPoint> graded_columns(const Rectangle& block, const std::vector<double>& kinks,
                                         double fraction) {
   const double corner = fraction * block.width();
@@ -26,7 +28,7 @@ std::vector<GradedPoint> graded_columns(const Rectangle& block, const std::vecto
     points.push_back({kinks[i], fraction * spacing});
   }
 
-  // End at the sides; a kink that is there already moves the last hair
+  // The outermost points are the sides; a kink within rounding of a side is moved onto it
   const double hair = same_place * block.width();
   if (kinks.front() - block.left() > hair) points.insert(points.begin(), {block.left(), corner});
   if (block.right() - kinks.back() > hair) points.push_back({block.right(), corner});

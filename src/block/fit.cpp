@@ -35,9 +35,9 @@ Ratios relative_displacements(const std::vector<RefinedSolution>& solutions,
   return ratios;
 }
 
-// The factors f that make Σ_i (Σ_k A_ik f_k − 1)² least, where A are the ratios: the sum of the
-// squared relative misfits.
-// By GSL's singular values: Eigen's QR takes the compiler ten seconds.
+// Returns the factors f that make the sum of the squared relative misfits, Σ_i (Σ_k A_ik f_k − 1)²,
+// least; A are the ratios. GSL does it by singular values, because Eigen's QR would take the
+// compiler ten seconds.
 Eigen::VectorXd least_squares(const Ratios& ratios) {
   const auto n_rows = static_cast<std::size_t>(ratios.rows());
   const auto n_columns = static_cast<std::size_t>(ratios.cols());
@@ -97,7 +97,7 @@ LinearFit fit_linear_load(const SupportedBlock& block, double half_width,
                        block.solve(elasticity::distributed_load(rising, nullptr, kinks))},
                       observed);
 
-  // edge fraction = (peak·edge_fraction)/peak, with the errors of both
+  // The edge fraction is the quotient of the two factors, and its error has those of both
   const numerics::Estimate peak = fit.factors[0];
   const numerics::Estimate edge = fit.factors[1];
   const double fraction = edge.value / peak.value;

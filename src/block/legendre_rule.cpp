@@ -7,7 +7,7 @@
 namespace block {
 namespace {
 
-// P_n(ξ), P_{n−1}(ξ) by the three-term recurrence.
+// Returns P_n(ξ) and P_{n−1}(ξ), which the three-term recurrence gives.
 struct LegendrePair {
   double current;
   double previous;
@@ -22,7 +22,8 @@ LegendrePair legendre(int n, double xi) {
   return p;
 }
 
-// Newton's method doubles its digits a step: eight steps from a cosine guess reach rounding.
+// Newton's method doubles the number of right digits in each step, so that eight steps reach
+// rounding from the cosine that is the first guess.
 template <class Step>
 double newton(double xi, Step step) {
   for (int k = 0; k < 8; ++k) xi -= step(xi);

@@ -12,7 +12,8 @@
 namespace block {
 namespace {
 
-// peak·shape(|x|/a), with breakpoints at the given fractions of a on both sides.
+// Returns the pressure peak·shape(|x|/a), which has breakpoints at the given fractions of a on both
+// sides.
 elasticity::Load symmetric_load(double peak, double half_width,
                                 const std::vector<double>& breakpoints,
                                 const std::function<double(double)>& shape) {
@@ -58,7 +59,7 @@ elasticity::Load elliptic(double peak, double half_width) {
 
 elasticity::Load power_fall(double peak, int exponent, double half_width) {
   if (exponent < 1) throw sys::InvalidQuantity("exponent", exponent, "1 or more");
-  // An even power is smooth in the middle, an odd one of |x| is not
+  // An even power of |x| is smooth in the middle; an odd one has a kink there
   const std::vector<double> ends =
       exponent % 2 == 0 ? std::vector<double>{-1, 1} : std::vector<double>{-1, 0, 1};
   return symmetric_load(peak, half_width, ends,

@@ -11,8 +11,9 @@
 namespace block {
 namespace {
 
-// The value of largest magnitude with its sign. Mirror images agree but for rounding; the left one
-// counts, so that the sign of an antisymmetric measure is no matter of chance.
+// The value of the largest magnitude, with its sign. The two sides of a symmetric block agree but
+// for rounding, and the value on the left is taken, so that the sign of an antisymmetric measure
+// does not depend on rounding.
 class SignedExtreme {
  public:
   void offer(double value, double x) {
@@ -30,7 +31,7 @@ class SignedExtreme {
   double x_ = std::numeric_limits<double>::infinity();
 };
 
-// All maxima over the points offered so far.
+// The maxima over all points that were offered so far.
 struct Maxima {
   double disp_mag = 0;
   SignedExtreme disp_x, disp_y;
@@ -50,7 +51,8 @@ void Maxima::offer(const PointState& state, bool is_regular) {
   disp_x.offer(state.displacement.x(), x);
   disp_y.offer(-state.displacement.y(), x);
 
-  // Turn z downwards into y upwards: the shear changes sign, and y becomes the third axis
+  // Here z points down and y out of the plane; there y points up and z out of the plane. So the
+  // shear changes its sign
   stress_xx.offer(s.xx, x);
   stress_xy.offer(-s.xz, x);
   stress_yy.offer(s.zz, x);

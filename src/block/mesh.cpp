@@ -27,7 +27,8 @@ void require_rising(const char* quantity, const std::vector<double>& lines) {
   }
 }
 
-// The interval of `lines` that holds `value`, and where in it, −1 … 1.
+// Returns the interval of `lines` that holds `value`, and the place of the value in it, from −1
+// to 1.
 std::pair<Index, double> locate_between(const char* quantity, const std::vector<double>& lines,
                                         double value) {
   if (!(value >= lines.front() && value <= lines.back())) {

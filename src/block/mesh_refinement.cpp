@@ -7,11 +7,13 @@
 namespace block {
 namespace {
 
-// Distances from a graded end, from `smallest` to `length`, both included.
+// Returns the distances of the boundaries from a graded end, of which the first is `smallest` and
+// the last `length`.
 std::vector<double> graded_distances(double smallest, double length, double ratio) {
   if (smallest >= length) return {length};
   const double exact = std::log(smallest / length) / std::log(ratio);
-  // A hair less, so that rounding does not add a layer to one of two equal halves.
+  // The end is taken a little before `length`, so that rounding does not add a layer to one of two
+  // equal halves.
   const int n_layers = static_cast<int>(std::ceil(exact - 1e-9));
   std::vector<double> distances;
   for (int k = n_layers; k >= 0; --k) {
@@ -29,7 +31,8 @@ std::vector<double> graded_lines(const std::vector<GradedPoint>& points, double 
     const GradedPoint& end = points[i + 1];
     const double half = (end.position - begin.position) / 2;
 
-    // Grade the first half outwards, the second inwards; they share the middle
+    // Grade the first half away from its end and the second towards its own; the boundary in the
+    // middle belongs to both
     for (const double d : graded_distances(begin.smallest, half, ratio)) {
       lines.push_back(begin.position + d);
     }

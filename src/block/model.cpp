@@ -32,11 +32,13 @@ double estimated_megabytes(const Mesh& mesh) {
   const double n_elements =
       static_cast<double>(mesh.n_columns()) * static_cast<double>(mesh.n_rows());
 
-  // Numbers a condensed element keeps; its triplets hold a number and two indices, twice over
+  // Count the numbers that a condensed element keeps. Its triplets hold a number and two indices
+  // each, and exist twice while the matrix is assembled
   const double condensed = n_edge * n_edge + n_edge * n_interior + n_interior * n_interior;
   const double assembly = 2 * 2 * n_edge * n_edge / 2;
 
-  // A banded factor across the shorter way has 2(3p − 1) unknowns an element in a line of elements
+  // Count a banded factor, numbered along the shorter side: a line of elements has 2(3p − 1)
+  // unknowns for each of them
   const double n_across = static_cast<double>(std::min(mesh.n_columns(), mesh.n_rows()));
   const double factor = 2 * (2 * p - 1) * 1.5 * 2 * (3 * p - 1) * n_across;
   return 8e-6 * n_elements * (condensed + assembly + factor);

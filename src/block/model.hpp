@@ -14,9 +14,10 @@ namespace block {
 
 /// A meshed block of one material, its element stiffnesses condensed to the element edges.
 ///
-/// What no support or load changes, computed once and shared by all of them. The whole block is
-/// modelled, never half of it: symmetric and other loads go the same way, and the symmetry of a
-/// result stays something to test. Immutable and shared by pointer, hence safe across threads.
+/// It holds what no support and no load changes, computed once and shared by all of them. The whole
+/// block is modelled and never half of it, so that all loads are treated alike and a test can ask
+/// whether a result is symmetric. The object never changes and is shared by pointer, so that
+/// several threads may use it.
 class Model {
  public:
   /// Computes and condenses the stiffness of every element. Throws InvalidQuantity, before

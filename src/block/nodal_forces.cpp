@@ -9,7 +9,8 @@
 namespace block {
 namespace {
 
-// ∫ N_i(x) t(x) dx over the part of an element's top edge that one piece of the traction covers.
+// Returns ∫ N_i(x) t(x) dx over the part of an element's top edge that one piece of the traction
+// covers.
 Eigen::VectorXd edge_forces(const LobattoBasis& basis, const Element& element,
                             const numerics::Piece& piece, const LegendreRule& rule) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(basis.order() + 1);
@@ -50,7 +51,8 @@ Eigen::VectorXd surface_forces(const Mesh& mesh, const LobattoBasis& basis,
                                const elasticity::Load& load) {
   require_inside(load, mesh.x_lines().front(), mesh.x_lines().back());
 
-  // 3 times the degree of N_i and of a quartic traction, and 2 for dx/dt: 2n − 1 covers them
+  // In t the integrand has three times the degree of N_i and of a quartic traction, and two more
+  // for dx/dt; a rule of n points is exact to degree 2n − 1
   const LegendreRule rule = gauss_rule(2 * mesh.order() + 10);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * mesh.n_nodes());
   const auto add = [&](const numerics::PiecewiseFunction& traction, int component) {

@@ -27,8 +27,9 @@ Supports with_sides(Support sides);
 
 /// Throws InvalidQuantity unless the supports prevent all three rigid motions.
 ///
-/// Any held side prevents the rotation, since it keeps a line in place; what can be missing is a
-/// translation: along x with left and right free and bottom and top not clamped, and alike along z.
+/// Any side that is held prevents the rotation, since a line stays in place. A translation can be
+/// left: that along x if left and right are free and neither bottom nor top is clamped, and
+/// likewise that along z.
 void require_no_rigid_motion(const Supports& supports);
 
 }  // namespace block

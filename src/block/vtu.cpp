@@ -14,7 +14,7 @@
 namespace block {
 namespace {
 
-// One line a point: what `write` appends for its state.
+// Writes a line for each point, which `write` makes of the point's state.
 template <class Write>
 void write_point_array(std::ostream& out, const std::vector<PointState>& states,
                        std::string_view attributes, Write write) {
@@ -54,7 +54,8 @@ void write_cells(std::ostream& out, Index n_elements, Index n_cells) {
   for (Index e = 0; e < n_elements; ++e) {
     for (Index j = 0; j < n_cells; ++j) {
       for (Index i = 0; i < n_cells; ++i) {
-        // Counter-clockwise with y up, rows of points following each other downwards
+        // The corners follow each other counter-clockwise as one sees them with y up; each row of
+        // points lies below the last
         const Index corner = (e * n_points + j) * n_points + i;
         out << fmt::format("{} {} {} {}\n", corner + n_points, corner + n_points + 1, corner + 1,
                            corner);

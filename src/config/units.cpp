@@ -94,7 +94,19 @@ double conversion_factor(const std::string& from, const std::string& to) {
         fmt::format("a unit of \"{}\" wanted, \"{}\" measures something else", to, from));
   }
   const Converter converter(ut_get_converter(from_unit.get(), to_unit.get()));
-  return without_rounding(cv_convert_double(converter.get(), 1));
+  const double factor = cv_convert_double(converter.get(), 1);
+  // An offset ("in from 3", "degC") or a logarithm ("lg(re 1 mm)") cannot be a factor.
+  const bool is_factor = cv_convert_double(converter.get(), 0) == 0 &&
+                         std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) <=
+                             4 * std::numeric_limits<double>::epsilon() * std::abs(factor);
+  if (!is_factor) {
+    throw UnitError(fmt::format("\"{}\" is no multiple of \"{}\": 0 must stay 0", from, to));
+  }
+  if (!(factor > 0 && std::isfinite(factor))) {
+    throw UnitError(fmt::format("\"{}\" is {} times \"{}\": the factor must be positive and finite",
+                                from, factor, to));
+  }
+  return without_rounding(factor);
 }
 
 }  // namespace config

@@ -41,7 +41,8 @@ const std::vector<UnitSystem>& unit_systems();
 const UnitSystem& unit_system(std::string_view name);
 
 /// Returns how many units `to` make one unit `from`, for example 25.4 for in and mm; exactly 1 for
-/// two spellings of one unit. Throws UnitError if a unit is unknown or the dimensions differ.
+/// two spellings of one unit. Throws UnitError if a unit is unknown, if the dimensions differ, and
+/// if the one is no positive multiple of the other: units with an offset or a logarithm.
 double conversion_factor(const std::string& from, const std::string& to);
 
 }  // namespace config

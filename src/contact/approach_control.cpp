@@ -14,7 +14,7 @@
 namespace contact {
 namespace {
 
-// Finds the load P with δ(P) = approach, from two guesses of ln P against ln(δ − h_min).
+// Finds the load P with δ(P) = approach by the secant rule for ln(δ − h_min) as a function of ln P.
 class LoadSearch {
  public:
   LoadSearch(double approach, double least_gap, double first_guess)
@@ -24,7 +24,8 @@ class LoadSearch {
 
   double load() const { return std::exp(log_load_); }
 
-  // Takes δ at load() and moves on; returns by how much, relative.
+  // Takes δ at load(), moves load() towards the root, and returns by what part of the load it
+  // moved.
   double improve(double approach) {
     const double value = std::log(approach - least_gap_);
     if (has_previous_ && log_load_ != previous_log_load_ && value != previous_value_) {
@@ -43,10 +44,25 @@ class LoadSearch {
   bool has_previous_ = false;
   double previous_value_ = 0;
   double previous_log_load_ = 0;
-  double slope_ = 1;  // δ ≈ P·(a logarithm)
+  double slope_ = 1;  // until two points are known: δ is P times a logarithm, which hardly changes
 };
 
-constexpr int max_solves = 60;
+// The load is first looked for on a grid of at most so many nodes, where a solve takes a
+// millisecond. Its discretisation, of second order in the spacing, leaves the load within 1e-8 of
+// that on a finer grid if contact fills the grid, and within 3e-4 if it takes a thirtieth of it; to
+// settle it further than 1e-6 would seldom save a solve.
+constexpr Eigen::Index n_coarse_nodes = 512;
+constexpr double settled_on_coarse = 1e-6;
+
+// The secant rule needs about ten solves from the first guess; a search that has taken sixty does
+// not settle.
+constexpr int max_coarse_solves = 60;
+
+// From there three or four solves reach rounding, since each error of the secant rule is of the
+// order of the product of the two before. What still moves the load after eight is the tolerance of
+// the method itself.
+constexpr double settled = 1e-12;
+constexpr int max_fine_solves = 8;
 
 Problem on_both_sides(Problem problem, Eigen::Index n_nodes) {
   const Grid& grid = problem.grid;
@@ -54,7 +70,7 @@ Problem on_both_sides(Problem problem, Eigen::Index n_nodes) {
   return problem;
 }
 
-// δ on a coarse grid, whose ends the contact may reach while the load is only a guess.
+// Returns δ on a coarse grid. Contact may reach its ends, because the load is only a guess so far.
 double coarse_approach(const Problem& problem, double line_load, double datum) {
   constexpr double tolerance = 1e-8;
   NestedSolution nested = solve_on_nested_grids(problem, line_load, tolerance);
@@ -76,16 +92,13 @@ Solution solve_for_approach(const Problem& problem, double approach, double datu
   }
   LoadSearch search(approach, least_gap,
                     std::numbers::pi / 8 * problem.contact_modulus * (approach - least_gap));
-  const Problem coarse = on_both_sides(problem, std::min<Eigen::Index>(problem.grid.n_nodes, 512));
-  constexpr double settled_on_coarse = 1e-6;
-  for (int i = 0; i < max_solves; ++i) {
+  const Problem coarse = on_both_sides(problem, std::min(problem.grid.n_nodes, n_coarse_nodes));
+  for (int i = 0; i < max_coarse_solves; ++i) {
     if (search.improve(coarse_approach(coarse, search.load(), datum)) < settled_on_coarse) break;
   }
 
-  constexpr double settled = 1e-12;
-  constexpr int enough = 8;  // then only the method's own tolerance moves it
   Solution solution = method(problem, search.load());
-  for (int i = 0; i < enough && search.improve(solution.approach(datum)) > settled; ++i) {
+  for (int i = 0; i < max_fine_solves && search.improve(solution.approach(datum)) > settled; ++i) {
     solution = method(problem, search.load());
   }
   return solution;

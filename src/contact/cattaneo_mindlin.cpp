@@ -11,7 +11,7 @@
 namespace contact {
 namespace {
 
-// |Q|/(μP), with P = π a p₀/2.
+// Returns |Q|/(μP), in which P = π a p₀/2.
 double share_of_sliding(const Hertz& normal, double friction, double tangential_load) {
   sys::require_positive("friction", friction);
   sys::require_finite("tangential_load", tangential_load);

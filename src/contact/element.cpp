@@ -9,7 +9,7 @@
 namespace contact {
 namespace {
 
-// From here on five terms of the series below leave less than a rounding.
+// From this distance on, five terms of the series below are right to rounding.
 constexpr double far = 16;
 
 double times_log(double t) {
@@ -104,7 +104,7 @@ double influence_coefficient(Element element, double k) {
 double influence_difference(Element element, Eigen::Index k) {
   const auto here = static_cast<double>(k);
   if (here < far) {
-    // two uniform pressures of opposite sign are the ends of a triangle
+    // the slope of a triangle of pressure is that of two uniform pressures of opposite sign
     if (element == Element::uniform) return triangular_gradient(here + 0.5);
     return influence_coefficient(element, here + 1) - influence_coefficient(element, here);
   }

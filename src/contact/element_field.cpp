@@ -10,7 +10,7 @@ namespace {
 
 using elasticity::Stress;
 
-// The slope a distance x from an element of pressure p, of both bodies together.
+// Returns the slope of both bodies together at the distance x from an element of pressure p.
 double slope_of(const elasticity::Material& both, Element element, double p, double c, double x) {
   switch (element) {
     case Element::triangular:
@@ -38,7 +38,9 @@ Stress stress_of(Element element, double p, double c, double x, double z) {
 }  // namespace
 
 double surface_slope(const Solution& solution, double contact_modulus, double x) {
-  const elasticity::Material both(contact_modulus, 0);  // 2(1−0)/(πE*), the sum of both bodies'
+  const elasticity::Material both(contact_modulus,
+                                  0);  // with ν = 0 and E* in the place of E, the factor
+                                       // 2(1−ν²)/(πE) is the sum of both bodies'
   const Grid& grid = solution.grid;
   double slope = 0;
   for (Eigen::Index j = 0; j < grid.n_nodes; ++j) {

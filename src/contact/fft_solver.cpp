@@ -11,7 +11,7 @@
 namespace contact {
 namespace {
 
-// A one-sided problem with its mirror image.
+// Returns a one-sided problem completed by its mirror image.
 Problem both_sides(Problem problem) {
   if (problem.grid.is_one_sided) {
     problem.grid = {2 * problem.grid.n_nodes - 1, problem.grid.spacing};

@@ -23,7 +23,7 @@ double FlatPunch::surface_rise(double x) const {
   const double a = half_width_;
   x = std::abs(x);
   if (x <= a) return 0;
-  // arcosh(x/a) = arsinh(√(x²−a²)/a), which has its digits at the edge too
+  // arcosh(x/a) is written as arsinh(√(x²−a²)/a), which loses no digits near the edge
   return 2 * line_load_ / (std::numbers::pi * contact_modulus_) *
          std::asinh(std::sqrt((x - a) * (x + a)) / a);
 }

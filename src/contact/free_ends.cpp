@@ -13,12 +13,23 @@
 namespace contact {
 namespace {
 
-// A domain about the same centre in which the contact has free ends; none if the profile ends
-// first.
+// The domain that is named in the message is so much wider than the contact.
+constexpr double margin = 1.1;
+
+// The domain is doubled until the contact ends inside it. A contact that fills the domain before
+// takes at least a quarter of the doubled one, which is 32 of these spacings from the centre: so
+// its edge is known to three per cent of its reach, less than the margin. That edge alone is asked
+// for, and the pressure need not be right beyond its place.
+constexpr Eigen::Index n_trial_nodes = 128;
+constexpr double trial_tolerance = 1e-3;
+
+// From any width that a double can hold, so many doublings leave every length that means something
+// behind.
+constexpr int max_doublings = 60;
+
+// Returns the width of a domain about the same centre in which the contact has free ends, or
+// nothing if the profile ends before.
 std::optional<double> domain_needed(const Problem& problem, double line_load) {
-  constexpr Eigen::Index few = 128;
-  constexpr double tolerance = 1e-3;
-  constexpr int max_doublings = 60;
   const double centre = problem.grid.centre;
   const double largest =
       2 * std::min(centre - problem.profile.begin(), problem.profile.end() - centre);
@@ -26,13 +37,12 @@ std::optional<double> domain_needed(const Problem& problem, double line_load) {
   for (int doubling = 0; doubling < max_doublings && width < largest; ++doubling) {
     width = std::min(2 * width, largest);
     Problem wider = problem;
-    wider.grid = grid_of_width(width, few, centre);
-    const NestedSolution found = solve_on_nested_grids(wider, line_load, tolerance);
+    wider.grid = grid_of_width(width, n_trial_nodes, centre);
+    const NestedSolution found = solve_on_nested_grids(wider, line_load, trial_tolerance);
     const std::vector<Region> regions = regions_in_contact(wider.grid, found.phi);
     if (regions.empty()) return std::nullopt;
     const double reach =
         std::max(centre - regions.front().begin, regions.back().end - centre) / width;
-    constexpr double margin = 1.1;
     if (margin * reach < 0.5) return 2 * margin * reach * width;
   }
   return std::nullopt;

@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-// The contact between given edges, in which only the pressures are unknown.
+// A contact whose edges are given, so that only the pressures are unknown.
 class GivenEdges {
  public:
   GivenEdges(const Profile& profile, double total, long n_elements)
@@ -74,7 +74,9 @@ Edges moved(const Profile& profile, Edges edges, const Vector2d& step) {
 Vector2d newton_step(const GivenEdges& contact, Edges edges) {
   // Differentiate the gradient g(b) by differences: H = ∂g/∂b, b the two edges
   const double a = (edges.right - edges.left) / 2;
-  const double difference = 1e-5 * a;  // where truncation and the gradient's rounding are alike
+  const double difference =
+      1e-5 *
+      a;  // for this step the error of truncation and the rounding of the gradient are of one size
   const Vector2d gradient = contact.gradient(edges);
   Eigen::Matrix2d slope;
   slope.col(0) = contact.gradient({edges.left + difference, edges.right}) - gradient;
@@ -88,7 +90,8 @@ Vector2d newton_step(const GivenEdges& contact, Edges edges) {
                 slope(1, 0) * gradient[0] - slope(0, 0) * gradient[1]);
   step /= determinant;
 
-  // Go downhill, and not too far: s = −a² g where (s, g) ≥ 0, |s| ≤ a/2
+  // Turn the step downhill, s = −a² g, where it would go up, (s, g) ≥ 0; and shorten it to |s| ≤
+  // a/2
   if (!(step.dot(gradient) < 0)) step = -a * a * gradient;
   const double greatest = step.cwiseAbs().maxCoeff();
   return greatest > a / 2 ? Vector2d(step * (a / 2 / greatest)) : step;
@@ -97,7 +100,7 @@ Vector2d newton_step(const GivenEdges& contact, Edges edges) {
 // Moves the edges until they stay; returns the number of steps.
 int find_edges(const Profile& profile, const GivenEdges& contact, Edges& edges) {
   constexpr int max_iterations = 200;
-  constexpr double settled = 1e-9;  // the step after it would be 1e-5 of it, and is rounding
+  constexpr double settled = 1e-9;  // the next step would be 1e-5 of this one, which is rounding
   for (int iteration = 1; iteration <= max_iterations; ++iteration) {
     const Edges before = edges;
     const Vector2d step = newton_step(contact, before);
@@ -117,7 +120,8 @@ int find_edges(const Profile& profile, const GivenEdges& contact, Edges& edges) 
 // Refuses tension at the nodes, and penetration where the table of a measured profile goes on. The
 // profiles with a formula are convex: between bodies pressed together at one place no other closes.
 void require_one_region(const GradedSolution& solution, const Profile& profile, double total) {
-  constexpr double noise = 1e-4;  // of the peak, of 2P/(πE*): discretisation's on coarse grids
+  constexpr double noise =
+      1e-4;  // so much of the peak, and of 2P/(πE*), is the error of discretisation on coarse grids
   const double least = solution.pressure.minCoeff();
   if (least < -noise * solution.peak_pressure()) {
     throw ContactError(fmt::format("tension {} in contact: it has more than one region", -least));

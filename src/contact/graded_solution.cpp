@@ -25,7 +25,8 @@ double GradedSolution::pressure_at(double at) const {
 double GradedSolution::peak_pressure() const {
   double peak = pressure.maxCoeff();
   for (Index e = 0; e < bulge.size(); ++e) {
-    // The top of the element's parabola is at the share ½ + rise/(8 bulge) of its length.
+    // The parabola of the element has its top where ½ + rise/(8 bulge) of the element's length is
+    // passed.
     const double rise = pressure[e + 1] - pressure[e];
     if (!(std::abs(rise) < 4 * bulge[e])) continue;
     const double mean = (pressure[e] + pressure[e + 1]) / 2;

@@ -16,7 +16,7 @@ Hertz::Hertz(const CylinderPair& cylinders, double line_load)
       peak_pressure_(2 * line_load / (std::numbers::pi * half_width_)) {}
 
 double Hertz::pressure(double x) const {
-  // a − |x| is exact near the edge; 1 − (x/a)² would not be.
+  // Near the edge a − |x| is exact, whereas 1 − (x/a)² would lose digits.
   const double from_edge = half_width_ - std::abs(x);
   if (from_edge <= 0) return 0;
   return peak_pressure_ / half_width_ * std::sqrt(from_edge * (half_width_ + std::abs(x)));

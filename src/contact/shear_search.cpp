@@ -11,8 +11,9 @@ ShearPoint find_greatest_shear(const std::function<elasticity::Stress(double x, 
                                double half_width, double least_depth) {
   const double a = sys::require_positive("half_width", half_width);
   sys::require_positive("least_depth", least_depth);
-  constexpr int n_steps = 10;   // on either side of the centre
-  constexpr int n_rounds = 11;  // each with steps a quarter as long: 0.12 a/4¹⁰ = 1e-7 a at last
+  constexpr int n_steps = 10;   // the steps on either side of the centre
+  constexpr int n_rounds = 11;  // each round has steps a quarter as long as the last, so that the
+                                // steps end at 0.12 a/4¹⁰ = 1e-7 a
   ShearPoint best{0, 0.8 * a, 0};
   double half_x = 1.2 * a;
   double half_z = 0.8 * a;

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-// ⟨s²⟩ of one element about its node, in units of c².
+// Returns ⟨s²⟩ of one element about its node, in units of c².
 double own_second_moment(Element element) {
   switch (element) {
     case Element::triangular:
@@ -28,7 +28,8 @@ double own_second_moment(Element element) {
   return 0;
 }
 
-// How far beyond the end node p² becomes zero if it goes on as between the last two nodes.
+// Returns how far beyond the end node p² becomes zero if it goes on falling as between the last two
+// nodes.
 double overhang(double last, double last_but_one, double spacing) {
   const double fall = last_but_one * last_but_one - last * last;
   return fall > 0 ? spacing * std::min(1.0, last * last / fall) : spacing / 2;
@@ -43,7 +44,8 @@ double Solution::line_load() const {
 }
 
 double Solution::half_width() const {
-  // In units of the peak and of the spacing, which very small loads need.
+  // The moment is taken in units of the peak and of the spacing, because under very small loads it
+  // would underflow.
   const double peak = peak_pressure();
   double load = 0;
   double moment = 0;

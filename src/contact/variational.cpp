@@ -25,7 +25,7 @@ MatrixXd compliance_of(const DenseSystem& system) {
                                [&](Index i, Index j) { return -system.coefficient(i, j); });
 }
 
-// Mean over the nodes in contact, each as often as it has images.
+// Returns the mean over the nodes in contact, in which a node with a mirror image counts twice.
 double mean_in_contact(const VectorXd& values, const ArrayXd& weight_in_contact) {
   return (weight_in_contact * values.array()).sum() / weight_in_contact.sum();
 }

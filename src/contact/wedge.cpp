@@ -24,7 +24,7 @@ double series_from_edge(double s) {
   return sum;
 }
 
-// Beyond, the difference keeps all digits but one; below, the series needs at most 25 terms.
+// Above this s the difference keeps all digits but one; below it the series needs at most 25 terms.
 constexpr double near_edge_squared = 0.2;
 
 }  // namespace
@@ -39,7 +39,7 @@ double Wedge::pressure(double x) const {
   const double a = half_width_;
   x = std::abs(x);
   if (x >= a) return 0;
-  // arcosh(a/x) = arsinh(√(a²−x²)/x), which has its digits at the edge too
+  // arcosh(a/x) is written as arsinh(√(a²−x²)/x), which loses no digits near the edge
   return line_load_ / (std::numbers::pi * a) * std::asinh(std::sqrt((a - x) * (a + x)) / x);
 }
 

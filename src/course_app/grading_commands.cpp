@@ -85,8 +85,9 @@ struct ListOptions {
 };
 
 ExitCode list(const ListOptions& options) {
-  const course::Listing listing =
-      course::list_submissions(options.submissions, roster_of(options.roster));
+  const std::optional<course::Roster> roster = roster_of(options.roster);
+  const course::Listing listing = course::list_submissions(options.submissions, roster);
+  if (roster) fmt::print(stderr, "list: {}\n", course::lateness_source(*roster));
   for (const course::Entry& entry : listing.entries) {
     const std::string path = entry.path.string();
     std::fwrite(path.data(), 1, path.size(), stdout);
@@ -142,7 +143,7 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
                 add_text(command, "--deadline", options->deadline, "TIME",
                          "For this student, instead of the assignment's");
                 add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class, with columns `submitted` and `deadline`");
+                         "CSV of the class with the columns `student`, `submitted` and `deadline`");
                 add_switch(command, "--unsafe", options->is_unsafe,
                            "Grade without bubblewrap: with limits, but with no walls");
                 return [options] { return grade(*options); };

@@ -60,12 +60,13 @@ ExitCode write(const Options& options, course::Edition edition) {
   return ExitCode::success;
 }
 
-// The sources of the hidden checks, with which the answers are compared.
+// The sources of the hidden checks, with which the answers are compared: exercises/x_hidden.cpp and
+// what they share.
 std::vector<fs::path> secret_files(const std::string& source) {
-  const fs::path folder = fs::path(source) / "src/assignment";
+  const fs::path folder = fs::path(source) / "src/assignment/exercises";
   std::vector<fs::path> files;
   for (const std::string& file : sys::files_below(folder)) {
-    if (file.starts_with("hidden_")) files.push_back(folder / file);
+    if (fs::path(file).stem().string().ends_with("_hidden")) files.push_back(folder / file);
   }
   return files;
 }

@@ -13,8 +13,14 @@ namespace {
 using block::MeasureEstimate;
 using config::PrintedNumber;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
 using literate::Limit;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
+using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -36,7 +42,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
                            "over the sum of those in it is ν",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::agrees(
-                      "that ratio", Value::fixed(ratio, 6), Value::exact(nu).within(0),
+                      "that ratio", Value(ratio, fixed(6)), Value(nu, exact()).within(0),
                       {LimitKind::printed, 1e-6, "the stresses are printed with seven digits"})}});
   const block::Rectangle& r = block_case.rectangle;
   const Estimate middle = study.under_triangle().displacement_z(0, 0);
@@ -46,7 +52,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least(
                       "displacement half way down, over the largest",
-                      Value::percent(quotient(half_way, middle), 0),
+                      Value(quotient(half_way, middle), percent(0)),
                       {LimitKind::convention, 0.1, "one of ten shades of the paper's Fig. 3"})}});
 }
 
@@ -58,7 +64,7 @@ void claim_mass(literate::Document& document, const parameters::BlockCase& block
     const PrintedNumber& number = printed.at(name);
     const double apart = std::abs(value - number.value()) / number.last_place();
     properties.push_back(Criterion::at_most(
-        "difference", Value::significant({apart, rounded(value) / number.last_place()}, 2),
+        "difference", Value({apart, rounded(value) / number.last_place()}, significant(2)),
         {LimitKind::printed, 1.0,
          "the density that they come from has no more digits than they have"}));
   }
@@ -88,8 +94,8 @@ void claim_size(literate::Document& document, const SharesOnBothMeshes& shares, 
        .expected = Verdict::partly,
        .criteria = {
            Criterion::at_most("shape: how much that varies over the points",
-                              Value::percent_bound(quotient(shape, middle), 2), unaffected),
-           Criterion::at_most("level: at x = 0", Value::percent(quotient(level, middle), 0),
+                              Value(quotient(shape, middle), percent(2).rounded_up()), unaffected),
+           Criterion::at_most("level: at x = 0", Value(quotient(level, middle), percent(0)),
                               unaffected)}});
 }
 
@@ -112,7 +118,7 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
     } else {
       const Estimate step = as_estimate(printed.error[i]) - as_estimate(printed.error[i - 1]);
       growth.push_back(Criterion::at_least(
-          "step", Value::significant(1 / printed.error[i].last_place() * step, 2),
+          "step", Value(1 / printed.error[i].last_place() * step, significant(2)),
           {LimitKind::printed, 1.0, "an increase that the print shows"}));
     }
   }
@@ -124,9 +130,9 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
                 "by chance",
        .expected = Verdict::partly,
        .criteria = {
-           Criterion::at_most("largest difference", Value::percent_bound(whole, 1), nearly),
-           Criterion::at_most("of the datum alone", Value::percent(datum, 0), nearly),
-           Criterion::at_most("of the load alone", Value::percent(load, 0), nearly)}});
+           Criterion::at_most("largest difference", Value(whole, percent(1).rounded_up()), nearly),
+           Criterion::at_most("of the datum alone", Value(datum, percent(0)), nearly),
+           Criterion::at_most("of the load alone", Value(load, percent(0)), nearly)}});
 
   const std::size_t last = shares.size() - 1;
   const Estimate left =
@@ -140,7 +146,7 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
        .criteria = {
            Criterion::in_each("increase from point to point, in units of the last place", "steps",
                               growth),
-           Criterion::at_least("what is then left of the last difference", Value::percent(left, 1),
+           Criterion::at_least("what is then left of the last difference", Value(left, percent(1)),
                                {LimitKind::convention, 0.1,
                                 "if less is left, what grows is no error of the method"})}});
 }
@@ -163,21 +169,22 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::at_most(
                       "how far its displacements are below the printed ones, at least",
-                      Value::percent(least, 0),
+                      Value(least, percent(0)),
                       {LimitKind::printed, 0.1, "the convergence that the run asks for"})}});
   PrintedNumber convergence("0.1");  // percent; the least that the run reports, if it does
   for (const auto& [name, number] : printed_data.appendix2.convergence) {
     if (name.starts_with("measure") && number.value() < convergence.value()) convergence = number;
   }
   const double misfit = convergence.value() / 100;
-  document.claim("fit-explains-all",
-                 {.route = "least squares for two numbers on eleven displacements of the block",
-                  .expected = Verdict::confirmed,
-                  .criteria = {Criterion::at_most(
-                      "largest misfit",
-                      Value::percent_bound(Estimate{fit.fit.max_misfit, study.misfit_error()}, 2),
-                      {LimitKind::printed, misfit,
-                       "the least convergence that the run reports for any displacement"})}});
+  document.claim(
+      "fit-explains-all",
+      {.route = "least squares for two numbers on eleven displacements of the block",
+       .expected = Verdict::confirmed,
+       .criteria = {Criterion::at_most(
+           "largest misfit",
+           Value(Estimate{fit.fit.max_misfit, study.misfit_error()}, percent(2).rounded_up()),
+           {LimitKind::printed, misfit,
+            "the least convergence that the run reports for any displacement"})}});
   const auto agrees = [&](const char* what, const std::string& name, Value computed,
                           const std::string& unit, double allowed, const char* reason) {
     const PrintedNumber& number = printed.at(name);
@@ -191,7 +198,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
        .expected = Verdict::confirmed,
        .criteria = {agrees(
            "resultant", "resultant_load_y",
-           Value::significant(named(fitted, "resultant_load_y"), 4, units.line_load),
+           Value(named(fitted, "resultant_load_y"), significant(4), units.line_load),
            units.line_load, 2 * misfit, "twice the misfit that is allowed to the displacements")}});
   document.claim(
       "strain-energy",
@@ -199,7 +206,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
        .expected = Verdict::confirmed,
        .criteria = {agrees(
            "energy", "strain_energy",
-           Value::scientific(named(fitted, "strain_energy"), 4, units.force), units.force,
+           Value(named(fitted, "strain_energy"), scientific(4), units.force), units.force,
            5 * misfit,
            "five times the misfit that is allowed to the displacements: energy is a product of "
            "two, with a convergence of its own")}});
@@ -222,10 +229,10 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
        .expected = Verdict::confirmed,
        .criteria = {
            Criterion::at_most("relative difference of the largest from that of the middle",
-                              Value::scientific_bound(Estimate{excess, rounded(1)}, 1),
+                              Value(Estimate{excess, rounded(1)}, scientific(1).rounded_up()),
                               {LimitKind::rounding, 1e-9, "the same solution at the same point"}),
            Criterion::at_most("difference in print, in units of the last place",
-                              Value::fixed(apart, 0).within(0),
+                              Value(apart, fixed(0)).within(0),
                               {LimitKind::printed, 0.0, "the same digits"})}});
   const PrintedNumber& tension = printed.measures.at("max_stress_prin");
   document.claim(
@@ -236,7 +243,7 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
        .expected = Verdict::undecided,
        .criteria = {Criterion::agrees_relatively(
            "largest principal stress",
-           Value::with_uncertainty(named(fitted, "max_stress_prin"), units.stress),
+           Value(named(fitted, "max_stress_prin"), uncertain(), units.stress),
            quoted_value(tension, units.stress).within(tension.last_place() / 2),
            {LimitKind::printed, printed.convergence.at("max_stress_prin").value() / 100,
             "the convergence that is printed, if it is meant to bound the error"})}});
@@ -249,7 +256,7 @@ void claim_maxima(literate::Document& document, const config::UnitSystem& units,
                 "has a limit",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least(
-           "how far the printed shear is beyond that of the block", Value::percent(beyond, 0),
+           "how far the printed shear is beyond that of the block", Value(beyond, percent(0)),
            {LimitKind::printed, 3 * printed.convergence.at("max_stress_xy").value() / 100,
             "three times the convergence that is printed: the load is fitted, and the grids on "
             "which the maxima are taken differ"})}});

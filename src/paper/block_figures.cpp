@@ -157,7 +157,7 @@ Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSyst
   std::vector<double> x, half_space, block_stated, block_fitted;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
-    x.push_back(h.points.back() * i / n);
+    x.push_back(h.farthest_point() * i / n);
     half_space.push_back(normal_displacement(h.material, h.load, x.back(), h.datum));
     block_stated.push_back(study.under_triangle().displacement_z(x.back(), 0).value);
     block_fitted.push_back(study.fit()->fit.solution.displacement_z(x.back(), 0).value);
@@ -184,7 +184,7 @@ void register_block_figures(literate::Document& document,
                             const parameters::HalfSpaceCase& half_space,
                             const parameters::BlockCase& block_case,
                             const config::UnitSystem& units, const BlockStudy& study) {
-  document.value("block.highest-order", literate::Value::integer(highest_order));
+  document.value("block.highest-order", literate::Value(highest_order, literate::integer()));
   document.figure("block-contours", contours(half_space, block_case, units, study));
   document.figure("block-mesh", mesh(half_space, block_case, units, study));
   document.figure("block-convergence", convergence(half_space, block_case, study));

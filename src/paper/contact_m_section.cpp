@@ -22,8 +22,15 @@ namespace {
 using contact::Hertz;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::Limit;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
+using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -159,30 +166,30 @@ void describe_listing(literate::Document& document, const parameters::ContactCas
                       const ContactM& program, const Hertz& hertz) {
   const double load = c.line_load;
   const auto weight = static_cast<double>(input.zero_node - 2);
-  document.value("contact-m.spacing", Value::exact(input.spacing, units.length));
-  document.value("contact-m.step", Value::exact(input.step, units.length));
-  document.value("contact-m.nodes", Value::integer(input.n_nodes + 1));
-  document.value("contact-m.zero-node", Value::integer(input.zero_node));
-  document.value("contact-m.weight", Value::exact(weight));
+  document.value("contact-m.spacing", Value(input.spacing, exact(), units.length));
+  document.value("contact-m.step", Value(input.step, exact(), units.length));
+  document.value("contact-m.nodes", Value(input.n_nodes + 1, integer()));
+  document.value("contact-m.zero-node", Value(input.zero_node, integer()));
+  document.value("contact-m.weight", Value(weight, exact()));
   const double share = edge(program) / hertz.half_width();
   const Estimate carried{program.line_load, of_system * program.line_load};
   const double spike = program.pressure[0] / program.pressure[1];
-  document.value("contact-m.edge", Value::significant(closed_form(edge(program)), 2, units.length));
-  document.value("contact-m.edge-share", Value::fixed(share, 2).within(rounded(c, share)));
-  document.value("contact-m.load", Value::significant(carried, 4, units.line_load));
-  document.value("contact-m.load-share", Value::fixed(quotient({load, 0}, carried), 2));
+  document.value("contact-m.edge", Value(closed_form(edge(program)), significant(2), units.length));
+  document.value("contact-m.edge-share", Value(share, fixed(2)).within(rounded(c, share)));
+  document.value("contact-m.load", Value(carried, significant(4), units.line_load));
+  document.value("contact-m.load-share", Value(quotient({load, 0}, carried), fixed(2)));
   document.value("contact-m.hertz-half-width",
-                 Value::significant(program.hertz_half_width, 4, units.length)
+                 Value(program.hertz_half_width, significant(4), units.length)
                      .within(rounded(c, program.hertz_half_width)));
   document.value("contact-m.hertz-peak",
-                 Value::significant(program.hertz_peak_pressure, 4, units.stress)
+                 Value(program.hertz_peak_pressure, significant(4), units.stress)
                      .within(rounded(c, program.hertz_peak_pressure)));
-  document.value("contact-m.spike", Value::fixed(spike, 2).within(2 * of_system * spike));
+  document.value("contact-m.spike", Value(spike, fixed(2)).within(2 * of_system * spike));
   document.check(
       "contact-m-load",
       {Criterion::agrees_relatively(
-          "load that the triangles carry", Value::significant(carried, 4, units.line_load),
-          Value::significant(closed_form(load / weight), 4, units.line_load),
+          "load that the triangles carry", Value(carried, significant(4), units.line_load),
+          Value(closed_form(load / weight), significant(4), units.line_load),
           {LimitKind::rounding, 1e-9, "the last equation is solved as the others are"})},
       "Contact.m as printed carries P/(aa - 2)");
 }
@@ -196,8 +203,8 @@ void find_edges(literate::Document& document, const parameters::ContactCase& con
   document.check("contact-m-grid-holds-the-contact",
                  mended.zero_node < input.n_nodes && wider.zero_node == input.n_nodes,
                  "the nodes of Contact.m hold the contact under P, and just that under 2P");
-  document.value("contact-m.right-zero-node", Value::integer(mended.zero_node));
-  document.value("contact-m.twice-zero-node", Value::integer(wider.zero_node));
+  document.value("contact-m.right-zero-node", Value(mended.zero_node, integer()));
+  document.value("contact-m.twice-zero-node", Value(wider.zero_node, integer()));
 }
 
 // The mended program against this report's solver, and against Hertz.
@@ -214,15 +221,15 @@ void compare_mended(literate::Document& document, const parameters::ContactCase&
                          {solution.pressure.data(), rows[all].program.pressure.size()}) /
       p0;
   const auto peak_error = [&](const Row& row) { return std::abs(peak(row.program) / p0 - 1); };
-  document.value("contact-m.rounding", Value::scientific_bound(rounding, 1));
+  document.value("contact-m.rounding", Value(rounding, scientific(1).rounded_up()));
   document.value("contact-m.peak-error",
-                 Value::scientific_bound(Estimate{peak_error(rows[all]), of_system}, 1));
+                 Value(Estimate{peak_error(rows[all]), of_system}, scientific(1).rounded_up()));
   document.value("contact-m.finer-peak-error",
-                 Value::scientific_bound(Estimate{peak_error(rows[finer]), of_system}, 1));
+                 Value(Estimate{peak_error(rows[finer]), of_system}, scientific(1).rounded_up()));
   document.check(
       "contact-m-is-matrix-inversion",
       {Criterion::at_most("largest difference of the pressures, over p₀",
-                          Value::scientific_bound(rounding, 1).within(0),
+                          Value(rounding, scientific(1).rounded_up()).within(0),
                           {LimitKind::rounding, of_system, "the same equations in another order"})},
       "Contact.m with every repair is the matrix inversion on a one-sided grid");
 }
@@ -232,11 +239,11 @@ void check_rows(literate::Document& document, const std::vector<Row>& rows, doub
   const auto& before = rows[printed].program.pressure;
   const double step_effect = largest_difference(before, rows[limits].program.pressure) / p0;
   document.value("contact-m.step-effect",
-                 Value::scientific_bound(Estimate{step_effect, 2 * of_system}, 1));
+                 Value(Estimate{step_effect, 2 * of_system}, scientific(1).rounded_up()));
   document.check(
       "contact-m-step-is-harmless",
       {Criterion::at_most("largest change of a pressure, over p₀",
-                          Value::scientific_bound(Estimate{step_effect, 2 * of_system}, 1),
+                          Value(Estimate{step_effect, 2 * of_system}, scientific(1).rounded_up()),
                           {LimitKind::convention, 1e-3, "less than a plot shows"})},
       "the step off 0 and c changes no pressure of Contact.m");
   document.check("contact-m-falls-to-its-edge",
@@ -245,7 +252,7 @@ void check_rows(literate::Document& document, const std::vector<Row>& rows, doub
   const auto rises = [&](std::size_t i) {
     const double ratio = pressure_beside_edge(rows[i].program) / rows[i].program.pressure[0];
     return Criterion::at_least("row " + std::to_string(i),
-                               Value::significant({ratio, 2 * of_system * ratio}, 2),
+                               Value({ratio, 2 * of_system * ratio}, significant(2)),
                                {LimitKind::convention, 1.5, "a rise that a plot shows"});
   };
   document.check("contact-m-rises-to-a-typed-edge", {rises(both_bodies), rises(weight)},
@@ -253,13 +260,13 @@ void check_rows(literate::Document& document, const std::vector<Row>& rows, doub
   const auto grows = [&](std::size_t i) {
     const double ratio = rows[i].misfit / rows[i - 1].misfit;
     return Criterion::at_least("misfit of row " + std::to_string(i) + " over that before",
-                               Value::significant({ratio, 4 * of_system * ratio}, 2),
+                               Value({ratio, 4 * of_system * ratio}, significant(2)),
                                {LimitKind::stated, 1.0, "a repair that makes it worse"});
   };
   document.check("contact-m-order-matters",
                  {grows(both_bodies), grows(weight),
                   Criterion::at_most("misfit with a free edge",
-                                     Value::percent({rows[free_edge].misfit, 4 * of_system}, 1),
+                                     Value({rows[free_edge].misfit, 4 * of_system}, percent(1)),
                                      {LimitKind::convention, 1e-2, "less than a plot shows"})},
                  "before the edge is free, mending both bodies and the load adds to the misfit");
 }
@@ -274,8 +281,8 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::agrees_relatively(
                       "load that its triangles carry",
-                      Value::significant({carried, of_system * carried}, 4, units.line_load),
-                      Value::exact(c.line_load, units.line_load).within(0),
+                      Value({carried, of_system * carried}, significant(4), units.line_load),
+                      Value(c.line_load, exact(), units.line_load).within(0),
                       {LimitKind::convention, 1e-2,
                        "far below what the element width of the listing lets one expect"})}});
   const ContactM own = run_contact_m(c, input, {.free_edge = true});
@@ -285,12 +292,12 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
                 "p ≥ 0; for one side, as A is",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::agrees(
-           "where its pressure ends, in elements", Value::integer(own.zero_node - 1).within(0),
-           Value::integer(input.zero_node - 2).within(0),
+           "where its pressure ends, in elements", Value(own.zero_node - 1, integer()).within(0),
+           Value(input.zero_node - 2, integer()).within(0),
            {LimitKind::convention, 1.0, "counting nodes is no better"})}});
   const auto is_node = [&](const char* what, long node) {
-    return Criterion::agrees(what, Value::integer(node).within(0),
-                             Value::integer(input.zero_node).within(0),
+    return Criterion::agrees(what, Value(node, integer()).within(0),
+                             Value(input.zero_node, integer()).within(0),
                              {LimitKind::stated, 0.0, "it is a count"});
   };
   document.claim("contact-m-edge",
@@ -320,20 +327,20 @@ void claim_hertz(literate::Document& document, const parameters::ContactCase& c,
        .expected = Verdict::undecided,
        .criteria = {Criterion::agrees_relatively(
            "half-width under P or 2P",
-           Value::with_uncertainty(between(hertz.half_width(), twice.half_width()), units.length),
-           Value::significant(program.hertz_half_width, 4, units.length)
+           Value(between(hertz.half_width(), twice.half_width()), uncertain(), units.length),
+           Value(program.hertz_half_width, significant(4), units.length)
                .within(rounded(c, program.hertz_half_width)),
            limit)}});
-  document.claim("contact-m-hertz-peak",
-                 {.route = route,
-                  .expected = Verdict::undecided,
-                  .criteria = {Criterion::agrees_relatively(
-                      "peak under P or 2P",
-                      Value::with_uncertainty(between(hertz.peak_pressure(), twice.peak_pressure()),
-                                              units.stress),
-                      Value::significant(program.hertz_peak_pressure, 4, units.stress)
-                          .within(rounded(c, program.hertz_peak_pressure)),
-                      limit)}});
+  document.claim(
+      "contact-m-hertz-peak",
+      {.route = route,
+       .expected = Verdict::undecided,
+       .criteria = {Criterion::agrees_relatively(
+           "peak under P or 2P",
+           Value(between(hertz.peak_pressure(), twice.peak_pressure()), uncertain(), units.stress),
+           Value(program.hertz_peak_pressure, significant(4), units.stress)
+               .within(rounded(c, program.hertz_peak_pressure)),
+           limit)}});
 }
 
 void claim_mended(literate::Document& document, const ContactMInput& input,
@@ -342,7 +349,7 @@ void claim_mended(literate::Document& document, const ContactMInput& input,
     const double square = std::pow(spacing / hertz.half_width(), 2);
     const double off = std::abs(peak(row.program) / hertz.peak_pressure() - 1);
     return Criterion::at_most(
-        what, Value::significant(Estimate{off / square, of_system / square}, 2),
+        what, Value(Estimate{off / square, of_system / square}, significant(2)),
         {LimitKind::regression, 0.25, "as for the report's own solver, which has this order"});
   };
   const double ratio = rows[all].misfit / rows[finer].misfit;
@@ -355,7 +362,7 @@ void claim_mended(literate::Document& document, const ContactMInput& input,
            peak_error("on the finer grid, over its own (c/a)²", rows[finer], input.spacing / 4),
            Criterion::at_least(
                "misfit of the pressures over that on the finer grid",
-               Value::significant({ratio, 4 * of_system / rows[finer].misfit * ratio}, 2),
+               Value({ratio, 4 * of_system / rows[finer].misfit * ratio}, significant(2)),
                {LimitKind::convention, 4.0, "no slower than in proportion to the width"})}});
 }
 

@@ -18,8 +18,14 @@ using contact::Hertz;
 using contact::Solution;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::Limit;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -90,25 +96,28 @@ void register_residuals(literate::Document& document, const Solution& solution, 
                         const parameters::ContactCase& c, const config::UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
-  document.value("cylinders.residual.contact", Value::scientific_bound(r.gap, 1, units.length));
+  document.value("cylinders.residual.contact",
+                 Value(r.gap, scientific(1).rounded_up(), units.length));
   document.value("cylinders.residual.separation",
-                 Value::scientific_bound(r.separation, 1, units.length));
-  document.value("cylinders.residual.load", Value::scientific_bound(r.load, 1, units.line_load));
+                 Value(r.separation, scientific(1).rounded_up(), units.length));
+  document.value("cylinders.residual.load",
+                 Value(r.load, scientific(1).rounded_up(), units.line_load));
   const double exact = c.cylinders.profile().gap(hertz.half_width());
   document.value("cylinders.indentation",
-                 Value::scientific(against(c, indentation, exact), 2, units.length));
+                 Value(against(c, indentation, exact), scientific(2), units.length));
   // That eq. (1a) holds in the contact is a claim.
   const Limit rounding(LimitKind::rounding, 1e-11, "sums of hundreds of rounded terms");
   document.check(
       "contact-conditions",
       {Criterion::at_most("deepest penetration, over the gap at the edge",
-                          Value::scientific_bound(r.separation / indentation, 1).within(0),
+                          Value(r.separation / indentation, scientific(1).rounded_up()).within(0),
                           rounding),
        Criterion::at_most("residual of equilibrium, over the load",
-                          Value::scientific_bound(r.load / c.line_load, 1).within(0), rounding),
+                          Value(r.load / c.line_load, scientific(1).rounded_up()).within(0),
+                          rounding),
        Criterion::at_least(
            "least pressure, over the peak",
-           Value::scientific(solution.pressure.minCoeff() / solution.peak_pressure(), 1).within(0),
+           Value(solution.pressure.minCoeff() / solution.peak_pressure(), scientific(1)).within(0),
            {LimitKind::stated, 0.0, "no tension"})},
       "eq. (1b) and equilibrium hold to rounding, and no pressure is a tension");
 }
@@ -126,10 +135,10 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
          .criteria = {
              Criterion::at_least(
                  "half-width over the elements' width",
-                 Value::significant(1 / solution.grid.spacing * half_width, 3),
+                 Value(1 / solution.grid.spacing * half_width, significant(3)),
                  {LimitKind::convention, 1.0, "less could not be told from a contact at a point"}),
              Criterion::at_most("half-width over the relative radius",
-                                Value::percent(1 / radius * half_width, 1),
+                                Value(1 / radius * half_width, percent(1)),
                                 {LimitKind::convention, 0.1,
                                  "the theory of half-spaces wants it well below one"})}});
   }
@@ -143,14 +152,14 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_most(
                       "largest residual, over the gap at the edge before deformation",
-                      Value::scientific_bound(Estimate{gap, of_gap}, 1),
+                      Value(Estimate{gap, of_gap}, scientific(1).rounded_up()),
                       {LimitKind::rounding, 1e-11, "sums of hundreds of rounded terms"})}});
   const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
   const auto of_second_order = [&](const char* what, double ratio, double error, double limit) {
     return Criterion::at_most(
         what,
-        Value::significant(Estimate{std::abs(ratio - 1) / square, (error + rounded(c, 1)) / square},
-                           2),
+        Value(Estimate{std::abs(ratio - 1) / square, (error + rounded(c, 1)) / square},
+              significant(2)),
         {LimitKind::regression, limit,
          "linear elements have this order; errors depend on where the edge falls between nodes, "
          "and this is the largest factor on grids of five nodes to hundreds, with a margin"});
@@ -168,7 +177,7 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
 
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   if (body.radius.is_plane()) return Value::text("∞");
-  return Value::significant(closed_form(1 / body.radius.curvature()), 4, unit);
+  return Value(closed_form(1 / body.radius.curvature()), significant(4), unit);
 }
 
 }  // namespace
@@ -179,44 +188,43 @@ void compute_cylinders(literate::Document& document, const parameters::ContactCa
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
 
-  document.value("cylinders.load", Value::exact(c.line_load, units.line_load));
+  document.value("cylinders.load", Value(c.line_load, exact(), units.line_load));
   document.value("cylinders.radius1", radius_of(c.body1, units.length));
   document.value("cylinders.radius2", radius_of(c.body2, units.length));
   const double radius = 1 / c.cylinders.relative_curvature();
   document.value("cylinders.relative-radius",
-                 Value::significant(radius, 4, units.length).within(rounded(c, radius)));
+                 Value(radius, significant(4), units.length).within(rounded(c, radius)));
   const double modulus = c.cylinders.contact_modulus();
   document.value("cylinders.modulus",
-                 Value::significant(modulus, 4, units.stress).within(rounded(modulus)));
-  document.value("cylinders.nodes", Value::integer(c.n_nodes));
-  document.value("cylinders.in-contact", Value::integer(solution.n_in_contact()));
-  document.value("cylinders.solves", Value::integer(solution.work.solves));
+                 Value(modulus, significant(4), units.stress).within(rounded(modulus)));
+  document.value("cylinders.nodes", Value(c.n_nodes, integer()));
+  document.value("cylinders.in-contact", Value(solution.n_in_contact(), integer()));
+  document.value("cylinders.solves", Value(solution.work.solves, integer()));
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   // The grid is laid around a, so that their ratio does not depend on the curvature.
-  document.value("cylinders.elements", Value::fixed(closed_form(a / solution.grid.spacing), 1));
+  document.value("cylinders.elements", Value(closed_form(a / solution.grid.spacing), fixed(1)));
   document.value("cylinders.hertz.half-width",
-                 Value::significant(a, 5, units.length).within(rounded(c, a)));
+                 Value(a, significant(5), units.length).within(rounded(c, a)));
   document.value("cylinders.hertz.peak",
-                 Value::significant(p0, 6, units.stress).within(rounded(c, p0)));
+                 Value(p0, significant(6), units.stress).within(rounded(c, p0)));
   document.value("cylinders.half-width-over-radius",
-                 Value::percent(a / radius, 1).within(rounded(c, a / radius)));
+                 Value(a / radius, percent(1)).within(rounded(c, a / radius)));
   // The half-space theory wants a contact that is small beside the bodies (Johnson, ch. 4.1).
   constexpr double small = 0.1;
   document.flag("cylinders.small", hertz.half_width() < small * radius);
   const double peak_error = solution.peak_pressure() / hertz.peak_pressure() - 1;
   const double width_error = solution.half_width() / hertz.half_width() - 1;
   document.value("cylinders.peak-error",
-                 Value::scientific_bound(
-                     Estimate{std::abs(peak_error), pressure_error(solution) + rounded(c, 1)}, 1));
-  document.value(
-      "cylinders.width-error",
-      Value::scientific_bound(
-          Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)}, 1));
+                 Value(Estimate{std::abs(peak_error), pressure_error(solution) + rounded(c, 1)},
+                       scientific(1).rounded_up()));
+  document.value("cylinders.width-error",
+                 Value(Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)},
+                       scientific(1).rounded_up()));
   document.value("cylinders.approach",
-                 Value::significant(against(c, solution.approach(c.datum), hertz.approach(c.datum)),
-                                    4, units.length));
-  document.value("cylinders.datum", Value::exact(c.datum, units.length));
+                 Value(against(c, solution.approach(c.datum), hertz.approach(c.datum)),
+                       significant(4), units.length));
+  document.value("cylinders.datum", Value(c.datum, exact(), units.length));
   register_residuals(document, solution, hertz, c, units);
 
   claim_cylinders(document, c, printed_data, solution, hertz);

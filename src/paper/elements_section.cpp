@@ -23,7 +23,12 @@ using contact::Element;
 using contact::Hertz;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::LimitKind;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -75,7 +80,7 @@ void claim_quality(literate::Document& document, Estimate gain) {
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least(
            "largest error with uniform elements over that with triangles",
-           Value::significant(gain, 2), {LimitKind::convention, 10.0, "an order of magnitude"})}});
+           Value(gain, significant(2)), {LimitKind::convention, 10.0, "an order of magnitude"})}});
   // T′(k) → 1/k: the slope that an element makes k spacings away.
   double least = HUGE_VAL;
   constexpr Eigen::Index farthest = 1000;
@@ -90,7 +95,7 @@ void claim_quality(literate::Document& document, Estimate gain) {
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least(
            "the least of these, as a share of that of a force",
-           Value::significant({least, of_gradient * farthest}, 3),
+           Value({least, of_gradient * farthest}, significant(3)),
            {LimitKind::convention, 0.5, "nowhere may it be lost beside that of a force"})}});
 }
 
@@ -116,20 +121,20 @@ void register_quality(literate::Document& document, const parameters::ContactCas
   }
   const double spacing =
       contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes).spacing;
-  document.value("elements.count", Value::fixed(closed_form(hertz.half_width() / spacing), 1));
+  document.value("elements.count", Value(closed_form(hertz.half_width() / spacing), fixed(1)));
   document.table("element-quality", std::move(table));
   const auto gain = [&](double ElementQuality::*error) {
     return quotient({quality[1].*error, bounds[1]}, {quality[2].*error, bounds[2]});
   };
   claim_quality(document, gain(&ElementQuality::slope));
-  document.value("elements.slope-gain", Value::significant(gain(&ElementQuality::slope), 2));
-  document.value("elements.shear-gain", Value::significant(gain(&ElementQuality::shear), 2));
+  document.value("elements.slope-gain", Value(gain(&ElementQuality::slope), significant(2)));
+  document.value("elements.shear-gain", Value(gain(&ElementQuality::shear), significant(2)));
   // That of the slope from uniform elements to triangles is a claim.
   const auto better = [&](const char* what, double ElementQuality::*error, std::size_t i) {
     return Criterion::at_least(
         what,
-        Value::significant(
-            quotient({quality[i - 1].*error, bounds[i - 1]}, {quality[i].*error, bounds[i]}), 2),
+        Value(quotient({quality[i - 1].*error, bounds[i - 1]}, {quality[i].*error, bounds[i]}),
+              significant(2)),
         {LimitKind::convention, 10.0, "an order of magnitude"});
   };
   document.check("triangles-gain-in-slopes-and-stresses",
@@ -140,7 +145,7 @@ void register_quality(literate::Document& document, const parameters::ContactCas
 }
 
 Criterion of_order(const char* what, Estimate order, double expected) {
-  return Criterion::agrees(what, Value::fixed(order, 2), Value::exact(expected).within(0),
+  return Criterion::agrees(what, Value(order, fixed(2)), Value(expected, exact()).within(0),
                            {LimitKind::regression, 0.25,
                             "the scatter of where the edge falls between the nodes of the grids"});
 }
@@ -177,7 +182,7 @@ void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least(
                       "ratio of the factors of (c/a)², triangles over uniform elements",
-                      Value::significant({ratio, of_factors * ratio}, 2),
+                      Value({ratio, of_factors * ratio}, significant(2)),
                       {LimitKind::convention, 0.8, "a fifth better would be a gain"})}});
 }
 
@@ -203,9 +208,9 @@ void register_orders(literate::Document& document, const ConvergenceStudy& trian
   const PowerFit uniform_inside = fit_power(uniform.elements, uniform.inside);
   claim_orders(document, inside, inside.factor / uniform_inside.factor);
   const auto n = static_cast<long>(triangular.elements.size());
-  document.value("elements.n-grids", Value::integer(n));
-  document.value("elements.coarsest", Value::fixed(closed_form(triangular.elements.front()), 0));
-  document.value("elements.finest", Value::fixed(closed_form(triangular.elements.back()), 0));
+  document.value("elements.n-grids", Value(n, integer()));
+  document.value("elements.coarsest", Value(closed_form(triangular.elements.front()), fixed(0)));
+  document.value("elements.finest", Value(closed_form(triangular.elements.back()), fixed(0)));
 }
 
 struct Graded {
@@ -242,18 +247,18 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
   const std::vector<double> of_width(graded.elements.size(), 6 * rounding * rounding);
   const PowerFit pressure_power = fit_power(graded.elements, graded.largest, of_pressure);
   const PowerFit width_power = fit_power(graded.elements, graded.half_width, of_width);
-  document.value("graded.order", Value::fixed(pressure_power.order_estimate(), 1));
-  document.value("graded.width-order", Value::fixed(width_power.order_estimate(), 1));
+  document.value("graded.order", Value(pressure_power.order_estimate(), fixed(1)));
+  document.value("graded.width-order", Value(width_power.order_estimate(), fixed(1)));
   document.claim("graded-order",
                  {.route = "a power fitted to the largest error of the pressure against Hertz, on "
                            "graded grids of a dozen to a hundred elements",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least(
-                      "order", Value::fixed(pressure_power.order_estimate(), 1),
+                      "order", Value(pressure_power.order_estimate(), fixed(1)),
                       {LimitKind::convention, 1.5, "the errors inside, of order 2, are next"})}});
   const auto small = [&](const char* what, double error, double limit) {
     return Criterion::at_most(
-        what, Value::scientific_bound({error, rounding}, 1),
+        what, Value({error, rounding}, scientific(1).rounded_up()),
         {LimitKind::regression, limit, "what was found on the finest grid, with a margin"});
   };
   document.check(

@@ -19,8 +19,12 @@ namespace {
 
 using literate::Column;
 using literate::Criterion;
+using literate::fixed;
 using literate::Limit;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -45,22 +49,23 @@ void measure_datum(literate::Document& document, const parameters::HalfSpaceCase
   const Estimate middle = displacement(c, 0);
   const Estimate shift{largest, 2 * middle.abs_error};
   const Estimate at_datum = gradient(c, c.datum);
-  document.value("datum.nearer", Value::significant(closed_form(nearer), 3, units.length));
-  document.value("datum.shift", Value::scientific(shift, 3, units.length));
-  document.value("datum.shift-share", Value::percent(quotient(shift, middle), 0));
-  document.value("datum.gradient", Value::scientific(at_datum, 3));
+  document.value("datum.nearer", Value(closed_form(nearer), significant(3), units.length));
+  document.value("datum.shift", Value(shift, scientific(3), units.length));
+  document.value("datum.shift-share", Value(quotient(shift, middle), percent(0)));
+  document.value("datum.gradient", Value(at_datum, scientific(3)));
   document.value("datum.gradient-share",
-                 Value::scientific(quotient(at_datum, gradient(c, c.load.half_width())), 2));
+                 Value(quotient(at_datum, gradient(c, c.load.half_width())), scientific(2)));
   // Far from the load the shift is that of a concentrated force; (a/datum)² is what is left.
   const double left_over = 2 * std::pow(c.load.half_width() / nearer, 2);
   document.check(
       "datum-shifts-all-alike",
-      {Criterion::at_most("largest less smallest shift, over the largest",
-                          Value::scientific_bound((largest - smallest) / largest, 1).within(0),
-                          {LimitKind::rounding, 1e-12, "all are differences from the same datum"}),
+      {Criterion::at_most(
+           "largest less smallest shift, over the largest",
+           Value((largest - smallest) / largest, scientific(1).rounded_up()).within(0),
+           {LimitKind::rounding, 1e-12, "all are differences from the same datum"}),
        Criterion::agrees_relatively(
-           "shift", Value::scientific(shift, 3, units.length),
-           Value::scientific(closed_form(shift_per_e(c)), 3, units.length),
+           "shift", Value(shift, scientific(3), units.length),
+           Value(closed_form(shift_per_e(c)), scientific(3), units.length),
            {LimitKind::derived, left_over, "twice the square of a over the nearer datum"})},
       "a factor e in the datum shifts every displacement by 2(1-nu^2)P/(pi E)");
 }
@@ -76,7 +81,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::at_most(
                       "shift of every displacement, over the largest",
-                      Value::percent(quotient(shift, middle), 0),
+                      Value(quotient(shift, middle), percent(0)),
                       {LimitKind::convention, 1e-2, "what would be lost in a plot"})}});
   if (!printed_data) return;
   // K/x is the gradient of the whole load put into a point: 1/x, whose integral has no limit.
@@ -90,11 +95,11 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
        .expected = Verdict::partly,
        .criteria = {
            Criterion::at_most("gradient over that at the end of the load",
-                              Value::percent_bound(quotient(at_datum, at_end), 2),
+                              Value(quotient(at_datum, at_end), percent(2).rounded_up()),
                               {LimitKind::convention, 1e-2, "what would be lost in a plot"}),
            Criterion::at_least(
                "relative difference of the gradient from K/x",
-               Value::scientific(magnitude(quotient(at_datum, of_point) - Estimate{1, 0}), 1),
+               Value(magnitude(quotient(at_datum, of_point) - Estimate{1, 0}), scientific(1)),
                {LimitKind::convention, 1e-3,
                 "far more than what the load's extent makes there, a²/x²"})}});
 }
@@ -102,10 +107,10 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
 // u_x outside the load, which the paper calls negligible.
 void measure_tangential(literate::Document& document, const parameters::HalfSpaceCase& c,
                         const config::UnitSystem& units) {
-  const double end = c.points.back();
+  const double end = c.farthest_point();
   const Estimate u_x = closed_form(std::abs(tangential_displacement(c.material, c.load, end)));
-  document.value("tangential.outside", Value::scientific(u_x, 3, units.length));
-  document.value("tangential.share", Value::percent(quotient(u_x, displacement(c, end)), 0));
+  document.value("tangential.outside", Value(u_x, scientific(3), units.length));
+  document.value("tangential.share", Value(quotient(u_x, displacement(c, end)), percent(0)));
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   std::vector<Criterion> shares;
   for (const double x : c.points) {
@@ -114,7 +119,7 @@ void measure_tangential(literate::Document& document, const parameters::HalfSpac
     const double off = std::abs(by_quadrature.value - exact.value);
     const double allowed = by_quadrature.abs_error + exact.abs_error;
     shares.push_back(Criterion::at_most(
-        "share", Value::significant(allowed == 0 ? 0 : off / allowed, 1).within(0),
+        "share", Value(allowed == 0 ? 0 : off / allowed, significant(1)).within(0),
         {LimitKind::stated, 1.0, "the error that the quadrature reports, and rounding"}));
   }
   document.check("tangential-within-error",
@@ -134,16 +139,17 @@ void claim_tangential(literate::Document& document, const PrintedData& printed_d
   }
   const Limit negligible(LimitKind::convention, 2e-2,
                          "the size of the marks in a plot like the paper's Fig. 4");
-  document.claim("magnitude-like-z",
-                 {.route = "the printed columns",
-                  .expected = Verdict::confirmed,
-                  .criteria = {Criterion::at_most("largest difference, over z",
-                                                  Value::percent_bound(largest, 1), negligible)}});
+  document.claim(
+      "magnitude-like-z",
+      {.route = "the printed columns",
+       .expected = Verdict::confirmed,
+       .criteria = {Criterion::at_most("largest difference, over z",
+                                       Value(largest, percent(1).rounded_up()), negligible)}});
   document.claim("tangential-negligible",
                  {.route = "the x-displacement recovered from the printed magnitude and z",
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::at_most("largest x-displacement, over z",
-                                                  Value::percent(largest_share, 0), negligible)}});
+                                                  Value(largest_share, percent(0)), negligible)}});
 }
 
 // √(magnitude² − z²) of two printed numbers, as far as their last places leave it open.
@@ -181,14 +187,14 @@ void compare_tangential(literate::Document& document, const parameters::HalfSpac
   claim_tangential(document, printed_data, largest_share);
   document.value(
       "tangential.at-zero",
-      Value::scientific(leg(printed.fea_magnitude.front(), printed.fea_z.front()), 2, unit));
-  document.value("tangential.largest-share", Value::percent(largest_share, 0));
+      Value(leg(printed.fea_magnitude.front(), printed.fea_z.front()), scientific(2), unit));
+  document.value("tangential.largest-share", Value(largest_share, percent(0)));
   const config::PrintedNumber& largest = printed_data.appendix2.measures.at("max_disp_x");
   const Estimate half_space =
-      closed_form(std::abs(tangential_displacement(c.material, c.load, c.points.back())));
-  document.value("tangential.max-disp-x", Value::scientific(as_estimate(largest), 4, unit));
+      closed_form(std::abs(tangential_displacement(c.material, c.load, c.farthest_point())));
+  document.value("tangential.max-disp-x", Value(as_estimate(largest), scientific(4), unit));
   document.value("tangential.max-disp-x-ratio",
-                 Value::fixed(quotient(as_estimate(largest), half_space), 2));
+                 Value(quotient(as_estimate(largest), half_space), fixed(2)));
 }
 
 // Of the whole load, by the printed slopes: that stated, and that of the run's summary.
@@ -201,7 +207,7 @@ void claim_resultants(literate::Document& document, const parameters::HalfSpaceC
     std::vector<Criterion> pairs;
     for (const Estimate ratio : slope_ratios) {
       pairs.push_back(Criterion::agrees_relatively(
-          "load", Value::significant(stated.value * ratio, 3, unit), with,
+          "load", Value(stated.value * ratio, significant(3), unit), with,
           {LimitKind::convention, 2e-2,
            "far from the load its shape has died out but for (a/x)²/6; the rest is for the mesh of "
            "the run, which is coarse there"}));
@@ -213,13 +219,13 @@ void claim_resultants(literate::Document& document, const parameters::HalfSpaceC
       "load, times p₀a";
   document.claim("same-load", {.route = route,
                                .expected = Verdict::refuted,
-                               .criteria = {each_agrees(Value::significant(stated, 3, unit))}});
+                               .criteria = {each_agrees(Value(stated, significant(3), unit))}});
   const Estimate summary =
       magnitude(as_estimate(printed_data.appendix2.measures.at("resultant_load_y")));
   document.claim("slopes-tell-the-load",
                  {.route = route,
                   .expected = Verdict::confirmed,
-                  .criteria = {each_agrees(Value::significant(summary, 3, unit))}});
+                  .criteria = {each_agrees(Value(summary, significant(3), unit))}});
 }
 
 // Far from the load the slope goes with the resultant; the printed columns tell which they had.
@@ -244,8 +250,8 @@ void compare_resultants(literate::Document& document, const parameters::HalfSpac
     const Estimate analytical = slope(printed_data.figure5.analytical, i);
     const Estimate ratio = quotient(fea, analytical);
     table.add_row(
-        {literate::Cell::latex(Value::fixed(c.points[i - 1], n_decimals).latex() + " and " +
-                               Value::fixed(c.points[i], n_decimals, units.length).latex()),
+        {literate::Cell::latex(Value(c.points[i - 1], fixed(n_decimals)).latex() + " and " +
+                               Value(c.points[i], fixed(n_decimals), units.length).latex()),
          fea.value, analytical.value, ratio.value});
     ratios.push_back(ratio);
     if (ratio.value < least.value) least = ratio;
@@ -255,12 +261,12 @@ void compare_resultants(literate::Document& document, const parameters::HalfSpac
   const Estimate below = magnitude(least - loads);
   const Estimate above = magnitude(most - loads);
   const Estimate gap = quotient(below.value > above.value ? below : above, loads);
-  document.value("appendix2.resultant", Value::fixed(resultant, 1, units.line_load));
-  document.value("appendix2.resultant-ratio", Value::fixed(loads, 2));
+  document.value("appendix2.resultant", Value(resultant, fixed(1), units.line_load));
+  document.value("appendix2.resultant-ratio", Value(loads, fixed(2)));
   claim_resultants(document, c, units, printed_data, ratios);
-  document.value("far-slope.least", Value::fixed(least, 2));
-  document.value("far-slope.most", Value::fixed(most, 2));
-  document.value("far-slope.gap", Value::percent_bound(gap, 1));
+  document.value("far-slope.least", Value(least, fixed(2)));
+  document.value("far-slope.most", Value(most, fixed(2)));
+  document.value("far-slope.gap", Value(gap, percent(1).rounded_up()));
 }
 
 constexpr double stated_order = 1e-7;  // of the error, in words
@@ -272,7 +278,7 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
   const Estimate first = as_estimate(printed.error.front());
   const Estimate last = as_estimate(printed.error.back());
   const Estimate fea = as_estimate(printed.fea_z.back());
-  const Estimate difference = displacement(c, c.points.back()) - fea;
+  const Estimate difference = displacement(c, c.farthest_point()) - fea;
   // The datum that would close a difference d is datum·exp(−d/K); it is as wrong as d/K,
   // relatively.
   const double closing = c.datum * std::exp(-difference.value / shift_per_e(c));
@@ -284,7 +290,7 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
     const double decades = std::abs(std::log10(error.value() / stated_order));
     const double unsure = error.last_place() / error.value();
     of_order.push_back(Criterion::at_most(
-        "decades", Value::significant({decades, unsure + rounded(decades)}, 2),
+        "decades", Value({decades, unsure + rounded(decades)}, significant(2)),
         {LimitKind::convention, 0.5,
          "half a decade to either side of 10⁻⁷, which must be meant: 10E-7 is 10⁻⁶, more than any "
          "of them"}));
@@ -294,13 +300,13 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
       {.route = "the printed error column",
        .expected = Verdict::partly,
        .criteria = {Criterion::in_each("distance from 10⁻⁷ in decades", "points", of_order)}});
-  document.value("error.first", Value::scientific(first, 2, unit));
-  document.value("error.last", Value::scientific(last, 2, unit));
-  document.value("error.last-share", Value::percent(quotient(last, fea), 0));
+  document.value("error.first", Value(first, scientific(2), unit));
+  document.value("error.last", Value(last, scientific(2), unit));
+  document.value("error.last-share", Value(quotient(last, fea), percent(0)));
   document.value("error.datum-that-closes-it",
-                 Value::significant(Estimate{closing, closing_error}, 2, unit));
+                 Value(Estimate{closing, closing_error}, significant(2), unit));
   document.value("error.shift-over-last",
-                 Value::percent(quotient(closed_form(shift_per_e(c)), difference), 0));
+                 Value(quotient(closed_form(shift_per_e(c)), difference), percent(0)));
 }
 
 }  // namespace

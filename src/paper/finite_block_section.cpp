@@ -25,7 +25,13 @@ using config::PrintedNumber;
 using literate::Cell;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using numerics::Estimate;
 
@@ -43,25 +49,25 @@ double percent(double computed, double printed) {
 void register_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
                     const parameters::BlockCase& b, const config::UnitSystem& units,
                     const BlockStudy& study) {
-  document.value("block.width", Value::exact(b.rectangle.width(), units.length));
-  document.value("block.height", Value::exact(b.rectangle.height(), units.length));
-  document.value("block.order", Value::integer(b.discretization.order));
+  document.value("block.width", Value(b.rectangle.width(), exact(), units.length));
+  document.value("block.height", Value(b.rectangle.height(), exact(), units.length));
+  document.value("block.order", Value(b.discretization.order, integer()));
   document.value("block.sides", Value::text(name_of(b.sides)));
   const block::Factorization& fine = study.on(b.sides).fine();
-  document.value("block.unknowns", Value::integer(fine.n_unknowns()));
-  document.value("block.condensed", Value::integer(fine.n_condensed_unknowns()));
-  document.value("block.elements", Value::integer(fine.model()->mesh().n_elements()));
+  document.value("block.unknowns", Value(fine.n_unknowns(), integer()));
+  document.value("block.condensed", Value(fine.n_condensed_unknowns(), integer()));
+  document.value("block.elements", Value(fine.model()->mesh().n_elements(), integer()));
   double largest_error = 0;
   for (const double x : half_space.points) {
     const Estimate u_z = study.under_triangle().displacement_z(x, 0);
     largest_error = std::max(largest_error, u_z.abs_error / u_z.value);
   }
   // It is an error bound itself, and has none.
-  document.value("block.displacement-error", Value::scientific_bound(largest_error, 1));
+  document.value("block.displacement-error", Value(largest_error, scientific(1).rounded_up()));
   document.check(
       "block-discretisation",
       {Criterion::at_most("largest change, relative",
-                          Value::scientific_bound(largest_error, 1).within(0),
+                          Value(largest_error, scientific(1).rounded_up()).within(0),
                           {LimitKind::convention, 2e-4, "far less than what is read from them"})},
       "refinement changes the displacements of the block by little");
 }
@@ -104,25 +110,25 @@ void tabulate_measures(literate::Document& document, const config::UnitSystem& u
                                                         {"max_stress_vm", "von-mises"},
                                                         {"max_stress_zz", "stress-zz"}};
   for (const auto& [measure, key] : predicted) {
-    document.value("fit.predicts." + key, Value::percent_bound(magnitude(off(measure)), 2));
+    document.value("fit.predicts." + key, Value(magnitude(off(measure)), percent(2).rounded_up()));
   }
   document.value("fit.regular-tension",
-                 Value::significant(value_of("max_stress_prin_regular"), 1, units.stress));
+                 Value(value_of("max_stress_prin_regular"), significant(1), units.stress));
   const Estimate shear =
       quotient(as_estimate(printed.at("max_stress_xy")), value_of("max_stress_xy"));
-  document.value("fit.shear-excess", Value::percent(shear - Estimate{1, 0}, 0));
+  document.value("fit.shear-excess", Value(shear - Estimate{1, 0}, percent(0)));
   // σ_zz = ν(σ_xx + σ_yy) in plane strain; the printed maxima are all taken under the load's
   // middle.
   const Estimate in_plane =
       as_estimate(printed.at("max_stress_xx")) + as_estimate(printed.at("max_stress_yy"));
   document.value("appendix2.poisson",
-                 Value::fixed(quotient(as_estimate(printed.at("max_stress_zz")), in_plane), 3));
-  document.value(
-      "appendix2.peak-stress",
-      Value::significant(magnitude(as_estimate(printed.at("max_stress_yy"))), 4, units.stress));
+                 Value(quotient(as_estimate(printed.at("max_stress_zz")), in_plane), fixed(3)));
+  document.value("appendix2.peak-stress", Value(magnitude(as_estimate(printed.at("max_stress_yy"))),
+                                                significant(4), units.stress));
   // The resultant and the energy are claims.
   const auto predicts = [&](const std::string& name, double limit) {
-    return Criterion::at_most(name + ", off by", Value::percent_bound(magnitude(off(name)), 2),
+    return Criterion::at_most(name + ", off by",
+                              Value(magnitude(off(name)), percent(2).rounded_up()),
                               {LimitKind::regression, limit, "what was found, with a margin"});
   };
   document.check("fit-predicts", {predicts("max_disp_x", 6e-3), predicts("max_stress_vm", 1e-2)},
@@ -135,23 +141,22 @@ void register_fit(literate::Document& document, const parameters::HalfSpaceCase&
                   const config::UnitSystem& units, const PrintedData& printed_data,
                   const BlockStudy& study) {
   const block::LinearFit& fit = *study.fit();
-  document.value("fit.peak", Value::significant(fit.peak, 4, units.stress));
-  document.value("fit.edge-fraction", Value::fixed(fit.edge_fraction, 3));
+  document.value("fit.peak", Value(fit.peak, significant(4), units.stress));
+  document.value("fit.edge-fraction", Value(fit.edge_fraction, fixed(3)));
   // Peak and edge fraction err together: the resultant is taken of the fit on either mesh.
   const double resultant = block::normal_resultant(fit.load);
   const double coarse_resultant = study.under_fit().coarse().applied().force.y();
-  document.value(
-      "fit.resultant",
-      Value::significant(Estimate{resultant, std::abs(resultant - std::abs(coarse_resultant)) +
-                                                 of_resultant * resultant},
-                         4, units.line_load));
+  document.value("fit.resultant",
+                 Value(Estimate{resultant, std::abs(resultant - std::abs(coarse_resultant)) +
+                                               of_resultant * resultant},
+                       significant(4), units.line_load));
   const double a = half_space.load.half_width();
   constexpr double six_tenths = 0.6;
   const auto round = block::linear_fall(half_space.load.peak_pressure(), six_tenths, a);
   const double round_resultant = block::normal_resultant(round);
-  document.value("fit.round-resultant", Value::significant(round_resultant, 4, units.line_load)
+  document.value("fit.round-resultant", Value(round_resultant, significant(4), units.line_load)
                                             .within(of_resultant * round_resultant));
-  document.value("fit.flat", Value::exact(flat_fraction));
+  document.value("fit.flat", Value(flat_fraction, exact()));
   Estimate least{HUGE_VAL, 0}, most;
   for (std::size_t i = 0; i < study.observed().size(); ++i) {
     const Estimate computed = study.under_triangle().displacement_z(study.observed()[i].x, 0);
@@ -160,10 +165,10 @@ void register_fit(literate::Document& document, const parameters::HalfSpaceCase&
     if (below.value < least.value) least = below;
     if (below.value > most.value) most = below;
   }
-  document.value("fit.triangle.least", Value::percent(least, 0));
-  document.value("fit.triangle.most", Value::percent(most, 0));
-  document.value("fit.misfit",
-                 Value::percent_bound(Estimate{fit.fit.max_misfit, study.misfit_error()}, 2));
+  document.value("fit.triangle.least", Value(least, percent(0)));
+  document.value("fit.triangle.most", Value(most, percent(0)));
+  document.value("fit.misfit", Value(Estimate{fit.fit.max_misfit, study.misfit_error()},
+                                     percent(2).rounded_up()));
 }
 
 void tabulate_candidates(literate::Document& document, const PrintedData& printed_data,
@@ -184,17 +189,17 @@ void tabulate_candidates(literate::Document& document, const PrintedData& printe
                    percent(solution.strain_energy(), energy)});
     const Estimate misfit{candidate.fit.max_misfit, candidate.misfit_error};
     if (candidate.shape == "linear fall") {
-      document.value("fit." + name_of(candidate.sides) + "-misfit", Value::percent(misfit, 2));
+      document.value("fit." + name_of(candidate.sides) + "-misfit", Value(misfit, percent(2)));
     } else if (misfit.value < best_other.value) {
       best_other = misfit;
     }
   }
   document.table("fit-candidates", table);
-  document.value("fit.best-other", Value::percent(best_other, 1));
+  document.value("fit.best-other", Value(best_other, percent(1)));
   const Estimate own{study.fit()->fit.max_misfit, study.misfit_error()};
   document.check("fit-stands-out",
                  {Criterion::at_least("least misfit of another shape over that of the linear fall",
-                                      Value::significant(quotient(best_other, own), 2),
+                                      Value(quotient(best_other, own), significant(2)),
                                       {LimitKind::convention, 10.0, "an order of magnitude"})},
                  "every other shape that was tried misses the printed displacements by far more");
 }
@@ -239,16 +244,17 @@ void tabulate_shares(literate::Document& document, const parameters::HalfSpaceCa
   const Estimate first_load = shares.part(&Share::load, 0);
   const Estimate last_load = shares.part(&Share::load, last);
   const Estimate last_body = shares.part(&Share::body, last);
-  document.value("shares.datum", Value::scientific(datum, 3, unit));
-  document.value("shares.first.load", Value::scientific(magnitude(first_load), 3, unit));
-  document.value("shares.last.load", Value::scientific(magnitude(last_load), 3, unit));
-  document.value("shares.last.body", Value::scientific_bound(magnitude(last_body), 3, unit));
-  document.check("shares-add-up",
-                 {Criterion::at_most(
-                     "largest gap, over the part of the datum",
-                     Value::scientific_bound(largest_gap / std::abs(datum.value), 1).within(0),
-                     {LimitKind::rounding, 1e-12, "the parts are differences of one another"})},
-                 "the parts of the difference add up to the whole");
+  document.value("shares.datum", Value(datum, scientific(3), unit));
+  document.value("shares.first.load", Value(magnitude(first_load), scientific(3), unit));
+  document.value("shares.last.load", Value(magnitude(last_load), scientific(3), unit));
+  document.value("shares.last.body", Value(magnitude(last_body), scientific(3).rounded_up(), unit));
+  document.check(
+      "shares-add-up",
+      {Criterion::at_most(
+          "largest gap, over the part of the datum",
+          Value(largest_gap / std::abs(datum.value), scientific(1).rounded_up()).within(0),
+          {LimitKind::rounding, 1e-12, "the parts are differences of one another"})},
+      "the parts of the difference add up to the whole");
 }
 
 void tabulate_mass(literate::Document& document, const parameters::BlockCase& block_case,

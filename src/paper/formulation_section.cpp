@@ -16,7 +16,11 @@ namespace {
 
 using elasticity::SurfaceQuadrature;
 using literate::Criterion;
+using literate::exact;
+using literate::integer;
 using literate::LimitKind;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -27,17 +31,17 @@ void register_parameters(literate::Document& document, const parameters::HalfSpa
   document.value("units.force", Value::text(units.force));
   document.value("units.stress", Value::text(units.stress));
   document.value("units.line-load", Value::text(units.line_load));
-  document.value("young", Value::exact(half_space.material.young(), units.stress));
-  document.value("poisson", Value::exact(half_space.material.poisson()));
-  document.value("peak-pressure", Value::exact(half_space.load.peak_pressure(), units.stress));
-  document.value("half-width", Value::exact(half_space.load.half_width(), units.length));
+  document.value("young", Value(half_space.material.young(), exact(), units.stress));
+  document.value("poisson", Value(half_space.material.poisson(), exact()));
+  document.value("peak-pressure", Value(half_space.load.peak_pressure(), exact(), units.stress));
+  document.value("half-width", Value(half_space.load.half_width(), exact(), units.length));
   const double line_load = half_space.load.line_load();
   document.value("line-load",
-                 Value::significant(line_load, 4, units.line_load).within(rounded(line_load)));
-  document.value("datum", Value::exact(half_space.datum, units.length));
-  document.value("n-points", Value::integer(std::ssize(half_space.points)));
+                 Value(line_load, significant(4), units.line_load).within(rounded(line_load)));
+  document.value("datum", Value(half_space.datum, exact(), units.length));
+  document.value("n-points", Value(std::ssize(half_space.points), integer()));
   const double k = half_space.material.integral_compliance() * line_load;
-  document.value("displacement-scale", Value::scientific(k, 4, units.length).within(rounded(k)));
+  document.value("displacement-scale", Value(k, scientific(4), units.length).within(rounded(k)));
 }
 
 // Two like cylinders under a load that makes the deformation visible; lengths over the half-width.
@@ -159,14 +163,14 @@ void claim_force(literate::Document& document, const parameters::HalfSpaceCase& 
                  const config::UnitSystem& units) {
   const SurfaceQuadrature surface(c.material, elasticity::ConcentratedLoad(c.load.line_load()),
                                   c.datum);
-  const Value expected = Value::scientific(
-      closed_form(c.material.integral_compliance() * c.load.line_load() * std::log(steps_ratio)), 3,
-      units.length);
+  const Value expected = Value(
+      closed_form(c.material.integral_compliance() * c.load.line_load() * std::log(steps_ratio)),
+      scientific(3), units.length);
   const auto step = [&](double from, double to) {
     const Estimate gain = surface.normal_displacement_from_gradient(to) -
                           surface.normal_displacement_from_gradient(from);
     return Criterion::agrees_relatively(
-        "one step", Value::scientific(gain, 3, units.length), expected,
+        "one step", Value(gain, scientific(3), units.length), expected,
         {LimitKind::rounding, 1e-9,
          "below a force eq. (2) is K/x, so that each step adds K ln(1000) exactly; the quadrature "
          "reports much smaller errors"});
@@ -197,17 +201,18 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
            "change of the displacement from the end to ε = 10⁻⁹ half-widths beside it, over K",
-           Value::scientific_bound(magnitude(1 / unit * difference), 2),
+           Value(magnitude(1 / unit * difference), scientific(2).rounded_up()),
            {LimitKind::derived, beside * (1 + std::log(2 / beside)),
             "ε[1 + ln(2/ε)], twice what a gradient adds that is infinite like a logarithm"})}});
 
-  const Value expected = Value::scientific(
-      closed_form(c.material.integral_compliance() * pressure * std::log(steps_ratio)), 3);
+  const Value expected =
+      Value(closed_form(c.material.integral_compliance() * pressure * std::log(steps_ratio)),
+            scientific(3));
   const auto step = [&](double from, double to) {
     const Estimate gain =
         magnitude(surface.normal_gradient(a + to) - surface.normal_gradient(a + from));
     return Criterion::agrees_relatively(
-        "one step", Value::scientific(gain, 3), expected,
+        "one step", Value(gain, scientific(3)), expected,
         {LimitKind::derived, 1e-3,
          "beside the end eq. (2) is a logarithm, whose steps are all Kp/P ln(1000), but for a part "
          "d/a that is smooth, d the distance at which the steps begin"});
@@ -235,12 +240,12 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
     for (const double h : {1e-3, 1e-6, 1e-9}) {
       continuous.push_back(Criterion::at_most(
           "change of the slope",
-          Value::significant(1 / (h * (1 + std::log(1 / h))) * jump(kink, h), 2),
+          Value(1 / (h * (1 + std::log(1 / h))) * jump(kink, h), significant(2)),
           {LimitKind::derived, 8.0,
            "twice that of eq. (3) at the peak, 4h[1 + ln(1/h)]K/a, which vanishes with h"}));
     }
     sharp.push_back(Criterion::at_least(
-        "growth", Value::significant(1e6 * jump(kink, 1e-6) - 1e3 * jump(kink, 1e-3), 3),
+        "growth", Value(1e6 * jump(kink, 1e-6) - 1e3 * jump(kink, 1e-3), significant(3)),
         {LimitKind::derived, 1.9 * std::log(steps_ratio),
          "95 of 100 parts of 2 ln(1000), which eq. (3) has at the ends; at the peak it has twice "
          "that"}));

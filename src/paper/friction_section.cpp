@@ -28,7 +28,12 @@ using contact::Solution;
 using elasticity::Material;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -159,13 +164,13 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
   const double bound = friction_coefficient * (pressure_error(own.solution) +
                                                half_width_error(own.solution) + rounded(c, 1));
   document.value("friction.ratio-error",
-                 Value::scientific_bound(Estimate{departure_of_ratio, bound}, 1));
+                 Value(Estimate{departure_of_ratio, bound}, scientific(1).rounded_up()));
   // Half-width and peak, from which the ratio is taken, are of second order in c/a.
   const double square = std::pow(own.solution.grid.spacing / own.hertz.half_width(), 2);
   document.check(
       "friction-ratio-is-beta-mu",
       {Criterion::at_most("largest difference of the ratio from βμ",
-                          Value::scientific_bound(Estimate{departure_of_ratio, bound}, 1),
+                          Value(Estimate{departure_of_ratio, bound}, scientific(1).rounded_up()),
                           {LimitKind::derived, friction_coefficient * square,
                            "μ(c/a)², the order of the elements"})},
       "the largest slope of the shear over that of the pressure is beta mu");
@@ -175,7 +180,7 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
            "largest departure of the slope from −x/R, over a/R",
-           Value::scientific_bound(departure_of_exact, 1),
+           Value(departure_of_exact, scientific(1).rounded_up()),
            {LimitKind::rounding, 1e-11, "what the quadrature loses at singular ends"})}});
 }
 
@@ -199,8 +204,8 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
   };
   const Estimate body1 = against_hertz(slope1, c.body1.material.local_compliance());
   const Estimate body2 = against_hertz(slope2, c.body2.material.local_compliance());
-  document.value("friction.body1", Value::percent(body1, 2));
-  document.value("friction.body2", Value::percent(body2, 2));
+  document.value("friction.body1", Value(body1, percent(2)));
+  document.value("friction.body2", Value(body2, percent(2)));
   document.flag("friction.like", own.beta == 0);
   const Estimate lost = magnitude(body1 - body2);
   document.claim(
@@ -210,16 +215,16 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
            "slope that the shear adds in the middle of the contact, over the largest, a/R",
-           Value::percent(lost, 2),
+           Value(lost, percent(2)),
            {LimitKind::convention, 0.1,
             "the contact then moves and widens by less than a plot shows well"})}});
-  document.value("friction.lost", Value::percent(lost, 2));
+  document.value("friction.lost", Value(lost, percent(2)));
   const double larger = std::max(slope1, slope2);
   document.check(
       "slopes-of-two-bodies",
       {Criterion::at_most(
           "slope of both less the difference, over the larger",
-          Value::scientific_bound(std::abs(sum - (slope1 - slope2)) / larger, 1).within(0),
+          Value(std::abs(sum - (slope1 - slope2)) / larger, scientific(1).rounded_up()).within(0),
           {LimitKind::rounding, 1e-14, "a difference of two"})},
       "the shear's slopes of the two bodies are subtracted");
   document.check("slopes-of-like-bodies-cancel",
@@ -338,20 +343,20 @@ void fit_slip_orders(literate::Document& document, parameters::ContactCase c) {
   }
   const PowerFit of_largest = fit_power(elements, largest, bounds);
   const PowerFit of_mean = fit_power(elements, mean, bounds);
-  document.value("slip.fit.share", Value::exact(shares[1]));
-  document.value("slip.fit.least", Value::fixed(closed_form(elements.front()), 0));
-  document.value("slip.fit.most", Value::fixed(closed_form(elements.back()), 0));
-  document.value("slip.fit.largest", Value::fixed(of_largest.order_estimate(), 1));
-  document.value("slip.fit.mean", Value::fixed(of_mean.order_estimate(), 1));
+  document.value("slip.fit.share", Value(shares[1], exact()));
+  document.value("slip.fit.least", Value(closed_form(elements.front()), fixed(0)));
+  document.value("slip.fit.most", Value(closed_form(elements.back()), fixed(0)));
+  document.value("slip.fit.largest", Value(of_largest.order_estimate(), fixed(1)));
+  document.value("slip.fit.mean", Value(of_mean.order_estimate(), fixed(1)));
   const char* const scatter = "the scatter of where the edges fall between the nodes";
   document.check(
       "slip-orders",
-      {Criterion::agrees("order of the largest error", Value::fixed(of_largest.order_estimate(), 2),
-                         Value::exact(0.5).within(0), {LimitKind::regression, 0.25, scatter}),
-       Criterion::agrees("order of the mean error", Value::fixed(of_mean.order_estimate(), 2),
-                         Value::exact(1.5).within(0), {LimitKind::regression, 0.3, scatter}),
+      {Criterion::agrees("order of the largest error", Value(of_largest.order_estimate(), fixed(2)),
+                         Value(0.5, exact()).within(0), {LimitKind::regression, 0.25, scatter}),
+       Criterion::agrees("order of the mean error", Value(of_mean.order_estimate(), fixed(2)),
+                         Value(1.5, exact()).within(0), {LimitKind::regression, 0.3, scatter}),
        Criterion::at_most("largest error times the root of the elements over a",
-                          Value::significant({root_factor, 1e-6 * root_factor}, 2),
+                          Value({root_factor, 1e-6 * root_factor}, significant(2)),
                           {LimitKind::regression, 0.25, "what was found, with a margin"})},
       "the shear's largest error is of order 1/2, its mean error of order 3/2");
 }
@@ -400,13 +405,13 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
            "largest relative error of the strip, over the square of the elements' width over it",
-           Value::fixed(worst_stick, 2),
+           Value(worst_stick, fixed(2)),
            {LimitKind::regression, 0.7,
             "elements have this order; twice the factor of the contact's own width"})}});
   document.check(
       "slip-errors-at-edges",
       {Criterion::at_most("distance of the largest error from an edge, in elements",
-                          Value::significant(from_edge, 2).within(0),
+                          Value(from_edge, significant(2)).within(0),
                           {LimitKind::regression, 2.0, "what was found, with a margin"})},
       "the shear's largest error is beside an edge of slip");
   fit_slip_orders(document, c);
@@ -416,7 +421,7 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
 
 void compute_friction(literate::Document& document, const parameters::ContactCase& c) {
   const Pair own = pair_of(c, c.body1.material, c.body2.material);
-  document.value("friction.mu", Value::exact(friction_coefficient));
+  document.value("friction.mu", Value(friction_coefficient, exact()));
   compare_bodies(document, c, own);
   compare_pairs(document, c, own);
   compare_partial_slip(document, c, own);

@@ -25,7 +25,12 @@ using Eigen::VectorXd;
 using literate::Cell;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::LimitKind;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::fit_power;
@@ -61,23 +66,23 @@ void register_methods(literate::Document& document, const ContactCase& c, const 
   const double of_pressures =
       pressure_error(inversion) + std::max(pressure_error(least), pressure_error(fast));
   document.table("three-methods", std::move(table));
-  document.value("methods.nodes", Value::integer(n_nodes));
-  document.value("methods.in-contact", Value::integer(inversion.n_in_contact()));
-  document.value("methods.approach", Value::scientific_bound(approach, 1));
+  document.value("methods.nodes", Value(n_nodes, integer()));
+  document.value("methods.in-contact", Value(inversion.n_in_contact(), integer()));
+  document.value("methods.approach", Value(approach, scientific(1).rounded_up()));
   document.claim("variational-minimises",
                  {.route = "the energy's minimum by conjugate gradients, which looks for no "
                            "contact, and a matrix-free method, against matrix inversion",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_most(
                       "largest difference of the pressures, over p₀",
-                      Value::scientific_bound(numerics::Estimate{pressure, of_pressures}, 1),
+                      Value(numerics::Estimate{pressure, of_pressures}, scientific(1).rounded_up()),
                       {LimitKind::derived, 1e-9,
                        "all three solve the same discrete equations; the iterations stop at a "
                        "tenth of this"})}});
   document.check(
       "three-methods-agree",
       {Criterion::at_most("largest difference of the approach, relative",
-                          Value::scientific_bound(approach, 1).within(0),
+                          Value(approach, scientific(1).rounded_up()).within(0),
                           {LimitKind::regression, 1e-12, "what was found, with a margin"})},
       "three methods give the same approach");
 }
@@ -127,21 +132,21 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
   }
   const auto [least, most] = std::minmax_element(products.begin() + 1, products.end());
   document.table("large-grids", std::move(table));
-  document.value("large.width", Value::exact(cylinder_domain));
-  document.value("large.growth", Value::integer(std::lround(n.back() / n.front())));
-  document.value("large.products.coarsest", Value::integer(products.front()));
-  document.value("large.products.least", Value::integer(*least));
-  document.value("large.products.most", Value::integer(*most));
-  document.value("large.order", Value::fixed(fit_power(n, inside, bounds).order_estimate(), 1));
-  document.value("large.rounding", Value::scientific(rounding.back(), 1));
-  document.value("large.left-over", Value::scientific_bound(left_over, 1));
-  document.value("large.tolerance", Value::scientific_bound(contact::default_tolerance, 1));
+  document.value("large.width", Value(cylinder_domain, exact()));
+  document.value("large.growth", Value(std::lround(n.back() / n.front()), integer()));
+  document.value("large.products.coarsest", Value(products.front(), integer()));
+  document.value("large.products.least", Value(*least, integer()));
+  document.value("large.products.most", Value(*most, integer()));
+  document.value("large.order", Value(fit_power(n, inside, bounds).order_estimate(), fixed(1)));
+  document.value("large.rounding", Value(rounding.back(), scientific(1)));
+  document.value("large.left-over", Value(left_over, scientific(1).rounded_up()));
+  document.value("large.tolerance", Value(contact::default_tolerance, scientific(1).rounded_up()));
   document.check(
       "work-does-not-grow",
       {Criterion::at_most(
-           "products on the finest grid", Value::integer(products.back()).within(0),
+           "products on the finest grid", Value(products.back(), integer()).within(0),
            {LimitKind::stated, static_cast<double>(products.front()), "those on the coarsest"}),
-       Criterion::at_most("products, at most", Value::integer(*most).within(0),
+       Criterion::at_most("products, at most", Value(*most, integer()).within(0),
                           {LimitKind::regression, 30.0, "what was found, with a margin"})},
       "products on the finest grid do not grow with the number of nodes");
   document.claim(
@@ -150,17 +155,17 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
        .expected = Verdict::confirmed,
        .criteria = {
            Criterion::agrees(
-               "order", Value::fixed(fit_power(n, inside, bounds).order_estimate(), 1),
-               Value::integer(2).within(0),
+               "order", Value(fit_power(n, inside, bounds).order_estimate(), fixed(1)),
+               Value(2, integer()).within(0),
                {LimitKind::regression, 0.35,
                 "the scatter of where the edge falls between the nodes of four grids"}),
            Criterion::at_most(
                "interior error on the finest grid, over p₀",
-               Value::scientific_bound(numerics::Estimate{inside.back(), bounds.back()}, 1),
+               Value(numerics::Estimate{inside.back(), bounds.back()}, scientific(1).rounded_up()),
                {LimitKind::regression, 1e-9, "what was found, with a margin"})}});
   const auto ratio = [&](const char* what, double other, double limit) {
     return Criterion::at_least(
-        what, Value::significant(rounding.back() / other, 1).within(0),
+        what, Value(rounding.back() / other, significant(1)).within(0),
         {LimitKind::convention, limit, "so much more that it is no scatter"});
   };
   document.check("differences-keep-the-digits",

@@ -25,7 +25,7 @@ struct Listings {
 /// What concerns the paper's own numbers exists only if the case has printed data (flag `printed`),
 /// what concerns the finite block only if the case has one (flag `block`; `block.fitted` with
 /// both), and how much the listings show only with `listings`. `paper` tells the
-/// version, commit and compiler that the report states. Throws config::Error for printed
+/// version and compiler that the report states. Throws config::Error for printed
 /// data that are not right, and what the computations throw.
 void compute(literate::Document& document, const parameters::Case& from_file,
              const std::optional<Listings>& listings = std::nullopt,

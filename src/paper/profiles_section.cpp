@@ -32,7 +32,13 @@ using Eigen::Index;
 using literate::Cell;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -191,8 +197,8 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
   constexpr std::array<double, 5> expected = {2, 0.5, 1.5, 2, 2};
   const auto of_order = [](const std::vector<double>& elements, const std::vector<double>& errors,
                            double order) {
-    return Criterion::agrees("order", Value::fixed(fit_power(elements, errors).order, 2).within(0),
-                             Value::exact(order).within(0),
+    return Criterion::agrees("order", Value(fit_power(elements, errors).order, fixed(2)).within(0),
+                             Value(order, exact()).within(0),
                              {LimitKind::regression, 0.35, "the scatter of four grids"});
   };
   std::vector<Criterion> orders, orders_away, edges;
@@ -203,7 +209,7 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
     for (std::size_t i = 0; i < study.edge.size(); ++i) {
       // The edge is extrapolated from p²; errors δp₀ of p move it by less than δa.
       edges.push_back(Criterion::at_most(
-          "edge", Value::significant({study.edge[i], study.bound[i] * study.elements[i]}, 2),
+          "edge", Value({study.edge[i], study.bound[i] * study.elements[i]}, significant(2)),
           {LimitKind::convention, 0.25, "half of what counting nodes would have"}));
     }
   }
@@ -219,7 +225,7 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
   document.check(
       "wedge-apex-error-stays",
       {Criterion::at_most("largest over smallest error on the grids",
-                          Value::significant(*most / *least, 3).within(0),
+                          Value(*most / *least, significant(3)).within(0),
                           {LimitKind::regression, 1.02, "what was found, with a margin"})},
       "beside the wedge's apex the error is the same on all grids");
 }
@@ -244,7 +250,8 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
   std::vector<Criterion> half_widths;
   for (const KnownContact& known : known_contacts(c, hertz)) {
     half_widths.push_back(Criterion::at_most(
-        "difference", Value::scientific_bound(std::abs(known.half_width / a - 1), 1).within(0),
+        "difference",
+        Value(std::abs(known.half_width / a - 1), scientific(1).rounded_up()).within(0),
         {LimitKind::rounding, 1e-12, "each is a root of the load, found to rounding"}));
     studies.push_back(study_of(known, c, hertz));
     const ProfileStudy& study = studies.back();
@@ -261,20 +268,20 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
   }
   document.table("profiles", std::move(table));
   document.figure("profile-pressures", std::move(figure));
-  document.value("profiles.elements", Value::fixed(closed_form(studies[0].printed.elements), 1));
-  document.value("profiles.in-contact", Value::integer(studies[0].n_in_contact));
+  document.value("profiles.elements", Value(closed_form(studies[0].printed.elements), fixed(1)));
+  document.value("profiles.in-contact", Value(studies[0].n_in_contact, integer()));
   const double slope = c.line_load / (c.cylinders.contact_modulus() * a);
-  document.value("profiles.slope", Value::significant(slope, 3).within(rounded(c, slope)));
-  document.value("profiles.flat", Value::fixed(flat_share, 1));
+  document.value("profiles.slope", Value(slope, significant(3)).within(rounded(c, slope)));
+  document.value("profiles.flat", Value(flat_share, fixed(1)));
   // The difference in punch_curvature() is 0.30 a², of terms of 0.80 a² and 0.50 a².
   const double edge_radius = 1 / punch_curvature(c, a);
   document.value(
       "profiles.edge-radius",
-      Value::significant(edge_radius, 3, units.length).within(5 * rounded(c, edge_radius)));
-  document.value("profiles.coarsest", Value::fixed(closed_form(studies[0].elements.front()), 0));
-  document.value("profiles.finest", Value::fixed(closed_form(studies[0].elements.back()), 0));
+      Value(edge_radius, significant(3), units.length).within(5 * rounded(c, edge_radius)));
+  document.value("profiles.coarsest", Value(closed_form(studies[0].elements.front()), fixed(0)));
+  document.value("profiles.finest", Value(closed_form(studies[0].elements.back()), fixed(0)));
   document.value("profiles.apex-error",
-                 Value::percent(Estimate{studies[1].beside.back(), studies[1].bound.back()}, 0));
+                 Value(Estimate{studies[1].beside.back(), studies[1].bound.back()}, percent(0)));
   document.check("profiles-share-their-half-width",
                  {Criterion::in_each("relative difference from that of the cylinders", "profiles",
                                      half_widths)},

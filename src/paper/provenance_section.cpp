@@ -15,8 +15,6 @@ using literate::Value;
 void compute_provenance(literate::Document& document, const std::filesystem::path& file,
                         const std::string& title, const literate::Paper& paper) {
   document.value("provenance.version", Value::text(paper.version));
-  document.value("provenance.commit", Value::text(paper.commit));
-  document.flag("provenance.modified", paper.modified);
   document.value("provenance.case", Value::text(file.filename().string()));
   document.value("provenance.case-sha256", Value::text(sys::sha256_of_file(file)));
   document.value("provenance.compiler", Value::text(paper.compiler));

@@ -17,8 +17,12 @@ namespace {
 using elasticity::SurfaceQuadrature;
 using literate::Column;
 using literate::Criterion;
+using literate::fixed;
+using literate::integer;
 using literate::Limit;
 using literate::LimitKind;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -117,12 +121,12 @@ void count_evaluations(literate::Document& document, const parameters::HalfSpace
     return static_cast<double>(*n_evaluations) / static_cast<double>(c.points.size());
   };
   document.value("quadrature.gradient.evaluations",
-                 Value::fixed(average([&](double x) { surface.normal_gradient(x); }), 0));
+                 Value(average([&](double x) { surface.normal_gradient(x); }), fixed(0)));
   document.value("quadrature.displacement.evaluations",
-                 Value::fixed(average([&](double x) { surface.normal_displacement(x); }), 0));
+                 Value(average([&](double x) { surface.normal_displacement(x); }), fixed(0)));
   document.value(
       "quadrature.from-gradient.evaluations",
-      Value::fixed(average([&](double x) { surface.normal_displacement_from_gradient(x); }), 0));
+      Value(average([&](double x) { surface.normal_displacement_from_gradient(x); }), fixed(0)));
 }
 
 // How far the quadratures are from the closed forms and how far they say they may be, against x/a.
@@ -168,7 +172,7 @@ Criterion within_errors(const char* name, const Comparisons& comparisons) {
   for (const Comparison& c : comparisons) {
     const double allowed = c.quadrature.abs_error + c.closed_form_error;
     shares.push_back(Criterion::at_most(
-        "share", Value::significant(std::abs(c.difference()) / allowed, 1).within(0),
+        "share", Value(std::abs(c.difference()) / allowed, significant(1)).within(0),
         {LimitKind::stated, 1.0,
          "the error that the quadrature reports at the same point, and the "
          "accuracy of the closed form"}));
@@ -185,14 +189,14 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
       {.route = "eq. (2) by quadrature, integrated from the datum by quadrature, at the points of "
                 "the tables; and the integral of the logarithm over eight decades of distance",
        .expected = Verdict::confirmed,
-       .criteria = {Criterion::at_most(
-                        "largest difference from eq. (3) by the gradient, over K",
-                        Value::scientific_bound(largest_over(from_gradients, displacement_unit), 1),
-                        promised(reason)),
-                    Criterion::at_most(
-                        "by the logarithm",
-                        Value::scientific_bound(largest_over(displacements, displacement_unit), 1),
-                        promised(reason))}});
+       .criteria = {Criterion::at_most("largest difference from eq. (3) by the gradient, over K",
+                                       Value(largest_over(from_gradients, displacement_unit),
+                                             scientific(1).rounded_up()),
+                                       promised(reason)),
+                    Criterion::at_most("by the logarithm",
+                                       Value(largest_over(displacements, displacement_unit),
+                                             scientific(1).rounded_up()),
+                                       promised(reason))}});
   document.claim(
       "quadrature-knows-its-error",
       {.route = "eq. (3) and its derivative in closed form, over eight decades of distance and at "
@@ -219,17 +223,17 @@ void compute_quadrature(literate::Document& document, const parameters::HalfSpac
   const std::vector<double> points = wide_points(a);
   const Comparisons wide_gradients = compare_gradients(c, points);
   const Comparisons wide_displacements = compare_displacements(c, points);
-  document.value("quadrature.n-points", Value::integer(std::ssize(points)));
+  document.value("quadrature.n-points", Value(std::ssize(points), integer()));
   document.value("quadrature.gradient.difference",
-                 Value::scientific_bound(largest_difference(wide_gradients) * a / unit, 1));
+                 Value(largest_difference(wide_gradients) * a / unit, scientific(1).rounded_up()));
   document.value("quadrature.gradient.estimate",
-                 Value::scientific_bound(largest_estimate(wide_gradients) * a / unit, 1));
+                 Value(largest_estimate(wide_gradients) * a / unit, scientific(1).rounded_up()));
   document.value("quadrature.displacement.difference",
-                 Value::scientific_bound(largest_difference(wide_displacements) / unit, 1));
+                 Value(largest_difference(wide_displacements) / unit, scientific(1).rounded_up()));
   document.value("quadrature.displacement.estimate",
-                 Value::scientific_bound(largest_estimate(wide_displacements) / unit, 1));
+                 Value(largest_estimate(wide_displacements) / unit, scientific(1).rounded_up()));
   document.value("quadrature.from-gradient.difference",
-                 Value::scientific_bound(largest_difference(from_gradients) / unit, 1));
+                 Value(largest_difference(from_gradients) / unit, scientific(1).rounded_up()));
   Comparisons all_gradients = wide_gradients;
   all_gradients.insert(all_gradients.end(), gradients.begin(), gradients.end());
   claim_quadrature(document, all_gradients, wide_displacements, from_gradients, unit);
@@ -237,7 +241,7 @@ void compute_quadrature(literate::Document& document, const parameters::HalfSpac
 
   const char* const reason = "ten digits of the scale, for which the quadratures are written";
   const auto reported = [&](const Comparisons& comparisons, double scale) {
-    return Value::scientific_bound(largest_estimate(comparisons) / scale, 1).within(0);
+    return Value(largest_estimate(comparisons) / scale, scientific(1).rounded_up()).within(0);
   };
   document.check("quadrature-error-small",
                  {Criterion::at_most("of the gradient, over K/a",

@@ -18,8 +18,8 @@ inline literate::Cell quoted(const config::PrintedNumber& number) {
 inline literate::Value quoted_value(const config::PrintedNumber& number,
                                     const std::string& unit = "") {
   const bool has_exponent = number.text().find_first_of("eE") != std::string::npos;
-  if (has_exponent) return literate::Value::scientific(number.value(), number.n_digits(), unit);
-  return literate::Value::fixed(number.value(), -number.place(), unit);
+  if (has_exponent) return literate::Value(number.value(), literate::scientific(number.n_digits()), unit);
+  return literate::Value(number.value(), literate::fixed(-number.place()), unit);
 }
 
 }  // namespace paper

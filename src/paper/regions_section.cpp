@@ -26,7 +26,12 @@ using Eigen::Index;
 using literate::Cell;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::LimitKind;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -134,9 +139,9 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
     const int closed = closed_valleys(wavy, solution);
     const int expected = valleys_expected_closed(wavy, smooth);
     counts.push_back(regions.size());
-    loads_with_valleys_as_expected.push_back(
-        Criterion::agrees("difference", Value::integer(closed - expected).within(0),
-                          Value::integer(0).within(0), {LimitKind::stated, 0.0, "it is a count"}));
+    loads_with_valleys_as_expected.push_back(Criterion::agrees(
+        "difference", Value(closed - expected, integer()).within(0), Value(0, integer()).within(0),
+        {LimitKind::stated, 0.0, "it is a count"}));
     n_closed += closed;
     table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
                    regions.back().end / hertz.half_width(), touching / extent});
@@ -150,7 +155,7 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
   figure.numbers["n_panels"] = n_panels;
   document.figure("several-regions", std::move(figure));
   const std::size_t most = std::ranges::max(counts);
-  document.value("wavy.most-regions", Value::integer(static_cast<long>(most)));
+  document.value("wavy.most-regions", Value(static_cast<long>(most), integer()));
   document.claim(
       "valleys-close",
       {.route = "seven loads on wavy cylinders, given as a measured profile",
@@ -158,12 +163,12 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
        .criteria = {
            Criterion::in_each("valleys closed, more or less than expected", "loads",
                               loads_with_valleys_as_expected),
-           Criterion::at_least("valleys closed in all", Value::integer(n_closed).within(0),
+           Criterion::at_least("valleys closed in all", Value(n_closed, integer()).within(0),
                                {LimitKind::stated, 1.0, "without one nothing would be tried"})}});
   const auto count = [](const char* what, std::size_t found, std::size_t asked,
                         const char* reason) {
-    return Criterion::agrees(what, Value::integer(static_cast<long>(found)).within(0),
-                             Value::integer(static_cast<long>(asked)).within(0),
+    return Criterion::agrees(what, Value(static_cast<long>(found), integer()).within(0),
+                             Value(static_cast<long>(asked), integer()).within(0),
                              {LimitKind::regression, 0.0, reason});
   };
   document.check("regions-form-and-join",
@@ -171,7 +176,7 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
                   count("regions at most", most, 5, "the crests of three waves a half-width"),
                   Criterion::at_most(
                       "regions under the heaviest load",
-                      Value::integer(static_cast<long>(counts.back())).within(0),
+                      Value(static_cast<long>(counts.back()), integer()).within(0),
                       {LimitKind::stated, static_cast<double>(most - 1), "fewer than at most"})},
                  "regions appear, and join, as the load grows");
 }
@@ -197,17 +202,18 @@ void register_round_trip(literate::Document& document, const ContactCase& c, con
   const double approach = solution.approach(c.datum);
   const Solution again = contact::solve_for_approach(wavy.problem, approach, c.datum, method);
   const double difference = std::abs(again.line_load() / solution.line_load() - 1);
-  document.value("wavy.approach", Value::significant(refined_approach(solution, c, wavy.problem,
-                                                                      domain * hertz.half_width()),
-                                                     4, units.length));
-  document.value("wavy.round-trip", Value::scientific_bound(difference, 1));
+  document.value("wavy.approach",
+                 Value(refined_approach(solution, c, wavy.problem, domain * hertz.half_width()),
+                       significant(4), units.length));
+  document.value("wavy.round-trip", Value(difference, scientific(1).rounded_up()));
   document.check(
       "approach-gives-the-load-back",
       {Criterion::at_most(
-           "relative difference of the loads", Value::scientific_bound(difference, 1).within(0),
+           "relative difference of the loads",
+           Value(difference, scientific(1).rounded_up()).within(0),
            {LimitKind::rounding, 1e-11, "the tolerance of both solutions, and more"}),
-       Criterion::agrees("nodes in contact", Value::integer(again.n_in_contact()).within(0),
-                         Value::integer(solution.n_in_contact()).within(0),
+       Criterion::agrees("nodes in contact", Value(again.n_in_contact(), integer()).within(0),
+                         Value(solution.n_in_contact(), integer()).within(0),
                          {LimitKind::stated, 0.0, "the same nodes"})},
       "the approach that a load makes gives the same load back");
 }
@@ -220,12 +226,12 @@ void compute_regions(literate::Document& document, const parameters::ContactCase
   const WavyCylinders wavy = wavy_cylinders(c, hertz);
   const std::string& unit = units.length;
   document.value("wavy.amplitude",
-                 Value::significant(wavy.amplitude, 3, unit).within(rounded(c, wavy.amplitude)));
+                 Value(wavy.amplitude, significant(3), unit).within(rounded(c, wavy.amplitude)));
   document.value("wavy.length",
-                 Value::significant(wavy.length, 3, unit).within(rounded(c, wavy.length)));
-  document.value("wavy.waves", Value::exact(waves_in_half_width));
-  document.value("wavy.flattening-share", Value::fixed(flattening_share, 1));
-  document.value("wavy.points", Value::integer(n_sampled));
+                 Value(wavy.length, significant(3), unit).within(rounded(c, wavy.length)));
+  document.value("wavy.waves", Value(waves_in_half_width, exact()));
+  document.value("wavy.flattening-share", Value(flattening_share, fixed(1)));
+  document.value("wavy.points", Value(n_sampled, integer()));
   register_regions(document, c, hertz, wavy);
   register_round_trip(document, c, hertz, wavy, units);
 }

@@ -20,8 +20,14 @@ namespace {
 using config::PrintedNumber;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::Limit;
 using literate::LimitKind;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -42,7 +48,7 @@ literate::Figure comparison_figure(const parameters::HalfSpaceCase& c,
                                    const std::optional<PrintedData>& printed_data) {
   std::vector<double> curve_x, u_z;
   constexpr int n = 300;
-  const double end = 1.2 * c.points.back();
+  const double end = 1.2 * c.farthest_point();
   for (int i = 0; i <= n; ++i) {
     curve_x.push_back(end * i / n);
     u_z.push_back(analytical(c, curve_x.back()));
@@ -74,17 +80,17 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
     largest.value = std::max(largest.value, difference.value);
     largest.abs_error = std::max(largest.abs_error, difference.abs_error);
   }
-  document.claim(
-      "symmetric",
-      {.route = "eq. (2) by quadrature at x and at −x, where nothing is known of the "
-                "symmetry",
-       .expected = Verdict::confirmed,
-       .criteria = {Criterion::at_most(
-           "largest difference between left and right, over K", Value::scientific_bound(largest, 1),
-           {LimitKind::convention, 1e-10,
-            "ten digits of the scale K, for which the quadrature is written"})}});
+  document.claim("symmetric",
+                 {.route = "eq. (2) by quadrature at x and at −x, where nothing is known of the "
+                           "symmetry",
+                  .expected = Verdict::confirmed,
+                  .criteria = {Criterion::at_most(
+                      "largest difference between left and right, over K",
+                      Value(largest, scientific(1).rounded_up()),
+                      {LimitKind::convention, 1e-10,
+                       "ten digits of the scale K, for which the quadrature is written"})}});
   if (!printed_data) return;
-  const double end = c.points.back();
+  const double end = c.farthest_point();
   const Estimate share = quotient(surface.normal_displacement(end), surface.normal_displacement(0));
   document.claim(
       "deflects-far-away",
@@ -92,11 +98,11 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
        .expected = Verdict::confirmed,
        .criteria = {
            Criterion::at_least("distance of the point from the middle, over a",
-                               Value::significant(closed_form(end / c.load.half_width()), 2),
+                               Value(closed_form(end / c.load.half_width()), significant(2)),
                                {LimitKind::convention, 2.0,
                                 "well outside is as far from the load's end as the middle is"}),
            Criterion::at_least(
-               "displacement there, as a share of that in the middle", Value::percent(share, 0),
+               "displacement there, as a share of that in the middle", Value(share, percent(0)),
                {LimitKind::convention, 0.1, "less would hardly be seen in the paper's Fig. 4"})}});
 }
 
@@ -123,13 +129,13 @@ void describe_odd_point(literate::Document& document, const parameters::HalfSpac
   const numerics::Estimate slope = gradient(c, x);
   // The print is meant as it stands, not as the interval of what rounds to it.
   const double difference = std::abs(printed.value() - exact.value);
-  document.value("tri-dist.odd.x", Value::fixed(x, decimals_of(c.points), unit));
+  document.value("tri-dist.odd.x", Value(x, fixed(decimals_of(c.points)), unit));
   document.value("tri-dist.odd.printed",
-                 Value::scientific(printed.value(), printed.n_digits(), unit));
-  document.value("tri-dist.odd.exact", Value::scientific(exact, printed.n_digits(), unit));
+                 Value(printed.value(), scientific(printed.n_digits()), unit));
+  document.value("tri-dist.odd.exact", Value(exact, scientific(printed.n_digits()), unit));
   document.value("tri-dist.odd.difference",
-                 Value::scientific(numerics::Estimate{difference, exact.abs_error}, 2, unit));
-  document.value("tri-dist.odd.slope", Value::scientific(slope, 3));
+                 Value(numerics::Estimate{difference, exact.abs_error}, scientific(2), unit));
+  document.value("tri-dist.odd.slope", Value(slope, scientific(3)));
 }
 
 // How far a number is from one that is printed, which it must round to.
@@ -137,7 +143,7 @@ Criterion from_print(const PrintedNumber& printed, Estimate computed) {
   const double distance = std::abs(computed.value - printed.value());
   return Criterion::at_most(
       "distance",
-      Value::significant(1 / printed.last_place() * Estimate{distance, computed.abs_error}, 2),
+      Value(1 / printed.last_place() * Estimate{distance, computed.abs_error}, significant(2)),
       {LimitKind::printed, 0.5, "every printed digit: what is computed rounds to the print"});
 }
 
@@ -155,7 +161,7 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
       c.load.line_load() * quotient(as_estimate(first), displacement(c, c.points.front()));
   const Estimate peak =
       c.load.peak_pressure() * quotient(as_estimate(first), displacement(c, c.points.front()));
-  const Value in_words = Value::exact(1000, units.line_load).within(0);
+  const Value in_words = Value(1000, literate::exact(), units.line_load).within(0);
   const Limit apart(
       LimitKind::convention, 1e-2,
       "far more than the digits of the print leave open, far less than other readings differ");
@@ -166,10 +172,10 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
                 "of a plane model",
        .expected = Verdict::partly,
        .criteria = {Criterion::agrees_relatively("as the peak p₀ of the load, on unit thickness",
-                                                 Value::significant(peak, 4, units.line_load),
+                                                 Value(peak, significant(4), units.line_load),
                                                  in_words, apart),
                     Criterion::agrees_relatively("as the whole load P",
-                                                 Value::significant(load, 4, units.line_load),
+                                                 Value(load, significant(4), units.line_load),
                                                  in_words, apart)}});
   document.claim("tri-dist-is-equation-3",
                  {.route = "eq. (3) in this report's form, with the limits taken as limits",
@@ -218,10 +224,10 @@ void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceC
   describe_odd_point(document, c, units, printed_data, odd);
   claim_tri_dist(document, c, units, printed_data, at_point, at_step);
   document.table("tri-dist", table);
-  document.value("tri-dist.n-agree", Value::integer(n_agree));
-  document.value("tri-dist.n-agree-stepped", Value::integer(n_agree_stepped));
-  document.value("tri-dist.step", Value::exact(printed.step.value(), units.length));
-  document.value("tri-dist.n-digits", Value::integer(printed.displacement.front().n_digits()));
+  document.value("tri-dist.n-agree", Value(n_agree, integer()));
+  document.value("tri-dist.n-agree-stepped", Value(n_agree_stepped, integer()));
+  document.value("tri-dist.step", Value(printed.step.value(), exact(), units.length));
+  document.value("tri-dist.n-digits", Value(printed.displacement.front().n_digits(), integer()));
 }
 
 // The columns of Fig. 5 against eq. (3), each other and Appendix 2.
@@ -246,7 +252,7 @@ void claim_figure5(literate::Document& document, const config::UnitSystem& units
     const PrintedNumber& column = printed.fea_z[i];
     const double unit = std::min(column.last_place(), measure.last_place());
     const double apart = std::round(std::abs(column.value() + measure.value()) / unit);
-    same.push_back(Criterion::at_most("difference", Value::fixed(apart, 0).within(0),
+    same.push_back(Criterion::at_most("difference", Value(apart, fixed(0)).within(0),
                                       {LimitKind::printed, 0.0, "the same digits"}));
   }
   document.claim(
@@ -301,7 +307,7 @@ void compare_figure5(literate::Document& document, const parameters::HalfSpaceCa
     const auto explains = [&](const PrintedNumber& fea) {
       const double difference = std::abs(printed.analytical[i].value() - fea.value());
       const double off = std::abs(difference - printed.error[i].value()) / unit_of_place;
-      return Criterion::at_most("difference", Value::significant({off, rounding_of_print}, 2),
+      return Criterion::at_most("difference", Value({off, rounding_of_print}, significant(2)),
                                 {LimitKind::printed, 1.0,
                                  "the error column has more digits than the columns, of which each "
                                  "is known to half a unit"});
@@ -311,9 +317,9 @@ void compare_figure5(literate::Document& document, const parameters::HalfSpaceCa
   }
   document.table("figure5", table);
   claim_figure5(document, units, printed_data, analytical_points, errors_of_z);
-  document.value("figure5.n-analytical", Value::integer(n_analytical));
-  document.value("figure5.n-errors-of-magnitude", Value::integer(n_holding(errors_of_magnitude)));
-  document.value("figure5.n-errors-of-z", Value::integer(n_holding(errors_of_z)));
+  document.value("figure5.n-analytical", Value(n_analytical, integer()));
+  document.value("figure5.n-errors-of-magnitude", Value(n_holding(errors_of_magnitude), integer()));
+  document.value("figure5.n-errors-of-z", Value(n_holding(errors_of_z), integer()));
   document.check(
       "figure5-error-column",
       {Criterion::in_each("analytical less magnitude less error, in units of the last place",

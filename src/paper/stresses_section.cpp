@@ -30,7 +30,13 @@ using contact::Solution;
 using elasticity::PiecewiseLinearTraction;
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
 using literate::LimitKind;
+using literate::scientific;
+using literate::significant;
+using literate::supported;
+using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
@@ -104,13 +110,13 @@ literate::Table depth_table(literate::Document& document, const PiecewiseLinearT
   }
   const double bound = shear_error_of(solution);
   document.value("stresses.decay",
-                 Value::significant(near / at_greatest, 1)
+                 Value(near / at_greatest, significant(1))
                      .within(quotient({near, bound}, {at_greatest, bound}).abs_error));
   document.check(
       "stresses-decay",
       {Criterion::at_least("largest difference near the surface over that at the "
                            "depth of the greatest shear",
-                           Value::significant(quotient({near, bound}, {at_greatest, bound}), 1),
+                           Value(quotient({near, bound}, {at_greatest, bound}), significant(1)),
                            {LimitKind::convention, 10.0, "an order of magnitude"})},
       "the largest difference falls down to the greatest shear");
   return table;
@@ -128,13 +134,13 @@ void compare_deep(literate::Document& document, const PiecewiseLinearTraction& t
   const double width_error = solution.half_width() / a - 1;
   const double expected = -1.5 * width_error / (depth * depth);
   const double square = std::pow(solution.grid.spacing / a, 2);
-  document.value("stresses.deep", Value::exact(depth));
+  document.value("stresses.deep", Value(depth, exact()));
   // So far below the shear goes with the load, which pressures wrong by δp₀ change by (4/π)δ.
   document.value("stresses.deep.difference",
-                 Value::scientific(Estimate{relative, shear_error_of(solution)}, 2));
+                 Value(Estimate{relative, shear_error_of(solution)}, scientific(2)));
   const double width_bound = half_width_error(solution) + rounded(1);
   document.value("stresses.deep.expected",
-                 Value::scientific(Estimate{expected, 1.5 * width_bound / (depth * depth)}, 2));
+                 Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)));
   document.claim(
       "load-and-moment-felt-below",
       {.route = "the shear of the elements less McEwen's at twenty half-widths, against "
@@ -142,8 +148,8 @@ void compare_deep(literate::Document& document, const PiecewiseLinearTraction& t
        .expected = Verdict::confirmed,
        .criteria = {Criterion::agrees(
            "relative difference of the shear",
-           Value::scientific(Estimate{relative, shear_error_of(solution)}, 2),
-           Value::scientific(Estimate{expected, 1.5 * width_bound / (depth * depth)}, 2),
+           Value(Estimate{relative, shear_error_of(solution)}, scientific(2)),
+           Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)),
            {LimitKind::derived, square / std::pow(depth, 4), "(c/a)²(a/z)⁴, the next moment"})}});
 }
 
@@ -157,17 +163,17 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
   const double p0 = hertz.peak_pressure();
   const double shear = exact.shear / p0;
   // McEwen::greatest_shear() states 1e-14. The elements' shear is over p₀, a third of it and more.
-  document.value("stresses.shear", Value::fixed(shear, 7).within(1e-14 * shear + rounded(shear)));
+  document.value("stresses.shear", Value(shear, fixed(7)).within(1e-14 * shear + rounded(shear)));
   const double shear_bound = 4 * shear_error_of(solution);
   // Rounding of the shear, 1e-13 at most, hides its maximum within √(4·1e-13/0.85) of the depth,
   // and the search ends with steps of 1e-7 a.
   const double depth_bound = 8e-7 + exact.depth.abs_error / a;
   document.value("stresses.depth",
-                 Value::with_uncertainty({exact.depth.value / a, exact.depth.abs_error / a}));
+                 Value({exact.depth.value / a, exact.depth.abs_error / a}, uncertain()));
   document.value("stresses.shear-error",
-                 Value::scientific_bound(Estimate{shear_error, shear_bound}, 1));
+                 Value(Estimate{shear_error, shear_bound}, scientific(1).rounded_up()));
   document.value("stresses.depth-error",
-                 Value::scientific_bound(Estimate{depth_error, depth_bound}, 1));
+                 Value(Estimate{depth_error, depth_bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / a, 2);
   document.claim(
       "mcewen",
@@ -175,19 +181,19 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
        .expected = Verdict::confirmed,
        .criteria = {
            Criterion::agrees(
-               "shear over p₀", Value::significant({found.shear / p0, shear_bound * shear}, 6),
-               Value::significant(closed_form(shear), 6),
+               "shear over p₀", Value({found.shear / p0, shear_bound * shear}, significant(6)),
+               Value(closed_form(shear), significant(6)),
                {LimitKind::regression, 0.25 * shear * square,
                 "a quarter of (c/a)² of it: linear elements have this order, and the factor was "
                 "found, with a margin"}),
            Criterion::agrees(
-               "depth over a", Value::significant({found.z / a, depth_bound}, 6),
-               Value::estimate({exact.depth.value / a, exact.depth.abs_error / a}, "", 6),
+               "depth over a", Value({found.z / a, depth_bound}, significant(6)),
+               Value({exact.depth.value / a, exact.depth.abs_error / a}, supported(6)),
                {LimitKind::regression, 0.06 * square,
                 "in proportion to (c/a)², with the factor that was found, and a margin"}),
            Criterion::at_most(
                "distance from the axis over a",
-               Value::scientific_bound(Estimate{std::abs(found.x) / a, depth_bound}, 1),
+               Value(Estimate{std::abs(found.x) / a, depth_bound}, scientific(1).rounded_up()),
                {LimitKind::rounding, 1e-5,
                 "a flat maximum tells its place to the root of rounding"})}});
 }
@@ -205,12 +211,12 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
     bounds.push_back(4 * shear_error_of(solution));
   }
   const PowerFit power = fit_power(elements, errors, bounds);
-  document.value("stresses.fit.least", Value::fixed(closed_form(elements.front()), 0));
-  document.value("stresses.fit.most", Value::fixed(closed_form(elements.back()), 0));
-  document.value("stresses.fit.order", Value::fixed(power.order_estimate(), 1));
+  document.value("stresses.fit.least", Value(closed_form(elements.front()), fixed(0)));
+  document.value("stresses.fit.most", Value(closed_form(elements.back()), fixed(0)));
+  document.value("stresses.fit.order", Value(power.order_estimate(), fixed(1)));
   document.check("stresses-order-two",
-                 {Criterion::agrees("order", Value::fixed(power.order_estimate(), 2),
-                                    Value::exact(2).within(0),
+                 {Criterion::agrees("order", Value(power.order_estimate(), fixed(2)),
+                                    Value(2, literate::exact()).within(0),
                                     {LimitKind::regression, 0.4, "the scatter of the grids"})},
                  "inside the body the stresses converge with order two");
 }
@@ -233,13 +239,13 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
     table.add_row({mu, found.x / a, found.z / a, found.shear / p0, exact.shear / p0, difference});
   }
   document.table("sliding-shear", table);
-  document.value("stresses.least-depth", Value::exact(least_depth));
-  document.value("stresses.surface-friction", Value::fixed(friction_at_surface(hertz), 3));
+  document.value("stresses.least-depth", Value(least_depth, exact()));
+  document.value("stresses.surface-friction", Value(friction_at_surface(hertz), fixed(3)));
   document.check(
       "sliding-shear",
       {Criterion::at_most(
           "largest relative difference over (c/a)²",
-          Value::significant({largest / square, 4 * shear_error_of(solution) / square}, 2),
+          Value({largest / square, 4 * shear_error_of(solution) / square}, significant(2)),
           {LimitKind::regression, 0.6, "what was found, with a margin"})},
       "beneath sliding cylinders the elements find the greatest shear to second order");
 }
@@ -258,12 +264,12 @@ void check_surface(literate::Document& document, const Solution& solution, const
   // are over μp₀ here.
   const double bound = 6 / greatest_friction * shear_error_of(solution);
   document.value("stresses.surface-difference",
-                 Value::scientific_bound(Estimate{largest, bound}, 1));
+                 Value(Estimate{largest, bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
   document.check(
       "sliding-surface",
       {Criterion::at_most("largest relative difference from μp₀, over (c/a)²",
-                          Value::significant({largest / square, bound / square}, 2),
+                          Value({largest / square, bound / square}, significant(2)),
                           {LimitKind::regression, 1.5, "what was found, with a margin"})},
       "on the surface of sliding cylinders the greatest shear is mu p0");
 }

@@ -3,6 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "config/table.hpp"
 #include "contact/grid.hpp"
 #include "contact/hertz.hpp"
@@ -11,13 +15,49 @@
 namespace parameters {
 namespace {
 
-using sys::require_positive;
+// What a case may hold. Beyond these a double would overflow or underflow on the way, in squares of
+// lengths or pressures.
+constexpr double least = 1e-50;
+constexpr double greatest = 1e50;
+
+// Half-widths of the load to the datum and to the points: beyond, differences of displacements are
+// rounding.
+constexpr double farthest = 1e6;
+
+// Half-widths of the load across the block. A finer load makes elements so thin that the stiffness
+// is ill-conditioned.
+constexpr double widest_block = 2000;
+
+// Of the matrix that is inverted for the contact; the finest grid of the report has eight times as
+// many.
+constexpr long most_nodes = 1001;
+
+// Each level doubles the finest elements: beyond, the block takes minutes.
+constexpr long most_refine = 3;
+
+double in_range(const config::Table& table, const std::string& key, config::Dimension dimension,
+                const config::UnitSystem& units) {
+  const double value = table.quantity(key, dimension, units);
+  if (value != 0 && !(std::abs(value) >= least && std::abs(value) <= greatest)) {
+    table.fail(key, fmt::format("{} {}: its magnitude must be from {} to {}", value,
+                                units.unit(dimension), least, greatest));
+  }
+  return value;
+}
 
 double positive(const config::Table& table, const std::string& key, config::Dimension dimension,
                 const config::UnitSystem& units) {
-  const double value = table.quantity(key, dimension, units);
+  const double value = in_range(table, key, dimension, units);
   if (!(value > 0)) {
     table.fail(key, fmt::format("{} {}: must be greater than 0", value, units.unit(dimension)));
+  }
+  return value;
+}
+
+long integer_in(const config::Table& table, const std::string& key, long fewest, long most) {
+  const long value = table.integer(key);
+  if (value < fewest || value > most) {
+    table.fail(key, fmt::format("{}: must be from {} to {}", value, fewest, most));
   }
   return value;
 }
@@ -30,12 +70,9 @@ elasticity::Material read_material(const config::Table& table, const config::Uni
 
 // first, first + step, …, `count` of them; each product rounded once, so that 3·0.005 is 0.015.
 std::vector<double> read_points(const config::Table& table, const config::UnitSystem& units) {
-  const double first = table.quantity("first", config::Dimension::length, units);
+  const double first = in_range(table, "first", config::Dimension::length, units);
   const double step = positive(table, "step", config::Dimension::length, units);
-  const long count = table.integer("count");
-  if (count < 2 || count > 1000) {
-    table.fail("count", fmt::format("{}: must be from 2 to 1000", count));
-  }
+  const long count = integer_in(table, "count", 2, 1000);
   std::vector<double> points;
   for (long i = 0; i < count; ++i) points.push_back(first + static_cast<double>(i) * step);
   return points;
@@ -43,12 +80,22 @@ std::vector<double> read_points(const config::Table& table, const config::UnitSy
 
 HalfSpaceCase read_half_space(const config::Table& table, const config::UnitSystem& units) {
   const config::Table load = table.table("load");
-  return {
-      read_material(table.table("material"), units),
-      elasticity::TriangularLoad(positive(load, "peak_pressure", config::Dimension::stress, units),
-                                 positive(load, "half_width", config::Dimension::length, units)),
-      positive(table, "datum", config::Dimension::length, units),
-      read_points(table.table("points"), units)};
+  const elasticity::Material material = read_material(table.table("material"), units);
+  const elasticity::TriangularLoad triangle(
+      positive(load, "peak_pressure", config::Dimension::stress, units),
+      positive(load, "half_width", config::Dimension::length, units));
+  const double reach = farthest * triangle.half_width();
+  const auto too_far = [&](double x) {
+    return fmt::format("{0} {1}: must be at most {2:.6g} {1}, {3} times half_space.load.half_width",
+                       x, units.length, reach, farthest);
+  };
+  const double datum = positive(table, "datum", config::Dimension::length, units);
+  if (datum > reach) table.fail("datum", too_far(datum));
+  const config::Table points_table = table.table("points");
+  const std::vector<double> points = read_points(points_table, units);
+  if (std::abs(points.front()) > reach) points_table.fail("first", too_far(points.front()));
+  if (std::abs(points.back()) > reach) points_table.fail("step", too_far(points.back()));
+  return {material, triangle, datum, points};
 }
 
 CylinderCase read_body(const config::Table& table, const config::UnitSystem& units) {
@@ -68,8 +115,7 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
   const auto cylinders = table.at("body2", [&] {
     return contact::CylinderPair(body1.material, body1.radius, body2.material, body2.radius);
   });
-  const long n_nodes = table.integer("nodes");
-  table.at("nodes", [&] { return contact::grid_around(1, n_nodes); });
+  const long n_nodes = integer_in(table, "nodes", contact::min_nodes, most_nodes);
   const double line_load = positive(table, "load", config::Dimension::line_load, units);
   const double datum = positive(table, "datum", config::Dimension::length, units);
   const contact::Grid grid =
@@ -99,6 +145,15 @@ BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space
                fmt::format("{} {}: must hold the load, which is {} {} wide", rectangle.width(),
                            units.length, 2 * half_space.load.half_width(), units.length));
   }
+  const double widest = widest_block * half_space.load.half_width();
+  for (const auto& [key, size] :
+       {std::pair{"width", rectangle.width()}, std::pair{"height", rectangle.height()}}) {
+    if (size > widest) {
+      table.fail(key, fmt::format("{0} {1}: must be at most {2:.6g} {1}, {3} times "
+                                  "half_space.load.half_width",
+                                  size, units.length, widest, widest_block));
+    }
+  }
   for (const double x : half_space.points) {
     if (x < rectangle.left() || x > rectangle.right()) {
       table.fail("width", fmt::format("{} {}: must hold the point x = {} {}", rectangle.width(),
@@ -106,14 +161,17 @@ BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space
     }
   }
   block::Discretization discretization;
-  discretization.order = static_cast<int>(table.integer("order"));
-  discretization.refine = static_cast<int>(table.integer("refine"));
-  table.at("order", [&] { return block::require_valid(discretization); });
+  discretization.order = static_cast<int>(integer_in(table, "order", 2, 10));
+  discretization.refine = static_cast<int>(integer_in(table, "refine", 0, most_refine));
   return {rectangle, read_sides(table),
           positive(table, "density", config::Dimension::density, units), discretization};
 }
 
 }  // namespace
+
+double HalfSpaceCase::farthest_point() const {
+  return std::max(std::abs(points.front()), std::abs(points.back()));
+}
 
 Case read_case(const std::filesystem::path& file) {
   const config::Table root = config::Table::parse_file(file);

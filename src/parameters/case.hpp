@@ -23,7 +23,10 @@ struct HalfSpaceCase {
   elasticity::Material material;
   elasticity::TriangularLoad load;
   double datum;                ///< the x at which u_z = 0
-  std::vector<double> points;  ///< where the paper's tables are taken
+  std::vector<double> points;  ///< where the paper's tables are taken, rising
+
+  /// The greatest |x| of the points: where the tables end, since the load is symmetric.
+  double farthest_point() const;
 };
 
 /// One of the two bodies in contact.

@@ -172,6 +172,10 @@ BOOST_AUTO_TEST_CASE(flags_that_contradict_each_other_or_mean_nothing_are_refuse
   check_refused(
       with_basics({"--load", "1", "--profile", "wedge", "--slope", "0.1", "--radius1", "1.7"}),
       "--radius1 has no meaning for --profile wedge");
+  check_refused(with_basics({"--load", "1", "--profile", "wedge", "--slope", "0.1", "--flat", "2"}),
+                "--flat has no meaning for --profile wedge");
+  check_refused(with_basics(loaded_cylinders + Flags{"--power", "3"}),
+                "--power has no meaning for --profile cylinder");
   check_refused(with_basics(loaded_cylinders + Flags{"--approach", "1e-6"}),
                 "--load and --approach: give one of them");
   check_refused(with_basics(loaded_cylinders + Flags{"--tangential-load", "0.1"}),
@@ -180,7 +184,8 @@ BOOST_AUTO_TEST_CASE(flags_that_contradict_each_other_or_mean_nothing_are_refuse
                 "--friction needs --grid symmetric");
   check_refused(with_basics(loaded_cylinders + Flags{"--tolerance", "1e-8"}),
                 "--tolerance has no meaning for --method matrix-inversion");
-  check_refused(with_basics({"--load", "1", "--profile", "cone"}), "--profile = cone: must be");
+  check_refused(with_basics({"--load", "1", "--profile", "cone"}),
+                "--profile = cone: must be cylinder, wedge, rounded-punch, power or file:PATH");
   check_refused(
       with_basics({"--load", "1", "--profile", "power", "--coefficient", "1", "--power", "0"}),
       "--power = 0: must be from 1 to");

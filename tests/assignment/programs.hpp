@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "assignment/shapes.hpp"
+#include "assignment/given/shapes.hpp"
 #include "assignment/valid_variant.hpp"
 #include "contact/cylinder_pair.hpp"
 #include "contact/element.hpp"

@@ -8,7 +8,7 @@
 #include "assignment/programs.hpp"
 #include "literate/document/names.hpp"
 #include "literate/prose/references.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sheet_test)
 
@@ -34,6 +34,16 @@ BOOST_AUTO_TEST_CASE(each_exercise_has_its_points_and_a_line_for_each_check) {
       BOOST_TEST(checks.find(check.says) != std::string::npos, check.says);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_sheet_counts_the_exercises) {
+  course::Assignment shorter = description;
+  shorter.exercises.resize(2);
+  literate::Document sheet;
+
+  assignment::register_sheet(sheet, shorter, course::nominal_variant(description));
+
+  BOOST_TEST(sheet.values().at("sheet.exercises").printed() == "two");
 }
 
 BOOST_AUTO_TEST_CASE(no_table_names_a_hidden_check) {

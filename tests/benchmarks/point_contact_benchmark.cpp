@@ -30,7 +30,7 @@ constexpr double common_tolerance = 1e-7;
 const point_contact::Hertz hertz(modulus, curvature, load);
 
 Problem spheres(long n) {
-  const double side = 2 * hertz.radius() / 0.9 * 2 / std::sqrt(3.0);
+  const double side = 2 * hertz.radius() / 0.9;
   return {point_contact::Profile::paraboloid(curvature), modulus,
           point_contact::hexagonal_grid(side, n), point_contact::Element::pyramid};
 }

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The block in another program: CalculiX, Debian package calculix-ccx.
-#include <stdlib.h>
-
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -14,37 +11,19 @@
 #include "block/calculix_deck.hpp"
 #include "block/paper_block.hpp"
 #include "system/require.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(calculix_test)
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::vector<double> printed_points() {
   return paper_block::measure_options().surface_points;
 }
 
-// A folder of its own, removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "calculix_test_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder " + name);
-    path_ = name;
-  }
-  ~ScratchFolder() { fs::remove_all(path_); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 // Runs a deck and reads the displacements (x, y) it prints, by node.
 std::map<block::Index, Eigen::Vector2d> run_calculix(const std::string& deck) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder.path() / "block.inp") << deck;
   const std::string command =
       "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx -i block >log 2>&1";

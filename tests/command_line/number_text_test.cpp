@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "random_inputs.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(number_text_test)
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(table_test)
 

@@ -13,7 +13,7 @@
 #include "course/release/markers.hpp"
 #include "course/sandbox/sandbox.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 /// An assignment that compiles quickly, with two exercises of ten points each, `square` and `sum`.
 namespace toy_grading {
@@ -29,6 +29,7 @@ inline course::Assignment assignment() {
   toy.title = "Toy";
   toy.deadline = std::chrono::sys_days{std::chrono::year{2027} / 1 / 15} + std::chrono::hours(23);
   toy.points = 20;
+  toy.provided = {"course/assignment/answer_channel.hpp"};
   toy.late = {.percent_per_day = 10, .days = 5};
   toy.limits = {.compile_seconds = 10,
                 .run_seconds = 1,

@@ -21,7 +21,7 @@ struct Workplace {
   fs::path pdf = folder.path() / "report.pdf";
 
   Words report(const fs::path& case_file) const {
-    return {"compute",           "--case",   case_file.string(), "--output",
+    return {"compute",          "--case",   case_file.string(), "--output",
             generated.string(), "--source", source_dir.string()};
   }
   Words typeset(const fs::path& document) const {
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(what_the_prose_leaves_out_is_a_warning) {
                              "\\documentclass{article}\\usepackage{literate}\n"
                              "\\begin{document}\nNothing is used.\n\\end{document}\n");
   literate::Document registered;
-  registered.value("peak", literate::Value::fixed(1.5, 1));
+  registered.value("peak", literate::Value(1.5, literate::fixed(1)));
   registered.write(workplace.generated);
 
   const Outcome outcome = run_program(workplace.typeset(document.parent_path()));

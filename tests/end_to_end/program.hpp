@@ -11,7 +11,7 @@
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/process.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 inline const std::filesystem::path source_dir = HALFSPACE_SOURCE_DIR;
 inline const std::filesystem::path papers_case = source_dir / "report/ruggiero2001.toml";

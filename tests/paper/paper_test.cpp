@@ -12,7 +12,7 @@
 #include "literate/excerpts/find_excerpts.hpp"
 #include "literate/prose/references.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(paper_test)
 

@@ -6,7 +6,7 @@
 
 #include "config/table.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(printed_data_test)
 

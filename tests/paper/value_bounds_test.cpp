@@ -12,7 +12,7 @@
 #include "literate/document/document.hpp"
 #include "paper/paper.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(value_bounds_test)
 

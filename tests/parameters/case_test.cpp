@@ -7,7 +7,7 @@
 #include <string>
 
 #include "config/table.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(case_test)
 
@@ -81,6 +81,15 @@ BOOST_AUTO_TEST_CASE(a_plane_and_a_hollow_are_radii) {
   BOOST_TEST(hollow.contact.cylinders.relative_curvature() == 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(points_on_the_left_end_as_far_away_as_points_on_the_right) {
+  const TemporaryFolder folder;
+  const Case left =
+      read_case(folder.write("case.toml", with("first = {value = 0,", "first = {value = -0.05,")));
+
+  BOOST_TEST(left.half_space.farthest_point() == 0.05);
+  BOOST_TEST(read_case(PAPERS_CASE).half_space.farthest_point() == 0.05);
+}
+
 BOOST_AUTO_TEST_CASE(other_units_are_converted) {
   const TemporaryFolder folder;
   const Case c = read_case(folder.write(
@@ -107,7 +116,23 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
   check_refused("radius = {value = 1,", "radius = {value = 0,", "contact.body1.radius");
   check_refused("radius = {value = 3,", "radius = {value = -1,", "contact.body2");
   check_refused("value = 10, unit", "value = nan, unit", "half_space.datum.value");
+  check_refused("nodes = 91", "nodes = 1002", "contact.nodes: 1002: must be from 5 to 1001");
+  check_refused("order = 7", "order = 11", "block.order");
+  check_refused("order = 7", "order = 4294967303", "block.order");  // 2³² + 7
+  check_refused("refine = 1", "refine = 4", "block.refine: 4: must be from 0 to 3");
+  check_refused("value = 2500", "value = 1e-300", "contact.load");
+  check_refused("peak_pressure = {value = 1000", "peak_pressure = {value = 1e51",
+                "load.peak_pressure");
+  check_refused("first = {value = 0,", "first = {value = -1e60,", "points.first");
   check_refused("value = 10, unit", "value = inf, unit", "half_space.datum.value");
+}
+
+BOOST_AUTO_TEST_CASE(a_range_that_depends_on_another_key_names_both) {
+  const std::string half_width = "half_space.load.half_width";
+  check_refused("datum = {value = 10,", "datum = {value = 10001,", half_width);
+  check_refused("step = {value = 0.005", "step = {value = 2000", half_width);
+  check_refused("width = {value = 2,", "width = {value = 20.1,", half_width);
+  check_refused("height = {value = 1,", "height = {value = 20.1,", half_width);
 }
 
 BOOST_AUTO_TEST_CASE(units_and_keys_are_checked) {

@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(spawn_test)
 

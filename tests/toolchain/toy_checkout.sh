@@ -53,19 +53,22 @@ main=report.tex
 case=${report_CASE}
 sources=src
 output=${to}
+repository=${PROJECT_BINARY_DIR}/repository
 engine=${PROJECT_SOURCE_DIR}/src/literate
 ")
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/repository/repository.tex" CONTENT "")
 add_custom_target(ask_for_commit COMMAND "${CMAKE_COMMAND}" -E true)
 add_custom_target(halfspace DEPENDS ask_for_commit)
 add_custom_command(OUTPUT "${to}/generated/names.json" "${to}/generated.sha256"
   COMMAND "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" "${to}/generated"
   COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${to}/generated" "-DOUTPUT=${to}/generated.sha256"
     -P "${PROJECT_SOURCE_DIR}/src/literate/cmake/WriteDigest.cmake"
-  DEPENDS "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" VERBATIM)
+  DEPENDS "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" COMMENT "compute" USES_TERMINAL VERBATIM)
 add_custom_target(report-figures DEPENDS "${to}/generated.sha256")
 add_custom_command(OUTPUT "${to}/report.pdf" "${to}/manifest.json"
   COMMAND "${PROJECT_SOURCE_DIR}/typeset" "${PROJECT_SOURCE_DIR}/report" "${to}"
-  DEPENDS "${to}/generated.sha256" report/report.tex report/sections/a.tex VERBATIM)
+  DEPENDS "${to}/generated.sha256" report/report.tex report/sections/a.tex
+  COMMENT "typeset" USES_TERMINAL VERBATIM)
 add_custom_target(report DEPENDS "${to}/report.pdf")
 END
 

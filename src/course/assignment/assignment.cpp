@@ -218,8 +218,16 @@ void Exercises::require_order(std::size_t index) const {
   }
 }
 
-std::vector<std::string> read_provided(const Table& root) {
-  std::vector<std::string> files = root.texts("provided");
+std::vector<std::string> read_provided(const Table& root, const std::vector<Exercise>& exercises) {
+  constexpr std::string_view name = "@name@";
+  std::vector<std::string> files;
+  for (const std::string& file : root.texts("provided")) {
+    const auto at = file.find(name);
+    if (at == file.npos) files.push_back(file);
+    for (const Exercise& exercise : at == file.npos ? std::vector<Exercise>{} : exercises) {
+      files.push_back(std::string(file).replace(at, name.size(), exercise.name()));
+    }
+  }
   std::set<std::string> known;
   for (const std::string& file : files) {
     require_below(root, "provided", file);
@@ -237,6 +245,10 @@ double Exercise::points() const {
   return sum;
 }
 
+std::string Exercise::name() const {
+  return fs::path(file).stem().string();
+}
+
 Assignment read_assignment(const fs::path& folder) {
   const Table root = Table::parse_file(folder / "assignment.toml");
   Assignment assignment;
@@ -245,12 +257,12 @@ Assignment read_assignment(const fs::path& folder) {
   assignment.deadline = root.instant("deadline");
   assignment.points = positive(root, "points");
   assignment.floor = number(root, "floor", 0, assignment.points);
-  if (root.has("provided")) assignment.provided = read_provided(root);
   if (root.has("late")) assignment.late = read_late(root.table("late"));
   if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
   Exercises exercises(root, folder);
   const double sum = exercises.points();
   assignment.exercises = std::move(exercises).take();
+  if (root.has("provided")) assignment.provided = read_provided(root, assignment.exercises);
   std::set<std::string> names;
   for (const Table& table : root.tables("quantity")) {
     assignment.quantities.push_back(read_quantity(table, names));

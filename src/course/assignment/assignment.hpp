@@ -29,6 +29,8 @@ struct Exercise {
   std::vector<CheckEntry> checks;
 
   double points() const;
+  /// The name of its file without folder and ending, for which the files of its checks are named.
+  std::string name() const;
 };
 
 /// A number that variants differ in: from + k·step with whole k ≥ 0, up to `to`.
@@ -64,8 +66,10 @@ struct Assignment {
   std::string title;
   std::chrono::sys_seconds deadline;
   double points = 0;
-  double floor = 0;                   ///< points that the untouched handout reaches
-  std::vector<std::string> provided;  ///< files below src/ that the handout gets a copy of
+  double floor = 0;  ///< points that the untouched handout reaches
+  /// Files below src/ that the handout gets a copy of. In assignment.toml a file whose path holds
+  /// `@name@` stands for one of each exercise.
+  std::vector<std::string> provided;
   LatePolicy late;
   Limits limits;
   std::vector<Exercise> exercises;

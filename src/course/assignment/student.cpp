@@ -16,9 +16,16 @@ namespace {
 
 constexpr std::array<std::string_view, 5> endings = {".tar.gz", ".tar.xz", ".tgz", ".tar", ".zip"};
 
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// Some systems write the ending in capitals.
 std::string_view ending_of(std::string_view name) {
-  const auto* ending =
-      std::ranges::find_if(endings, [&](std::string_view end) { return name.ends_with(end); });
+  const auto* ending = std::ranges::find_if(endings, [&](std::string_view end) {
+    return name.size() >= end.size() &&
+           std::ranges::equal(name.substr(name.size() - end.size()), end, {}, lower);
+  });
   return ending == endings.end() ? std::string_view{} : *ending;
 }
 

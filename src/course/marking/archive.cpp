@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 #include "course/assignment/student_text.hpp"
@@ -22,12 +23,55 @@ std::string without_here(std::string name) {
   return name;
 }
 
-/// A name as an argument of bsdtar, which would take some characters for a pattern.
-std::string as_pattern(const std::string& name) {
+/// A character of a name as bsdtar lists it.
+struct Listed {
+  char character;
+  bool is_escaped;  ///< because it is unprintable, or no UTF-8
+};
+
+/// The characters of a name that bsdtar listed: it writes \\ for a backslash, \n and such for white
+/// space, and \ooo for any other byte that it cannot print.
+std::vector<Listed> characters_of(std::string_view listed) {
+  constexpr std::string_view letters = "abfnrtv\\";
+  constexpr std::string_view meant = "\a\b\f\n\r\t\v\\";
+  std::vector<Listed> characters;
+  while (!listed.empty()) {
+    std::size_t n_read = 1;
+    Listed next{listed.front(), false};
+    if (next.character == '\\' && listed.size() > 1) {
+      const auto letter = letters.find(listed[1]);
+      unsigned byte = 0;
+      const auto [end, error] = std::from_chars(
+          listed.data() + 1, listed.data() + std::min<std::size_t>(4, listed.size()), byte, 8);
+      if (letter != letters.npos) {
+        next = {meant[letter], listed[1] != '\\'};
+        n_read = 2;
+      } else if (error == std::errc{}) {
+        next = {static_cast<char>(byte), true};
+        n_read = static_cast<std::size_t>(end - listed.data());
+      }
+    }
+    characters.push_back(next);
+    listed.remove_prefix(n_read);
+  }
+  return characters;
+}
+
+std::string name_of(const std::vector<Listed>& characters) {
+  std::string name;
+  for (const Listed& listed : characters) name += listed.character;
+  return name;
+}
+
+/// A name as an argument of bsdtar, which takes it for a pattern. It could not convert a byte that
+/// is no UTF-8, so that
+/// `?`, any character, stands for what it escaped.
+std::string pattern_of(const std::vector<Listed>& characters) {
   std::string pattern;
-  for (const char character : name) {
-    if (std::string_view("*?[]\\").find(character) != std::string_view::npos) pattern += '\\';
-    pattern += character;
+  for (const auto& [character, is_escaped] : characters) {
+    const bool is_special = std::string_view("*?[]\\").find(character) != std::string_view::npos;
+    if (is_special) pattern += '\\';
+    pattern += is_escaped ? '?' : character;
   }
   return pattern;
 }
@@ -86,14 +130,16 @@ void Archive::list() {
   }
   const std::string listing = beginning_of(work_ / "archive.out", listing_kb * 1024);
   for (const std::string_view line : sys::lines_of(listing)) {
-    raw_entries_.emplace_back(line);
-    entries_.push_back(without_here(std::string(line)));
+    const std::vector<Listed> characters = characters_of(line);
+    names_.push_back(name_of(characters));
+    patterns_.push_back(pattern_of(characters));
+    entries_.push_back(without_here(names_.back()));
   }
   if (entries_.empty()) throw std::invalid_argument("the archive is empty");
 }
 
 bool Archive::climbs_out() const {
-  return std::ranges::any_of(raw_entries_, leads_out);
+  return std::ranges::any_of(names_, leads_out);
 }
 
 std::string Archive::read(const std::string& entry) const {
@@ -101,8 +147,11 @@ std::string Archive::read(const std::string& entry) const {
   if (n_such == 0) throw std::invalid_argument("is missing");
   if (n_such > 1) throw std::invalid_argument("is in the archive more than once");
   const auto at = std::ranges::find(entries_, entry) - entries_.begin();
-  const std::string& name = raw_entries_[static_cast<std::size_t>(at)];
-  const JobEnd end = run({"-xOf", "--", as_pattern(name)}, limits_.file_kb);
+  const std::string& pattern = patterns_[static_cast<std::size_t>(at)];
+  if (std::ranges::count(patterns_, pattern) > 1) {
+    throw std::invalid_argument("is in the archive more than once");
+  }
+  const JobEnd end = run({"-xOf", "--", pattern}, limits_.file_kb);
   if (end.ending == Ending::too_much_output) {
     throw std::invalid_argument(fmt::format("is larger than {} kB", limits_.file_kb));
   }

@@ -19,7 +19,8 @@ class Archive {
   Archive(const Limits& limits, std::filesystem::path file, std::filesystem::path work,
           Isolation isolation);
 
-  /// The names in the archive, without a "./" in front and with unprintable bytes escaped.
+  /// The names in the archive, byte by byte, without a "./" in front. Nobody promises that they are
+  /// UTF-8.
   const std::vector<std::string>& entries() const { return entries_; }
 
   /// Whether there are entries with an absolute path, or with "..".
@@ -37,7 +38,8 @@ class Archive {
   std::filesystem::path work_;
   Sandbox sandbox_;
   std::vector<std::string> entries_;
-  std::vector<std::string> raw_entries_;
+  std::vector<std::string> names_;     ///< as they are in the archive
+  std::vector<std::string> patterns_;  ///< by which bsdtar finds them
 };
 
 }  // namespace course

@@ -10,15 +10,17 @@
 namespace course {
 namespace {
 
-std::string script_of(const Curve& curve) {
+std::string script_of(const Curve& curve, bool has_style) {
   std::string script = fmt::format(
       "set encoding utf8\n"
       "set terminal svg size 440,280 dynamic font 'sans-serif,13' name '{3}'\n"
       "set output 'curve.svg'\n"
       "set title '{0}' noenhanced\nset xlabel '{1}' noenhanced\nset ylabel '{2}' noenhanced\n"
-      "set grid lc rgb '#dddddd'\nunset key\nset format '%.3g'\n"
-      "plot '-' using 1:2 with linespoints pt 7 ps 0.4 lc rgb '#1c4f9a'\n",
-      curve.title, curve.x_label, curve.y_label, sys::sha256_of_text(curve.title).substr(0, 8));
+      "{4}"
+      "unset key\nset format '%.3g'\n"
+      "plot '-' using 1:2 with linespoints linestyle 1 pt 7 ps 0.4\n",
+      curve.title, curve.x_label, curve.y_label, sys::sha256_of_text(curve.title).substr(0, 8),
+      has_style ? "load 'style.gp'\n" : "set grid\n");
   for (std::size_t i = 0; i < curve.x.size() && i < curve.y.size(); ++i) {
     script += fmt::format("{} {}\n", curve.x[i], curve.y[i]);
   }
@@ -27,10 +29,16 @@ std::string script_of(const Curve& curve) {
 
 }  // namespace
 
-std::string svg_of(const Curve& curve) {
+std::filesystem::path style_of(const Assignment& assignment) {
+  return assignment.folder / "figures/style.gp";
+}
+
+std::string svg_of(const Curve& curve, const std::filesystem::path& style) {
   if (curve.x.empty() || curve.x.size() != curve.y.size()) return "";
   const ScratchFolder scratch;
-  sys::write_file_atomically(scratch.path() / "curve.gp", script_of(curve));
+  const bool has_style = std::filesystem::exists(style);
+  if (has_style) std::filesystem::copy_file(style, scratch.path() / "style.gp");
+  sys::write_file_atomically(scratch.path() / "curve.gp", script_of(curve, has_style));
   const sys::ProcessResult result =
       sys::run({.program = "gnuplot",
                 .arguments = {"--default-settings", "curve.gp"},

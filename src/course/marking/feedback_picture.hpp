@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
 
 namespace course {
@@ -22,7 +24,12 @@ struct Curve {
 using Curves = std::function<std::vector<Curve>(const Program&, const Variant&)>;
 
 /// A picture as an SVG element, drawn by gnuplot; empty if gnuplot cannot draw these numbers.
-/// Throws ToolError if gnuplot is missing.
-std::string svg_of(const Curve& curve);
+/// `style` is the gnuplot file that the figures of the assignment's sheet share, which has the
+/// colours and the grid; an assignment without one gets gnuplot's own. Throws ToolError if gnuplot
+/// is missing.
+std::string svg_of(const Curve& curve, const std::filesystem::path& style);
+
+/// The style of an assignment's figures: figures/style.gp in its folder.
+std::filesystem::path style_of(const Assignment& assignment);
 
 }  // namespace course

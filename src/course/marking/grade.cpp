@@ -12,14 +12,15 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<std::string> pictures_of(const GradingTask& task, ProgramRun& run) {
+std::vector<std::string> pictures_of(const Assignment& assignment, const GradingTask& task,
+                                     ProgramRun& run) {
   if (!task.curves) return {};
   const Program program = [&](const std::string& name, const Numbers& inputs) {
     return run.answer(name, inputs);
   };
   std::vector<std::string> pictures;
   for (const Curve& curve : task.curves(program, task.variant)) {
-    std::string svg = svg_of(curve);
+    std::string svg = svg_of(curve, style_of(assignment));
     if (!svg.empty()) pictures.push_back(std::move(svg));
   }
   return pictures;
@@ -58,8 +59,8 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
   ProgramRun run(assignment.limits, built, task.isolation);
   graded.results = try_checks(assignment, task.checks, built, task.variant, run);
   const bool has_program = built.link_error.empty();
-  write(assignment, graded, has_program ? pictures_of(task, run) : std::vector<std::string>{},
-        output);
+  write(assignment, graded,
+        has_program ? pictures_of(assignment, task, run) : std::vector<std::string>{}, output);
   return graded;
 }
 

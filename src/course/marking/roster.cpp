@@ -17,7 +17,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-using Reader = io::CSVReader<3, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>,
+using Reader = io::CSVReader<4, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>,
                              io::throw_on_overflow, io::empty_line_comment>;
 
 /// What the library found wrong in a file, in this program's words.
@@ -34,6 +34,11 @@ std::string message_of(const io::error::base& error) {
   }
   if (dynamic_cast<const escaped_string_not_closed*>(&error) != nullptr) {
     return "a quote is not closed";
+  }
+  if (const auto* extra = dynamic_cast<const extra_column_in_header*>(&error)) {
+    return fmt::format(
+        "there is a column '{}'; the columns are student, name, submitted and deadline",
+        shown_name(extra->column_name));
   }
   const auto* doubled = dynamic_cast<const duplicated_column_in_header*>(&error);
   return doubled == nullptr ? "the line is not CSV"
@@ -75,11 +80,12 @@ Roster read_roster(const fs::path& file) {
   };
   Roster roster;
   try {
-    reader.read_header(io::ignore_extra_column | io::ignore_missing_column, "student", "submitted",
-                       "deadline");
+    // A column that nobody reads is refused: it could be a misspelt one, and lateness would be off
+    // without a word.
+    reader.read_header(io::ignore_missing_column, "student", "name", "submitted", "deadline");
     if (!reader.has_column("student")) throw sys::SourceError("there is no column 'student'");
-    std::string student, submitted, deadline;
-    while (reader.read_row(student, submitted, deadline)) {
+    std::string student, name, submitted, deadline;
+    while (reader.read_row(student, name, submitted, deadline)) {
       require_student_id(student);
       const RosterEntry entry{.submitted = time_in(submitted), .deadline = time_in(deadline)};
       if (!roster.emplace(student, entry).second) {
@@ -92,6 +98,14 @@ Roster read_roster(const fs::path& file) {
     throw error_in_line(error.what());
   }
   return roster;
+}
+
+std::string lateness_source(const Roster& roster) {
+  const auto n_known = std::ranges::count_if(
+      roster, [](const auto& entry) { return entry.second.submitted.has_value(); });
+  return n_known == 0 ? "the class has no time in a column 'submitted': nobody is late"
+                      : fmt::format("lateness from column 'submitted': {} of {} students", n_known,
+                                    roster.size());
 }
 
 Listing list_submissions(const fs::path& folder, const std::optional<Roster>& roster) {

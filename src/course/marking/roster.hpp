@@ -22,9 +22,14 @@ using Roster = std::map<std::string, RosterEntry>;
 
 /// Reads a CSV file (RFC 4180, but no field may hold a line end) with a header line. It uses
 /// the column `student` and, if they exist, `submitted` and `deadline` (RFC 3339; empty if
-/// unknown). Throws sys::SourceError «file:line: …» for a student listed twice, an id that is not
-/// allowed, a time that cannot be read, and a line that does not fit the header.
+/// unknown); a column `name` is for people. Throws sys::SourceError «file:line: …» for any other
+/// column, a column that stands there twice, a student listed twice, an id that is not allowed, a
+/// time that cannot be read, and a line that does not fit the header.
 Roster read_roster(const std::filesystem::path& file);
+
+/// A line that says for how many students the class knows when they handed in, so that nobody
+/// overlooks that it knows none.
+std::string lateness_source(const Roster& roster);
 
 /// A submission in the folder of all.
 struct Entry {

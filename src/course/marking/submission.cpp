@@ -77,6 +77,34 @@ void require_homework(const Limits& limits, const Contents& contents) {
   }
 }
 
+/// Where a submission has what was looked for in vain, in a line for the student; empty if it is
+/// nowhere.
+std::string place_of_the_missing(const std::vector<std::string>& entries,
+                                 const std::vector<std::string>& wanted) {
+  for (const std::string& entry : entries) {
+    for (const std::string& file : wanted) {
+      if (!entry.ends_with("/" + file)) continue;
+      return fmt::format(
+          "there is {} in '{}', but files are looked for at the top and one folder below it", file,
+          shown_name(entry.substr(0, entry.size() - file.size())));
+    }
+  }
+  for (const std::string& entry : entries) {
+    if (!names_archive(entry)) continue;
+    return fmt::format("there is an archive in the submission, '{}'; nothing is taken from that",
+                       shown_name(entry));
+  }
+  return "";
+}
+
+/// Says where the files are if none was taken.
+void explain_nothing(const std::vector<std::string>& entries,
+                     const std::vector<std::string>& wanted, Submission& submission) {
+  if (!submission.files.empty()) return;
+  std::string where = place_of_the_missing(entries, wanted);
+  if (!where.empty()) submission.problems.push_back(std::move(where));
+}
+
 Submission take_folder(const Assignment& assignment, const fs::path& folder) {
   Submission submission;
   const Contents contents = contents_of(folder);
@@ -89,6 +117,7 @@ Submission take_folder(const Assignment& assignment, const fs::path& folder) {
   take_files(
       wanted, place, [&](const std::string& file) { return read_beneath(folder, file, max_bytes); },
       submission);
+  explain_nothing(contents.entries, wanted, submission);
   return submission;
 }
 
@@ -106,6 +135,7 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
       std::ranges::find(archive.entries(), place + report) != archive.entries().end();
   take_files(
       wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
+  explain_nothing(archive.entries(), wanted, submission);
   return submission;
 }
 

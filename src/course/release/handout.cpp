@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "course/release/lists.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -17,15 +18,23 @@ constexpr fs::perms executable =
     fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
 
 // Binary files are copied as they are.
-MarkedText marked(const fs::path& file, const std::string& shown_as) {
+MarkedText marked(const Assignment& assignment, const fs::path& file) {
   const std::string text = sys::read_file(file);
-  if (text.find('\0') == std::string::npos) return apply_markers(text, shown_as);
-  return {.handout = text, .solution = text, .secrets = {}, .hidden_regions = {}};
+  if (text.find('\0') != std::string::npos) {
+    return {.handout = text, .solution = text, .secrets = {}, .hidden_regions = {}};
+  }
+  MarkedText marked = apply_markers(text, file.string());
+  // The lists of the file as it stands are tried first, since only there a fault's line is the
+  // author's own.
+  with_lists(assignment, text, file.string());
+  marked.handout = with_lists(assignment, marked.handout, file.string());
+  marked.solution = with_lists(assignment, marked.solution, file.string());
+  return marked;
 }
 
-ProjectFile read(const fs::path& file) {
+ProjectFile read(const Assignment& assignment, const fs::path& file) {
   return {.origin = file,
-          .text = marked(file, file.string()),
+          .text = marked(assignment, file),
           .permissions = fs::status(file).permissions()};
 }
 
@@ -99,7 +108,8 @@ Project read_project(const Assignment& assignment, const fs::path& source) {
                     (from / "build").string()));
   }
   Project project;
-  for (const std::string& file : sys::files_below(from)) project[file] = read(from / file);
+  for (const std::string& file : sys::files_below(from))
+    project[file] = read(assignment, from / file);
   for (const std::string& file : assignment.provided) {
     const auto fail = [&](const std::string& what) {
       throw sys::SourceError(
@@ -107,7 +117,7 @@ Project read_project(const Assignment& assignment, const fs::path& source) {
     };
     const fs::path origin = source / "src" / file;
     if (!fs::is_regular_file(origin)) fail(fmt::format("there is no src/{}", file));
-    const auto [entry, is_new] = project.try_emplace("provided/" + file, read(origin));
+    const auto [entry, is_new] = project.try_emplace("provided/" + file, read(assignment, origin));
     if (!is_new) fail(fmt::format("template/provided/{} exists as well", file));
   }
   if (project.contains(variant_file) || project.contains("sheet.pdf")) {

@@ -25,8 +25,9 @@ using Project = std::map<std::string, ProjectFile>;
 enum class Edition { handout, solution };
 
 /// Reads the assignment's template/ and the provided files of source/src, which go to
-/// provided/. Throws sys::SourceError for wrong markers, for a provided file that does not exist or
-/// that the template also holds, and for a template in which somebody has compiled.
+/// provided/, and fills their lists. Throws sys::SourceError for wrong markers and lists, for a
+/// provided file that does not exist or that the template also holds, and for a template in which
+/// somebody has compiled.
 Project read_project(const Assignment& assignment, const std::filesystem::path& source);
 
 /// The texts of one edition.

@@ -3,46 +3,15 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <optional>
 
+#include "course/release/comment_lines.hpp"
 #include "system/error.hpp"
 #include "system/lines.hpp"
 #include "system/pattern.hpp"
 
 namespace course {
 namespace {
-
-struct Comment {
-  std::string_view begin, end;
-};
-
-// Files of all other kinds have comments like the shell.
-Comment comment_of(const std::string& file) {
-  const std::string kind = std::filesystem::path(file).extension().string();
-  if (kind == ".cpp" || kind == ".hpp" || kind == ".h" || kind == ".cc") return {"//", ""};
-  if (kind == ".tex" || kind == ".sty" || kind == ".bib") return {"%", ""};
-  if (kind == ".md" || kind == ".html" || kind == ".xml") return {"<!--", "-->"};
-  return {"#", ""};
-}
-
-// A line and its end: "\n", "\r\n" or, at the end of the text, nothing.
-struct Line {
-  std::string_view text, end;
-};
-
-std::vector<Line> split(std::string_view text) {
-  std::vector<Line> lines;
-  while (!text.empty()) {
-    const auto newline = text.find('\n');
-    const auto size = newline == std::string_view::npos ? text.size() : newline + 1;
-    std::string_view body = text.substr(0, newline);
-    if (newline != std::string_view::npos && body.ends_with('\r')) body.remove_suffix(1);
-    lines.push_back({body, text.substr(body.size(), size - body.size())});
-    text.remove_prefix(size);
-  }
-  return lines;
-}
 
 enum class Kind { begin_solution, end_solution, begin_hidden, end_hidden, stub };
 
@@ -62,9 +31,9 @@ bool looks_like_marker(std::string_view line) {
 /// Reads the lines of one file and divides them.
 class Divider {
  public:
-  explicit Divider(const std::string& file) : file_(file), comment_(comment_of(file)) {}
+  explicit Divider(const std::string& file) : file_(file), comment_(comment_signs(file)) {}
 
-  void read(const Line& line) {
+  void read(const LineWithEnd& line) {
     ++number_;
     if (const auto marker = marker_in(line.text)) {
       act(*marker, line);
@@ -92,16 +61,15 @@ class Divider {
     return begin == Kind::begin_solution ? "BEGIN SOLUTION" : "BEGIN HIDDEN TESTS";
   }
 
-  std::optional<std::string_view> comment_in(std::string_view line) const;
   std::optional<Marker> marker_in(std::string_view line) const;
-  void act(const Marker& marker, const Line& line);
-  void begin(const Marker& marker, const Line& line);
-  void end(Kind begin, const Line& line);
+  void act(const Marker& marker, const LineWithEnd& line);
+  void begin(const Marker& marker, const LineWithEnd& line);
+  void end(Kind begin, const LineWithEnd& line);
   void stub(const std::string& text);
-  void add(const Line& line);
+  void add(const LineWithEnd& line);
 
   std::string file_;
-  Comment comment_;
+  CommentSigns comment_;
   int number_ = 0;
   std::optional<Kind> region_;
   int begin_line_ = 0;
@@ -110,19 +78,8 @@ class Divider {
   MarkedText result_;
 };
 
-std::optional<std::string_view> Divider::comment_in(std::string_view line) const {
-  std::string_view rest = sys::stripped(line);
-  if (!rest.starts_with(comment_.begin)) return {};
-  rest.remove_prefix(comment_.begin.size());
-  // A marker may begin with several comment signs, as nbgrader writes ### BEGIN SOLUTION.
-  while (comment_.end.empty() && rest.starts_with(comment_.begin.front())) rest.remove_prefix(1);
-  if (!comment_.end.empty() && !rest.ends_with(comment_.end)) return {};
-  rest.remove_suffix(comment_.end.size());
-  return sys::stripped(rest);
-}
-
 std::optional<Marker> Divider::marker_in(std::string_view line) const {
-  const auto words = comment_in(line);
+  const auto words = words_of_comment(line, comment_);
   if (!words) return {};
   if (*words == "BEGIN SOLUTION") return Marker{Kind::begin_solution, ""};
   if (*words == "END SOLUTION") return Marker{Kind::end_solution, ""};
@@ -138,7 +95,7 @@ std::optional<Marker> Divider::marker_in(std::string_view line) const {
   return {};
 }
 
-void Divider::act(const Marker& marker, const Line& line) {
+void Divider::act(const Marker& marker, const LineWithEnd& line) {
   switch (marker.kind) {
     case Kind::begin_solution:
     case Kind::begin_hidden:
@@ -152,7 +109,7 @@ void Divider::act(const Marker& marker, const Line& line) {
   }
 }
 
-void Divider::begin(const Marker& marker, const Line& line) {
+void Divider::begin(const Marker& marker, const LineWithEnd& line) {
   if (region_) {
     fail(number_, fmt::format("{} inside the {} of line {}", name_of(marker.kind),
                               name_of(*region_), begin_line_));
@@ -169,7 +126,7 @@ void Divider::begin(const Marker& marker, const Line& line) {
                                  space, comment_.end, line_end_);
 }
 
-void Divider::end(Kind begin, const Line& line) {
+void Divider::end(Kind begin, const LineWithEnd& line) {
   if (region_ != begin) {
     fail(number_, fmt::format("this END has no {} before it", name_of(begin)));
   }
@@ -187,7 +144,7 @@ void Divider::stub(const std::string& text) {
   result_.handout += (text.empty() ? "" : indentation_) + text + line_end_;
 }
 
-void Divider::add(const Line& line) {
+void Divider::add(const LineWithEnd& line) {
   takes_stubs_ = false;
   result_.solution.append(line.text).append(line.end);
   if (!region_) {
@@ -201,7 +158,7 @@ void Divider::add(const Line& line) {
 
 MarkedText apply_markers(std::string_view text, const std::string& file) {
   Divider divider(file);
-  for (const Line& line : split(text)) divider.read(line);
+  for (const LineWithEnd& line : lines_with_ends(text)) divider.read(line);
   return divider.finish();
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t telling_digits = 5;  // anybody may have written a number 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
-bool is_word(char c) {
+bool continues_word(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
@@ -104,15 +104,15 @@ std::vector<std::string> SecretNumbers::printed_in(std::string_view text) const 
         is_digit(text[at]) || (text[at] == '.' && at + 1 < text.size() && is_digit(text[at + 1]));
     if (!begins) {
       // A digit inside a word does not begin a number.
-      if (!is_word(text[at++])) continue;
-      while (at < text.size() && is_word(text[at])) ++at;
+      if (!continues_word(text[at++])) continue;
+      while (at < text.size() && continues_word(text[at])) ++at;
       continue;
     }
     const std::size_t begin = at;
     const std::string digits = read_digits(text, at);
-    const bool ends = at == text.size() || !is_word(text[at]);
+    const bool ends = at == text.size() || !continues_word(text[at]);
     if (ends && is_secret(digits)) found.emplace_back(text.substr(begin, at - begin));
-    while (at < text.size() && is_word(text[at])) ++at;
+    while (at < text.size() && continues_word(text[at])) ++at;
   }
   return found;
 }

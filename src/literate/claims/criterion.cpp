@@ -32,15 +32,15 @@ double require_abs_error(const std::string& name, const Value& quantity) {
 
 /// A limit, or an error, in the notation of the quantity that it belongs to.
 Value limit_like(double limit, const Value& quantity) {
-  return quantity.is_percentage() ? Value::exact_percent(limit)
-                                  : Value::exact(limit, quantity.unit());
+  return quantity.is_percentage() ? Value(limit, exact().in_percent())
+                                  : Value(limit, exact(), quantity.unit());
 }
 
 /// A relative difference in per cent, or as a number where that would be mostly zeros.
 Value relative(double difference) {
   constexpr double least_percentage = 1e-5;
-  return difference < least_percentage ? Value::exact(difference)
-                                       : Value::exact_percent(difference);
+  return difference < least_percentage ? Value(difference, exact())
+                                       : Value(difference, exact().in_percent());
 }
 
 /// Words that are the same in LaTeX, and values among them: «within {} of {}».
@@ -166,11 +166,11 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   // A difference that is lost in its error is told by what it is at most.
   criterion.found_ =
       off > unsure ? phrase("{}, {} from {}", criterion.quantity_,
-                            Value::percent_significant({off, unsure}, 2), stated)
+                            Value({off, unsure}, significant(2).in_percent()), stated)
                    : phrase("{}, at most {} from {}", criterion.quantity_,
                             relative(number_of(rounded_up_to_digits(off + unsure, 1))), stated);
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
-  criterion.decide(off, unsure, true, Value::exact_percent(0));
+  criterion.decide(off, unsure, true, Value(0, exact().in_percent()));
   return criterion;
 }
 
@@ -191,7 +191,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   const auto n_undecided = n_with(Outcome::undecided);
   const Criterion& worst = *std::ranges::max_element(each, {}, &Criterion::excess_);
 
-  Criterion criterion(std::move(name), Value::integer(n_holding).within(0), first.limit_);
+  Criterion criterion(std::move(name), Value(n_holding, integer()).within(0), first.limit_);
   const std::string counted = fmt::format("{} of {} {}", n_holding, n, cases);
   criterion.found_ = {fmt::format("{}, at worst {}", counted, worst.found_.plain),
                       fmt::format("{}, at worst {}", escape_latex(counted), worst.found_.latex)};

@@ -24,7 +24,7 @@
 # ROOT       the paper's repository, if not the folder of the CMake project
 #
 # All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
-# names of source files begin at ROOT, and gets literate::this_paper(): project, version, commit, date, excerpts.
+# names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
 
 # The names of files in a program and in the paper's own libraries that it links start at `root`.
 function(literate_map_prefix target root)
@@ -53,11 +53,13 @@ function(literate_map_prefix target root)
   endforeach()
 endfunction()
 
-# What literate::this_paper() answers is asked for in every build, before anything is compiled, and written only where it
-# changed: a commit recompiles one file.
+# Before anything is compiled, every build asks for what the program is compiled from, the excerpts, and for what only
+# the document tells, the state of the repository. Either is written only where it changed, and no program knows the
+# commit: after one nothing is compiled or computed, and the document alone is typeset again.
 function(literate_describe_paper name program main root sources figures)
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
+  set(repository "${folder}/repository")
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
   if(HALFSPACE_SANITIZE)
@@ -65,32 +67,32 @@ function(literate_describe_paper name program main root sources figures)
   endif()
   # Flags may name a folder of this machine, as -isystem does, and the paper is the same everywhere.
   string(REPLACE "${root}" "." flags "${flags}")
-  set(version "${PROJECT_VERSION}")
-  if(NOT version)
-    set(version 0)
-  endif()
-  list(TRANSFORM sources REPLACE ".+" "\"\\0\"" OUTPUT_VARIABLE quoted)
-  list(JOIN quoted ", " quoted)
   list(JOIN sources ":" folders)
-  set(written "${folder}/paper.cpp" "${folder}/excerpts.cpp")
+
+  # What literate::this_paper() answers; the program finds the state of the repository as seen from its own folder.
+  set(PROJECT "${PROJECT_NAME}")
+  set(VERSION "${PROJECT_VERSION}")
+  if(NOT VERSION)
+    set(VERSION 0)
+  endif()
+  set(COMPILER "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+  set(BUILD_TYPE "${CMAKE_BUILD_TYPE}")
+  set(FLAGS "${flags}")
+  set(MAIN "${main}")
+  list(TRANSFORM sources REPLACE ".+" "\"\\0\"" OUTPUT_VARIABLE SOURCE_FOLDERS)
+  list(JOIN SOURCE_FOLDERS ", " SOURCE_FOLDERS)
+  set(FIGURES "${figures}")
+  set(REPOSITORY "$<PATH:RELATIVE_PATH,${repository},$<TARGET_FILE_DIR:${program}>>")
+  configure_file("${engine}/cmake/paper.cpp.in" "${folder}/paper.cpp.in" @ONLY)
+  file(GENERATE OUTPUT "${folder}/paper.cpp" INPUT "${folder}/paper.cpp.in")
+
   add_custom_target(ask_for_${name}
-    COMMAND "${CMAKE_COMMAND}"
-      "-DSOURCE=${root}"
-      "-DTEMPLATE=${engine}/cmake/paper.cpp.in"
-      "-DOUTPUT=${folder}/paper.cpp"
-      "-DPROJECT=${PROJECT_NAME}"
-      "-DVERSION=${version}"
-      "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
-      "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}"
-      "-DFLAGS=${flags}"
-      "-DMAIN=${main}"
-      "-DSOURCE_FOLDERS=${quoted}"
-      "-DFIGURES=${figures}"
-      -P "${engine}/cmake/WriteBuildInfo.cmake"
+    COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${root}" "-DOUTPUT=${repository}" -P "${engine}/cmake/WriteRepository.cmake"
     COMMAND literate::program excerpts --source "${root}" --folders "${folders}" --output "${folder}/excerpts.cpp"
-    BYPRODUCTS ${written}
+    BYPRODUCTS "${folder}/excerpts.cpp" "${repository}/repository.json" "${repository}/repository.tex"
     COMMENT "commit and excerpts"
     VERBATIM)
+  set(written "${folder}/paper.cpp" "${folder}/excerpts.cpp")
   set_source_files_properties(${written} TARGET_DIRECTORY ${program}
     PROPERTIES GENERATED ON SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${program} PRIVATE ${written})
@@ -165,6 +167,7 @@ function(literate_add_paper)
   set(digest "${output}/generated.sha256")
   set(computed "${output}/computed")
   set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
+  set(repository "${PROJECT_BINARY_DIR}/generated/${name}/repository")
 
   cmake_path(RELATIVE_PATH figures BASE_DIRECTORY "${root}" OUTPUT_VARIABLE figures_from_root)
   literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}" "${figures_from_root}")
@@ -184,6 +187,7 @@ case=${case}
 sources=${sources}
 figures=${figures}
 output=${output}
+repository=${repository}
 engine=${engine}
 ")
 
@@ -218,13 +222,14 @@ engine=${engine}
   set(typeset
     ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
       --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
-      --manifest "${output}/manifest.json" --case "${case}" --source "${root}")
+      --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
+      --repository "${repository}")
   add_custom_command(
     OUTPUT "${output}/${name}.pdf" "${output}/manifest.json"
     COMMAND ${typeset}
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
-    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" ${files}
+    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" "${repository}/repository.json" ${files}
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)
@@ -240,7 +245,7 @@ engine=${engine}
   add_custom_command(
     OUTPUT "${output}/${name}.html"
     COMMAND bash "${scripts}/html" "${settings}"
-    DEPENDS "${digest}" ${files} ${bindings} "${scripts}/html"
+    DEPENDS "${digest}" "${repository}/repository.tex" ${files} ${bindings} "${scripts}/html"
     COMMENT "html"
     USES_TERMINAL
     VERBATIM)

@@ -78,9 +78,9 @@ Value value_of(const JsonFile& file, const Json::Value& entry, const std::string
   const double error = error_field(file, entry, what);
   const std::string unit = unit_field(file, entry, what);
   try {
-    if (!entry.isMember("digits")) return Value::estimate({number, error}, unit);
+    if (!entry.isMember("digits")) return Value({number, error}, supported(), unit);
     const int digits = whole_field(file, entry, what, "digits", 1, max_digits);
-    return Value::significant(number, digits, unit).within(error);
+    return Value(number, significant(digits), unit).within(error);
   } catch (const std::invalid_argument& reason) {
     file.fail(entry, fmt::format("{}: {}", what, reason.what()));
   }

@@ -3,11 +3,25 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
+#include "system/error.hpp"
+
 namespace literate {
+namespace fs = std::filesystem;
+
+std::string version_text(const Paper& paper, const Repository& repository) {
+  return fmt::format("{} {} (commit {}{})", paper.project, paper.version, repository.commit,
+                     repository.modified ? ", modified" : "");
+}
 
 std::string version_text(const Paper& paper) {
-  return fmt::format("{} {} (commit {}{})", paper.project, paper.version, paper.commit,
-                     paper.modified ? ", modified" : "");
+  try {
+    const fs::path program = fs::read_symlink("/proc/self/exe");
+    return version_text(paper, read_repository(program.parent_path() / paper.repository));
+  } catch (const sys::OutputError&) {
+    return version_text(paper, {});
+  }
 }
 
 }  // namespace literate

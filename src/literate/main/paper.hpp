@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "literate/excerpts/excerpt_hashes.hpp"
+#include "literate/provenance/repository.hpp"
 
 namespace literate {
 
@@ -13,15 +14,13 @@ namespace literate {
 struct Paper {
   std::string project = {};  ///< begins each message, and names the manifest
   std::string version = {};
-  std::string commit = "unknown";  ///< twelve digits; unknown without git or before the first
-  bool modified = false;           ///< whether files of the repository differ from the commit
-  std::string date = "unknown";    ///< SOURCE_DATE_EPOCH, or else the commit's
-  std::string compiler = {};       ///< with its version
+  std::string compiler = {};  ///< with its version
   std::string build_type = {};
   std::string flags = {};                             ///< of the compiler, for the build type
   std::string main_file = {};                         ///< of the LaTeX document
   std::vector<std::string> source_folders = {};       ///< that hold its code and excerpts
   std::string figures_folder = {};                    ///< that holds its gnuplot scripts
+  std::string repository = {};                        ///< folder of its state, from the program's
   std::vector<CompiledExcerpt> excerpts = {};         ///< as the program was compiled from them
   std::map<std::string, std::string> libraries = {};  ///< versions, besides those of the engine
 };
@@ -30,6 +29,10 @@ struct Paper {
 const Paper& this_paper();
 
 /// «rod 1.2.0 (commit 0123456789ab, modified)», for --version.
+std::string version_text(const Paper& paper, const Repository& repository);
+
+/// The same, with the commit of the checkout when it was last built. It is unknown if the program
+/// was moved away from there.
 std::string version_text(const Paper& paper);
 
 }  // namespace literate

@@ -22,6 +22,7 @@
 #include "literate/provenance/digest.hpp"
 #include "literate/provenance/manifest.hpp"
 #include "literate/provenance/manifest_comparison.hpp"
+#include "literate/provenance/repository.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "system/files.hpp"
 #include "system/tool_version.hpp"
@@ -34,7 +35,7 @@ namespace {
 
 struct TypesetStageOptions {
   std::string document, main_file, generated, build, output;
-  std::string digest, manifest, case_file, source = ".", against;
+  std::string digest, manifest, case_file, source = ".", repository, against;
 };
 
 // The digests of all files below `folder` of the checkout whose names end in one of these.
@@ -88,7 +89,8 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   return files;
 }
 
-Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper, const Names& names) {
+Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper,
+                     const Repository& repository, const Names& names) {
   const fs::path generated = options.generated;
   const fs::path pdf = options.output;
   Manifest::Texts libraries = engine_libraries();
@@ -96,9 +98,9 @@ Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper, con
   Manifest manifest{.project = paper.project,
                     .facts = {{"sources",
                                {{"version", paper.version},
-                                {"commit", paper.commit},
-                                {"modified", paper.modified ? "yes" : "no"},
-                                {"date", paper.date}}},
+                                {"commit", repository.commit},
+                                {"modified", repository.modified ? "yes" : "no"},
+                                {"date", repository.date}}},
                               {"platform",
                                {{"compiler", paper.compiler},
                                 {"build type", paper.build_type},
@@ -140,6 +142,8 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
   // Report a manifest that cannot be read before the work begins.
   Manifest theirs;
   if (!options.against.empty()) theirs = read_manifest(options.against, paper.project);
+  Repository repository;
+  if (!options.repository.empty()) repository = read_repository(options.repository);
 
   const command_line::Stage typesetting("typeset");
   const fs::path generated = options.generated;
@@ -155,17 +159,19 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
     complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
   }
 
-  write_statements(options.document, names, fs::path(options.build) / "statements.tex");
+  write_statements(options.document, names,
+                   fs::path(options.build) / prose_folder / "statements.tex");
   typeset({.source_dir = options.document,
            .main_file = options.main_file,
            .generated_dir = options.generated,
+           .repository_dir = options.repository,
            .build_dir = options.build,
            .output_pdf = options.output});
   typesetting.done(fs::path(options.output).filename().string());
   const ExitCode verdict = command_line::answer_faults(names.faults);
   if (options.manifest.empty() && options.against.empty()) return verdict;
 
-  const Manifest ours = manifest_of(options, paper, names);
+  const Manifest ours = manifest_of(options, paper, repository, names);
   if (!options.manifest.empty()) {
     sys::write_if_changed(options.manifest, manifest_json(ours));
   }
@@ -196,6 +202,8 @@ void add_typeset_stage(CLI::App& program, ExitCode& exit_code, const Paper& pape
                  "Write what the document was made from and with, as JSON");
         add_text(command, "--case", options->case_file, "FILE", "Case file, for the manifest");
         add_text(command, "--source", options->source, "DIR", "The checkout, for the manifest");
+        add_text(command, "--repository", options->repository, "DIR",
+                 "Folder with the state of the repository, for the manifest and \\papercommit");
         add_text(command, "--against", options->against, "FILE",
                  "Compare with the manifest of the same document made elsewhere");
         return [options, &paper] { return run(*options, paper); };

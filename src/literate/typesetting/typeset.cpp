@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <system_error>
 #include <vector>
 
 #include "literate/prose/place_of_use.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/typesetting/latex_log.hpp"
+#include "literate/typesetting/latex_run.hpp"
+#include "literate/typesetting/preamble_format.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -20,26 +21,6 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
-/// The path relative to the folder in which LaTeX runs, so that its output names no folder of this
-/// machine.
-std::string seen_from(const fs::path& source_dir, const fs::path& path) {
-  const fs::path from = fs::weakly_canonical(fs::absolute(source_dir));
-  return fs::weakly_canonical(fs::absolute(path)).lexically_relative(from).generic_string();
-}
-
-std::map<std::string, std::string> environment(const TypesetOptions& options) {
-  // TEXMFHOME, the folder of the user's own packages, is set to one that does not exist.
-  return {
-      {"SOURCE_DATE_EPOCH", fmt::format("{}", options.source_date_epoch)},
-      {"FORCE_SOURCE_DATE", "1"},
-      {"TZ", "UTC"},
-      {"LC_ALL", "C"},
-      {"max_print_line", "1000"},
-      {"TEXMFHOME", "no-texmf-of-the-user"},
-      {"TEXINPUTS", fmt::format(".:{}:{}:", seen_from(options.source_dir, options.generated_dir),
-                                seen_from(options.source_dir, options.build_dir))}};
-}
-
 /// The last lines of what latexmk printed, for failures that are not in LaTeX's log.
 std::string last_lines(std::string_view output) {
   const auto lines = sys::lines_of(output);
@@ -48,22 +29,22 @@ std::string last_lines(std::string_view output) {
       "{}", fmt::join(lines.end() - static_cast<std::ptrdiff_t>(n_shown), lines.end(), "\n"));
 }
 
-fs::path in_build_dir(const TypesetOptions& options, const char* extension) {
-  return options.build_dir / fs::path(options.main_file).filename().replace_extension(extension);
-}
-
-sys::ProcessResult run_latexmk(const TypesetOptions& options, bool from_scratch) {
+sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleFormat& preamble,
+                               bool from_scratch) {
   std::vector<std::string> arguments{"-norc",
                                      "-pdf",
                                      "-interaction=nonstopmode",
                                      "-halt-on-error",
                                      "-file-line-error",
                                      "-outdir=" + seen_from(options.source_dir, options.build_dir)};
-  // latexmk does not notice a new date, although the document prints it.
+  auto environment = latex_environment(options);
+  if (preamble.is_usable) {
+    environment["TEXFORMATS"] = seen_from(options.source_dir, preamble.folder) + ":";
+    arguments.emplace_back("-pdflatex=pdflatex -fmt=preamble %O %S");
+  }
   if (from_scratch) arguments.emplace_back("-g");
   arguments.push_back(options.main_file);
-  sys::find_tool("pdflatex");
-  return sys::run({"latexmk", arguments, options.source_dir, environment(options)});
+  return sys::run({"latexmk", arguments, options.source_dir, environment});
 }
 
 /// All messages in one error, each with the place at which the document's author can mend it.
@@ -97,9 +78,14 @@ void typeset(const TypesetOptions& options) {
     throw sys::OutputError(
         fmt::format("there is no '{}'", (options.source_dir / options.main_file).string()));
   }
+  sys::find_tool("pdflatex");
+  const PreambleFormat preamble = keep_preamble(options);
+  // latexmk does not notice a new date, although the document prints it.
   const bool is_new_date = sys::write_if_changed(options.build_dir / "source_date_epoch",
                                                  fmt::format("{}\n", options.source_date_epoch));
-  const sys::ProcessResult result = run_latexmk(options, is_new_date);
+  const bool from_scratch =
+      is_new_date || preamble.is_new || !fs::exists(in_build_dir(options, ".log"));
+  const sys::ProcessResult result = run_latexmk(options, preamble, from_scratch);
   if (result.exit_status != 0) fail(options, result.output);
 
   const auto defects = latex_defects(sys::read_file(in_build_dir(options, ".log")),

@@ -17,7 +17,8 @@ struct Node {
   Index j;
 };
 
-// A triangle of three nodes, counter-clockwise; nothing if it carries nothing.
+// A triangle of three nodes, counter-clockwise; nothing if it carries nothing, as one that lies
+// partly outside the grid does, at whose end there is no pressure.
 void add_triangle(const Solution& solution, const elasticity::Material& material,
                   const Eigen::Vector3d& at, std::array<Node, 3> nodes, InteriorField& sum) {
   const Grid& grid = solution.grid;
@@ -25,6 +26,7 @@ void add_triangle(const Solution& solution, const elasticity::Material& material
   std::array<Vector2, 3> corners;
   std::array<double, 3> values;
   for (std::size_t k = 0; k < 3; ++k) {
+    if (nodes[k].i < 0 || nodes[k].i >= grid.n1) return;
     corners[k] = grid.node(nodes[k].i, nodes[k].j);
     values[k] = solution.pressure[grid.index(nodes[k].i, nodes[k].j)];
   }
@@ -42,10 +44,13 @@ InteriorField field_beneath(const Solution& solution, const elasticity::Material
   }
   InteriorField sum;
   for (Index j = 0; j + 1 < solution.grid.n2; ++j) {
-    for (Index i = 0; i + 1 < solution.grid.n1; ++i) {
+    // from -1, since in every second staggered row the first triangle hangs from the row above
+    for (Index i = -1; i + 1 < solution.grid.n1; ++i) {
       // the cell's diagonal runs from (i+1, j) to (i, j+1)
-      add_triangle(solution, material, at, {Node{i, j}, {i + 1, j}, {i, j + 1}}, sum);
-      add_triangle(solution, material, at, {Node{i + 1, j + 1}, {i, j + 1}, {i + 1, j}}, sum);
+      const Index above = solution.grid.neighbour(i, j, 0, 1);
+      add_triangle(solution, material, at, {Node{i, j}, {i + 1, j}, {above, j + 1}}, sum);
+      add_triangle(solution, material, at, {Node{above + 1, j + 1}, {above, j + 1}, {i + 1, j}},
+                   sum);
     }
   }
   return sum;

@@ -43,7 +43,7 @@ double extent(const Grid& grid, const VectorXd& phi) {
   return greatest;
 }
 
-// How many times as large a domain holds the contact, by ever larger ones of a few nodes.
+// The side of a domain that holds the contact, by ever larger ones of a few nodes.
 std::string domain_needed(Problem problem, Control control, double load_or_approach) {
   constexpr Index few = 64;
   constexpr int enough = 20;
@@ -51,16 +51,16 @@ std::string domain_needed(Problem problem, Control control, double load_or_appro
   double factor = 1;
   for (int i = 0; i < enough; ++i) {
     factor *= 2;
-    problem.grid.n1 = problem.grid.n2 = few;
-    problem.grid.lattice.first = grid.lattice.first * (factor * static_cast<double>(grid.n1) / few);
-    problem.grid.lattice.second =
-        grid.lattice.second * (factor * static_cast<double>(grid.n2) / few);
+    problem.grid = grid.with_nodes(few, few);
+    problem.grid.lattice.first *= factor;
+    problem.grid.lattice.second *= factor;
     const VectorXd phi =
         solve_on_nested_grids(problem, control, load_or_approach, {.tolerance = 1e-3}).phi;
     if (reaches_an_end(problem.grid, phi)) continue;
     constexpr double two_coarse_nodes = 4.0 / few;
-    return fmt::format("a domain {:.2g} times as large holds it",
-                       factor * (extent(problem.grid, phi) + two_coarse_nodes));
+    const double side = static_cast<double>(grid.n1) * grid.lattice.first.norm();
+    return fmt::format("a side of {:.3g} holds it",
+                       side * factor * (extent(problem.grid, phi) + two_coarse_nodes));
   }
   return "it takes a much larger one";
 }

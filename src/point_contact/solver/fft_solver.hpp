@@ -27,7 +27,7 @@ Solution solve_for_approach(const Problem& problem, double approach, const Accur
 void require_tolerance(double tolerance);
 
 /// Throws InvalidQuantity if a node at the end of the grid carries a pressure although the bodies
-/// go on beyond. The message tells how many times as large a domain would do.
+/// go on beyond. The message tells a side that would do.
 void require_free_ends(const Problem& problem, const Eigen::VectorXd& phi, Control control,
                        double load_or_approach);
 

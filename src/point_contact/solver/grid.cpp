@@ -4,6 +4,9 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "point_contact/solver/influence_operator.hpp"
 #include "system/require.hpp"
 
@@ -35,12 +38,24 @@ Grid square_grid(double width, Eigen::Index n) {
   return rectangular_grid(width, width, n);
 }
 
-Grid hexagonal_grid(double side, Eigen::Index n, double stretch) {
-  sys::require_positive("domain side", side);
+Grid hexagonal_grid(double width, Eigen::Index n, double stretch) {
+  sys::require_positive("domain width", width);
   sys::require_positive("stretch", stretch);
-  Lattice lattice = hexagonal_lattice(side / require_n(n));
+  Lattice lattice = hexagonal_lattice(width / require_n(n));
   lattice.second.y() *= stretch;
-  return {lattice, n, n};
+  const double n_rows = std::ceil(static_cast<double>(n) * 2 / std::numbers::sqrt3);
+  return {
+      .lattice = lattice, .n1 = n, .n2 = static_cast<Eigen::Index>(n_rows), .is_staggered = true};
+}
+
+Grid Grid::with_nodes(Eigen::Index new_n1, Eigen::Index new_n2) const {
+  Grid grid = *this;
+  grid.n1 = new_n1;
+  grid.n2 = new_n2;
+  grid.lattice.first = lattice.first * (static_cast<double>(n1) / static_cast<double>(new_n1));
+  grid.lattice.second = between_rows() * (static_cast<double>(n2) / static_cast<double>(new_n2));
+  if (is_staggered) grid.lattice.second += grid.lattice.first / 2;
+  return grid;
 }
 
 void require_memory(Eigen::Index n1, Eigen::Index n2) {

@@ -9,12 +9,16 @@ namespace point_contact {
 
 /// n1 × n2 nodes of a lattice, each with an element of its own, about a centre.
 ///
+/// Staggered rows go back by a node every second row and so fill a rectangle; their lattice.second
+/// is half of lattice.first and a vector perpendicular to it. Other rows fill a parallelogram.
+///
 /// A field on the grid is a vector of n2 rows of n1 values: that of node (i, j) stands at j n1 + i.
 struct Grid {
   Lattice lattice;
   Eigen::Index n1;  ///< nodes along lattice.first
   Eigen::Index n2;  ///< nodes along lattice.second
   Vector2 centre = Vector2::Zero();
+  bool is_staggered = false;
 
   Eigen::Index size() const { return n1 * n2; }
   Eigen::Index index(Eigen::Index i, Eigen::Index j) const { return j * n1 + i; }
@@ -23,9 +27,31 @@ struct Grid {
   double spacing() const { return std::sqrt(lattice.cell_area()); }
 
   Vector2 node(Eigen::Index i, Eigen::Index j) const {
-    return centre + (static_cast<double>(i) - static_cast<double>(n1 - 1) / 2) * lattice.first +
-           (static_cast<double>(j) - static_cast<double>(n2 - 1) / 2) * lattice.second;
+    const double along = static_cast<double>(i) - static_cast<double>(n1 - 1) / 2 + shift(j);
+    return centre + along * lattice.first +
+           (static_cast<double>(j) - static_cast<double>(n2 - 1) / 2) * between_rows();
   }
+
+  /// How far row j is moved along lattice.first, in nodes: ∓¼ in turn if rows are staggered.
+  double shift(Eigen::Index j) const {
+    if (!is_staggered) return 0;
+    return j % 2 == 0 ? -0.25 : 0.25;
+  }
+
+  /// The vector from a row to the next, without what shift() is.
+  Vector2 between_rows() const {
+    return is_staggered ? Vector2(lattice.second - lattice.first / 2) : lattice.second;
+  }
+
+  /// The i of the node in row j + dj that lies at di·first + dj·second from node (i, j); it may lie
+  /// outside the grid. j + dj ≥ −2.
+  Eigen::Index neighbour(Eigen::Index i, Eigen::Index j, Eigen::Index di, Eigen::Index dj) const {
+    if (!is_staggered) return i + di;
+    return i + di + (j + dj + 2) / 2 - (j + 2) / 2;
+  }
+
+  /// The same domain with other numbers of nodes.
+  Grid with_nodes(Eigen::Index new_n1, Eigen::Index new_n2) const;
 };
 
 /// The least number of nodes each way.
@@ -36,10 +62,9 @@ inline constexpr Eigen::Index min_nodes = 8;
 Grid rectangular_grid(double width, double height, Eigen::Index n);
 Grid square_grid(double width, Eigen::Index n);
 
-/// n × n nodes that fill a rhombus of equilateral triangles: two sides along x, of the length
-/// `side`, at 60° to the others, so that the greatest circle in it has the radius √3/4 side. If
-/// `stretch` is not 1, all is so many times as high.
-Grid hexagonal_grid(double side, Eigen::Index n, double stretch = 1);
+/// n nodes along x in each of 2n/√3 staggered rows, rounded up: the corners of equilateral
+/// triangles that fill a square of this width. If `stretch` is not 1, all is so many times as high.
+Grid hexagonal_grid(double width, Eigen::Index n, double stretch = 1);
 
 /// Throws InvalidQuantity if a contact on n1 × n2 nodes needs more memory than this machine has;
 /// the message says how much.

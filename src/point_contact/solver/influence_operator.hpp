@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "point_contact/elements/element.hpp"
+#include "point_contact/solver/grid.hpp"
 #include "point_contact/solver/plane_filter.hpp"
 
 namespace point_contact {
@@ -17,8 +18,8 @@ namespace point_contact {
 /// so that it leaves 1e-16·n1 of the pressure.
 class InfluenceOperator {
  public:
-  InfluenceOperator(const ElementPotential& element, Eigen::Index n1, Eigen::Index n2,
-                    const RowTeam& team);
+  /// Elements like this one at the nodes of the grid, on whose lattice it stands.
+  InfluenceOperator(const ElementPotential& element, const Grid& grid, const RowTeam& team);
 
   Eigen::Index size() const { return n1_ * n2_; }
 

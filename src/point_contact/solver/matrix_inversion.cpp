@@ -28,9 +28,10 @@ MatrixXd influence_matrix(const Problem& problem) {
   const Grid& grid = problem.grid;
   const ElementPotential element(problem.element, grid.lattice);
   return MatrixXd::NullaryExpr(grid.size(), grid.size(), [&](Index row, Index column) {
-    const Index i = row % grid.n1 - column % grid.n1;
-    const Index j = row / grid.n1 - column / grid.n1;
-    return element(element.node(static_cast<double>(i), static_cast<double>(j)));
+    const Index j = column / grid.n1;
+    const Index rows = row / grid.n1 - j;
+    const Index i = row % grid.n1 - grid.neighbour(column % grid.n1, j, 0, rows);
+    return element(element.node(static_cast<double>(i), static_cast<double>(rows)));
   });
 }
 

@@ -26,8 +26,7 @@ class LevelSolver {
   LevelSolver(const Problem& problem, Control control, double load_or_approach, const RowTeam& team)
       : control_(control),
         gaps_(initial_gaps(problem, team)),
-        influence_(ElementPotential(problem.element, problem.grid.lattice), problem.grid.n1,
-                   problem.grid.n2, team),
+        influence_(ElementPotential(problem.element, problem.grid.lattice), problem.grid, team),
         gradients_(influence_, problem.grid, team, control),
         total_(control == Control::load ? total_phi(problem, load_or_approach) : 0) {
     if (control == Control::approach) state_.approach = load_or_approach;
@@ -157,14 +156,8 @@ std::vector<Grid> nested_grids(const Grid& finest) {
   constexpr Index few = 32;
   std::vector<Grid> grids{finest};
   while (std::max(grids.back().n1, grids.back().n2) > few) {
-    Grid coarser = grids.back();
-    coarser.n1 = std::max<Index>(min_nodes, (coarser.n1 + 1) / 2);
-    coarser.n2 = std::max<Index>(min_nodes, (coarser.n2 + 1) / 2);
-    coarser.lattice.first =
-        finest.lattice.first * static_cast<double>(finest.n1) / static_cast<double>(coarser.n1);
-    coarser.lattice.second =
-        finest.lattice.second * static_cast<double>(finest.n2) / static_cast<double>(coarser.n2);
-    grids.push_back(coarser);
+    grids.push_back(finest.with_nodes(std::max<Index>(min_nodes, (grids.back().n1 + 1) / 2),
+                                      std::max<Index>(min_nodes, (grids.back().n2 + 1) / 2)));
   }
   std::reverse(grids.begin(), grids.end());
   return grids;

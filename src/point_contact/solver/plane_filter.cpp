@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "point_contact/solver/size_of.hpp"
@@ -24,13 +25,19 @@ double cost_of(std::size_t size) {
 
 }  // namespace
 
-PlaneFilter::PlaneFilter(Index n1, Index n2, Index period1, Index period2)
+PlaneFilter::PlaneFilter(Index n1, Index n2, Index period1, Index period2, bool is_staggered)
     : n1_(n1),
       n2_(n2),
       n_columns_(period1 / 2 + 1),
       along_rows_(size_of(period1)),
       along_columns_(size_of(period2)),
-      spectrum_(size_of((n2 + n2 % 2) * n_columns_)) {}
+      spectrum_(size_of((n2 + n2 % 2) * n_columns_)) {
+  if (!is_staggered) return;
+  for (Index k = 0; k < n_columns_; ++k) {
+    const double turn = static_cast<double>(k) / static_cast<double>(period1);
+    half_shift_.push_back(std::polar(1.0, -std::numbers::pi * turn));
+  }
+}
 
 void PlaneFilter::apply(const VectorXd& field, VectorXd& result,
                         const Multiplication& multiplication, const RowTeam& team) {
@@ -62,6 +69,7 @@ void PlaneFilter::transform_rows(const VectorXd& field, const RowTeam& team) {
         first[k] = 0.5 * (here + mirrored);
         second[k] = {0.5 * difference.imag(), -0.5 * difference.real()};
       }
+      for (std::size_t k = 0; k < half_shift_.size(); ++k) second[k] *= half_shift_[k];
     }
   });
 }
@@ -108,7 +116,7 @@ void PlaneFilter::transform_rows_back(VectorXd& result, const RowTeam& team) con
       const Complex* second = first + n_columns_;
       for (std::size_t k = 0; k < size_of(n_columns_); ++k) {
         const Complex& a = first[k];
-        const Complex& b = second[k];
+        const Complex b = half_shift_.empty() ? second[k] : second[k] * std::conj(half_shift_[k]);
         if (k > 0) z[period - k] = {a.real() + b.imag(), b.real() - a.imag()};
         z[k] = {a.real() - b.imag(), a.imag() + b.real()};
       }

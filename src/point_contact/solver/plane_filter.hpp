@@ -5,6 +5,7 @@
 #include <complex>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "numerics/complex_fourier.hpp"
 #include "point_contact/solver/row_team.hpp"
@@ -20,8 +21,10 @@ namespace point_contact {
 /// transformed: memory 8 n2 (period1 + 2) bytes.
 class PlaneFilter {
  public:
-  /// period1 ≥ n1 and period2 ≥ n2, even.
-  PlaneFilter(Eigen::Index n1, Eigen::Index n2, Eigen::Index period1, Eigen::Index period2);
+  /// period1 ≥ n1 and period2 ≥ n2, even. Rows 1, 3, … of a staggered field lie half a node
+  /// further along the row than the others.
+  PlaneFilter(Eigen::Index n1, Eigen::Index n2, Eigen::Index period1, Eigen::Index period2,
+              bool is_staggered = false);
 
   /// Multiplies a column of the spectrum, that of the wave number k1 = 0 … period1/2 along the
   /// rows, at k2 = 0 … period2−1. To be called by several threads at once. To return to the field,
@@ -40,7 +43,8 @@ class PlaneFilter {
   Eigen::Index n1_, n2_;
   Eigen::Index n_columns_;  // period1/2 + 1
   numerics::ComplexFourier along_rows_, along_columns_;
-  numerics::ComplexBuffer spectrum_;  // n2 rows, an even number of them, of n_columns
+  std::vector<std::complex<double>> half_shift_;  // e^{−πik/period1}, or nothing
+  numerics::ComplexBuffer spectrum_;              // n2 rows, an even number of them, of n_columns
 };
 
 }  // namespace point_contact

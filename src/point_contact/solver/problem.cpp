@@ -15,7 +15,7 @@ using Eigen::Index;
 void require_within_profile(const Problem& problem) {
   const Grid& grid = problem.grid;
   const Vector2& half_sides = problem.profile.half_sides();
-  for (const Index j : {Index{0}, grid.n2 - 1}) {
+  for (const Index j : {Index{0}, Index{1}, grid.n2 - 1}) {
     for (const Index i : {Index{0}, grid.n1 - 1}) {
       const Vector2 corner = grid.node(i, j);
       if (!(corner.array().abs() <= half_sides.array()).all()) {

@@ -14,9 +14,16 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Known = std::vector<bool>;
 
-bool is_known(const Grid& grid, const Known& known, Index i, Index j) {
-  return i >= 0 && i < grid.n1 && j >= 0 && j < grid.n2 &&
-         known[static_cast<std::size_t>(grid.index(i, j))];
+constexpr Index outside = -1;
+
+// The index of the node at di·first + dj·second from node (i, j), if its value is known.
+Index known_at(const Grid& grid, const Known& known, Index i, Index j, Index di, Index dj) {
+  const Index row = j + dj;
+  if (row < 0 || row >= grid.n2) return outside;
+  const Index column = grid.neighbour(i, j, di, dj);
+  if (column < 0 || column >= grid.n1) return outside;
+  const Index index = grid.index(column, row);
+  return known[static_cast<std::size_t>(index)] ? index : outside;
 }
 
 // Continues values by one layer of nodes, each the mean of the straight lines through two known
@@ -31,9 +38,11 @@ void continue_by_a_layer(const Grid& grid, VectorXd& values, Known& known) {
       double sum = 0;
       int n = 0;
       for (const auto& [di, dj] : directions) {
-        if (!is_known(grid, before, i + di, j + dj)) continue;
-        if (!is_known(grid, before, i + 2 * di, j + 2 * dj)) continue;
-        sum += 2 * values[grid.index(i + di, j + dj)] - values[grid.index(i + 2 * di, j + 2 * dj)];
+        const Index near = known_at(grid, before, i, j, di, dj);
+        if (near == outside) continue;
+        const Index far = known_at(grid, before, i, j, 2 * di, 2 * dj);
+        if (far == outside) continue;
+        sum += 2 * values[near] - values[far];
         ++n;
       }
       if (n == 0) continue;
@@ -43,17 +52,18 @@ void continue_by_a_layer(const Grid& grid, VectorXd& values, Known& known) {
   }
 }
 
-// Where a fine node lies between two coarse ones, along one side of the grids.
+// Where a fine node lies between two coarse ones, along one side of the grids; `shift` is what
+// moves the coarse nodes on.
 struct Position {
   Index lower;
   Index upper;
   double share;  // of the way to the upper one
 };
 
-Position position(Index fine_index, Index n_fine, Index n_coarse) {
-  const double at = (static_cast<double>(fine_index) + 0.5) * static_cast<double>(n_coarse) /
-                        static_cast<double>(n_fine) -
-                    0.5;
+Position position(double fine_index, Index n_fine, Index n_coarse, double shift = 0) {
+  const double at =
+      (fine_index + 0.5) * static_cast<double>(n_coarse) / static_cast<double>(n_fine) - 0.5 -
+      shift;
   const double floor = std::floor(at);
   const auto lower = static_cast<Index>(floor);
   return {std::clamp<Index>(lower, 0, n_coarse - 1), std::clamp<Index>(lower + 1, 0, n_coarse - 1),
@@ -76,10 +86,11 @@ VectorXd prolongate(const Grid& coarse, const VectorXd& pressure, const Grid& fi
 
   VectorXd result(fine.size());
   for (Index j = 0; j < fine.n2; ++j) {
-    const Position y = position(j, fine.n2, coarse.n2);
+    const Position y = position(static_cast<double>(j), fine.n2, coarse.n2);
     for (Index i = 0; i < fine.n1; ++i) {
-      const Position x = position(i, fine.n1, coarse.n1);
+      const double along = static_cast<double>(i) + fine.shift(j);
       const auto along_x = [&](Index row) {
+        const Position x = position(along, fine.n1, coarse.n1, coarse.shift(row));
         return (1 - x.share) * squares[coarse.index(x.lower, row)] +
                x.share * squares[coarse.index(x.upper, row)];
       };

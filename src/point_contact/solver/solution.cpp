@@ -31,33 +31,51 @@ Eigen::Matrix2d own_second_moment(Element element, const Lattice& lattice) {
   return cell + (b - a) * (b - a).transpose() / 12;
 }
 
-}  // namespace
-
-Vector2 Solution::semi_axes() const {
-  // In units of the peak and of the spacing, which very small loads need.
-  const double peak = peak_pressure();
+// ⟨x xᵀ⟩ about the mean of a density at the nodes.
+template <class Density>
+Eigen::Matrix2d second_moment(const Density& density, const Grid& grid) {
+  // In units of the spacing, which very small contacts need.
   const double scale = grid.spacing();
-  double load = 0;
+  double total = 0;
   Vector2 first = Vector2::Zero();
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
   for (Index j = 0; j < grid.n2; ++j) {
     for (Index i = 0; i < grid.n1; ++i) {
-      const double p = pressure[grid.index(i, j)] / peak;
+      const double p = density(grid.index(i, j));
       if (p == 0) continue;
       const Vector2 x = (grid.node(i, j) - grid.centre) / scale;
-      load += p;
+      total += p;
       first += p * x;
       second += p * x * x.transpose();
     }
   }
-  const Vector2 mean = first / load;
-  const Eigen::Matrix2d moment = second / load - mean * mean.transpose() +
-                                 own_second_moment(element, grid.lattice) / (scale * scale);
-  // eigenvalues of a symmetric 2 × 2 matrix
+  const Vector2 mean = first / total;
+  return scale * scale * (second / total - mean * mean.transpose());
+}
+
+// The roots of `factor` times the eigenvalues of a symmetric matrix, the greater first.
+Vector2 axes_of(const Eigen::Matrix2d& moment, double factor) {
   const double half_trace = moment.trace() / 2;
   const double spread = std::hypot((moment(0, 0) - moment(1, 1)) / 2, moment(0, 1));
-  return scale *
-         Vector2(std::sqrt(5 * (half_trace + spread)), std::sqrt(5 * (half_trace - spread)));
+  return {std::sqrt(factor * (half_trace + spread)), std::sqrt(factor * (half_trace - spread))};
+}
+
+}  // namespace
+
+Vector2 Solution::semi_axes() const {
+  // In units of the peak, which very small loads need.
+  const double peak = peak_pressure();
+  constexpr double of_a_hertzian_pressure = 5;
+  return axes_of(second_moment([&](Index node) { return pressure[node] / peak; }, grid) +
+                     own_second_moment(element, grid.lattice),
+                 of_a_hertzian_pressure);
+}
+
+Vector2 Solution::area_semi_axes() const {
+  constexpr double of_a_uniform_density = 4;
+  return axes_of(second_moment([&](Index node) { return pressure[node] > 0 ? 1 : 0; }, grid) +
+                     own_second_moment(Element::uniform, grid.lattice),
+                 of_a_uniform_density);
 }
 
 double total_phi(const Problem& problem, double load) {

@@ -50,6 +50,10 @@ struct Solution {
   /// the eigenvalues of M: right for the pressure of ellipsoids. The elements' own moments are
   /// included. Unlike the count of nodes they do not jump by c.
   Vector2 semi_axes() const;
+
+  /// The semi-axes a ≥ b of the ellipse that has the second moments of the area in contact, for
+  /// other bodies. Right to a fraction of c.
+  Vector2 area_semi_axes() const;
 };
 
 /// What a method finds: element loads φ = c p/(πE*) and gaps at the nodes, lengths.

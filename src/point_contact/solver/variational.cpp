@@ -74,8 +74,7 @@ ElementLoads minimise(InfluenceOperator& influence, const VectorXd& gaps, double
 }
 
 InfluenceOperator operator_for(const Problem& problem, const RowTeam& team) {
-  return {ElementPotential(problem.element, problem.grid.lattice), problem.grid.n1, problem.grid.n2,
-          team};
+  return {ElementPotential(problem.element, problem.grid.lattice), problem.grid, team};
 }
 
 }  // namespace

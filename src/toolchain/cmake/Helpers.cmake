@@ -101,39 +101,61 @@ function(add_sanitizers target)
   endif()
 endfunction()
 
-# add_test_options(target): optimises little, because tests compute little and full optimisation would double the time
-# to build them. A little it must be: of a template that library and test both instantiate, such as Eigen's product of
-# matrices, the linker keeps the test's.
-function(add_test_options target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<BOOL:${HALFSPACE_SANITIZE}>:-O0>)
+# add_test_options(target COMPUTES|""): does not optimise, because most tests compute little and optimising would double
+# the time to build them. Tests that COMPUTES marks are optimised a little: of a template that library and test both
+# instantiate, such as Eigen's product of matrices, the linker keeps the test's.
+function(add_test_options target computes)
+  set(level $<IF:$<AND:$<BOOL:${computes}>,$<NOT:$<BOOL:${HALFSPACE_SANITIZE}>>>,-O1,-O0>)
+  target_compile_options(${target} PRIVATE $<$<OR:$<CONFIG:Release>,$<BOOL:${HALFSPACE_SANITIZE}>>:${level}>)
   add_sanitizers(${target})
 endfunction()
 
-# add_test_program(target SOURCES file … LINK library … [DEFINE macro …]): a program of Boost tests.
+# precompile_tests(target COMPUTES|""): what every test includes, read once.
+function(precompile_tests target computes)
+  add_library(${target} STATIC "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/precompiled.cpp")
+  target_precompile_headers(${target} PRIVATE
+    <Eigen/Core> <boost/test/unit_test.hpp> <fmt/core.h>
+    <algorithm> <cmath> <filesystem> <functional> <limits> <map> <numbers> <set> <string> <vector>)
+  target_link_libraries(${target}
+    PRIVATE Boost::unit_test_framework unit_test_main project_warnings PUBLIC Eigen3::Eigen fmt::fmt)
+  add_test_options(${target} "${computes}")
+endfunction()
+
+# add_test_program(target [COMPUTES] SOURCES file … LINK library … [DEFINE macro …]): a program of Boost tests.
 function(add_test_program target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;DEFINE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "SOURCES;LINK;DEFINE")
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main)
   target_compile_definitions(${target} PRIVATE ${arg_DEFINE})
   if(NOT HALFSPACE_EVERYTHING)
     return()
   endif()
-  target_link_libraries(${target} PRIVATE precompiled_tests project_warnings)
-  add_test_options(${target})
-  target_precompile_headers(${target} REUSE_FROM precompiled_tests)
+  set(precompiled precompiled_tests)
+  set(computes "")
+  if(arg_COMPUTES)
+    set(precompiled precompiled_computing_tests)
+    set(computes COMPUTES)
+  endif()
+  target_link_libraries(${target} PRIVATE ${precompiled} project_warnings)
+  add_test_options(${target} "${computes}")
+  target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
-# add_unit_tests(folder LINK library … [DEFINE macro …] [SOURCES file …] [NAMES name …] [SLOW name seconds …]): the tests
+# add_unit_tests(folder [COMPUTES] LINK library … [DEFINE macro …] [SOURCES file …] [NAMES name …] [SLOW name seconds …]): the tests
 # of one folder are one program, because each program of its own takes the compiler three seconds, and each file
 # tests/folder/name_test.cpp is one CTest test, unit/folder/name, which runs the suite name_test. `make test` and the
 # sanitizers run those of NAMES. Those of SLOW are a second program, folder_slow_tests; each takes about so many seconds,
 # so that only `make test-all` runs it, as slow/folder/name, and begins it before shorter ones. SOURCES are linked to both.
 function(add_unit_tests folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK;DEFINE;SOURCES;NAMES;SLOW")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "LINK;DEFINE;SOURCES;NAMES;SLOW")
+  set(options LINK ${arg_LINK} DEFINE ${arg_DEFINE})
+  if(arg_COMPUTES)
+    list(PREPEND options COMPUTES)
+  endif()
   if(arg_NAMES)
     set(sources ${arg_NAMES})
     list(TRANSFORM sources REPLACE "(.+)" "${HALFSPACE_ROOT}/tests/${folder}/\\1_test.cpp")
-    add_test_program(${folder}_tests SOURCES ${sources} ${arg_SOURCES} LINK ${arg_LINK} DEFINE ${arg_DEFINE})
+    add_test_program(${folder}_tests SOURCES ${sources} ${arg_SOURCES} ${options})
   endif()
   foreach(name IN LISTS arg_NAMES)
     cmake_path(GET name FILENAME suite)
@@ -149,7 +171,7 @@ function(add_unit_tests folder)
     list(APPEND sources "${HALFSPACE_ROOT}/tests/${folder}/${name}_test.cpp")
   endwhile()
   if(sources)
-    add_test_program(${folder}_slow_tests SOURCES ${sources} ${arg_SOURCES} LINK ${arg_LINK} DEFINE ${arg_DEFINE})
+    add_test_program(${folder}_slow_tests SOURCES ${sources} ${arg_SOURCES} ${options})
   endif()
 endfunction()
 

@@ -9,7 +9,7 @@
 #include "course/assignment/check_list.hpp"
 #include "course/toy.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(assignment_test)
 

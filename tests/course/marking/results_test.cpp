@@ -45,18 +45,19 @@ BOOST_AUTO_TEST_CASE(gradescope_gets_a_test_a_check_and_the_mark) {
 }
 
 BOOST_AUTO_TEST_CASE(hidden_checks_tell_their_points_and_nothing_more) {
-  for (const std::string& text :
-       {gradescope_json(toy_grading::assignment(), graded()), junit_xml(toy_grading::assignment(), graded()),
-        feedback_html(toy_grading::assignment(), graded(), {})}) {
+  for (const std::string& text : {gradescope_json(toy_grading::assignment(), graded()),
+                                  junit_xml(toy_grading::assignment(), graded()),
+                                  feedback_html(toy_grading::assignment(), graded(), {})}) {
     BOOST_TEST(text.find("hidden message") == text.npos, text);
     BOOST_TEST(text.find("squares at points of your own") != text.npos);
   }
-  BOOST_TEST(log_text(toy_grading::assignment(), graded()).find("hidden message") != std::string::npos);
+  BOOST_TEST(log_text(toy_grading::assignment(), graded()).find("hidden message") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(what_students_write_is_no_markup) {
-  for (const std::string& text :
-       {junit_xml(toy_grading::assignment(), graded()), feedback_html(toy_grading::assignment(), graded(), {})}) {
+  for (const std::string& text : {junit_xml(toy_grading::assignment(), graded()),
+                                  feedback_html(toy_grading::assignment(), graded(), {})}) {
     BOOST_TEST(text.find("<script>") == text.npos);
     BOOST_TEST(text.find("<b>") == text.npos);
     BOOST_TEST(text.find("&lt;script&gt;alert('&amp;')&lt;/script&gt;") != text.npos, text);
@@ -70,22 +71,37 @@ BOOST_AUTO_TEST_CASE(junit_counts_what_failed) {
   BOOST_TEST(xml.find("<failure message=\"1.5 of 6 points\"") != xml.npos, xml);
 }
 
+namespace {
+
+const std::filesystem::path no_style = "there is none";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_curve_has_the_colour_that_the_style_of_the_figures_has) {
+  const TemporaryFolder folder;
+  const auto style = folder.write("style.gp", "set style line 1 lc rgb '#123456'\n");
+  const Curve curve{"Your own", "x in m", "p in Pa", {-1, 0, 1}, {2, 3e6, 2}};
+
+  BOOST_TEST(svg_of(curve, style).find("rgb( 18,  52,  86)") != std::string::npos);
+  BOOST_TEST(svg_of(curve, no_style).find("rgb( 18,  52,  86)") == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_curve_is_drawn_and_the_same_numbers_give_the_same_picture) {
   const Curve curve{"Your own", "x in m", "p in Pa", {-1, 0, 1}, {2, 3e6, 2}};
 
-  const std::string svg = svg_of(curve);
+  const std::string svg = svg_of(curve, no_style);
 
   BOOST_TEST(svg.find("<svg") != svg.npos);
-  BOOST_TEST(svg_of(curve) == svg);
+  BOOST_TEST(svg_of(curve, no_style) == svg);
   const std::string page = feedback_html(toy_grading::assignment(), graded(), {svg});
   BOOST_TEST(page.find("<figure><svg") != page.npos);
   BOOST_TEST(page.find("Your own") != page.npos);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_cannot_be_drawn_are_left_out) {
-  BOOST_TEST(svg_of({"none", "x", "y", {}, {}}) == "");
-  BOOST_TEST(svg_of({"unequal", "x", "y", {1, 2}, {1}}) == "");
-  BOOST_CHECK_NO_THROW(svg_of({"huge", "x", "y", {0, 1}, {-1.7e308, 1.7e308}}));
+  BOOST_TEST(svg_of({"none", "x", "y", {}, {}}, no_style) == "");
+  BOOST_TEST(svg_of({"unequal", "x", "y", {1, 2}, {1}}, no_style) == "");
+  BOOST_CHECK_NO_THROW(svg_of({"huge", "x", "y", {0, 1}, {-1.7e308, 1.7e308}}, no_style));
 }
 
 BOOST_AUTO_TEST_CASE(a_submission_becomes_a_folder_and_regrading_changes_no_byte) {

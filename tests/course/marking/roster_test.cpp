@@ -5,7 +5,7 @@
 #include <string>
 
 #include "system/error.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(roster_test)
 
@@ -42,6 +42,28 @@ BOOST_AUTO_TEST_CASE(the_class_is_read_with_its_times) {
   BOOST_TEST((roster.at("carol").deadline == parse_time("2027-01-20T12:00:00Z")));
 }
 
+BOOST_AUTO_TEST_CASE(blanks_around_a_heading_do_not_switch_lateness_off) {
+  const TemporaryFolder folder;
+
+  const Roster roster = read_roster(
+      folder.write("class.csv", "student, submitted\t\nalice, 2027-01-15T22:59:01Z \nbob,\n"));
+
+  BOOST_TEST((roster.at("alice").submitted == parse_time("2027-01-15T22:59:01Z")));
+  BOOST_TEST(lateness_source(roster) == "lateness from column 'submitted': 1 of 2 students");
+  BOOST_TEST(lateness_source({{"alice", {}}}) ==
+             "the class has no time in a column 'submitted': nobody is late");
+}
+
+BOOST_AUTO_TEST_CASE(a_column_that_nobody_reads_is_refused) {
+  for (const std::string column : {"Submitted", "submited", "late"}) {
+    BOOST_TEST(source_error("student," + column + "\nalice,2027-01-15T22:59:01Z\n") ==
+               "class.csv:1: there is a column '" + column +
+                   "'; the columns are student, name, submitted and deadline");
+  }
+  BOOST_TEST(source_error("student,submitted, submitted\n") ==
+             "class.csv:1: there are two columns 'submitted'");
+}
+
 BOOST_AUTO_TEST_CASE(a_class_that_is_wrong_is_told_with_its_line) {
   BOOST_TEST(source_error("") ==
              "class.csv:1: the class is empty; a header line with 'student' is wanted");
@@ -53,7 +75,8 @@ BOOST_AUTO_TEST_CASE(a_class_that_is_wrong_is_told_with_its_line) {
              "class.csv:2: there are fewer fields than the header has");
   BOOST_TEST(source_error("name,student\n\n\"Ada,a\n") == "class.csv:3: a quote is not closed");
   BOOST_TEST(source_error("student,student\n") == "class.csv:1: there are two columns 'student'");
-  BOOST_TEST(source_error("student\n@a\n").starts_with("class.csv:2: student \"@a\": an id consists"));
+  BOOST_TEST(
+      source_error("student\n@a\n").starts_with("class.csv:2: student \"@a\": an id consists"));
   BOOST_TEST(source_error("student,deadline\na,noon\n") ==
              "class.csv:2: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
   BOOST_TEST(source_error("student,submitted\na,noon\n") ==
@@ -88,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_class_may_have_quotes_blanks_and_a_byte_order_mark) {
   const TemporaryFolder folder;
 
   const Roster roster = read_roster(folder.write(
-      "class.csv", "\xEF\xBB\xBF\"student\", note\n\n \"ada\" ,\"says \"\"no, never\"\"\"\nbob,"));
+      "class.csv", "\xEF\xBB\xBF\"student\", name\n\n \"ada\" ,\"says \"\"no, never\"\"\"\nbob,"));
 
   BOOST_TEST(roster.size() == 2U);
   BOOST_TEST(roster.contains("ada"));

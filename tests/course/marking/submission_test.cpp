@@ -2,6 +2,7 @@
 #include "course/marking/submission.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cstdint>
 #include <stdexcept>
 
 #include "course/assignment/student.hpp"
@@ -29,6 +30,33 @@ fs::path packed(const TemporaryFolder& folder, const std::string& name, const fs
                                 .working_directory = folder.path()});
   BOOST_REQUIRE_MESSAGE(result.exit_status == 0, result.output);
   return archive;
+}
+
+// A zip with a file src/square.cpp and a file src/sum.cpp, whose names are any bytes: a program of
+// Windows writes those of its own code page, and bsdtar would convert them.
+fs::path zip_of(const TemporaryFolder& folder, const std::string& before) {
+  const auto number = [](std::uint32_t value, int n_bytes) {
+    std::string bytes;
+    for (int i = 0; i < n_bytes; ++i) bytes += static_cast<char>(value >> (8 * i));
+    return bytes;
+  };
+  std::string entries, directory;
+  for (const char* file : {"src/square.cpp", "src/sum.cpp"}) {
+    const std::string name = before + file;
+    const std::string text = "int a;\n";
+    const std::uint32_t crc = 0x88aef662;
+    const auto size = static_cast<std::uint32_t>(text.size());
+    const std::string common = number(20, 2) + number(0, 4) + number(0, 2) + number(0x21, 2) +
+                               number(crc, 4) + number(size, 4) + number(size, 4) +
+                               number(static_cast<std::uint32_t>(name.size()), 2);
+    directory += "PK\x01\x02" + number(20, 2) + common + number(0, 12) +
+                 number(static_cast<std::uint32_t>(entries.size()), 4) + name;
+    entries += "PK\x03\x04" + common + number(0, 2) + name + text;
+  }
+  return folder.write(
+      "a.zip", entries + directory + "PK\x05\x06" + number(0, 4) + number(2, 2) + number(2, 2) +
+                   number(static_cast<std::uint32_t>(directory.size()), 4) +
+                   number(static_cast<std::uint32_t>(entries.size()), 4) + number(0, 2));
 }
 
 std::string problem_of(const fs::path& path) {
@@ -66,6 +94,41 @@ BOOST_AUTO_TEST_CASE(every_kind_of_archive_gives_the_same_files) {
     BOOST_TEST(submission.has_report, name);
     for (const auto& problem : submission.problems) BOOST_TEST(problem == "", name);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_in_a_zip_may_have_any_name) {
+  for (const char* name : {"", "M\xfcller/", "M\x81ller/", "Müller/", "a\\b/", "a\nb/", "a?[b]*/",
+                           "a\\101/", "\x01/", "M\xfc\xfcll er's \"x\"/"}) {
+    const TemporaryFolder folder;
+
+    const Submission submission = take(zip_of(folder, name));
+
+    BOOST_TEST(submission.files.size() == 2U, name);
+    for (const auto& problem : submission.problems) BOOST_TEST(problem == "", name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_ending_in_capitals_is_that_of_an_archive) {
+  const TemporaryFolder folder;
+  const fs::path zip = folder.path() / "alice.ZIP";
+  fs::rename(zip_of(folder, ""), zip);
+
+  BOOST_TEST(take(zip).files.size() == 2U);
+  BOOST_TEST(student_of(zip) == "alice");
+  BOOST_TEST(student_of("bob.Tar.GZ") == "bob");
+}
+
+BOOST_AUTO_TEST_CASE(files_that_are_elsewhere_are_told) {
+  const TemporaryFolder folder;
+  folder.write("deep/one/two/src/square.cpp", "int a;\n");
+  folder.write("packed/notes.txt", "see the zip\n");
+  fs::copy(zip_of(folder, ""), folder.path() / "packed/mine.zip");
+
+  BOOST_TEST(take(folder.path() / "deep").problems.back() ==
+             "there is src/square.cpp in 'one/two/', but files are looked for at the top and one "
+             "folder below it");
+  BOOST_TEST(take(folder.path() / "packed").problems.back() ==
+             "there is an archive in the submission, 'mine.zip'; nothing is taken from that");
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_of_one_folder_is_that_folder) {

@@ -9,7 +9,7 @@
 #include "course/toy.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(handout_test)
 

@@ -10,7 +10,7 @@
 #include "course/toy.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(leaks_test)
 

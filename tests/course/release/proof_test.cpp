@@ -14,7 +14,7 @@
 #include "course/toy.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(proof_test)
 

@@ -8,7 +8,7 @@
 #include "course/sandbox/descendants.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(child_test)
 

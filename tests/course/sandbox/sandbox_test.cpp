@@ -20,7 +20,7 @@
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sandbox_test)
 

@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(verdicts_have_names) {
 namespace {
 
 Criterion share_at_most(double share, double limit, double abs_error = 0) {
-  return Criterion::at_most("share", Value::percent({share, abs_error}, 1),
+  return Criterion::at_most("share", Value({share, abs_error}, percent(1)),
                             {LimitKind::derived, limit, "a formula"});
 }
 

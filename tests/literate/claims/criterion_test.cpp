@@ -8,9 +8,14 @@
 BOOST_AUTO_TEST_SUITE(criterion_test)
 
 using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
 using literate::Limit;
 using literate::LimitKind;
 using literate::Outcome;
+using literate::percent;
+using literate::significant;
 using literate::Value;
 
 namespace {
@@ -20,7 +25,7 @@ Limit limit_of(double number, double abs_error = 0) {
 }
 
 Criterion misfit_at_most(double found, double abs_error, Limit limit) {
-  return Criterion::at_most("largest misfit", Value::percent({found, abs_error}, 3),
+  return Criterion::at_most("largest misfit", Value({found, abs_error}, percent(3)),
                             std::move(limit));
 }
 
@@ -34,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_whole_interval_on_the_allowed_side_holds_and_on_the_oth
   BOOST_TEST(is(misfit_at_most(0.00074, 1e-6, limit_of(0.001)), Outcome::holds));
   BOOST_TEST(is(misfit_at_most(0.00174, 1e-6, limit_of(0.001)), Outcome::fails));
   const auto at_least = [](double found) {
-    return Criterion::at_least("share", Value::percent({found, 1e-6}, 1), limit_of(0.1));
+    return Criterion::at_least("share", Value({found, 1e-6}, percent(1)), limit_of(0.1));
   };
   BOOST_TEST(is(at_least(0.37), Outcome::holds));
   BOOST_TEST(is(at_least(0.037), Outcome::fails));
@@ -43,7 +48,7 @@ BOOST_AUTO_TEST_CASE(the_whole_interval_on_the_allowed_side_holds_and_on_the_oth
 BOOST_AUTO_TEST_CASE(a_quantity_that_equals_its_limit_satisfies_it) {
   BOOST_TEST(is(misfit_at_most(0.001, 0, limit_of(0.001)), Outcome::holds));
   BOOST_TEST(
-      is(Criterion::at_least("share", Value::percent({0.1, 0}, 1), limit_of(0.1)), Outcome::holds));
+      is(Criterion::at_least("share", Value({0.1, 0}, percent(1)), limit_of(0.1)), Outcome::holds));
 }
 
 BOOST_AUTO_TEST_CASE(an_error_that_reaches_across_the_limit_leaves_the_verdict_open) {
@@ -70,7 +75,7 @@ BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
   BOOST_TEST(criterion.condition().plain == "at most 0.1 %");
   BOOST_TEST(criterion.reason() == "derived: (c/a)²(a/z)⁴");
   const Criterion with_unit =
-      Criterion::at_least("load", Value::significant({15.99, 0.001}, 4, "lbf/in"),
+      Criterion::at_least("load", Value({15.99, 0.001}, significant(4), "lbf/in"),
                           {LimitKind::convention, 10.0, "the load of eq. (4)"});
   BOOST_TEST(with_unit.condition().plain == "at least 10 lbf/in");
   BOOST_TEST(with_unit.reason() == "convention: the load of eq. (4)");
@@ -78,8 +83,8 @@ BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
 
 BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
   const auto agrees = [](double computed, double error_of_stated) {
-    return Criterion::agrees("ratio", Value::fixed({computed, 1e-7}, 6),
-                             Value::exact(0.3).within(error_of_stated),
+    return Criterion::agrees("ratio", Value({computed, 1e-7}, fixed(6)),
+                             Value(0.3, exact()).within(error_of_stated),
                              {LimitKind::printed, 1e-6, "seven printed digits"});
   };
   BOOST_TEST(is(agrees(0.3000005, 0), Outcome::holds));
@@ -92,8 +97,8 @@ BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
 BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
   const auto agrees = [](double computed, double abs_error) {
     return Criterion::agrees_relatively(
-        "resultant", Value::significant({computed, abs_error}, 4, "lbf/in"),
-        Value::exact(16, "lbf/in").within(0),
+        "resultant", Value({computed, abs_error}, significant(4), "lbf/in"),
+        Value(16, exact(), "lbf/in").within(0),
         {LimitKind::stated, 0.002, "twice the misfit of the displacements"});
   };
   BOOST_TEST(is(agrees(15.99, 0.001), Outcome::holds));
@@ -101,8 +106,8 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
   BOOST_TEST(is(agrees(15.99, 0.03), Outcome::undecided));
   BOOST_TEST(agrees(15.99, 0.001).computed() == "resultant: 15.99 lbf/in, 0.06 % from 16 lbf/in");
   BOOST_TEST(agrees(15.99, 0.001).condition().plain == "within 0.2 % of 16 lbf/in");
-  BOOST_CHECK_THROW(Criterion::agrees_relatively("x", Value::fixed({1, 0}, 1),
-                                                 Value::fixed({0.01, 0.02}, 2), limit_of(0.1)),
+  BOOST_CHECK_THROW(Criterion::agrees_relatively("x", Value({1, 0}, fixed(1)),
+                                                 Value({0.01, 0.02}, fixed(2)), limit_of(0.1)),
                     std::invalid_argument);
 }
 
@@ -122,8 +127,8 @@ BOOST_AUTO_TEST_CASE(cases_are_counted_and_one_that_is_undecided_keeps_all_of_th
 
 BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_is_at_most) {
   const auto step = [](double computed, double limit) {
-    return Criterion::agrees_relatively("step", Value::significant({computed, 1e-12}, 3, "in"),
-                                        Value::exact(2, "in").within(0),
+    return Criterion::agrees_relatively("step", Value({computed, 1e-12}, significant(3), "in"),
+                                        Value(2, exact(), "in").within(0),
                                         {LimitKind::rounding, limit, "theory"});
   };
   BOOST_TEST(step(2, 1e-9).computed() == "step: 2.00 in, at most 5e-13 from 2 in");
@@ -133,7 +138,8 @@ BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_i
 
 BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
   const auto node = [](int found) {
-    return Criterion::agrees("node", Value::integer(found).within(0), Value::integer(9).within(0),
+    return Criterion::agrees("node", Value(found, integer()).within(0),
+                             Value(9, integer()).within(0),
                              {LimitKind::stated, 0.0, "it is a count"});
   };
   BOOST_TEST(is(node(9), Outcome::holds));
@@ -157,8 +163,8 @@ BOOST_AUTO_TEST_CASE(outcomes_have_names) {
 BOOST_AUTO_TEST_CASE(what_cannot_decide_is_refused) {
   const Limit limit = limit_of(1);
   BOOST_CHECK_THROW(Criterion::at_most("x", Value::text("eleven"), limit), std::invalid_argument);
-  BOOST_CHECK_THROW(Criterion::at_most("x", Value::fixed(0.5, 1), limit), std::invalid_argument);
-  BOOST_CHECK_THROW(Criterion::at_most("", Value::fixed({0.5, 0}, 1), limit),
+  BOOST_CHECK_THROW(Criterion::at_most("x", Value(0.5, fixed(1)), limit), std::invalid_argument);
+  BOOST_CHECK_THROW(Criterion::at_most("", Value({0.5, 0}, fixed(1)), limit),
                     std::invalid_argument);
   BOOST_CHECK_THROW(Criterion::in_each("x", "points", {}), std::invalid_argument);
   BOOST_CHECK_THROW(

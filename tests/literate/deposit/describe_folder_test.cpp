@@ -9,7 +9,7 @@
 #include "literate/deposit/ro_crate.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(describe_folder_test)
 

@@ -9,7 +9,7 @@
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(document_test)
 
@@ -20,8 +20,8 @@ namespace {
 
 Document document_with(int load) {
   Document document;
-  document.value("load", Value::integer(load, "psi"));
-  document.value("modulus", Value::exact(30e6, "psi"));
+  document.value("load", Value(load, integer(), "psi"));
+  document.value("modulus", Value(30e6, exact(), "psi"));
   document.flag("converged", true);
   document.table("results", Table({Column::integer("$n$")}).add_row({3}));
   return document;
@@ -37,22 +37,22 @@ BOOST_AUTO_TEST_CASE(a_doubled_or_malformed_key_is_a_logic_error_naming_it) {
   Document document = document_with(1);
 
   const std::string message =
-      message_of<std::logic_error>([&] { document.value("load", Value::integer(2)); });
+      message_of<std::logic_error>([&] { document.value("load", Value(2, integer())); });
   BOOST_TEST(message.find("tests/literate/document/document_test.cpp:") == 0U);
   BOOST_TEST(message.find(": value 'load' is registered twice, first at tests/literate/") !=
              std::string::npos);
   BOOST_CHECK_THROW(document.flag("converged", false), std::logic_error);
   BOOST_CHECK_THROW(document.table("results", Table({Column::text("x")})), std::logic_error);
-  BOOST_CHECK_THROW(document.value("a b", Value::integer(2)), std::logic_error);
+  BOOST_CHECK_THROW(document.value("a b", Value(2, integer())), std::logic_error);
   BOOST_CHECK_THROW(document.table("../x", Table({Column::text("x")})), std::logic_error);
 }
 
 BOOST_AUTO_TEST_CASE(bare_digits_read_back_the_same_and_have_neither_unit_nor_exponent) {
   const TemporaryFolder folder;
   Document document;
-  document.value("small", Value::significant(1.25e-7, 2, "in"));
-  document.value("large", Value::exact(30e6, "psi"));
-  document.value("share", Value::percent(0.125, 1));
+  document.value("small", Value(1.25e-7, significant(2), "in"));
+  document.value("large", Value(30e6, exact(), "psi"));
+  document.value("share", Value(0.125, percent(1)));
   document.value("word", Value::text("none"));
 
   document.write(folder / "generated");
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without
   document.check("first", true, "1");
   Document part;
   part.check("second", true, "2");
-  part.value("radius", Value::integer(3));
+  part.value("radius", Value(3, integer()));
   const auto line = part.registered().places.at({"value", "radius"}).line;
 
   document.append(part);

@@ -11,7 +11,7 @@
 #include "message_of.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(document_tex_test)
 
@@ -23,7 +23,7 @@ namespace {
 const std::string here = "tests/literate/document/document_tex_test.cpp:";
 
 Criterion price_at_most(double limit) {
-  return Criterion::at_most("price", Value::fixed({2.612, 0.001}, 2, "kr"),
+  return Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "kr"),
                             {LimitKind::stated, limit, "half of the last digit more"});
 }
 
@@ -50,7 +50,7 @@ bool holds(const std::string& text, const std::string& part) {
 std::vector<std::string> pages_with(Verdict found) {
   const TemporaryFolder scratch;
   Document document = document_with(found);
-  document.value("unused", Value::integer(1));
+  document.value("unused", Value(1, integer()));
   document.write(scratch / "generated");
   sys::write_file_atomically(
       scratch / "text/main.tex",
@@ -59,7 +59,7 @@ std::vector<std::string> pages_with(Verdict found) {
       "Apples \\claim{apples}.\\newpage More.\\newpage\n"
       "\\claimledger\\end{document}\n");
   write_statements(scratch / "text", read_names(scratch / "generated/names.json"),
-                   scratch / "latex/statements.tex");
+                   scratch / "latex/prose/statements.tex");
   typeset({.source_dir = scratch / "text",
            .main_file = "main.tex",
            .generated_dir = scratch / "generated",
@@ -99,12 +99,21 @@ BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim) {
   BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{pears}{refuted}"));
 }
 
+BOOST_AUTO_TEST_CASE(the_ledger_prints_every_criterion_of_a_claim) {
+  const std::string text = claims_tex(document_with(Verdict::partly).registered());
+
+  BOOST_TEST(holds(text, "{at most \\qty{2.65}{kr}}{stated: half of the last digit more}{holds}{}"),
+             text);
+  BOOST_TEST(holds(text, "{at most \\qty{2.5}{kr}}{stated: half of the last digit more}{fails}{}"),
+             text);
+}
+
 BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
   const std::string special = R"(5 % of a_b & #1 {x} ~ ^ \ "<|>" ν² ≤)";
   Claim claim = claim_of_apples(Verdict::confirmed);
   claim.route = special;
   const Criterion criterion =
-      Criterion::at_most(special, Value::integer(1).within(0), {LimitKind::stated, 1.0, special});
+      Criterion::at_most(special, Value(1, integer()).within(0), {LimitKind::stated, 1.0, special});
   claim.criteria = {Criterion::in_each(special, special, {criterion})};
   Document document;
   document.claim("apples", claim);
@@ -171,7 +180,7 @@ BOOST_AUTO_TEST_CASE(a_check_holds_if_all_of_its_criteria_do_and_tells_what_they
   document.check("cheap", {price_at_most(2.65)}, "apples are cheap");
   document.check("very-cheap", {price_at_most(2.65), price_at_most(2.5)}, "apples are very cheap");
   document.check("hardly-known",
-                 {Criterion::at_most("price", Value::fixed({2.612, 0.01}, 2, "kr"),
+                 {Criterion::at_most("price", Value({2.612, 0.01}, fixed(2), "kr"),
                                      {LimitKind::stated, 2.61, "the price of a pear"})},
                  "apples cost no more than pears");
 

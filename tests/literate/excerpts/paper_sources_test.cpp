@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "system/error.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(paper_sources_test)
 

@@ -12,7 +12,7 @@
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(draw_test)
 

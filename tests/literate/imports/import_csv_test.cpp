@@ -7,7 +7,7 @@
 #include "literate/imports/import_error.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(import_csv_test)
 

@@ -9,7 +9,7 @@
 #include "literate/provenance/manifest.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(import_json_test)
 
@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(an_unknown_field_is_told_with_those_that_are_known) {
 BOOST_AUTO_TEST_CASE(a_name_that_is_registered_already_is_told_with_its_place) {
   const Checkout checkout;
   Document document;
-  document.value("slope", Value::integer(1));
+  document.value("slope", Value(1, integer()));
 
   const std::string message =
       message_of<ImportError>([&] { checkout.import_into(document, displacements); });

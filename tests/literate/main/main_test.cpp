@@ -80,8 +80,6 @@ class Workplace {
   std::string hash_ = sys::sha256_of_text("x += y;\n");
   literate::Paper paper_{.project = "toy",
                          .version = "1",
-                         .commit = "unknown",
-                         .date = "unknown",
                          .compiler = "none",
                          .build_type = "none",
                          .flags = "",
@@ -91,7 +89,7 @@ class Workplace {
 };
 
 void register_sum(literate::Document& document, const literate::Inputs&) {
-  document.value("sum", literate::Value::integer(3));
+  document.value("sum", literate::Value(3, literate::integer()));
 }
 
 }  // namespace
@@ -195,10 +193,13 @@ BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_bad_input) {
 }
 
 BOOST_AUTO_TEST_CASE(the_version_names_the_paper_and_its_commit) {
-  literate::Paper paper{.project = "rod", .version = "1.2.0", .commit = "0123456789ab"};
-  BOOST_TEST(literate::version_text(paper) == "rod 1.2.0 (commit 0123456789ab)");
-  paper.modified = true;
-  BOOST_TEST(literate::version_text(paper) == "rod 1.2.0 (commit 0123456789ab, modified)");
+  const literate::Paper paper{.project = "rod", .version = "1.2.0"};
+  literate::Repository repository{.commit = "0123456789ab"};
+  BOOST_TEST(literate::version_text(paper, repository) == "rod 1.2.0 (commit 0123456789ab)");
+  repository.modified = true;
+  BOOST_TEST(literate::version_text(paper, repository) ==
+             "rod 1.2.0 (commit 0123456789ab, modified)");
+  BOOST_TEST(literate::version_text(paper) == "rod 1.2.0 (commit unknown)");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

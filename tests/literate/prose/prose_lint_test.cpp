@@ -5,7 +5,7 @@
 
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(prose_lint_test)
 

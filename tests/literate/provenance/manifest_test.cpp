@@ -7,7 +7,7 @@
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(manifest_test)
 
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_manifest_reads_back_as_it_was_written) {
 BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
   const TemporaryFolder scratch;
   Document document;
-  document.value("u", Value::estimate({1.6236054e-6, 3e-10}, "in"));
+  document.value("u", Value({1.6236054e-6, 3e-10}, supported(), "in"));
   document.value("words", Value::text("none"));
   document.write(scratch / "out");
 

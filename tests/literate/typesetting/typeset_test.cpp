@@ -6,10 +6,11 @@
 
 #include "literate/document/document.hpp"
 #include "literate/figures/draw.hpp"
+#include "literate/typesetting/preamble_format.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(typeset_test)
 
@@ -23,7 +24,7 @@ class Paper {
  public:
   explicit Paper(const std::string& body) {
     Document document;
-    document.value("load_1.a-b", Value::estimate({1.6236054e-6, 3e-10}, "in^2"));
+    document.value("load_1.a-b", Value({1.6236054e-6, 3e-10}, supported(), "in^2"));
     document.flag("ok", true);
     document.table("t", Table({Column::scaled("$v$", "in", -6, 3)}).add_row({-1.5e-6}));
     document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
@@ -78,6 +79,72 @@ BOOST_AUTO_TEST_CASE(a_whole_document_has_the_same_bytes_in_another_folder) {
 
   BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) ==
              sys::sha256_of_file(other.options.output_pdf));
+}
+
+BOOST_AUTO_TEST_CASE(a_kept_preamble_changes_no_byte) {
+  const Paper paper(full_body);
+  const Paper other(full_body);
+  const fs::path main = other.options.source_dir / "main.tex";
+  std::string text = sys::read_file(main);
+  text.insert(text.find("\\begin{document}"), "\\relax ");  // so that it cannot be kept
+  sys::write_file_atomically(main, text);
+
+  typeset(paper.options);
+  typeset(other.options);
+
+  BOOST_TEST(fs::exists(paper.options.build_dir / "preamble/preamble.fmt"));
+  BOOST_TEST(!fs::exists(other.options.build_dir / "preamble/preamble.fmt"));
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) ==
+             sys::sha256_of_file(other.options.output_pdf));
+}
+
+BOOST_AUTO_TEST_CASE(a_changed_preamble_shows_in_the_next_pdf) {
+  const Paper paper("\\word");
+  const fs::path own = paper.options.source_dir / "literate-own.sty";
+  sys::write_file_atomically(own, "\\newcommand\\word{one}\n");
+  const fs::path main = paper.options.source_dir / "main.tex";
+  std::string text = sys::read_file(main);
+  text.insert(text.find("\\usepackage{hyperref}"), "\\usepackage{literate-own}");
+  sys::write_file_atomically(main, text);
+  typeset(paper.options);
+  const std::string before = sys::sha256_of_file(paper.options.output_pdf);
+
+  sys::write_file_atomically(own, "\\newcommand\\word{two}\n");
+  typeset(paper.options);
+
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) != before);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_in_the_preamble_has_file_and_line) {
+  const Paper paper("Text.");
+  typeset(paper.options);
+  const fs::path main = paper.options.source_dir / "main.tex";
+  std::string text = sys::read_file(main);
+  text.insert(text.find("\\begin{document}"), "\\nonsense\n");
+  sys::write_file_atomically(main, text);
+
+  BOOST_TEST(paper.error() ==
+             "my report/main.tex:5: Undefined control sequence.\n  l.5 \\nonsense");
+}
+
+BOOST_AUTO_TEST_CASE(the_document_tells_the_state_of_its_repository) {
+  Paper paper("\\typeout{It is \\papercommit\\ifpapermodified{ changed}{} of \\paperdate.}Text.");
+  paper.options.repository_dir = paper.options.build_dir / "re pository";
+  sys::write_file_atomically(paper.options.repository_dir / "repository.tex",
+                             "\\LiterateRepository{0123456789ab}{true}{2001}\n");
+
+  typeset(paper.options);
+
+  BOOST_TEST(sys::read_file(paper.options.build_dir / "main.log")
+                 .find("It is 0123456789ab changed of 2001.") != std::string::npos);
+  BOOST_TEST(!keep_preamble(paper.options).is_new);
+  sys::write_file_atomically(paper.options.repository_dir / "repository.tex",
+                             "\\LiterateRepository{ba9876543210}{false}{2002}\n");
+  BOOST_TEST(!keep_preamble(paper.options).is_new);  // a commit leaves the preamble as it is
+  typeset(paper.options);
+  BOOST_TEST(
+      sys::read_file(paper.options.build_dir / "main.log").find("It is ba9876543210 of 2002.") !=
+      std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_new_date_of_the_document_is_part_of_its_input) {

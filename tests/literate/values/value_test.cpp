@@ -14,6 +14,14 @@
 
 BOOST_AUTO_TEST_SUITE(value_test)
 
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
+using literate::supported;
+using literate::uncertain;
 using literate::Value;
 
 namespace {
@@ -29,42 +37,74 @@ struct CommaLocale : std::numpunct<char> {
 };
 
 std::string estimated(double value, double abs_error, int max_digits = 12) {
-  return Value::estimate({value, abs_error}, "", max_digits).printed();
+  return Value({value, abs_error}, supported(max_digits)).printed();
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(rounding_up_to_a_new_digit_keeps_the_decimals) {
-  BOOST_TEST(Value::fixed(9.996, 2).printed() == "10.00");
-  BOOST_TEST(Value::significant(9.996, 3).printed() == "10.0");
-  BOOST_TEST(Value::scientific(9.996e-5, 3).printed() == "1.00e-4");
+  BOOST_TEST(Value(9.996, fixed(2)).printed() == "10.00");
+  BOOST_TEST(Value(9.996, significant(3)).printed() == "10.0");
+  BOOST_TEST(Value(9.996e-5, scientific(3)).printed() == "1.00e-4");
   BOOST_TEST(estimated(9.996, 0.004) == "10.00");
-  BOOST_TEST(Value::significant(999999.7, 6).printed() == "1.00000e6");
+  BOOST_TEST(Value(999999.7, significant(6)).printed() == "1.00000e6");
 }
 
 BOOST_AUTO_TEST_CASE(rounding_goes_by_the_exact_binary_value) {
-  BOOST_TEST(Value::fixed(1.005, 2).printed() == "1.00");  // 1.00499999999999989…
-  BOOST_TEST(Value::fixed(0.125, 2).printed() == "0.12");  // an exact tie goes to even
-  BOOST_TEST(Value::fixed(0.375, 2).printed() == "0.38");
-  BOOST_TEST(Value::fixed(2.5, 0).printed() == "2");
-  BOOST_TEST(Value::fixed(0.1, 20).printed() == "0.10000000000000000555");
+  BOOST_TEST(Value(1.005, fixed(2)).printed() == "1.00");  // 1.00499999999999989…
+  BOOST_TEST(Value(0.125, fixed(2)).printed() == "0.12");  // an exact tie goes to even
+  BOOST_TEST(Value(0.375, fixed(2)).printed() == "0.38");
+  BOOST_TEST(Value(2.5, fixed(0)).printed() == "2");
+  BOOST_TEST(Value(0.1, fixed(20)).printed() == "0.10000000000000000555");
 }
 
 BOOST_AUTO_TEST_CASE(a_number_that_rounds_to_zero_has_no_sign) {
-  BOOST_TEST(Value::fixed(-0.0, 2).printed() == "0.00");
-  BOOST_TEST(Value::fixed(-0.004, 2).printed() == "0.00");
-  BOOST_TEST(Value::significant(-0.0, 3).printed() == "0");
-  BOOST_TEST(Value::scientific(0, 3).printed() == "0");
-  BOOST_TEST(Value::exact(-0.0).printed() == "0");
-  BOOST_TEST(Value::fixed(-0.006, 2).printed() == "-0.01");
+  BOOST_TEST(Value(-0.0, fixed(2)).printed() == "0.00");
+  BOOST_TEST(Value({-0.004, 0.01}, fixed(2)).printed() == "0.00");
+  BOOST_TEST(Value(-0.0, significant(3)).printed() == "0");
+  BOOST_TEST(Value(0, scientific(3)).printed() == "0");
+  BOOST_TEST(Value(-0.0, exact()).printed() == "0");
+  BOOST_TEST(Value(-0.006, fixed(2)).printed() == "-0.01");
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_is_not_zero_is_not_printed_as_zero) {
+  BOOST_TEST(Value(-0.004, fixed(2)).printed() == "-0.004");
+  BOOST_TEST(Value(0.00412345, fixed(2)).printed() == "0.0041");
+  BOOST_TEST(Value({3.14159e-4, 1e-9}, fixed(2), "in").printed() == "3.1e-4 in");
+  BOOST_TEST(Value({3.14159e-4, 4e-5}, fixed(2)).printed() == "3e-4");
+  BOOST_TEST(Value({3.14159e-4, 2e-3}, fixed(2)).printed() == "0.00");
+  BOOST_TEST(Value({2.4e-7, 1e-9}, percent(1)).latex() == "\\qty{2.4e-5}{\\percent}");
+  BOOST_TEST(Value(0, fixed(2)).printed() == "0.00");
+}
+
+BOOST_AUTO_TEST_CASE(what_a_format_cannot_say_of_a_number_is_refused) {
+  using std::invalid_argument;
+  BOOST_CHECK_THROW(Value(2.5, integer()), invalid_argument);
+  BOOST_CHECK_THROW(Value({2, 0.5}, integer()), invalid_argument);
+  BOOST_CHECK_THROW(Value({2.5, 0.5}, exact()), invalid_argument);
+  BOOST_CHECK_THROW(Value(2.5, supported()), invalid_argument);
+  BOOST_CHECK_THROW(Value(2.5, uncertain()), invalid_argument);
+  BOOST_CHECK_THROW(Value({2.5, 0.5}, supported().rounded_up()), invalid_argument);
+  BOOST_CHECK_THROW(Value(0.5, percent(1), "in"), invalid_argument);
+  BOOST_CHECK_THROW(significant(101), invalid_argument);
+  BOOST_CHECK_THROW(scientific(0), invalid_argument);
+  BOOST_CHECK_THROW(supported(0), invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(any_format_can_be_in_percent) {
+  BOOST_TEST(Value(0.123456, significant(3).in_percent()).printed() == "12.3 %");
+  BOOST_TEST(Value({0.123456, 2e-3}, significant(3).in_percent()).printed() == "12 %");
+  BOOST_TEST(Value({0.123456, 2e-3}, uncertain().in_percent()).printed() == "12.35(20) %");
+  BOOST_TEST(Value(1, exact().in_percent()).printed() == "100 %");
+  BOOST_TEST(Value(0.0125, exact().in_percent()).printed() == "1.25 %");
 }
 
 BOOST_AUTO_TEST_CASE(significant_digits_are_plain_between_a_thousandth_and_a_million) {
-  BOOST_TEST(Value::significant(0.00123456, 3).printed() == "0.00123");
-  BOOST_TEST(Value::significant(0.000123456, 3).printed() == "1.23e-4");
-  BOOST_TEST(Value::significant(-45478.2, 3).printed() == "-45500");
-  BOOST_TEST(Value::significant(1234567.0, 3).printed() == "1.23e6");
-  BOOST_TEST(Value::significant(0.5, 4).printed() == "0.5000");
+  BOOST_TEST(Value(0.00123456, significant(3)).printed() == "0.00123");
+  BOOST_TEST(Value(0.000123456, significant(3)).printed() == "1.23e-4");
+  BOOST_TEST(Value(-45478.2, significant(3)).printed() == "-45500");
+  BOOST_TEST(Value(1234567.0, significant(3)).printed() == "1.23e6");
+  BOOST_TEST(Value(0.5, significant(4)).printed() == "0.5000");
 }
 
 BOOST_AUTO_TEST_CASE(an_estimate_prints_the_digits_its_error_supports) {
@@ -80,26 +120,26 @@ BOOST_AUTO_TEST_CASE(an_estimate_prints_the_digits_its_error_supports) {
   BOOST_TEST(estimated(1.0 / 3, 1e-16, 4) == "0.3333");
   BOOST_TEST(estimated(2.5, 0) == "2.5");
   BOOST_TEST(estimated(0.1 + 0.2, 0) == "0.300000000000");
-  BOOST_TEST(*Value::estimate({2.5, 0.125}).abs_error() == 0.125);
+  BOOST_TEST(*Value({2.5, 0.125}, supported()).abs_error() == 0.125);
 }
 
 BOOST_AUTO_TEST_CASE(exact_numbers_print_the_fewest_digits) {
-  BOOST_TEST(Value::exact(30e6, "psi").latex() == "\\qty{3e7}{psi}");
-  BOOST_TEST(Value::exact(0.3).latex() == "\\num{0.3}");
-  BOOST_TEST(Value::exact(-1234.5, "lbf/in").latex() == "\\qty{-1234.5}{lbf/in}");
-  BOOST_TEST(Value::exact(2.5e-4).printed() == "2.5e-4");
+  BOOST_TEST(Value(30e6, exact(), "psi").latex() == "\\qty{3e7}{psi}");
+  BOOST_TEST(Value(0.3, exact()).latex() == "\\num{0.3}");
+  BOOST_TEST(Value(-1234.5, exact(), "lbf/in").latex() == "\\qty{-1234.5}{lbf/in}");
+  BOOST_TEST(Value(2.5e-4, exact()).printed() == "2.5e-4");
 }
 
 BOOST_AUTO_TEST_CASE(percent_moves_the_point_and_rounds_once) {
-  BOOST_TEST(Value::percent(0.125, 1).latex() == "\\qty{12.5}{\\percent}");
-  BOOST_TEST(Value::percent(0.00125, 1).printed() ==
+  BOOST_TEST(Value(0.125, percent(1)).latex() == "\\qty{12.5}{\\percent}");
+  BOOST_TEST(Value(0.00125, percent(1)).printed() ==
              "0.1 %");  // 0.00125000000000000002…: not a tie
-  BOOST_TEST(Value::percent(-1.5, 0).printed() == "-150 %");
-  BOOST_TEST(*Value::percent(0.07, 0).number() == 0.07);
+  BOOST_TEST(Value(-1.5, percent(0)).printed() == "-150 %");
+  BOOST_TEST(*Value(0.07, percent(0)).number() == 0.07);
 }
 
 BOOST_AUTO_TEST_CASE(integers_and_text) {
-  BOOST_TEST(Value::integer(-12000, "in").latex() == "\\qty{-12000}{in}");
+  BOOST_TEST(Value(-12000, integer(), "in").latex() == "\\qty{-12000}{in}");
   BOOST_TEST(Value::text("50 % of a_1 ≤ ν").latex() ==
              "50 \\% of a\\_1 \\ensuremath{\\leq} \\ensuremath{\\nu}");
   BOOST_TEST(!Value::text("x").number());
@@ -108,18 +148,18 @@ BOOST_AUTO_TEST_CASE(integers_and_text) {
 BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_refused) {
   using std::invalid_argument;
   for (const double bad : {not_a_number, infinity, -infinity}) {
-    BOOST_CHECK_THROW(Value::fixed(bad, 2), invalid_argument);
-    BOOST_CHECK_THROW(Value::significant(bad, 2), invalid_argument);
-    BOOST_CHECK_THROW(Value::scientific(bad, 2), invalid_argument);
-    BOOST_CHECK_THROW(Value::exact(bad), invalid_argument);
-    BOOST_CHECK_THROW(Value::percent(bad, 1), invalid_argument);
-    BOOST_CHECK_THROW(Value::estimate({bad, 1}), invalid_argument);
-    BOOST_CHECK_THROW(Value::estimate({1, bad}), invalid_argument);
+    BOOST_CHECK_THROW(Value(bad, fixed(2)), invalid_argument);
+    BOOST_CHECK_THROW(Value(bad, significant(2)), invalid_argument);
+    BOOST_CHECK_THROW(Value(bad, scientific(2)), invalid_argument);
+    BOOST_CHECK_THROW(Value(bad, exact()), invalid_argument);
+    BOOST_CHECK_THROW(Value(bad, percent(1)), invalid_argument);
+    BOOST_CHECK_THROW(Value({bad, 1}, supported()), invalid_argument);
+    BOOST_CHECK_THROW(Value({1, bad}, supported()), invalid_argument);
   }
-  BOOST_CHECK_THROW(Value::estimate({1, -1}), invalid_argument);
-  BOOST_CHECK_THROW(Value::significant(1, 0), invalid_argument);
-  BOOST_CHECK_THROW(Value::fixed(1, -1), invalid_argument);
-  BOOST_CHECK_THROW(Value::fixed(1, 1, "%"), invalid_argument);
+  BOOST_CHECK_THROW(Value({1, -1}, supported()), invalid_argument);
+  BOOST_CHECK_THROW(Value(1, significant(0)), invalid_argument);
+  BOOST_CHECK_THROW(Value(1, fixed(-1)), invalid_argument);
+  BOOST_CHECK_THROW(Value(1, fixed(1), "%"), invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_decimal_comma_in_the_locale_changes_nothing) {
@@ -128,31 +168,31 @@ BOOST_AUTO_TEST_CASE(a_decimal_comma_in_the_locale_changes_nothing) {
     BOOST_TEST_MESSAGE("de_DE.UTF-8 is not installed: only the C++ locale is tried");
   }
 
-  const std::string fixed = Value::fixed(12345.678, 2).printed();
-  const std::string integer = Value::integer(1234567).printed();
-  const std::string exponent = Value::scientific(1.5e-12, 2).printed();
+  const std::string decimals = Value(12345.678, fixed(2)).printed();
+  const std::string whole = Value(1234567, integer()).printed();
+  const std::string exponent = Value(1.5e-12, scientific(2)).printed();
   std::setlocale(LC_ALL, "C");
   std::locale::global(before);
 
-  BOOST_TEST(fixed == "12345.68");
-  BOOST_TEST(integer == "1234567");
+  BOOST_TEST(decimals == "12345.68");
+  BOOST_TEST(whole == "1234567");
   BOOST_TEST(exponent == "1.5e-12");
 }
 
 BOOST_AUTO_TEST_CASE(a_bound_is_never_printed_below_its_number) {
-  BOOST_TEST(Value::percent_bound(0.0131, 0).printed() == "2 %");
-  BOOST_TEST(Value::percent_bound(0.01, 0).printed() == "1 %");
-  BOOST_TEST(Value::percent_bound(0.000737, 2).printed() == "0.08 %");
-  BOOST_TEST(Value::scientific_bound(2.1e-15, 1).printed() == "3e-15");
-  BOOST_TEST(Value::scientific_bound(9.3e-7, 1, "in").printed() == "1e-6 in");
-  BOOST_TEST(Value::scientific_bound(3e-15, 1).printed() == "3e-15");
-  BOOST_TEST(Value::scientific_bound(0, 1).printed() == "0");
-  BOOST_CHECK_THROW(Value::percent_bound(-0.1, 1), std::invalid_argument);
+  BOOST_TEST(Value(0.0131, percent(0).rounded_up()).printed() == "2 %");
+  BOOST_TEST(Value(0.01, percent(0).rounded_up()).printed() == "1 %");
+  BOOST_TEST(Value(0.000737, percent(2).rounded_up()).printed() == "0.08 %");
+  BOOST_TEST(Value(2.1e-15, scientific(1).rounded_up()).printed() == "3e-15");
+  BOOST_TEST(Value(9.3e-7, scientific(1).rounded_up(), "in").printed() == "1e-6 in");
+  BOOST_TEST(Value(3e-15, scientific(1).rounded_up()).printed() == "3e-15");
+  BOOST_TEST(Value(0, scientific(1).rounded_up()).printed() == "0");
+  BOOST_CHECK_THROW(Value(-0.1, percent(1).rounded_up()), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(an_uncertainty_stands_in_units_of_the_last_digit_and_is_rounded_up) {
   const auto printed = [](double value, double abs_error) {
-    return Value::with_uncertainty({value, abs_error}).printed();
+    return Value({value, abs_error}, uncertain()).printed();
   };
   BOOST_TEST(printed(0.786151378, 1.11e-7) == "0.78615138(12)");
   BOOST_TEST(printed(-2.3851, 0.5e-2) == "-2.3851(50)");
@@ -175,10 +215,10 @@ BOOST_AUTO_TEST_CASE(what_is_printed_always_contains_the_computed_value) {
       std::from_chars(text.data(), text.data() + text.size(), number);
       return number;
     };
-    const double shown = parse(Value::estimate({value, error}).printed());
+    const double shown = parse(Value({value, error}, supported()).printed());
     BOOST_TEST(std::abs(shown - value) <= std::max(10 * error, 1e-11 * std::abs(value)));
 
-    std::string text = Value::with_uncertainty({value, error}).printed();
+    std::string text = Value({value, error}, uncertain()).printed();
     const std::size_t open = text.find('(');
     const std::size_t close = text.find(')');
     const double digits = parse(text.substr(open + 1, close - open - 1));
@@ -201,76 +241,76 @@ BOOST_AUTO_TEST_CASE(a_bound_makes_no_other_print) {
     BOOST_TEST(*bounded.number() == *value.number());
     BOOST_TEST(*bounded.abs_error() == abs_error);
   };
-  same(Value::significant(2.3851, 3, "in"), 0.01);
-  same(Value::fixed(2.3851, 0), 1);
-  same(Value::scientific(2.3851e-7, 3), 1e-9);
-  same(Value::percent(0.0131, 1), 1e-3);
-  same(Value::percent_bound(0.0131, 0), 1e-2);
-  same(Value::scientific_bound(2.1e-15, 1), 1e-15);
-  same(Value::exact(0.25), 0.01);
-  same(Value::fixed(2, 1), 0);
+  same(Value(2.3851, significant(3), "in"), 0.01);
+  same(Value(2.3851, fixed(0)), 1);
+  same(Value(2.3851e-7, scientific(3)), 1e-9);
+  same(Value(0.0131, percent(1)), 1e-3);
+  same(Value(0.0131, percent(0).rounded_up()), 1e-2);
+  same(Value(2.1e-15, scientific(1).rounded_up()), 1e-15);
+  same(Value(0.25, exact()), 0.01);
+  same(Value(2, fixed(1)), 0);
 }
 
 BOOST_AUTO_TEST_CASE(digits_that_are_not_earned_are_refused_by_name) {
   const auto refused = [](const Value& value, double abs_error) {
     BOOST_CHECK_THROW(value.within(abs_error), std::invalid_argument);
   };
-  refused(Value::significant(2.3851, 3), 0.0101);
-  refused(Value::significant(123456, 4), 101);
-  refused(Value::fixed(2.3851, 0), 1.1);
-  refused(Value::scientific(2.3851e-7, 3), 1.1e-9);
-  refused(Value::percent(0.0131, 1), 1.1e-3);
-  refused(Value::exact(0.25), 0.011);
+  refused(Value(2.3851, significant(3)), 0.0101);
+  refused(Value(123456, significant(4)), 101);
+  refused(Value(2.3851, fixed(0)), 1.1);
+  refused(Value(2.3851e-7, scientific(3)), 1.1e-9);
+  refused(Value(0.0131, percent(1)), 1.1e-3);
+  refused(Value(0.25, exact()), 0.011);
   refused(Value::text("0.25"), 0);
-  refused(Value::estimate({1, 0.1}), 0);
-  refused(Value::with_uncertainty({1, 0.1}), 0);
-  refused(Value::fixed(1, 2), -1e-9);
-  refused(Value::fixed(1, 2), not_a_number);
-  refused(Value::fixed(1, 2), infinity);
+  refused(Value({1, 0.1}, supported()), 0);
+  refused(Value({1, 0.1}, uncertain()), 0);
+  refused(Value(1, fixed(2)), -1e-9);
+  refused(Value(1, fixed(2)), not_a_number);
+  refused(Value(1, fixed(2)), infinity);
 
   BOOST_CHECK_EXCEPTION(
-      Value::fixed(2.3851, 2, "in").within(0.02), std::invalid_argument, [](const auto& error) {
+      Value(2.3851, fixed(2), "in").within(0.02), std::invalid_argument, [](const auto& error) {
         return std::string(error.what()) ==
                "2.3851 is printed as '2.39 in', more digits than an error of 0.02 supports";
       });
 }
 
 BOOST_AUTO_TEST_CASE(with_an_error_fewer_digits_are_printed_than_allowed_if_it_wants_so) {
-  BOOST_TEST(Value::significant({2.3851, 1e-9}, 3, "in").printed() == "2.39 in");
-  BOOST_TEST(Value::significant({2.3851, 0.02}, 3).printed() == "2.4");
-  BOOST_TEST(Value::significant({123456, 400}, 6).printed() == "1.23e5");
-  BOOST_TEST(Value::significant({0, 0.02}, 2).printed() == "0.0");
-  BOOST_TEST(Value::significant({0, 0}, 2).printed() == "0");
-  BOOST_TEST(Value::fixed({2.3851, 1e-9}, 3).printed() == "2.385");
-  BOOST_TEST(Value::fixed({2.3851, 0.1}, 3).printed() == "2.4");
-  BOOST_TEST(Value::fixed({238.51, 40}, 3).printed() == "2e2");
-  BOOST_TEST(Value::scientific({2.3851e-7, 0}, 3).printed() == "2.39e-7");
-  BOOST_TEST(Value::scientific({3.09e-9, 5.1e-10}, 2, "in").printed() == "3e-9 in");
-  BOOST_TEST(Value::percent({0.01314, 1e-4}, 2).printed() == "1.31 %");
-  BOOST_TEST(Value::percent({0.01314, 2e-3}, 2).printed() == "1 %");
-  BOOST_TEST(Value::percent({1.314, 0.2}, 2).printed() == "1e2 %");
-  BOOST_TEST(*Value::percent({0.01314, 2e-3}, 2).abs_error() == 2e-3);
-  BOOST_TEST(*Value::percent({0.01314, 2e-3}, 2).number() == 0.01314);
-  BOOST_CHECK_THROW(Value::fixed({1, -1}, 2), std::invalid_argument);
-  BOOST_CHECK_THROW(Value::percent({1, infinity}, 2), std::invalid_argument);
-  BOOST_CHECK_THROW(Value::significant({1, not_a_number}, 2), std::invalid_argument);
-  BOOST_CHECK_THROW(Value::scientific({1, -1}, 2), std::invalid_argument);
+  BOOST_TEST(Value({2.3851, 1e-9}, significant(3), "in").printed() == "2.39 in");
+  BOOST_TEST(Value({2.3851, 0.02}, significant(3)).printed() == "2.4");
+  BOOST_TEST(Value({123456, 400}, significant(6)).printed() == "1.23e5");
+  BOOST_TEST(Value({0, 0.02}, significant(2)).printed() == "0.0");
+  BOOST_TEST(Value({0, 0}, significant(2)).printed() == "0");
+  BOOST_TEST(Value({2.3851, 1e-9}, fixed(3)).printed() == "2.385");
+  BOOST_TEST(Value({2.3851, 0.1}, fixed(3)).printed() == "2.4");
+  BOOST_TEST(Value({238.51, 40}, fixed(3)).printed() == "2e2");
+  BOOST_TEST(Value({2.3851e-7, 0}, scientific(3)).printed() == "2.39e-7");
+  BOOST_TEST(Value({3.09e-9, 5.1e-10}, scientific(2), "in").printed() == "3e-9 in");
+  BOOST_TEST(Value({0.01314, 1e-4}, percent(2)).printed() == "1.31 %");
+  BOOST_TEST(Value({0.01314, 2e-3}, percent(2)).printed() == "1 %");
+  BOOST_TEST(Value({1.314, 0.2}, percent(2)).printed() == "1e2 %");
+  BOOST_TEST(*Value({0.01314, 2e-3}, percent(2)).abs_error() == 2e-3);
+  BOOST_TEST(*Value({0.01314, 2e-3}, percent(2)).number() == 0.01314);
+  BOOST_CHECK_THROW(Value({1, -1}, fixed(2)), std::invalid_argument);
+  BOOST_CHECK_THROW(Value({1, infinity}, percent(2)), std::invalid_argument);
+  BOOST_CHECK_THROW(Value({1, not_a_number}, significant(2)), std::invalid_argument);
+  BOOST_CHECK_THROW(Value({1, -1}, scientific(2)), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_exceeded_is_not_exceeded_by_number_and_error_together) {
-  BOOST_TEST(Value::scientific_bound({2.9e-15, 2e-16}, 1, "in").printed() == "4e-15 in");
-  BOOST_TEST(Value::percent_bound({0.000737, 6e-5}, 2).printed() == "0.08 %");
-  BOOST_TEST(Value::percent_bound({0.000737, 7e-5}, 2).printed() == "0.09 %");
-  BOOST_TEST(Value::percent_bound({0.00885, 5.6e-4}, 2).printed() == "1.0 %");
-  BOOST_TEST(Value::percent_bound({0.3, 2}, 2).printed() == "1e3 %");
-  BOOST_TEST(Value::scientific_bound({3.294e-10, 3e-12}, 3).printed() == "3.4e-10");
-  BOOST_TEST(Value::scientific_bound({3e-12, 3e-10}, 3).printed() == "1e-9");
-  BOOST_TEST(Value::scientific_bound({0, 0}, 3).printed() == "0");
-  BOOST_TEST(*Value::percent_bound({0.000737, 7e-5}, 2).number() == 0.000737);
-  BOOST_TEST(*Value::scientific_bound({2.9e-15, 2e-16}, 1).abs_error() == 2e-16);
-  BOOST_CHECK_THROW(Value::scientific_bound({1, -0.1}, 1), std::invalid_argument);
-  BOOST_CHECK_THROW(Value::scientific_bound({-1, 0.1}, 1), std::invalid_argument);
-  BOOST_CHECK_THROW(Value::percent_bound({1, not_a_number}, 1), std::invalid_argument);
+  BOOST_TEST(Value({2.9e-15, 2e-16}, scientific(1).rounded_up(), "in").printed() == "4e-15 in");
+  BOOST_TEST(Value({0.000737, 6e-5}, percent(2).rounded_up()).printed() == "0.08 %");
+  BOOST_TEST(Value({0.000737, 7e-5}, percent(2).rounded_up()).printed() == "0.09 %");
+  BOOST_TEST(Value({0.00885, 5.6e-4}, percent(2).rounded_up()).printed() == "1.0 %");
+  BOOST_TEST(Value({0.3, 2}, percent(2).rounded_up()).printed() == "1e3 %");
+  BOOST_TEST(Value({3.294e-10, 3e-12}, scientific(3).rounded_up()).printed() == "3.4e-10");
+  BOOST_TEST(Value({3e-12, 3e-10}, scientific(3).rounded_up()).printed() == "1e-9");
+  BOOST_TEST(Value({0, 0}, scientific(3).rounded_up()).printed() == "0");
+  BOOST_TEST(*Value({0.000737, 7e-5}, percent(2).rounded_up()).number() == 0.000737);
+  BOOST_TEST(*Value({2.9e-15, 2e-16}, scientific(1).rounded_up()).abs_error() == 2e-16);
+  BOOST_CHECK_THROW(Value({1, -0.1}, scientific(1).rounded_up()), std::invalid_argument);
+  BOOST_CHECK_THROW(Value({-1, 0.1}, scientific(1).rounded_up()), std::invalid_argument);
+  BOOST_CHECK_THROW(Value({1, not_a_number}, percent(1).rounded_up()), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(fewer_digits_are_printed_just_when_those_asked_for_are_not_earned) {
@@ -288,12 +328,12 @@ BOOST_AUTO_TEST_CASE(fewer_digits_are_printed_just_when_those_asked_for_are_not_
     const double number = std::pow(10, exponent(random)) * 1.7;
     const double error = std::pow(10, exponent(random)) * 2.3;
     for (const int n : {1, 3, 6}) {
-      BOOST_TEST(earns(Value::scientific(number, n), error) ==
-                 (Value::scientific({number, error}, n).printed() ==
-                  Value::scientific(number, n).printed()));
+      BOOST_TEST(earns(Value(number, scientific(n)), error) ==
+                 (Value({number, error}, scientific(n)).printed() ==
+                  Value(number, scientific(n)).printed()));
       BOOST_TEST(
-          earns(Value::percent(number, n), error) ==
-          (Value::percent({number, error}, n).printed() == Value::percent(number, n).printed()));
+          earns(Value(number, percent(n)), error) ==
+          (Value({number, error}, percent(n)).printed() == Value(number, percent(n)).printed()));
     }
   }
 }

@@ -34,7 +34,7 @@ const Hertz hertz(modulus, 0.571, load);
 const double a = hertz.radius();
 
 Solution spheres(Eigen::Index n) {
-  const double side = 2 * a / 0.9 * 2 / std::sqrt(3.0);
+  const double side = 2 * a / 0.9;
   return solve_for_load(
       {Profile::paraboloid(0.571), modulus, hexagonal_grid(side, n), Element::pyramid}, load);
 }

@@ -14,6 +14,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using point_contact::Element;
 using point_contact::ElementPotential;
+using point_contact::Grid;
 using point_contact::hexagonal_lattice;
 using point_contact::InfluenceOperator;
 using point_contact::Lattice;
@@ -25,6 +26,11 @@ namespace {
 struct Case {
   Element element;
   Lattice lattice;
+  bool is_staggered = false;
+
+  Grid grid(Index n1, Index n2) const {
+    return {.lattice = lattice, .n1 = n1, .n2 = n2, .is_staggered = is_staggered};
+  }
 };
 
 std::vector<Case> cases() {
@@ -33,7 +39,8 @@ std::vector<Case> cases() {
   return {{Element::point, square_lattice(1)},     {Element::uniform, square_lattice(1)},
           {Element::bilinear, square_lattice(1)},  {Element::pyramid, hexagonal_lattice(1)},
           {Element::pyramid, square_lattice(0.3)}, {Element::pyramid, flat},
-          {Element::bilinear, {{1, 0}, {0, 0.2}}}};
+          {Element::bilinear, {{1, 0}, {0, 0.2}}}, {Element::pyramid, hexagonal_lattice(1), true},
+          {Element::uniform, flat, true}};
 }
 
 VectorXd random_field(Index size, std::uint64_t seed = 7) {
@@ -49,7 +56,8 @@ BOOST_AUTO_TEST_CASE(displacements_are_the_sums_over_all_elements) {
   for (const Case& one : cases()) {
     const ElementPotential element(one.element, one.lattice);
     const RowTeam team(1);
-    InfluenceOperator influence(element, n1, n2, team);
+    const Grid grid = one.grid(n1, n2);
+    InfluenceOperator influence(element, grid, team);
     const VectorXd phi = random_field(n1 * n2);
     VectorXd result;
     influence.displacements(phi, result);
@@ -58,8 +66,8 @@ BOOST_AUTO_TEST_CASE(displacements_are_the_sums_over_all_elements) {
     for (Index row = 0; row < n1 * n2; ++row) {
       double sum = 0;
       for (Index column = 0; column < n1 * n2; ++column) {
-        const Index i = row % n1 - column % n1;
         const Index j = row / n1 - column / n1;
+        const Index i = row % n1 - grid.neighbour(column % n1, column / n1, 0, j);
         sum += element(element.node(static_cast<double>(i), static_cast<double>(j))) * phi[column];
       }
       worst = std::max(worst, std::abs(sum - result[row]));
@@ -72,7 +80,7 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_symmetric_and_positive) {
   constexpr Index n = 20;
   for (const Case& one : cases()) {
     const RowTeam team(1);
-    InfluenceOperator influence(ElementPotential(one.element, one.lattice), n, n, team);
+    InfluenceOperator influence(ElementPotential(one.element, one.lattice), one.grid(n, n), team);
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       const VectorXd a = random_field(n * n, 2 * seed);
       const VectorXd b = random_field(n * n, 2 * seed + 1);
@@ -88,7 +96,9 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_symmetric_and_positive) {
 BOOST_AUTO_TEST_CASE(the_preconditioner_undoes_the_product_away_from_the_ends) {
   constexpr Index n = 64;
   const RowTeam team(1);
-  InfluenceOperator influence(ElementPotential(Element::pyramid, hexagonal_lattice(1)), n, n, team);
+  const Case pyramids{Element::pyramid, hexagonal_lattice(1)};
+  InfluenceOperator influence(ElementPotential(pyramids.element, pyramids.lattice),
+                              pyramids.grid(n, n), team);
   // a bump in the middle
   const VectorXd bump = VectorXd::NullaryExpr(n * n, [&](Index k) {
     const double x = static_cast<double>(k % n) - 31.5;
@@ -110,7 +120,9 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_undoes_the_product_away_from_the_ends) {
 
 BOOST_AUTO_TEST_CASE(the_result_may_stand_where_the_field_stood) {
   const RowTeam team(1);
-  InfluenceOperator influence(ElementPotential(Element::uniform, square_lattice(1)), 9, 9, team);
+  const Case cells{Element::uniform, square_lattice(1)};
+  InfluenceOperator influence(ElementPotential(cells.element, cells.lattice), cells.grid(9, 9),
+                              team);
   VectorXd field = random_field(81);
   VectorXd result;
   influence.displacements(field, result);

@@ -57,7 +57,7 @@ int solve(ProjectedCg& gradients, ContactState& state) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(gaps_in_contact_vanish_in_a_few_steps_under_a_given_approach) {
-  InfluenceOperator influence(element, grid.n1, grid.n2, team);
+  InfluenceOperator influence(element, grid, team);
   ContactState state = first_guess(influence, 0.7);
   ProjectedCg gradients(influence, grid, team, Control::approach);
 
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(gaps_in_contact_vanish_in_a_few_steps_under_a_given_approac
 }
 
 BOOST_AUTO_TEST_CASE(the_total_is_kept_under_a_given_load_and_the_approach_follows) {
-  InfluenceOperator influence(element, grid.n1, grid.n2, team);
+  InfluenceOperator influence(element, grid, team);
   ContactState state = first_guess(influence, 0);
   const double total = state.phi.sum();
   ProjectedCg gradients(influence, grid, team, Control::load);
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(the_total_is_kept_under_a_given_load_and_the_approach_follo
 }
 
 BOOST_AUTO_TEST_CASE(gaps_that_were_kept_up_are_those_computed_anew) {
-  InfluenceOperator influence(element, grid.n1, grid.n2, team);
+  InfluenceOperator influence(element, grid, team);
   ContactState state = first_guess(influence, 0);
   ProjectedCg gradients(influence, grid, team, Control::load);
   solve(gradients, state);
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(gaps_that_were_kept_up_are_those_computed_anew) {
 }
 
 BOOST_AUTO_TEST_CASE(the_error_it_tells_is_about_the_error) {
-  InfluenceOperator influence(element, grid.n1, grid.n2, team);
+  InfluenceOperator influence(element, grid, team);
   ContactState exact = first_guess(influence, 0.7);
   ProjectedCg to_the_end(influence, grid, team, Control::approach);
   solve(to_the_end, exact);
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(the_error_it_tells_is_about_the_error) {
 }
 
 BOOST_AUTO_TEST_CASE(work_is_counted) {
-  InfluenceOperator influence(element, grid.n1, grid.n2, team);
+  InfluenceOperator influence(element, grid, team);
   ContactState state = first_guess(influence, 0);
   ProjectedCg gradients(influence, grid, team, Control::load);
   gradients.start(state);

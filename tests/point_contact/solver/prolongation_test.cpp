@@ -53,8 +53,8 @@ BOOST_AUTO_TEST_CASE(hertzs_pressure_is_prolongated_to_the_square_of_the_spacing
 
 BOOST_AUTO_TEST_CASE(the_edge_of_the_contact_keeps_its_place_between_the_coarse_nodes) {
   for (const double a : {0.71, 0.723, 0.738}) {
-    const Grid coarse = hexagonal_grid(4 / std::sqrt(3.0), 64);
-    const Grid fine = hexagonal_grid(4 / std::sqrt(3.0), 128);
+    const Grid coarse = hexagonal_grid(2, 64);
+    const Grid fine = hexagonal_grid(2, 128);
     const VectorXd exact = hertz(fine, a);
     const VectorXd result = prolongate(coarse, hertz(coarse, a), fine);
     // less than a tenth of the nodes along the edge

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "assignment.hpp"
-#include "assignment/shapes.hpp"
+#include "assignment/given/loads.hpp"
 #include "variant_of_this_handout.hpp"
 
 namespace {
@@ -44,19 +44,12 @@ std::ofstream open(const std::filesystem::path& file) {
   return out << std::setprecision(17), std::move(out);
 }
 
-// The triangle as a load of which only the values are known.
-exercise::Load load_of(const TriangularLoad& known) {
-  const auto pressure = [=](double s) {
-    return assignment::pressure(assignment::Shape::triangle, known.peak_pressure, known.half_width,
-                                s);
-  };
-  return {pressure, known.half_width, known.peak_pressure};
-}
-
 // x/a, the slope by eq. (3) and by eq. (2) with its error, and u_z.
 void write_surface(const std::filesystem::path& file) {
   std::ofstream out = open(file);
-  const exercise::Load load = load_of(triangle);
+  // The triangle as a load of which only the values are known.
+  const exercise::Load load = assignment::load_of(static_cast<double>(assignment::Shape::triangle),
+                                                  triangle.peak_pressure, triangle.half_width);
   for (int i = -160; i <= 160; ++i) {
     const double xi = i / 40.0;
     const double x = xi * triangle.half_width;

@@ -10,7 +10,11 @@ namespace {
 
 using literate::Column;
 using literate::Criterion;
+using literate::exact;
 using literate::LimitKind;
+using literate::percent;
+using literate::significant;
+using literate::supported;
 using literate::Value;
 
 constexpr double degree = std::numbers::pi / 180;
@@ -62,14 +66,14 @@ void register_claims(literate::Document& document, const Parameters& parameters)
   document.claim("longer",
                  {.route = "the integral for the period",
                   .expected = literate::Verdict::confirmed,
-                  .criteria = {Criterion::at_least("excess", Value::percent(excess, 1),
+                  .criteria = {Criterion::at_least("excess", Value(excess, percent(1)),
                                                    {LimitKind::stated, 0.1, "a tenth"})}});
   const double series = short_series(parameters.angle * degree);
-  const Value by_series = Value::significant({series, 1e-15 * series}, 4);
+  const Value by_series = Value({series, 1e-15 * series}, significant(4));
   document.claim("series-suffices", {.route = "the same integral",
                                      .expected = literate::Verdict::refuted,
                                      .criteria = {Criterion::agrees_relatively(
-                                         "series", by_series, Value::significant(relative, 4),
+                                         "series", by_series, Value(relative, significant(4)),
                                          {LimitKind::stated, 0.01, "1 %"})}});
 }
 
@@ -77,14 +81,14 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
   const Parameters parameters = read_case(inputs.case_file);
   const numerics::Estimate relative = relative_period(parameters.angle * degree);
   const double small = 2 * std::numbers::pi * std::sqrt(parameters.length / parameters.gravity);
-  document.value("angle", Value::exact(parameters.angle, "°"));
-  document.value("length", Value::exact(parameters.length, "m"));
-  document.value("relative-period", Value::estimate(relative));
-  document.value("period", Value::significant(small * relative, 6, "s"));
+  document.value("angle", Value(parameters.angle, exact(), "°"));
+  document.value("length", Value(parameters.length, exact(), "m"));
+  document.value("relative-period", Value(relative, supported()));
+  document.value("period", Value(small * relative, significant(6), "s"));
   document.flag("is-wide", parameters.angle > 60);
   document.check(
       "longer-than-small",
-      {Criterion::at_least("period over that of small swings", Value::significant(relative, 4),
+      {Criterion::at_least("period over that of small swings", Value(relative, significant(4)),
                            {LimitKind::stated, 1.0, "as long"})},
       "Far swings take longer than small ones.");
   register_table(document);

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/point_contact_options.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "app/height_map_file.hpp"
+#include "point_contact/closed_forms/cone.hpp"
+#include "point_contact/closed_forms/flat_punch.hpp"
+#include "point_contact/closed_forms/hertz_elliptic.hpp"
+#include "point_contact/closed_forms/power_law.hpp"
+#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/matrix_inversion.hpp"
+#include "system/require.hpp"
+
+namespace app {
+namespace {
+
+using parameters::CylinderCase;
+using point_contact::Profile;
+
+constexpr std::string_view gap_prefix = "file:";
+constexpr std::string_view height_prefix = "heights:";
+
+bool is_measured(const std::string& profile) {
+  return profile.starts_with(gap_prefix) || profile.starts_with(height_prefix);
+}
+
+double needed(const NumberOption& option) {
+  const auto number = option.number();
+  if (!number) throw sys::InputError(option.flag() + " is missing");
+  return *number;
+}
+
+// Threads beyond this are not used.
+constexpr long most_threads = 64;
+
+point_contact::Element point_element_named(const std::string& name) {
+  using point_contact::Element;
+  for (const auto element : {Element::point, Element::uniform, Element::bilinear}) {
+    if (name == point_contact::name_of(element)) return element;
+  }
+  return Element::pyramid;
+}
+
+// The curvature that a flag gives: a length other than 0, negative for a hollow, or "plane".
+std::optional<double> curvature_of(const NumberOption& radius) {
+  if (radius.text() == "plane") return 0;
+  const auto length = radius.number();
+  if (!length) return std::nullopt;
+  return contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length).curvature();
+}
+
+// A closed form for the load that is given, or for the one that makes the given approach: that
+// grows with a power of the load.
+template <class Contact, class Describe>
+PointClosedForm closed_form_for(const PointContactInput& input, double power,
+                                const Contact& contact_under, const Describe& describe) {
+  double load = input.load.value_or(1);
+  if (!input.load) {
+    const double scale = input.problem.contact_modulus;  // a load of the right order of magnitude
+    const double approach = contact_under(scale).approach();
+    if (!(*input.approach > 0))
+      throw sys::InvalidQuantity("approach", *input.approach,
+                                 "greater than 0, or there is no contact");
+    load = scale * std::pow(*input.approach / approach, 1 / power);
+  }
+  return describe(contact_under(load), load);
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+PointContactOptions::CurvedBody::CurvedBody(CLI::App& command, const std::string& number)
+    : young(command, "--young" + number, "Young's modulus of body " + number),
+      poisson(command, "--poisson" + number, "Poisson's ratio of body " + number),
+      radius(command, "--radius" + number,
+             "Radius of body " + number + ", a sphere; plane for a plane, negative for a hollow"),
+      radius_x(command, "--radius" + number + "x",
+               "Or its two principal radii: the one along its x axis"),
+      radius_y(command, "--radius" + number + "y", "and the one along its y axis") {}
+
+PointContactOptions::PointContactOptions(CLI::App& command)
+    : body1_(command, "1"),
+      body2_(command, "2"),
+      angle_(command, "--angle", "Degrees from the x axis of body 1 to that of body 2 [0]"),
+      load_(command, "--load", "Load P, a force"),
+      approach_(command, "--approach", "Approach of distant points instead of the load"),
+      slope_(command, "--slope", "Cone: tangent of the angle between its side and the surface"),
+      flat_(command, "--flat", "Flat and rounded punch: radius of its flat end"),
+      edge_radius_(command, "--edge-radius", "Rounded punch: radius of its edge's rounding"),
+      power_(command, "--power", "Power law A r^2n: n"),
+      coefficient_(command, "--coefficient", "Power law A r^2n: A"),
+      spacing_(command, "--spacing", "Measured surface: distance between its points"),
+      nodes_(command, "--nodes", "Number of nodes along a side of the domain [256]"),
+      domain_(command, "--domain",
+              "Width W of the square that the nodes fill [the contact's and a ninth more]"),
+      domain_y_(command, "--domain-y", "Its height, if it is to be no square"),
+      tolerance_(command, "--tolerance",
+                 "Error of the pressure allowed, relative to the peak [1e-8]"),
+      threads_(command, "--threads", "Number of threads; changes no digit of the result [1]"),
+      friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
+      tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
+  add_text(
+      command, "--profile", profile_,
+      "sphere|cone|flat-punch|rounded-punch|power|file:PATH|heights:PATH",
+      "Shape of the gap. sphere: spheres, ellipsoids, crossed cylinders, by their radii; file: "
+      "a CSV grid of gaps, a line for each y; heights: of heights above the surface");
+  add_choice(command, "--grid", grid_, {"hexagonal", "square"},
+             "Nodes as corners of equilateral triangles or of squares");
+  add_choice(command, "--element", element_, {"pyramid", "bilinear", "uniform", "point"},
+             "What stands at a node for the pressure around it");
+  add_choice(command, "--method", method_, {"fft", "variational", "matrix-inversion"},
+             "How to solve; the last two are references for small grids");
+  add_text(command, "--case", case_file_, "FILE",
+           "Case file; its materials and radii, which flags override");
+}
+
+elasticity::Material PointContactOptions::CurvedBody::material(
+    const std::optional<CylinderCase>& given) const {
+  std::optional<double> given_young, given_poisson;
+  if (given) {
+    given_young = given->material.young();
+    given_poisson = given->material.poisson();
+  }
+  return {young.number_or(given_young), poisson.number_or(given_poisson)};
+}
+
+bool PointContactOptions::CurvedBody::has_radius() const {
+  return !(radius.text().empty() && radius_x.text().empty() && radius_y.text().empty());
+}
+
+point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
+    const std::optional<CylinderCase>& given) const {
+  const bool has_two = !radius_x.text().empty() || !radius_y.text().empty();
+  if (has_two && !radius.text().empty()) {
+    throw sys::InputError(fmt::format("{} and {}: give one radius or two", radius.flag(),
+                                      (radius_x.text().empty() ? radius_y : radius_x).flag()));
+  }
+  if (has_two) {
+    for (const NumberOption* one : {&radius_x, &radius_y}) {
+      if (one->text().empty()) throw sys::InputError(one->flag() + " is missing");
+    }
+    return {*curvature_of(radius_x), *curvature_of(radius_y)};
+  }
+  std::optional<double> curvature = curvature_of(radius);
+  if (!curvature && given) curvature = given->radius.curvature();
+  if (!curvature)
+    throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
+  return {*curvature, *curvature};
+}
+
+// Refuse a flag that would be ignored: the user made a mistake.
+void PointContactOptions::refuse_flags_of_other_bodies() const {
+  const auto is = [&](std::string_view name) { return profile_ == name; };
+  const bool is_sphere = is("sphere");
+  const bool is_power = is("power");
+  const std::vector<std::pair<const NumberOption*, bool>> flags = {
+      {&body1_.radius, is_sphere},
+      {&body1_.radius_x, is_sphere},
+      {&body1_.radius_y, is_sphere},
+      {&body2_.radius, is_sphere},
+      {&body2_.radius_x, is_sphere},
+      {&body2_.radius_y, is_sphere},
+      {&angle_, is_sphere},
+      {&slope_, is("cone")},
+      {&flat_, is("flat-punch") || is("rounded-punch")},
+      {&edge_radius_, is("rounded-punch")},
+      {&power_, is_power},
+      {&coefficient_, is_power},
+      {&spacing_, is_measured(profile_)}};
+  for (const auto& [option, has_meaning] : flags) {
+    if (has_meaning || option->text().empty()) continue;
+    throw sys::InputError(
+        fmt::format("{} has no meaning for --profile {}", option->flag(), profile_));
+  }
+}
+
+void PointContactOptions::set_curved_bodies(
+    PointContactInput& input, const std::optional<parameters::Case>& from_file) const {
+  std::optional<CylinderCase> given1, given2;
+  if (from_file) {
+    given1 = from_file->contact.body1;
+    given2 = from_file->contact.body2;
+  }
+  const auto body1 = body1_.curvatures(given1);
+  const auto body2 = body2_.curvatures(given2);
+  const double angle = angle_.number().value_or(0) * std::numbers::pi / 180;
+  auto relative = point_contact::relative_curvatures(body1, body2, angle);
+  // Axes that are turned by rounding alone are those of body 1.
+  constexpr double rounding = 1e-14;
+  if (std::abs(relative.angle) < rounding) relative.angle = 0;
+  input.curvatures = relative;
+  input.problem.profile = Profile::elliptic_paraboloid(relative.x, relative.y);
+  // Curvatures that differ by rounding alone are those of spheres.
+  input.is_of_revolution = relative.y - relative.x <= rounding * relative.y;
+  double greatest = 0;
+  for (const double curvature : {body1.first, body1.second, body2.first, body2.second}) {
+    greatest = std::max(greatest, std::abs(curvature));
+  }
+  input.least_radius = 1 / greatest;
+
+  const double modulus = input.problem.contact_modulus;
+  constexpr double hertzs_power = 2.0 / 3;
+  if (input.is_of_revolution) {
+    input.closed_form = closed_form_for(
+        input, hertzs_power,
+        [&](double load) { return point_contact::Hertz(modulus, relative.y, load); },
+        [&](const point_contact::Hertz& hertz, double load) {
+          input.hertz = hertz;
+          return PointClosedForm{"hertz",          hertz.radius(),
+                                 hertz.radius(),   hertz.peak_pressure(),
+                                 hertz.approach(), load};
+        });
+    return;
+  }
+  input.closed_form = closed_form_for(
+      input, hertzs_power,
+      [&](double load) {
+        return point_contact::HertzElliptic(modulus, relative.x, relative.y, load);
+      },
+      [&](const point_contact::HertzElliptic& hertz, double load) {
+        return PointClosedForm{"hertz",
+                               hertz.semi_axis_x(),
+                               hertz.semi_axis_y(),
+                               hertz.peak_pressure(),
+                               hertz.approach(),
+                               load};
+      });
+}
+
+void PointContactOptions::set_measured_surface(PointContactInput& input) const {
+  const double spacing = sys::require_positive("spacing", needed(spacing_));
+  if (profile_.starts_with(gap_prefix)) {
+    const auto gaps = read_grid(profile_.substr(gap_prefix.size()));
+    input.problem.profile = Profile::height_map(gaps, spacing);
+    return;
+  }
+  const auto heights = read_grid(profile_.substr(height_prefix.size()));
+  input.problem.profile = Profile::height_map(heights.maxCoeff() - heights, spacing);
+}
+
+void PointContactOptions::set_profile(PointContactInput& input,
+                                      const std::optional<parameters::Case>& from_file) const {
+  refuse_flags_of_other_bodies();
+  const double modulus = input.problem.contact_modulus;
+  Profile& profile = input.problem.profile;
+  input.is_of_revolution = !is_measured(profile_);
+  if (profile_ == "sphere") {
+    set_curved_bodies(input, from_file);
+  } else if (profile_ == "cone") {
+    const double slope = needed(slope_);
+    profile = Profile::cone(slope);
+    input.closed_form = closed_form_for(
+        input, 0.5, [&](double load) { return point_contact::Cone(modulus, slope, load); },
+        [](const point_contact::Cone& cone, double load) {
+          return PointClosedForm{"cone",   cone.radius(),   cone.radius(),
+                                 infinite, cone.approach(), load};
+        });
+  } else if (profile_ == "flat-punch") {
+    const double radius = needed(flat_);
+    profile = Profile::flat_punch(radius);
+    input.closed_form = closed_form_for(
+        input, 1, [&](double load) { return point_contact::FlatPunch(modulus, radius, load); },
+        [&](const point_contact::FlatPunch& punch, double load) {
+          return PointClosedForm{"flat-punch", radius, radius, infinite, punch.approach(), load};
+        });
+  } else if (profile_ == "rounded-punch") {
+    const double flat = needed(flat_);
+    const double radius = sys::require_positive("edge-radius", needed(edge_radius_));
+    profile = Profile::rounded_punch(flat, 1 / radius);
+  } else if (profile_ == "power") {
+    const auto n = power_.integer();
+    if (!n) throw sys::InputError("--power is missing");
+    if (*n < 1 || *n > Profile::max_power) {
+      throw sys::InputError(
+          fmt::format("--power = {}: must be from 1 to {}", *n, Profile::max_power));
+    }
+    const double coefficient = needed(coefficient_);
+    profile = Profile::power_law(coefficient, static_cast<int>(*n));
+    const double exponent = 2 * static_cast<double>(*n);
+    input.closed_form = closed_form_for(
+        input, exponent / (exponent + 1),
+        [&](double load) {
+          return point_contact::PowerLaw(modulus, coefficient, static_cast<int>(*n), load);
+        },
+        [](const point_contact::PowerLaw& power, double load) {
+          // The pressure is greatest inside, between the middle and the edge if n > 1.
+          double peak = 0;
+          constexpr int enough = 4000;
+          for (int i = 0; i < enough; ++i) {
+            peak = std::max(peak, power.pressure(power.radius() * i / enough));
+          }
+          return PointClosedForm{"power", power.radius(),   power.radius(),
+                                 peak,    power.approach(), load};
+        });
+  } else if (is_measured(profile_)) {
+    set_measured_surface(input);
+  } else {
+    throw sys::InputError(fmt::format(
+        "--profile = {}: must be sphere, cone, flat-punch, rounded-punch, power, file:PATH or "
+        "heights:PATH",
+        profile_));
+  }
+}
+
+long PointContactOptions::n_nodes() const {
+  constexpr long usual = 256;
+  const long n = nodes_.integer().value_or(usual);
+  if (n < point_contact::min_nodes) {
+    throw sys::InputError(
+        fmt::format("--nodes = {}: must be {} or more", n, point_contact::min_nodes));
+  }
+  constexpr long too_many = 1'000'000'000;  // whose rows need no exact count
+  point_contact::require_memory(n, grid_ == "hexagonal" && n < too_many ? n + n / 6 : n);
+  return n;
+}
+
+void PointContactOptions::set_grid(PointContactInput& input) const {
+  const long n = n_nodes();
+  std::optional<double> width = domain_.number();
+  std::optional<double> height = domain_y_.number();
+  if (width) sys::require_positive("domain", *width);
+  if (height) sys::require_positive("domain-y", *height);
+  if (!width && height) throw sys::InputError("--domain-y needs --domain");
+  const auto& half_sides = input.problem.profile.half_sides();
+  if (!width && std::isfinite(half_sides.x())) {
+    width = 2 * half_sides.x();
+    height = 2 * half_sides.y();
+  } else if (!width && input.closed_form) {
+    constexpr double room = 1 / 0.9;
+    width = 2 * room * input.closed_form->half_width_x;
+    height = 2 * room * input.closed_form->half_width_y;
+  }
+  if (!width) {
+    throw sys::InputError("--domain is missing: this body has no closed form to take it from");
+  }
+  const double stretch = height.value_or(*width) / *width;
+  input.problem.grid = grid_ == "hexagonal"
+                           ? point_contact::hexagonal_grid(*width, n, stretch)
+                           : point_contact::rectangular_grid(*width, stretch * *width, n);
+}
+
+PointContactInput PointContactOptions::read(
+    const std::optional<parameters::Case>& from_file) const {
+  std::optional<CylinderCase> given1, given2;
+  if (from_file) {
+    given1 = from_file->contact.body1;
+    given2 = from_file->contact.body2;
+  }
+  const elasticity::Material material1 = body1_.material(given1);
+  const elasticity::Material material2 = body2_.material(given2);
+  const double modulus = elasticity::contact_modulus(material1, material2);
+  PointContactInput input{
+      .material1 = material1,
+      .material2 = material2,
+      .problem = {Profile::paraboloid(1), modulus, {}, point_element_named(element_)},
+      .profile = profile_,
+      .grid = grid_,
+      .method = method_,
+      .accuracy = {},
+      .load = load_.number(),
+      .approach = approach_.number(),
+      .friction = friction_.number(),
+      .tangential = tangential_.number(),
+      .closed_form = {},
+      .curvatures = {},
+      .hertz = {}};
+  if (input.approach && input.load)
+    throw sys::InputError("--load and --approach: give one of them");
+  if (!input.approach && !input.load)
+    throw sys::InputError("--load is missing: give it, or --approach");
+  if (input.load) sys::require_positive("load", *input.load);
+  if (input.approach && method_ != "fft") {
+    throw sys::InputError("--approach needs --method fft");
+  }
+  if (input.tangential && !input.friction)
+    throw sys::InputError("--tangential-load needs --friction");
+  if (element_ == "bilinear" && grid_ != "square") {
+    throw sys::InputError("--element bilinear needs --grid square");
+  }
+  if (method_ == "matrix-inversion" && tolerance_.number()) {
+    throw sys::InputError("--tolerance has no meaning for --method matrix-inversion");
+  }
+  input.accuracy.tolerance = tolerance_.number().value_or(input.accuracy.tolerance);
+  point_contact::require_tolerance(input.accuracy.tolerance);
+  const long n_threads = threads_.integer().value_or(1);
+  if (n_threads < 1 || n_threads > most_threads) {
+    throw sys::InputError(
+        fmt::format("--threads = {}: must be from 1 to {}", n_threads, most_threads));
+  }
+  input.accuracy.n_threads = static_cast<int>(n_threads);
+  set_profile(input, from_file);
+  set_grid(input);
+  return input;
+}
+
+}  // namespace app

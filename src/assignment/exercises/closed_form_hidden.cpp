@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstddef>
+
+#include "assignment/exercises/closed_form.hpp"
+#include "elasticity/material.hpp"
+#include "elasticity/triangular_load.hpp"
+
+namespace assignment::closed_form {
+namespace {
+
+// Abscissas in half-widths, under the load, beside it, and near the kinks 0 and ±1.
+const Numbers near_the_load = {1e-3, 0.2, -0.5, 0.7071, -0.999, 1, 1.001, -1.5, 4, -15};
+
+// The reference at each x.
+Numbers slopes(const Surface& s, const Numbers& x) {
+  const elasticity::Material material(s.young, s.poisson);
+  const elasticity::TriangularLoad load(s.peak_pressure, s.half_width);
+  Numbers found;
+  for (const double at : x) found.push_back(elasticity::normal_gradient(material, load, at));
+  return found;
+}
+
+// Compares the slopes at x/a = xi; `tolerance` is absolute.
+Outcome compare(const char* property, const Numbers& xi, const Numbers& found,
+                const Numbers& reference, double tolerance) {
+  Tally tally(property);
+  for (std::size_t i = 0; i < xi.size(); ++i) {
+    tally.part(near(found[i], reference[i], tolerance), at("x/a", xi[i]));
+  }
+  return tally.outcome();
+}
+
+Outcome gradient_is_right(const Program& program, const Variant& variant) {
+  const Surface surface = surface_of(variant);
+  const Numbers x = times(surface.half_width, near_the_load);
+  const Numbers reference = slopes(surface, x);
+  return compare("the slope is right to 1e-9 of the greatest", near_the_load,
+                 ask(program, surface, x), reference, 1e-9 * greatest(reference));
+}
+
+Outcome gradient_keeps_digits(const Program& program, const Variant& variant) {
+  const Surface surface = surface_of(variant);
+  const Numbers xi = {1e2, -1e4, 1e6, -1e8};
+  const Numbers x = times(surface.half_width, xi);
+  const Numbers found = ask(program, surface, x);
+  const Numbers reference = slopes(surface, x);
+  Tally tally("the slope is right to eight digits");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    tally.part(near(found[i], reference[i], 1e-8 * std::abs(reference[i])), at("x/a", xi[i]));
+  }
+  return tally.outcome();
+}
+
+}  // namespace
+
+/// The checks that compare with this project's own functions. Their messages give none of the
+/// expected numbers.
+course::Checks hidden_checks() {
+  return {{"gradient-reference", gradient_is_right},
+          {"gradient-far-digits", gradient_keeps_digits}};
+}
+
+}  // namespace assignment::closed_form

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/given/answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace assignment {
+namespace {
+
+// An answer on which no property can be tried.
+class NoAnswer : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+bool is_finite(double number) {
+  return std::isfinite(number);
+}
+
+}  // namespace
+
+course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
+                               const course::Numbers& inputs, std::size_t count) {
+  course::Numbers numbers = program(task, inputs);
+  if (numbers.size() != count) {
+    throw NoAnswer("task " + task + ": " + std::to_string(numbers.size()) + " numbers where " +
+                   std::to_string(count) + " are due");
+  }
+  if (std::none_of(numbers.begin(), numbers.end(), is_finite)) {
+    throw NoAnswer("task " + task + ": no number is finite");
+  }
+  if (greatest(numbers) == 0) throw NoAnswer("task " + task + ": all numbers are zero");
+  // No comparison holds for a NaN, but some hold for an infinity.
+  std::replace_if(
+      numbers.begin(), numbers.end(), [](double number) { return !is_finite(number); },
+      std::numeric_limits<double>::quiet_NaN());
+  return numbers;
+}
+
+course::Numbers finite_answer(const course::Program& program, const std::string& task,
+                              const course::Numbers& inputs, std::size_t count) {
+  course::Numbers numbers = nonzero_answer(program, task, inputs, count);
+  const auto bad = std::find_if_not(numbers.begin(), numbers.end(), is_finite);
+  if (bad != numbers.end()) {
+    std::ostringstream fault;
+    fault << "task " << task << ": number " << bad - numbers.begin() + 1 << " of " << count
+          << " is not a finite number (" << *bad << ")";
+    throw NoAnswer(fault.str());
+  }
+  return numbers;
+}
+
+course::Checks guarded(course::Checks checks) {
+  for (auto& [id, check] : checks) {
+    check = [check = std::move(check)](const course::Program& program,
+                                       const course::Variant& variant) -> course::Outcome {
+      try {
+        return check(program, variant);
+      } catch (const NoAnswer& e) {
+        return {0, e.what()};
+      }
+    };
+  }
+  return checks;
+}
+
+void Tally::part(bool holds, const std::string& where) {
+  ++n_parts_;
+  if (!holds) failed_.push_back(where);
+}
+
+course::Outcome Tally::outcome() const {
+  if (failed_.empty()) return {1, ""};
+  constexpr std::size_t most_shown = 3;
+  std::ostringstream message;
+  message << property_ << ": not so for " << failed_.size() << " of " << n_parts_ << " (";
+  for (std::size_t i = 0; i < std::min(failed_.size(), most_shown); ++i) {
+    message << (i == 0 ? "" : "; ") << failed_[i];
+  }
+  message << (failed_.size() > most_shown ? "; …)" : ")");
+  const auto n_held = static_cast<double>(n_parts_ - failed_.size());
+  return {n_held / static_cast<double>(n_parts_), message.str()};
+}
+
+std::string at(const std::string& name, double number) {
+  std::ostringstream text;
+  text << name << " = " << number;
+  return text.str();
+}
+
+bool near(double a, double b, double tolerance) {
+  return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) <= tolerance;
+}
+
+double greatest(const course::Numbers& numbers) {
+  double found = 0;
+  for (const double number : numbers) {
+    if (is_finite(number)) found = std::max(found, std::abs(number));
+  }
+  return found;
+}
+
+course::Numbers times(double factor, course::Numbers numbers) {
+  for (double& number : numbers) number *= factor;
+  return numbers;
+}
+
+course::Numbers joined(course::Numbers first, const course::Numbers& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+}  // namespace assignment

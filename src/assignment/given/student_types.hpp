@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the functions that students write take, as far as several exercises use it. All numbers are
+// in SI units. This header is part of the handout.
+#pragma once
+
+#include <functional>
+
+namespace exercise {
+
+struct Material {
+  double young;    ///< E, Pa
+  double poisson;  ///< ν
+};
+
+/// Any pressure p(s) on −a ≤ s ≤ a. It is zero at ±a and outside, has kinks at 0 and ±a at most, is
+/// smooth elsewhere, and need not be symmetric. It is known only by its values.
+struct Load {
+  std::function<double(double)> pressure;  ///< p in Pa at any s in m
+  double half_width;                       ///< a, m
+  double unit_pressure;                    ///< p₀, Pa: the order of p's greatest value
+};
+
+}  // namespace exercise

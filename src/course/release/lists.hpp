@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "course/assignment/assignment.hpp"
+
+namespace course {
+
+/// Fills the lists of a file of the template, so that what names all exercises follows from
+/// assignment.toml alone. A list is a comment on a line of its own,
+///
+///     // EACH EXERCISE: #include "assignment/exercises/@name@.hpp"
+///     // EACH PUBLIC CHECK: {@number@, "@check@", @points@},
+///
+/// in whose place its text stands once for each exercise or each public check, with the indentation
+/// and line end of that line. In it `@number@` is the number of the exercise, from 1; `@name@` the
+/// name of its file without folder and ending; `@file@` its file; `@id@` and `@title@` are as
+/// assignment.toml has them; `@points@` are those of the exercise or check; and `@check@` and
+/// `@says@` are the id and the words of the check.
+///
+/// Throws sys::SourceError «file:line: …» for a list of something else, and for another word
+/// between two @.
+std::string with_lists(const Assignment& assignment, std::string_view text,
+                       const std::string& file);
+
+}  // namespace course

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/typesetting/preamble_format.hpp"
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "literate/typesetting/keep_preamble_tex.hpp"
+#include "literate/typesetting/latex_run.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view record_name = "preamble.sha256";
+constexpr std::string_view none = "-";
+
+/// Where the body begins, and the text of the main file up to there.
+struct Preamble {
+  int body_line = 0;
+  std::string text;
+};
+
+std::optional<Preamble> preamble_of(const TypesetOptions& options) {
+  const std::string text = sys::read_file(options.source_dir / options.main_file);
+  Preamble preamble;
+  for (const std::string_view line : sys::lines_of(text)) {
+    ++preamble.body_line;
+    preamble.text.append(line).append("\n");
+    if (sys::stripped(line).starts_with("\\begin{document}")) return preamble;
+  }
+  return std::nullopt;
+}
+
+std::string line_of(std::string_view hash, std::string_view name) {
+  return fmt::format("{}  {}\n", hash, name);
+}
+
+std::string hash_of_file(const fs::path& file) {
+  return fs::is_regular_file(file) ? sys::sha256_of_file(file) : std::string(none);
+}
+
+/// The names of the TeX files right in a folder: one more could be read instead of another.
+std::string tex_files_in(const fs::path& folder) {
+  static const std::set<std::string> endings = {".tex", ".sty", ".cls", ".clo", ".cfg",
+                                                ".def", ".fd",  ".ldf", ".map", ".enc"};
+  std::set<std::string> names;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (endings.contains(entry.path().extension())) names.insert(entry.path().filename());
+    }
+  }
+  std::string text;
+  for (const std::string& name : names) text += name + "\n";
+  return sys::sha256_of_text(text);
+}
+
+/// A format in its folder, and the record of what it was made from.
+class Keeper {
+ public:
+  Keeper(const TypesetOptions& options, Preamble preamble)
+      : options_(&options),
+        preamble_(std::move(preamble)),
+        folder_(options.build_dir / "preamble"),
+        stem_(fs::path(options.main_file).filename().replace_extension().string()) {}
+
+  PreambleFormat keep() const {
+    const std::string known = fs::is_regular_file(folder_ / record_name)
+                                  ? sys::read_file(folder_ / record_name)
+                                  : std::string();
+    if (!known.empty() && known == record(files_named_in(known), has_format(known))) {
+      return {folder_, has_format(known), false};
+    }
+    fs::create_directories(folder_);
+    fs::remove(folder_ / record_name);
+    const bool is_usable = dump();
+    // The record is written last, so that an interruption leaves none.
+    sys::write_file_atomically(folder_ / record_name, record(files_read(), is_usable));
+    return {folder_, is_usable, true};
+  }
+
+ private:
+  /// A line «SHA-256  name» for the format and for all that it depends on.
+  std::string record(const std::set<std::string>& files, bool is_usable) const {
+    std::string text =
+        line_of(is_usable ? hash_of_file(folder_ / "preamble.fmt") : std::string(none), "format") +
+        line_of(sys::sha256_of_text(keep_preamble_tex), "engine") +
+        line_of(fmt::format("{}", options_->source_date_epoch), "date") +
+        line_of(sys::sha256_of_text(preamble_.text), "preamble") +
+        line_of(tex_files_in(options_->source_dir), "document") +
+        line_of(tex_files_in(options_->generated_dir), "generated");
+    for (const std::string& file : files) {
+      text += line_of(hash_of_file(options_->source_dir / file), "file " + file);
+    }
+    return text;
+  }
+
+  static bool has_format(const std::string& known) { return !known.starts_with(none); }
+
+  static std::set<std::string> files_named_in(const std::string& known) {
+    std::set<std::string> files;
+    for (const std::string_view line : sys::lines_of(known)) {
+      const auto at = line.find("  file ");
+      if (at != std::string_view::npos) files.emplace(line.substr(at + 7));
+    }
+    return files;
+  }
+
+  /// The files that LaTeX read, as its record names them, from the document's folder on.
+  std::set<std::string> files_read() const {
+    std::set<std::string> files;
+    const fs::path recorder = folder_ / (stem_ + ".fls");
+    if (!fs::is_regular_file(recorder)) return files;
+    const std::string text = sys::read_file(recorder);
+    for (std::string_view line : sys::lines_of(text)) {
+      if (!line.starts_with("INPUT ")) continue;
+      line.remove_prefix(6);
+      if (line.starts_with("./")) line.remove_prefix(2);
+      if (line != options_->main_file && !line.ends_with("/keep_preamble.tex")) {
+        files.emplace(line);
+      }
+    }
+    return files;
+  }
+
+  /// Runs iniTeX up to \begin{document}; returns whether that made a format which can be kept.
+  bool dump() const {
+    sys::write_file_atomically(folder_ / "keep_preamble.tex", keep_preamble_tex);
+    const std::string build = seen_from(options_->source_dir, options_->build_dir);
+    auto environment = latex_environment(*options_);
+    // What earlier passes wrote is found as in a pass, so that reading it is noticed.
+    environment["TEXINPUTS"] += fmt::format("{}/preamble:{}:", build, build);
+    const sys::ProcessResult result = sys::run(
+        {"pdflatex",
+         {"-ini", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error", "-recorder",
+          "-jobname=" + stem_, fmt::format("-output-directory={}/preamble", build), "&pdflatex",
+          fmt::format("\\def\\LiterateBodyLine{{{}}}\\csname @@input\\endcsname "
+                      "keep_preamble.tex \\csname @@input\\endcsname \"{}\"",
+                      preamble_.body_line, options_->main_file)},
+         options_->source_dir,
+         environment});
+    const fs::path made = folder_ / (stem_ + ".fmt");
+    if (result.exit_status != 0 || !fs::is_regular_file(made)) return false;
+    for (const std::string& file : files_read()) {
+      if (file.starts_with(build + "/")) return false;
+    }
+    fs::rename(made, folder_ / "preamble.fmt");
+    return true;
+  }
+
+  const TypesetOptions* options_;
+  Preamble preamble_;
+  fs::path folder_;
+  std::string stem_;
+};
+
+}  // namespace
+
+PreambleFormat keep_preamble(const TypesetOptions& options) {
+  const auto preamble = preamble_of(options);
+  if (!preamble) return {};
+  return Keeper(options, *preamble).keep();
+}
+
+}  // namespace literate

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/values/format.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "numerics/estimate.hpp"
+
+namespace literate {
+namespace {
+
+using numerics::Estimate;
+
+void require_count(const char* what, int count, int least) {
+  constexpr int most = 100;
+  if (count >= least && count <= most) return;
+  throw std::invalid_argument(
+      fmt::format("{} = {}: must lie between {} and {}", what, count, least, most));
+}
+
+/// The least place p with 10^p ≥ error > 0.
+int place_of(const Decimal& error) {
+  return leading_place(error) + (error.digits == "1" ? 0 : 1);
+}
+
+/// The lowest place that is neither below `lowest` nor below the error.
+int earned_place(double abs_error, int lowest) {
+  return std::max(lowest, least_earned_place(abs_error).value_or(lowest));
+}
+
+/// Rounds to the digits that the error supports, at most `max_digits`.
+Decimal supported_digits(Estimate estimate, int max_digits) {
+  const Decimal longest = rounded_to_digits(estimate.value, max_digits);
+  if (estimate.abs_error == 0) {
+    const Decimal all = shortest(estimate.value);
+    return all.place >= longest.place ? all : longest;
+  }
+  const int place = place_of(shortest(2 * estimate.abs_error));
+  if (is_zero(longest)) return rounded_to_place(0, place);
+  return rounded_to_place(estimate.value, std::max(place, leading_place(longest) - max_digits + 1));
+}
+
+/// The place of the last of `max_digits` digits of the number, or of its error if the number is
+/// zero.
+int lowest_place(Estimate estimate, int max_digits) {
+  const double leading = estimate.value == 0 ? estimate.abs_error : estimate.value;
+  return rounded_to_digits(leading, max_digits).place;
+}
+
+/// The first digits of a number that is too small for its place, if the error supports one.
+std::optional<Decimal> first_digits(Estimate estimate) {
+  constexpr int n_digits = 2;
+  const Decimal two = rounded_to_digits(estimate.value, n_digits);
+  if (estimate.abs_error == 0) {
+    const Decimal all = shortest(estimate.value);
+    return all.place > two.place ? all : two;
+  }
+  const int place = earned_place(estimate.abs_error, two.place);
+  const Decimal earned = rounded_to_place(estimate.value, place);
+  if (is_zero(earned)) return std::nullopt;
+  return earned;
+}
+
+}  // namespace
+
+std::string_view name_of(Notation notation) {
+  switch (notation) {
+    case Notation::significant:
+      return "significant";
+    case Notation::fixed:
+      return "fixed";
+    case Notation::scientific:
+      return "scientific";
+    case Notation::integer:
+      return "integer";
+    case Notation::exact:
+      return "exact";
+    case Notation::supported:
+      return "supported";
+    case Notation::uncertain:
+      return "uncertain";
+  }
+  throw std::logic_error("no name for this notation");
+}
+
+Format Format::in_percent() const {
+  Format format = *this;
+  format.is_percentage_ = true;
+  return format;
+}
+
+Format Format::rounded_up() const {
+  Format format = *this;
+  format.rounds_up_ = true;
+  return format;
+}
+
+Format significant(int n_digits) {
+  require_count("significant digits", n_digits, 1);
+  return {Notation::significant, n_digits};
+}
+
+Format fixed(int decimals) {
+  require_count("decimals", decimals, 0);
+  return {Notation::fixed, decimals};
+}
+
+Format scientific(int n_digits) {
+  require_count("significant digits", n_digits, 1);
+  return {Notation::scientific, n_digits};
+}
+
+Format percent(int decimals) {
+  return fixed(decimals).in_percent();
+}
+
+Format integer() {
+  return {Notation::integer, 0};
+}
+
+Format exact() {
+  return {Notation::exact, 0};
+}
+
+Format supported(int max_digits) {
+  require_count("significant digits", max_digits, 1);
+  return {Notation::supported, max_digits};
+}
+
+Format uncertain() {
+  return {Notation::uncertain, 0};
+}
+
+void require_error_bound(double abs_error) {
+  if (std::isfinite(abs_error) && abs_error >= 0) return;
+  throw std::invalid_argument("an error bound to be printed is negative or not finite");
+}
+
+std::optional<int> least_earned_place(double abs_error) {
+  if (abs_error == 0) return std::nullopt;
+  return place_of(shortest(abs_error));
+}
+
+void require_earned(double number, int place, double abs_error, std::string_view printed) {
+  if (least_earned_place(abs_error).value_or(place) <= place) return;
+  throw std::invalid_argument(
+      fmt::format("{} is printed as '{}', more digits than an error of {} supports", number,
+                  printed, abs_error));
+}
+
+std::string RoundedNumber::text(int exponent) const {
+  Decimal shifted = digits;
+  shifted.place -= exponent;
+  const bool pads_zeros = has_unknown_zeros && shifted.place > 0;
+  std::string text;
+  if (style == Style::with_exponent || pads_zeros) {
+    text = scientific(shifted);
+  } else {
+    text = style == Style::plain ? plain(shifted) : plain_or_scientific(shifted);
+  }
+  if (!uncertainty.empty()) {
+    text.insert(std::min(text.find('e'), text.size()), fmt::format("({})", uncertainty));
+  }
+  return text;
+}
+
+RoundedNumber rounded_at(double number, std::optional<double> abs_error, int place) {
+  if (abs_error) require_error_bound(*abs_error);
+  const Estimate estimate{number, abs_error.value_or(0)};
+  const Decimal digits = rounded_to_place(number, earned_place(estimate.abs_error, place));
+  RoundedNumber rounded{digits, RoundedNumber::Style::plain, estimate.abs_error > 0, ""};
+  if (!is_zero(digits) || number == 0) return rounded;
+  if (const auto first = first_digits(estimate)) {
+    rounded.digits = *first;
+    rounded.style = RoundedNumber::Style::automatic;
+  }
+  return rounded;
+}
+
+namespace {
+
+using Style = RoundedNumber::Style;
+
+RoundedNumber exactly(const Format& format, Estimate estimate) {
+  if (estimate.abs_error > 0) {
+    throw std::invalid_argument(fmt::format("{} has an error of {} and cannot be printed as {}",
+                                            estimate.value, estimate.abs_error,
+                                            name_of(format.notation())));
+  }
+  if (format.notation() == Notation::integer) {
+    const Decimal digits = rounded_to_place(estimate.value, 0);
+    if (std::trunc(estimate.value) != estimate.value) {
+      throw std::invalid_argument(
+          fmt::format("{} is not a whole number", round_trip(estimate.value)));
+    }
+    return {digits, Style::plain, false, ""};
+  }
+  Decimal digits = shortest(estimate.value);
+  if (!format.is_percentage()) return {digits, Style::automatic, false, ""};
+  // All zeros of an exact number are known: 100 %, not 1e2 %.
+  for (; digits.place > -2 && !is_zero(digits); --digits.place) digits.digits += '0';
+  return {digits, Style::plain, false, ""};
+}
+
+RoundedNumber with_uncertainty(const Format& format, Estimate estimate) {
+  const Decimal error = rounded_up_to_digits(estimate.abs_error, 2);
+  const Style style = format.is_percentage() ? Style::plain : Style::automatic;
+  return {rounded_to_place(estimate.value, error.place), style, true, error.digits};
+}
+
+RoundedNumber bound_above(const Format& format, Estimate estimate) {
+  const double bound = estimate.value + estimate.abs_error;
+  if (bound < 0) throw std::invalid_argument("a bound to be printed is negative");
+  const int lowest = format.notation() == Notation::fixed
+                         ? -format.digits() - (format.is_percentage() ? 2 : 0)
+                         : rounded_up_to_digits(bound, format.digits()).place;
+  const Decimal digits = rounded_up_to_place(bound, earned_place(estimate.abs_error, lowest));
+  return {digits, Style::plain, true, ""};
+}
+
+RoundedNumber to_nearest(const Format& format, Estimate estimate, std::optional<double> abs_error) {
+  if (format.notation() == Notation::fixed) {
+    return rounded_at(estimate.value, abs_error,
+                      -format.digits() - (format.is_percentage() ? 2 : 0));
+  }
+  const Decimal digits =
+      format.notation() == Notation::supported
+          ? supported_digits(estimate, format.digits())
+          : rounded_to_place(estimate.value, earned_place(estimate.abs_error,
+                                                          lowest_place(estimate, format.digits())));
+  return {digits, Style::automatic, estimate.abs_error > 0, ""};
+}
+
+}  // namespace
+
+RoundedNumber rounded(const Format& format, double number, std::optional<double> abs_error) {
+  if (abs_error) require_error_bound(*abs_error);
+  const Estimate estimate{number, abs_error.value_or(0)};
+  const Notation notation = format.notation();
+  const bool needs_error = notation == Notation::supported || notation == Notation::uncertain;
+  if (needs_error && !abs_error) {
+    throw std::invalid_argument(
+        fmt::format("{} has no error, which {}() prints it by", number, name_of(notation)));
+  }
+  if (format.rounds_up() &&
+      (needs_error || notation == Notation::exact || notation == Notation::integer)) {
+    throw std::invalid_argument(fmt::format("{}() cannot round up", name_of(notation)));
+  }
+
+  RoundedNumber result;
+  if (notation == Notation::exact || notation == Notation::integer) {
+    result = exactly(format, estimate);
+  } else if (notation == Notation::uncertain) {
+    result =
+        estimate.abs_error == 0 ? exactly(format, estimate) : with_uncertainty(format, estimate);
+  } else {
+    result = format.rounds_up() ? bound_above(format, estimate)
+                                : to_nearest(format, estimate, abs_error);
+  }
+  if (format.is_percentage()) {
+    // Style::automatic is what a number too small for its decimals has.
+    if (notation != Notation::fixed) result.style = Style::plain;
+    result.has_unknown_zeros = notation != Notation::exact;
+  } else if (notation == Notation::scientific) {
+    result.style = Style::with_exponent;
+  } else if (format.rounds_up() && notation == Notation::significant) {
+    result.style = Style::automatic;
+    result.has_unknown_zeros = estimate.abs_error > 0;
+  }
+  return result;
+}
+
+}  // namespace literate

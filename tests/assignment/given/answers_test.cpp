@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/given/answers.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "assignment/hidden_checks.hpp"
+#include "assignment/programs.hpp"
+#include "assignment/public_checks.hpp"
+#include "course/assignment/check_list.hpp"
+
+BOOST_AUTO_TEST_SUITE(answers_test)
+
+using course::Numbers;
+using course::Outcome;
+using course::Program;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+course::Checks all_checks() {
+  return course::all_checks(programs::assignment(), assignment::public_checks(),
+                            assignment::hidden_checks());
+}
+
+// The outcome of each check for a program whose answers are all changed in the same way.
+void require_refused(const Program& program, const std::string& reason) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  for (const auto& [id, check] : all_checks()) {
+    const Outcome outcome = check(program, variant);
+    BOOST_TEST_CONTEXT(id << ": " << outcome.message) {
+      BOOST_TEST(outcome.share == 0);
+      BOOST_TEST(outcome.message.find(reason) != std::string::npos);
+    }
+  }
+}
+
+// The right answers with one number replaced.
+Program with_first(double number) {
+  return [=](const std::string& task, const Numbers& in) {
+    Numbers out = programs::right(task, in);
+    out.front() = number;
+    return out;
+  };
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(each_listed_check_has_code_and_each_code_is_listed) {
+  BOOST_TEST(all_checks().size() == 26U);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_but_nans_or_infinities_counts_nothing) {
+  for (const double bad : {not_a_number, -infinity}) {
+    require_refused(
+        [=](const std::string& task, const Numbers& in) {
+          return Numbers(programs::right(task, in).size(), bad);
+        },
+        "no number is finite");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_nan_or_infinity_at_one_place_costs_at_least_that_place) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    for (const auto& [id, check] : all_checks()) {
+      const Outcome outcome = check(with_first(bad), variant);
+      BOOST_TEST(outcome.share < 1, id << " with " << bad);
+      BOOST_TEST(!outcome.message.empty(), id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_nan_at_one_place_does_not_cost_the_others) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  const course::Checks checks = all_checks();
+  BOOST_TEST(checks.at("gradient-reference")(with_first(not_a_number), variant).share == 0.9);
+  BOOST_TEST(checks.at("influence-reference")(with_first(not_a_number), variant).share == 0.9);
+  BOOST_TEST(checks.at("quadrature-residual")(with_first(not_a_number), variant).share >= 0.8);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_with_a_nan_is_none) {
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+  const Outcome outcome = all_checks().at("contact-load")(with_first(not_a_number), variant);
+  BOOST_TEST(outcome.share == 0);
+  BOOST_TEST(outcome.message.find("number 1 of ") != std::string::npos);
+  BOOST_TEST(outcome.message.find("not a finite number (nan)") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_answer_that_is_too_long_counts_nothing) {
+  require_refused(
+      [](const std::string& task, const Numbers& in) {
+        Numbers out = programs::right(task, in);
+        out.push_back(0);
+        return out;
+      },
+      "are due");
+}
+
+BOOST_AUTO_TEST_CASE(no_answer_counts_nothing) {
+  require_refused([](const std::string&, const Numbers&) { return Numbers{}; }, "0 numbers where");
+}
+
+BOOST_AUTO_TEST_CASE(zeros_count_nothing_whatever_their_symmetry) {
+  require_refused([](const std::string& task,
+                     const Numbers& in) { return Numbers(programs::right(task, in).size(), 0.0); },
+                  "all numbers are zero");
+}
+
+BOOST_AUTO_TEST_CASE(a_program_that_fails_is_for_the_grader_to_tell) {
+  const Program crashes = [](const std::string&, const Numbers&) -> Numbers {
+    throw course::ProgramFailure("killed by SIGSEGV");
+  };
+  const course::Variant variant = course::nominal_variant(programs::assignment());
+
+  for (const auto& [id, check] : all_checks()) {
+    BOOST_CHECK_THROW(check(crashes, variant), course::ProgramFailure);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_tally_gives_its_share_and_says_where_it_failed) {
+  assignment::Tally tally("x is positive");
+  for (const double x : {1., -2., -3., -4., -5., 6., 7., 8.}) {
+    tally.part(x > 0, assignment::at("x", x));
+  }
+
+  const Outcome outcome = tally.outcome();
+
+  BOOST_TEST(outcome.share == 0.5);
+  BOOST_TEST(outcome.message == "x is positive: not so for 4 of 8 (x = -2; x = -3; x = -4; …)");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
