@@ -6,7 +6,7 @@
 
 #include "message_of.hpp"
 #include "system/error.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(height_map_file_test)
 

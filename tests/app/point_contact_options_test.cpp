@@ -12,7 +12,7 @@
 
 #include "command_line/options.hpp"
 #include "system/error.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 #include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(point_contact_options_test)

@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "literate/prose/references.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(statements_test)
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "system/files.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(preamble_format_test)
 
