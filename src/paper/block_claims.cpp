@@ -131,8 +131,8 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
        .expected = Verdict::partly,
        .criteria = {
            Criterion::at_most("largest difference", Value(whole, percent(1).rounded_up()), nearly),
-           Criterion::at_most("of the datum alone", Value(datum, percent(0)), nearly),
-           Criterion::at_most("of the load alone", Value(load, percent(0)), nearly)}});
+           Criterion::at_most("the part of the datum alone", Value(datum, percent(0)), nearly),
+           Criterion::at_most("the part of the load alone", Value(load, percent(0)), nearly)}});
 
   const std::size_t last = shares.size() - 1;
   const Estimate left =

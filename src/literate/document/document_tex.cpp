@@ -42,10 +42,7 @@ std::string values_tex(const Registered& registered) {
     text += fmt::format("\\LiterateFlag{{{}}}{{{}}}\n", key, is_set ? "true" : "false");
   }
   for (const auto& [id, claim] : registered.claims) {
-    // Only one number stands well within a sentence; several stand in the ledger.
-    const bool is_single = claim.criteria.size() == 1;
-    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}{{{}}}\n", id, name_of(claim.found()),
-                        is_single ? claim.criteria.front().found().latex : std::string());
+    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}\n", id, name_of(claim.found()));
   }
   const std::size_t n_faults = faults(registered).size();
   if (n_faults > 0) {

@@ -94,8 +94,7 @@ BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim) {
         "document\\_tex\\_test.cpp:"}) {
     BOOST_TEST(holds(text, part), part);
   }
-  BOOST_TEST(holds(values_tex(document.registered()),
-                   "\\LiterateClaim{apples}{confirmed}{\\qty{2.61}{kr}}"));
+  BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{apples}{confirmed}\n"));
   BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{pears}{refuted}"));
 }
 
@@ -121,7 +120,7 @@ BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
   const std::string escaped =
       R"(5 \% of a\_b \& \#1 \{x\} \textasciitilde{} \textasciicircum{} \textbackslash{} )";
   for (const auto& [text, n] :
-       {std::pair{claims_tex(document.registered()), 4}, {values_tex(document.registered()), 1}}) {
+       {std::pair{claims_tex(document.registered()), 4}, {values_tex(document.registered()), 0}}) {
     int found = 0;
     for (auto at = text.find(escaped); at != std::string::npos; at = text.find(escaped, at + 1)) {
       ++found;
@@ -196,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_check_holds_if_all_of_its_criteria_do_and_tells_what_they
 BOOST_AUTO_TEST_CASE(the_document_shows_the_verdict_where_it_is_claimed_and_in_the_ledger) {
   const std::vector<std::string> pages = pages_with(Verdict::confirmed);
 
-  BOOST_TEST(holds(pages[0], "[C1 confirmed: 2.61 kr]"), pages[0]);
+  BOOST_TEST(holds(pages[0], "[C1 confirmed]"), pages[0]);
   BOOST_TEST(holds(pages[2], "Statements of others: 1, of which 1 confirmed"), pages[2]);
   BOOST_TEST(holds(pages[2], "An apple costs 2.6. (market, stall 3) confirmed."), pages[2]);
   BOOST_TEST(holds(pages[2], "test.cpp:"), pages[2]);
