@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/compared_load.hpp"
 #include "app/displacement_table.hpp"
 #include "app/output_format.hpp"
 #include "command_line/options.hpp"
-#include "elasticity/concentrated_load.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "elasticity/uniform_load.hpp"
 #include "parameters/case.hpp"
 #include "system/require.hpp"
 
@@ -32,15 +33,18 @@ struct DisplacementOptions {
     add_text(command, "--x-file", x_file, "FILE",
              "File of points, one a line; - reads standard input");
     add_text(command, "--case", case_file, "FILE", "Case file; flags override what it says");
-    add_choice(command, "--shape", shape, {"triangular", "uniform", "concentrated"},
-               "Shape of the load");
+    add_text(command, "--shape", shape,
+             "triangular|uniform|elliptic|parabolic|concentrated|file:PATH|expression:FORMULA",
+             "Shape of the load; file: a CSV file with the columns x,pressure, linear between; "
+             "expression: pressure on |x| <= a as a formula of x, a, p0, as p0*(1-(x/a)^4)");
+    add_text(command, "--kinks", kinks, "LIST", "Expression: where it has kinks, besides x = 0");
     add_choice(command, "--component", component, {"normal", "tangential"},
-               "normal: u_z; tangential: u_x, triangular load only");
+               "normal: u_z; tangential: u_x");
     output.add_to(command);
   }
 
   NumberOption young, poisson, peak_pressure, half_width, line_load, datum;
-  std::string x, x_file, case_file;
+  std::string x, x_file, case_file, kinks;
   std::string shape = "triangular";
   std::string component = "normal";
   OutputOptions output;
@@ -48,13 +52,18 @@ struct DisplacementOptions {
 
 using OptionalCase = std::optional<parameters::Case>;
 
-std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file) {
+// The points given, or else the case's, or else those of the load itself: nothing is known where
+// they lie in a file or under an expression.
+std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file,
+                              const ComparedLoad& compared) {
   if (!options.x.empty() && !options.x_file.empty()) {
     throw sys::InputError("--x and --x-file: give one of them");
   }
   if (!options.x.empty()) return parse_numbers("--x", options.x);
   if (!options.x_file.empty()) return read_numbers(options.x_file);
   if (from_file) return from_file->half_space.points;
+  const bool is_users_own = options.shape.find(':') != std::string::npos;
+  if (is_users_own) return compared.key_points;
   throw sys::InputError("no points: give --x, --x-file, or a --case that has them");
 }
 
@@ -68,73 +77,66 @@ elasticity::Material material_of(const DisplacementOptions& options,
           options.poisson.number_or(from_case(&elasticity::Material::poisson))};
 }
 
-template <class Load>
-DisplacementRow normal_row(const elasticity::Material& material, const Load& load, double datum,
-                           const elasticity::SurfaceQuadrature& surface, double x) {
-  return {x, surface.normal_gradient(x), normal_gradient(material, load, x),
-          surface.normal_displacement(x), normal_displacement(material, load, x, datum)};
-}
-
-DisplacementRow tangential_row(const elasticity::Material& material,
-                               const elasticity::TriangularLoad& load,
-                               const elasticity::SurfaceQuadrature& surface, double x) {
-  return {x, surface.tangential_gradient(x), tangential_gradient(material, load, x),
-          surface.tangential_displacement(x), tangential_displacement(material, load, x)};
-}
-
 // Refuse a flag that the shape of the load does not use: the user made a mistake.
 void require_used(const DisplacementOptions& options) {
-  const bool is_concentrated = options.shape == "concentrated";
-  const auto refuse = [&](const NumberOption& unused) {
-    if (unused.text().empty()) return;
-    throw sys::InputError(unused.flag() + ": not used with --shape " + options.shape);
+  const LoadFlags flags = flags_of(options.shape);
+  const auto refuse_unless = [&](bool is_used, const std::string& flag, const std::string& text) {
+    if (is_used || text.empty()) return;
+    throw sys::InputError(flag + ": not used with --shape " + options.shape);
   };
-  if (!is_concentrated) return refuse(options.line_load);
-  refuse(options.peak_pressure);
-  refuse(options.half_width);
+  for (const auto& [is_used, option] : {std::pair{flags.line_load, &options.line_load},
+                                        {flags.peak_pressure, &options.peak_pressure},
+                                        {flags.half_width, &options.half_width}}) {
+    refuse_unless(is_used, option->flag(), option->text());
+  }
+  refuse_unless(flags.kinks, "--kinks", options.kinks);
 }
 
-std::vector<DisplacementRow> rows_of(const DisplacementOptions& options,
-                                     const OptionalCase& from_file) {
-  const elasticity::Material material = material_of(options, from_file);
-  const std::vector<double> points = points_of(options, from_file);
-  std::optional<double> peak_pressure, half_width, line_load, datum;
-  if (from_file) {
-    peak_pressure = from_file->half_space.load.peak_pressure();
-    half_width = from_file->half_space.load.half_width();
-    line_load = from_file->half_space.load.line_load();
-    datum = from_file->half_space.datum;
-  }
-  const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
+LoadChoice choice_of(const DisplacementOptions& options, const OptionalCase& from_file) {
+  const auto number = [&](const NumberOption& option,
+                          double (elasticity::TriangularLoad::*of_case)() const) {
+    std::optional<double> given = option.number();
+    if (!given && from_file) given = (from_file->half_space.load.*of_case)();
+    return given;
+  };
+  using elasticity::TriangularLoad;
+  return {.shape = options.shape,
+          .peak_pressure = number(options.peak_pressure, &TriangularLoad::peak_pressure),
+          .half_width = number(options.half_width, &TriangularLoad::half_width),
+          .line_load = number(options.line_load, &TriangularLoad::line_load),
+          .kinks = options.kinks.empty() ? std::vector<double>()
+                                         : parse_numbers("--kinks", options.kinks)};
+}
 
+struct ComparedRows {
   std::vector<DisplacementRow> rows;
-  const auto fill = [&](const auto& load, auto&& row) {
-    const elasticity::SurfaceQuadrature surface(material, load, zero_at);
-    for (const double x : points) rows.push_back(row(load, surface, x));
-  };
-  const auto normal = [&](const auto& load, const auto& surface, double x) {
-    return normal_row(material, load, zero_at, surface, x);
-  };
-  if (options.component == "tangential" && options.shape != "triangular") {
-    throw sys::InputError("--component tangential: closed form for --shape triangular only");
+  DisplacementNotes notes;
+};
+
+ComparedRows rows_of(const DisplacementOptions& options, const OptionalCase& from_file) {
+  const elasticity::Material material = material_of(options, from_file);
+  std::optional<double> datum;
+  if (from_file) datum = from_file->half_space.datum;
+  const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
+  const bool is_tangential = options.component == "tangential";
+  if (is_tangential && options.shape == "concentrated") {
+    throw sys::InputError("--component tangential: not with --shape concentrated");
   }
-  if (options.shape == "concentrated") {
-    fill(elasticity::ConcentratedLoad(options.line_load.number_or(line_load)), normal);
-    return rows;
+  const ComparedLoad compared = compared_load(choice_of(options, from_file), material, zero_at);
+  const std::vector<double> points = points_of(options, from_file, compared);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const elasticity::SurfaceQuadrature surface(material, compared.load, zero_at);
+  ComparedRows result;
+  const Component component = is_tangential ? Component::tangential : Component::normal;
+  for (const double x : points) {
+    result.rows.push_back(compare_at(compared, surface, component, x));
   }
-  const double pressure = options.peak_pressure.number_or(peak_pressure);
-  const double width = options.half_width.number_or(half_width);
-  if (options.shape == "uniform") {
-    fill(elasticity::UniformLoad(pressure, width), normal);
-  } else if (options.component == "normal") {
-    fill(elasticity::TriangularLoad(pressure, width), normal);
-  } else {
-    fill(elasticity::TriangularLoad(pressure, width),
-         [&](const auto& load, const auto& surface, double x) {
-           return tangential_row(material, load, surface, x);
-         });
-  }
-  return rows;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  result.notes = {.closed_form = is_tangential ? "Johnson 2.24a, 2.25a with the load's own integral"
+                                               : compared.normal_source,
+                  .seconds = elapsed.count()};
+  return result;
 }
 
 ExitCode run(const DisplacementOptions& options) {
@@ -142,7 +144,7 @@ ExitCode run(const DisplacementOptions& options) {
   if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
   const config::UnitSystem units = options.output.units(from_file);
   require_used(options);
-  const std::vector<DisplacementRow> rows = rows_of(options, from_file);
+  const auto [rows, notes] = rows_of(options, from_file);
   switch (options.output.format()) {
     case OutputFormat::csv:
       fmt::print("{}", displacement_csv(rows));
@@ -151,7 +153,7 @@ ExitCode run(const DisplacementOptions& options) {
       fmt::print("{}", displacement_json(rows));
       break;
     case OutputFormat::table:
-      fmt::print("{}", displacement_text(rows, units));
+      fmt::print("{}", displacement_text(rows, units, notes));
       break;
   }
   return ExitCode::success;

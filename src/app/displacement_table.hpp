@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,25 +14,40 @@ namespace app {
 /// Which displacement of the surface: u_z or u_x.
 enum class Component { normal, tangential };
 
-/// The two ways to the same numbers at one point: eq. (2) by quadrature, and in closed form.
+/// The two ways to the same numbers at one point: eq. (2) by quadrature, and in closed form, where
+/// there is one.
 struct DisplacementRow {
   double x;
-  numerics::Estimate gradient_quadrature;
-  double gradient_closed_form;
-  numerics::Estimate displacement_quadrature;
-  double displacement_closed_form;
+  numerics::Estimate gradient_quadrature = {};
+  std::optional<double> gradient_closed_form = {};
+  numerics::Estimate displacement_quadrature = {};
+  std::optional<double> displacement_closed_form = {};
+  long n_evaluations = 0;  ///< of the load, for both quadratures
 };
+
+/// What is said below a table.
+struct DisplacementNotes {
+  std::string closed_form;  ///< what stands beside the quadratures; empty if nothing does
+  double seconds;           ///< that the quadratures took
+};
+
+/// |quadrature − closed form| over the error: the quadrature's estimate and four roundings of the
+/// closed form.
+double difference_over_error(const numerics::Estimate& quadrature, double closed_form);
 
 // All three throw sys::InputError, naming the column and x, for a number that is not finite.
 
-/// A header and a row a point, numbers with the shortest digits that round-trip.
+/// A header and a row a point, numbers with the shortest digits that round-trip; without columns
+/// of closed forms if there are none.
 std::string displacement_csv(const std::vector<DisplacementRow>& rows);
 
 /// The same as an array of objects whose names are the columns of the csv.
 std::string displacement_json(const std::vector<DisplacementRow>& rows);
 
-/// Aligned columns for reading, 13 significant digits, with units.
+/// Aligned columns for reading, 13 significant digits, with units, the difference over the error
+/// and the evaluations of the load; then what stands beside what, how many points agree within
+/// their errors, evaluations and time.
 std::string displacement_text(const std::vector<DisplacementRow>& rows,
-                              const config::UnitSystem& units);
+                              const config::UnitSystem& units, const DisplacementNotes& notes);
 
 }  // namespace app

@@ -17,6 +17,7 @@
 #include "point_contact/closed_forms/power_law.hpp"
 #include "point_contact/solver/fft_solver.hpp"
 #include "point_contact/solver/matrix_inversion.hpp"
+#include "point_contact/solver/memory.hpp"
 #include "system/require.hpp"
 
 namespace app {

@@ -68,6 +68,7 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.value("late.days", Value(assignment.late.days, integer()));
   document.value("limit.compile", Value(assignment.limits.compile_seconds, integer(), "s"));
   document.value("limit.run", Value(assignment.limits.run_seconds, integer(), "s"));
+  document.value("limit.all-runs", Value(assignment.limits.submission_seconds, integer(), "s"));
   document.value("limit.memory", Value(assignment.limits.memory_mb, integer(), "MB"));
   document.value("limit.output", Value(assignment.limits.output_kb, integer(), "kB"));
   document.value("limit.submission", Value(assignment.limits.submission_mb, integer(), "MB"));
@@ -79,29 +80,30 @@ const char* name_of(Visibility visibility) {
 }
 
 void register_exercises(Document& document, const Assignment& assignment) {
-  Table exercises({Column::text("exercise"), Column::text("file"), Column::text("builds on"),
-                   Column::text("points"), Column::text("of them public")});
+  Table exercises("exercises",
+                  {Column::text("exercise"), Column::text("file"), Column::text("builds on"),
+                   Column("points", exact()), Column("of them public", exact())});
   int number = 0;
   for (const Exercise& exercise : assignment.exercises) {
-    Table checks({Column::text("what is tried"), Column::text("check"), Column::text("points")});
+    Table checks("checks-" + exercise.id,
+                 {Column::text("what is tried"), Column::text("check"), Column("points", exact())});
     double of_public = 0;
     for (const CheckEntry& check : exercise.checks) {
       if (check.visibility == Visibility::visible) of_public += check.points;
-      checks.add_row({check.says, name_of(check.visibility), fmt::format("{}", check.points)});
+      checks.add_row({check.says, name_of(check.visibility), check.points});
     }
-    document.table("checks-" + exercise.id, std::move(checks));
+    document.table(std::move(checks));
     document.value("points." + exercise.id, Value(exercise.points(), exact()));
     const std::string before = fmt::format("{}", fmt::join(exercise.builds_on, ", "));
     exercises.add_row({fmt::format("{}. {}", ++number, exercise.title), exercise.file,
-                       before.empty() ? "–" : before, fmt::format("{}", exercise.points()),
-                       fmt::format("{}", of_public)});
+                       before.empty() ? "–" : before, exercise.points(), of_public});
   }
-  document.table("exercises", std::move(exercises));
+  document.table(std::move(exercises));
 }
 
 void register_quantities(Document& document, const Assignment& assignment, const Variant& variant) {
-  Table table(
-      {Column::text(""), Column::text("quantity"), Column::text("name"), Column::text("value")});
+  Table table("quantities", {Column::text(""), Column::text("quantity"), Column::text("name"),
+                             Column::text("value")});
   for (const course::Quantity& quantity : assignment.quantities) {
     const Value value = Value(variant(quantity.name), exact(), quantity.unit);
     const auto known = meanings.find(quantity.name);
@@ -109,7 +111,7 @@ void register_quantities(Document& document, const Assignment& assignment, const
     table.add_row(
         {Cell::latex(meaning.symbol), meaning.words, quantity.name, Cell::latex(value.latex())});
   }
-  document.table("quantities", std::move(table));
+  document.table(std::move(table));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticity/uniform_load.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "system/require.hpp"
@@ -52,6 +53,19 @@ double normal_displacement(const Material& material, const UniformLoad& load, do
   const double here = edge_logarithms(std::abs(sys::require_finite("x", x)), a);
   const double there = edge_logarithms(std::abs(sys::require_finite("datum", datum)), a);
   return -scale * (here - there);
+}
+
+double tangential_gradient(const Material& material, const UniformLoad& load, double x) {
+  const double distance = std::abs(sys::require_finite("x", x));
+  if (distance > load.half_width()) return 0;
+  const double inside = -material.local_compliance() * load.pressure();
+  return distance == load.half_width() ? inside / 2 : inside;
+}
+
+double tangential_displacement(const Material& material, const UniformLoad& load, double x) {
+  const double a = load.half_width();
+  return -material.local_compliance() * load.pressure() *
+         std::clamp(sys::require_finite("x", x), -a, a);
 }
 
 }  // namespace elasticity

@@ -39,4 +39,12 @@ double normal_gradient(const Material& material, const UniformLoad& load, double
 double normal_displacement(const Material& material, const UniformLoad& load, double x,
                            double datum);
 
+/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x), Johnson (2.25a) with q = 0; at the edges half of what it is
+/// inside. Dimensionless; any finite x.
+double tangential_gradient(const Material& material, const UniformLoad& load, double x);
+
+/// u_x = −[(1−2ν)(1+ν)/E] p x under the load, outside as at the edge: Johnson (2.24a) with q = 0. A
+/// length, positive along x; any finite x.
+double tangential_displacement(const Material& material, const UniformLoad& load, double x);
+
 }  // namespace elasticity

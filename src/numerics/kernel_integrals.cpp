@@ -102,8 +102,17 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
   // So near to an end that QAWC could not tell x from it, the integrand has no pole.
   constexpr double indistinguishable = 64 * epsilon;
   if (std::abs(position - 1) < indistinguishable) {
-    const auto quotient = [&](double s) { return (piece.value(s) - nearest_value) / (x - s); };
-    return quadrature_.smooth(quotient, piece.begin, piece.end, abs_tolerance, name);
+    double greatest = 0;
+    const auto quotient = [&](double s) {
+      const double value = (piece.value(s) - nearest_value) / (x - s);
+      greatest = std::max(greatest, std::abs(value));
+      return value;
+    };
+    Estimate rest = quadrature_.smooth(quotient, piece.begin, piece.end, abs_tolerance, name);
+    // What the rounding of s itself does to a quotient that grows towards the end, as where the
+    // density ends with a root.
+    rest.abs_error += epsilon * std::max(std::abs(piece.begin), std::abs(piece.end)) * greatest;
+    return rest;
   }
 
   // Up to where QAWC itself takes x for a pole, it does; ∫ f/(x − s) is −∫ f/(s − x).

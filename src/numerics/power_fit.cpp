@@ -56,9 +56,13 @@ Logarithms logarithms(const std::vector<double>& n, const std::vector<double>& e
   return logs;
 }
 
+double mean_of(const std::vector<double>& x) {
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
 // slope = Σ(xᵢ − x̄) yᵢ / Σ(xᵢ − x̄)², so that its bound is Σ|xᵢ − x̄| boundᵢ / Σ(xᵢ − x̄)².
 double slope_error(const std::vector<double>& x, const std::vector<double>& bounds) {
-  const double mean = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+  const double mean = mean_of(x);
   double squares = 0;
   double sum = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -78,7 +82,11 @@ PowerFit fit_power(const std::vector<double>& n, const std::vector<double>& erro
   double intercept, slope, cov00, cov01, cov11, residual;
   gsl_fit_linear(logs.n.data(), 1, logs.error.data(), 1, logs.n.size(), &intercept, &slope, &cov00,
                  &cov01, &cov11, &residual);
-  return {-slope, std::exp(intercept), slope_error(logs.n, logs.bound)};
+  // intercept = ȳ − slope·x̄
+  const double of_slope = slope_error(logs.n, logs.bound);
+  const double of_intercept = mean_of(logs.bound) + of_slope * std::abs(mean_of(logs.n));
+  const double factor = std::exp(intercept);
+  return {-slope, factor, of_slope, factor * std::expm1(of_intercept)};
 }
 
 }  // namespace numerics

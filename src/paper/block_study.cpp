@@ -106,9 +106,10 @@ std::vector<Candidate> BlockStudy::candidates() const {
   const auto add = [&](const std::string& shape, Support sides,
                        const std::vector<block::RefinedSolution>& solutions) {
     block::Fit fit = block::fit_loads(solutions, observed_);
-    const double error =
-        largest_difference(fit.residuals, coarse_fit(solutions, observed_).residuals);
-    candidates.push_back({shape, sides, std::move(fit), error});
+    const block::Fit coarse = coarse_fit(solutions, observed_);
+    const double error = largest_difference(fit.residuals, coarse.residuals);
+    block::RefinedSolution refitted(fit.solution.fine(), coarse.solution.fine());
+    candidates.push_back({shape, sides, std::move(fit), error, std::move(refitted)});
   };
   for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
     add("linear fall", sides, falls_on(sides));

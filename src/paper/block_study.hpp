@@ -23,6 +23,7 @@ struct Candidate {
   block::Support sides;
   block::Fit fit;
   double misfit_error;  ///< how far a misfit moves at most when fitted on the coarser mesh
+  block::RefinedSolution refitted;  ///< under the fits made on each of the two meshes
 };
 
 /// The finite block of the paper, on all supports and under all loads that the report speaks of.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -36,6 +37,10 @@ Estimate quotient(Estimate a, Estimate b) {
   return {value, (a.abs_error + std::abs(value) * b.abs_error) / least + rounded(value)};
 }
 
+Estimate percent_off(Estimate a, const config::PrintedNumber& b) {
+  return 100 * (quotient(a, as_estimate(b)) - Estimate{1, 0});
+}
+
 Estimate magnitude(Estimate a) {
   return {std::abs(a.value), a.abs_error};
 }
@@ -63,6 +68,18 @@ double pressure_error(const contact::Solution& solution) {
 double half_width_error(const contact::Solution& solution) {
   constexpr double of_pressures = 1.5;  // (16/(3π) + 4/π)/2
   return of_pressures * pressure_error(solution) + 8 * epsilon;
+}
+
+double edge_error(const contact::Solution& solution) {
+  // The edge lies at c p₁²/(p₂² − p₁²) beyond the last node. With δ the error of either pressure it
+  // moves by some 4cδ/p₁, and p₁ is not less than the least pressure of all.
+  double least = solution.peak_pressure();
+  for (const double p : solution.pressure) {
+    if (p > 0) least = std::min(least, p);
+  }
+  const double share = 4 * pressure_error(solution) * solution.peak_pressure() / least;
+  return solution.grid.spacing *
+         std::min(1.0, share + 8 * epsilon / solution.grid.spacing * solution.half_width());
 }
 
 }  // namespace paper

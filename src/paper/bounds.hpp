@@ -22,6 +22,9 @@ double rounded(const parameters::ContactCase& c, double x);
 /// a/b with the errors of both and of the division; b must be farther from zero than its error.
 numerics::Estimate quotient(numerics::Estimate a, numerics::Estimate b);
 
+/// a/b − 1, in per cent: how far the computed number a is off the printed one.
+numerics::Estimate percent_off(numerics::Estimate a, const config::PrintedNumber& b);
+
 /// |a|, as wrong as a.
 numerics::Estimate magnitude(numerics::Estimate a);
 
@@ -40,5 +43,10 @@ double pressure_error(const contact::Solution& solution);
 /// ∫px² of Hertz's pressure moves by (16/3π)δ of itself at most and ∫p by (4/π)δ, and the root of
 /// their ratio by half of both.
 double half_width_error(const contact::Solution& solution);
+
+/// How wrong the place of an edge of contact may be as that of the discrete solution: p² is
+/// extrapolated from the last nodes, whose pressures are wrong by δp₀ each. A length, at most one
+/// spacing.
+double edge_error(const contact::Solution& solution);
 
 }  // namespace paper

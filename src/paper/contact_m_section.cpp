@@ -97,16 +97,28 @@ double pressure_beside_edge(const ContactM& program) {
   return program.pressure[static_cast<std::size_t>(program.zero_node - 2)];
 }
 
-literate::Table repair_table(const std::vector<Row>& rows, const Hertz& hertz, double line_load) {
+// Its system of equations is as well conditioned as that of the report's own solver, with which it
+// agrees to this part of the peak when it is mended: the check contact-m-is-matrix-inversion.
+constexpr double of_system = 1e-10;
+
+literate::Table repair_table(const std::vector<Row>& rows, const parameters::ContactCase& c,
+                             const Hertz& hertz) {
   literate::Table table(
-      {Column::integer(""), Column::text("mended besides"), Column::fixed("load over $P$", "", 3),
-       Column::fixed("edge over $a$", "", 2), Column::fixed("peak over $p_0$", "", 4),
-       Column::fixed("over its own $p_0$", "", 4), Column::fixed("misfit", "", 4)});
+      "contact-m-repair",
+      {Column("", integer()), Column::text("mended besides"), Column("load over $P$", fixed(3)),
+       Column("edge over $a$", fixed(2)), Column("$p_0$", fixed(4)).under("peak over"),
+       Column("its own $p_0$", fixed(4)).under("peak over"), Column("misfit", fixed(4))});
+  // Loads and pressures are as wrong as the solved system, a misfit as twice its largest pressure.
+  const double error = of_system + rounded(c, 1);
+  const auto solved = [&](double x) { return Estimate{x, error * std::abs(x)}; };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ContactM& program = rows[i].program;
-    table.add_row({i, literate::Cell::latex(rows[i].mended), program.line_load / line_load,
-                   edge(program) / hertz.half_width(), peak(program) / hertz.peak_pressure(),
-                   peak(program) / program.hertz_peak_pressure, rows[i].misfit});
+    const double share = edge(program) / hertz.half_width();
+    table.add_row(
+        {i, literate::Cell::latex(rows[i].mended), solved(program.line_load / c.line_load),
+         Estimate{share, rounded(c, share)}, solved(peak(program) / hertz.peak_pressure()),
+         solved(peak(program) / program.hertz_peak_pressure),
+         Estimate{rows[i].misfit, 2 * share * error * peak(program) / hertz.peak_pressure()}});
   }
   return table;
 }
@@ -155,10 +167,6 @@ double largest_difference(std::span<const double> p, std::span<const double> oth
   }
   return largest;
 }
-
-// Its system of equations is as well conditioned as that of the report's own solver, with which it
-// agrees to this part of the peak when it is mended: the check contact-m-is-matrix-inversion.
-constexpr double of_system = 1e-10;
 
 // What the listing says, and what it computes as it stands.
 void describe_listing(literate::Document& document, const parameters::ContactCase& c,
@@ -381,7 +389,7 @@ void compute_contact_m(literate::Document& document, const parameters::ContactCa
   claim_program(document, contact, units, input, rows);
   claim_hertz(document, contact, units, rows[printed].program, hertz);
   claim_mended(document, input, rows, hertz);
-  document.table("contact-m-repair", repair_table(rows, hertz, contact.line_load));
+  document.table(repair_table(rows, contact, hertz));
   document.figure("contact-m-repair", repair_figure(rows, hertz));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/fft_solver.hpp"
+#include "paper/bounds.hpp"
 
 namespace paper {
 
@@ -50,7 +51,8 @@ ConvergenceStudy convergence_study(const parameters::ContactCase& c, const conta
   for (int k = 0; k < n_grids; ++k) {
     const double share = k / (n_grids - 1.0);
     const long n_nodes = std::lround(coarsest * std::pow(finest / coarsest, share));
-    const HertzErrors e = errors_against(hertz, solve_cylinders(c, hertz, element, n_nodes));
+    const contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
+    const HertzErrors e = errors_against(hertz, solution);
     study.elements.push_back(e.elements);
     study.inside.push_back(e.inside);
     study.largest.push_back(e.largest);
@@ -58,6 +60,10 @@ ConvergenceStudy convergence_study(const parameters::ContactCase& c, const conta
     study.count.push_back(e.half_width_count);
     study.extrapolated.push_back(e.half_width_extrapolated);
     study.moment.push_back(e.half_width_moment);
+    const double closed = rounded(c, 1);
+    study.of_pressure.push_back(pressure_error(solution) + closed);
+    study.of_edge.push_back(edge_error(solution) / hertz.half_width() + closed);
+    study.of_moment.push_back(half_width_error(solution) + closed);
   }
   return study;
 }

@@ -33,6 +33,9 @@ HertzErrors errors_against(const contact::Hertz& hertz, const contact::Solution&
 /// edge of the contact falls everywhere between nodes.
 struct ConvergenceStudy {
   std::vector<double> elements, inside, largest, peak, count, extrapolated, moment;
+  // How wrong these errors may be: of the pressures, and of the half-widths by extrapolation and by
+  // the second moment. A count of nodes is exact.
+  std::vector<double> of_pressure, of_edge, of_moment;
 };
 ConvergenceStudy convergence_study(const parameters::ContactCase& c, const contact::Hertz& hertz,
                                    contact::Element element);

@@ -58,16 +58,23 @@ literate::Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
                    {"hertz", {{"x", hertz_x}, {"pressure", hertz_pressure}}}}};
 }
 
-literate::Table comparison_table(const Solution& solution, const Hertz& hertz,
-                                 const config::UnitSystem& units) {
-  literate::Table table({Column::text("quantity"), Column::text("unit"),
-                         Column::scientific("elements", "", 8), Column::scientific("Hertz", "", 8),
-                         Column::scientific("relative difference", "", 2)});
-  const auto add = [&](const char* name, const std::string& unit, double value, double exact) {
-    table.add_row({name, unit, value, exact, value / exact - 1});
+literate::Table comparison_table(const parameters::ContactCase& c, const Solution& solution,
+                                 const Hertz& hertz, const config::UnitSystem& units) {
+  literate::Table table(
+      "cylinders",
+      {Column::text("quantity"), Column::text("unit"), Column("elements", scientific(8)),
+       Column("Hertz", scientific(8)), Column("relative difference", scientific(2))});
+  // What the elements give is meant as the solution of their equations; Hertz is another number.
+  const auto add = [&](const char* name, const std::string& unit, double value, double error,
+                       double exact) {
+    const Estimate elements{value, error * value + rounded(c, value)};
+    const Estimate closed{exact, rounded(c, exact)};
+    table.add_row({name, unit, elements, closed, quotient(elements, closed) - Estimate{1, 0}});
   };
-  add("half-width", units.length, solution.half_width(), hertz.half_width());
-  add("peak pressure", units.stress, solution.peak_pressure(), hertz.peak_pressure());
+  add("half-width", units.length, solution.half_width(), half_width_error(solution),
+      hertz.half_width());
+  add("peak pressure", units.stress, solution.peak_pressure(), pressure_error(solution),
+      hertz.peak_pressure());
   return table;
 }
 
@@ -78,16 +85,21 @@ Estimate against(const parameters::ContactCase& c, double elements, double exact
 
 // The same contact on finer and finer grids.
 literate::Table refinement_table(const parameters::ContactCase& c, const Hertz& hertz) {
-  literate::Table table({Column::integer("nodes"), Column::fixed("elements over $a$", "", 1),
-                         Column::integer("solves"), Column::scientific("peak pressure", "", 2),
-                         Column::scientific("half-width, moment", "", 2),
-                         Column::scientific("half-width, count", "", 2)});
+  literate::Table table("cylinder-refinement",
+                        {Column("nodes", integer()), Column("elements over $a$", fixed(1)),
+                         Column("solves", integer()),
+                         Column("peak pressure", scientific(2)).under("relative error of"),
+                         Column("half-width, moment", scientific(2)).under("relative error of"),
+                         Column("half-width, count", scientific(2)).under("relative error of")});
   for (const long n_nodes : {25L, 47L, 91L, 179L, 355L}) {
     const Solution solution = solve(c, hertz, n_nodes);
-    table.add_row({n_nodes, hertz.half_width() / solution.grid.spacing, solution.work.solves,
-                   solution.peak_pressure() / hertz.peak_pressure() - 1,
-                   solution.half_width() / hertz.half_width() - 1,
-                   solution.half_width_by_count() / hertz.half_width() - 1});
+    const double a = hertz.half_width();
+    const double rounding = rounded(c, 1);
+    table.add_row({n_nodes, closed_form(a / solution.grid.spacing), solution.work.solves,
+                   Estimate{solution.peak_pressure() / hertz.peak_pressure() - 1,
+                            pressure_error(solution) + rounding},
+                   Estimate{solution.half_width() / a - 1, half_width_error(solution) + rounding},
+                   Estimate{solution.half_width_by_count() / a - 1, rounding}});
   }
   return table;
 }
@@ -228,8 +240,8 @@ void compute_cylinders(literate::Document& document, const parameters::ContactCa
   register_residuals(document, solution, hertz, c, units);
 
   claim_cylinders(document, c, printed_data, solution, hertz);
-  document.table("cylinders", comparison_table(solution, hertz, units));
-  document.table("cylinder-refinement", refinement_table(c, hertz));
+  document.table(comparison_table(c, solution, hertz, units));
+  document.table(refinement_table(c, hertz));
   document.figure("cylinder-pressure", pressure_figure(solution, hertz));
 }
 

@@ -103,9 +103,11 @@ void claim_quality(literate::Document& document, Estimate gain) {
 void register_quality(literate::Document& document, const parameters::ContactCase& c,
                       const Hertz& hertz) {
   constexpr long n_nodes = 89;  // a/c = 40.45
-  literate::Table table({Column::text("elements"), Column::text("displacement"),
-                         Column::text("gradient"), Column::scientific("slope", "", 2),
-                         Column::scientific("shear stress", "", 2)});
+  literate::Table table("element-quality",
+                        {Column::text("elements"), Column::text("displacement").under("at a node"),
+                         Column::text("gradient").under("at a node"),
+                         Column("slope", scientific(2)).under("largest error of"),
+                         Column("shear stress", scientific(2)).under("largest error of")});
   std::vector<ElementQuality> quality;
   std::vector<double> bounds;
   for (const Element element : {Element::point, Element::uniform, Element::triangular}) {
@@ -116,13 +118,14 @@ void register_quality(literate::Document& document, const parameters::ContactCas
     bounds.push_back(5 * pressure_error(solution) + rounded(c, 1));
     table.add_row({std::string(contact::name_of(element)),
                    element == Element::point ? "infinite" : "finite",
-                   element == Element::triangular ? "finite" : "infinite", quality.back().slope,
-                   quality.back().shear});
+                   element == Element::triangular ? "finite" : "infinite",
+                   Estimate{quality.back().slope, bounds.back()},
+                   Estimate{quality.back().shear, bounds.back()}});
   }
   const double spacing =
       contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes).spacing;
   document.value("elements.count", Value(closed_form(hertz.half_width() / spacing), fixed(1)));
-  document.table("element-quality", std::move(table));
+  document.table(std::move(table));
   const auto gain = [&](double ElementQuality::*error) {
     return quotient({quality[1].*error, bounds[1]}, {quality[2].*error, bounds[2]});
   };
@@ -157,15 +160,19 @@ struct Quantity {
   const char* expected_text;
   double expected;
   Errors errors;
+  Errors bounds;  // none: the errors are exact
 };
 
 const std::array<Quantity, 6> quantities = {{
-    {"pressure, largest error", "$\\tfrac12$", 0.5, &ConvergenceStudy::largest},
-    {"pressure, inside", "2", 2, &ConvergenceStudy::inside},
-    {"peak", "2", 2, &ConvergenceStudy::peak},
-    {"half-width by count", "1", 1, &ConvergenceStudy::count},
-    {"half-width extrapolated", "1", 1, &ConvergenceStudy::extrapolated},
-    {"half-width by second moment", "2", 2, &ConvergenceStudy::moment},
+    {"pressure, largest error", "$\\tfrac12$", 0.5, &ConvergenceStudy::largest,
+     &ConvergenceStudy::of_pressure},
+    {"pressure, inside", "2", 2, &ConvergenceStudy::inside, &ConvergenceStudy::of_pressure},
+    {"peak", "2", 2, &ConvergenceStudy::peak, &ConvergenceStudy::of_pressure},
+    {"half-width by count", "1", 1, &ConvergenceStudy::count, nullptr},
+    {"half-width extrapolated", "1", 1, &ConvergenceStudy::extrapolated,
+     &ConvergenceStudy::of_edge},
+    {"half-width by second moment", "2", 2, &ConvergenceStudy::moment,
+     &ConvergenceStudy::of_moment},
 }};
 
 // Errors above 1e-6 of pressures that are right to 1e-12, of which the factors are made.
@@ -188,20 +195,27 @@ void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
 
 void register_orders(literate::Document& document, const ConvergenceStudy& triangular,
                      const ConvergenceStudy& uniform) {
-  literate::Table table({Column::text("error of"), Column::text("expected"),
-                         Column::fixed("triangles: $r$", "", 2), Column::fixed("$C$", "", 2),
-                         Column::fixed("uniform: $r$", "", 2), Column::fixed("$C$", "", 2)});
+  literate::Table table(
+      "element-orders",
+      {Column::text("error of"), Column::text("expected"),
+       Column("$r$", fixed(2)).under("triangles"), Column("$C$", fixed(2)).under("triangles"),
+       Column("$r$", fixed(2)).under("uniform"), Column("$C$", fixed(2)).under("uniform")});
+  const auto fit = [](const ConvergenceStudy& study, const Quantity& quantity) {
+    return fit_power(study.elements, study.*quantity.errors,
+                     quantity.bounds == nullptr ? std::vector<double>{} : study.*quantity.bounds);
+  };
   std::vector<Criterion> orders;
   for (const Quantity& quantity : quantities) {
-    const PowerFit first = fit_power(triangular.elements, triangular.*quantity.errors);
-    const PowerFit second = fit_power(uniform.elements, uniform.*quantity.errors);
+    const PowerFit first = fit(triangular, quantity);
+    const PowerFit second = fit(uniform, quantity);
     for (const PowerFit& power : {first, second}) {
       orders.push_back(of_order(quantity.name, power.order_estimate(), quantity.expected));
     }
-    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text), first.order,
-                   first.factor, second.order, second.factor});
+    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text),
+                   first.order_estimate(), first.factor_estimate(), second.order_estimate(),
+                   second.factor_estimate()});
   }
-  document.table("element-orders", std::move(table));
+  document.table(std::move(table));
   document.check("orders-of-convergence", orders,
                  "all errors of contact converge with the expected orders");
   const PowerFit inside = fit_power(triangular.elements, triangular.inside);
@@ -221,9 +235,15 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
                        const Hertz& hertz) {
   const double a = hertz.half_width();
   literate::Table table(
-      {Column::integer("elements over $a$"), Column::integer("steps of the edges"),
-       Column::scientific("largest error of $p$", "", 2), Column::scientific("peak", "", 2),
-       Column::scientific("half-width", "", 2)});
+      "graded", {Column("elements over $a$", integer()), Column("steps of the edges", integer()),
+                 Column("$p$, largest", scientific(2)).under("error of"),
+                 Column("peak", scientific(2)).under("error of"),
+                 Column("half-width", scientific(2)).under("error of")});
+  // Up to 300 elements rounding leaves 2e-6 in the pressures (contact/graded_contact.hpp), which at
+  // the edge is 6 times its square in the half-width, as 0.23/n² is of 0.30/n⁴. The peak goes with
+  // the load over the half-width.
+  constexpr double rounding = 2e-6;
+  constexpr double of_half_width = 6 * rounding * rounding;
   Graded graded;
   for (const long n : {12L, 25L, 50L, 100L}) {
     const contact::GradedSolution s = contact::solve_on_graded_grid(
@@ -237,14 +257,13 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
     graded.largest.push_back(largest);
     graded.half_width.push_back(std::abs(s.half_width() / a - 1));
     graded.peak.push_back(std::abs(s.peak_pressure() / hertz.peak_pressure() - 1));
-    table.add_row({n, s.n_iterations, largest, graded.peak.back(), graded.half_width.back()});
+    table.add_row({n, s.n_iterations, Estimate{largest, rounding},
+                   Estimate{graded.peak.back(), of_half_width},
+                   Estimate{graded.half_width.back(), of_half_width}});
   }
-  document.table("graded", std::move(table));
-  // Up to 300 elements rounding leaves 2e-6 in the pressures (contact/graded_contact.hpp), which at
-  // the edge is 6 times its square in the half-width, as 0.23/n² is of 0.30/n⁴.
-  constexpr double rounding = 2e-6;
+  document.table(std::move(table));
   const std::vector<double> of_pressure(graded.elements.size(), rounding);
-  const std::vector<double> of_width(graded.elements.size(), 6 * rounding * rounding);
+  const std::vector<double> of_width(graded.elements.size(), of_half_width);
   const PowerFit pressure_power = fit_power(graded.elements, graded.largest, of_pressure);
   const PowerFit width_power = fit_power(graded.elements, graded.half_width, of_width);
   document.value("graded.order", Value(pressure_power.order_estimate(), fixed(1)));

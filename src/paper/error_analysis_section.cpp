@@ -170,20 +170,21 @@ void compare_tangential(literate::Document& document, const parameters::HalfSpac
                         const config::UnitSystem& units, const PrintedData& printed_data) {
   const PrintedFigure5& printed = printed_data.figure5;
   const std::string& unit = units.length;
-  literate::Table table({Column::fixed("$x$", unit, decimals_of(c.points)),
-                         Column::scaled("$\\sqrt{\\mathrm{mag}^2 - u_z^2}$, FEA", unit, -8, 2),
-                         Column::scaled("$|u_x|$, half-space", unit, -8, 2),
-                         Column::fixed("FEA $|u_x|/u_z$, \\%", "", 1)});
+  literate::Table table(
+      "tangential", {Column("$x$", fixed(decimals_of(c.points)), unit).exact(),
+                     Column("$\\sqrt{\\mathrm{mag}^2 - u_z^2}$, FEA", fixed(2), unit).scaled(-8),
+                     Column("$|u_x|$, half-space", fixed(2), unit).scaled(-8),
+                     Column("FEA $|u_x|/u_z$, \\%", fixed(1))});
   Estimate largest_share;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const Estimate fea = leg(printed.fea_magnitude[i], printed.fea_z[i]);
     const Estimate share = quotient(fea, as_estimate(printed.fea_z[i]));
     if (share.value > largest_share.value) largest_share = share;
-    table.add_row({c.points[i], fea.value,
-                   std::abs(tangential_displacement(c.material, c.load, c.points[i])),
-                   100 * share.value});
+    table.add_row({c.points[i], fea,
+                   closed_form(std::abs(tangential_displacement(c.material, c.load, c.points[i]))),
+                   100 * share});
   }
-  document.table("tangential", table);
+  document.table(table);
   claim_tangential(document, printed_data, largest_share);
   document.value(
       "tangential.at-zero",
@@ -238,8 +239,9 @@ void compare_resultants(literate::Document& document, const parameters::HalfSpac
            (as_estimate(column[i]) - as_estimate(column[i - 1]));
   };
   literate::Table table(
-      {Column::text("between the points"), Column::common_exponent("slope, FEA ($z$)", "", 4),
-       Column::common_exponent("slope, analytical", "", 4), Column::fixed("ratio", "", 3)});
+      "far-slopes",
+      {Column::text("between the points"), Column("FEA ($z$)", significant(4)).under("slope"),
+       Column("analytical", significant(4)).under("slope"), Column("ratio", fixed(3))});
   const int n_decimals = decimals_of(c.points);
   const Estimate loads = quotient(resultant, closed_form(c.load.line_load()));
   Estimate least{HUGE_VAL, 0};
@@ -252,12 +254,12 @@ void compare_resultants(literate::Document& document, const parameters::HalfSpac
     table.add_row(
         {literate::Cell::latex(Value(c.points[i - 1], fixed(n_decimals)).latex() + " and " +
                                Value(c.points[i], fixed(n_decimals), units.length).latex()),
-         fea.value, analytical.value, ratio.value});
+         fea, analytical, ratio});
     ratios.push_back(ratio);
     if (ratio.value < least.value) least = ratio;
     if (ratio.value > most.value) most = ratio;
   }
-  document.table("far-slopes", table);
+  document.table(table);
   const Estimate below = magnitude(least - loads);
   const Estimate above = magnitude(most - loads);
   const Estimate gap = quotient(below.value > above.value ? below : above, loads);

@@ -42,10 +42,6 @@ std::string escaped(const std::string& name) {
   return text;
 }
 
-double percent(double computed, double printed) {
-  return 100 * (computed / printed - 1);
-}
-
 void register_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
                     const parameters::BlockCase& b, const config::UnitSystem& units,
                     const BlockStudy& study) {
@@ -72,31 +68,42 @@ void register_block(literate::Document& document, const parameters::HalfSpaceCas
       "refinement changes the displacements of the block by little");
 }
 
+// How far a computed number is off the printed one, in per cent; a dash if no digit of that is
+// known.
+Cell off_by(Estimate computed, const PrintedNumber& printed) {
+  const Estimate off = percent_off(computed, printed);
+  return std::abs(off.value) < off.abs_error && off.abs_error > 1 ? Cell("–") : Cell(off);
+}
+
 // Every printed measure beside the computed one, under the stated load and under the fitted one.
 void tabulate_measures(literate::Document& document, const config::UnitSystem& units,
                        const PrintedData& printed_data, const BlockStudy& study,
                        const std::vector<MeasureEstimate>& fitted) {
   const auto& printed = printed_data.appendix2.measures;
   const auto stated = study.under_triangle().measures(study.measure_options());
-  literate::Table table({Column::text("measure"), Column::scientific("printed", "", 7),
-                         Column::fixed("conv., \\%", "", 1), Column::scientific("triangle", "", 4),
-                         Column::fixed("off, \\%", "", 2), Column::scientific("fitted", "", 4),
-                         Column::scientific("error, \\%", "", 1),
-                         Column::fixed("off, \\%", "", 2)});
+  // The error of a computed measure is a bound itself.
+  literate::Table table("appendix2",
+                        {Column::text("measure"), Column("value", scientific(7)).under("printed"),
+                         Column("conv., \\%", fixed(1)).under("printed"),
+                         Column("value", scientific(4)).under("triangle"),
+                         Column("off, \\%", fixed(2)).under("triangle"),
+                         Column("value", scientific(4)).under("fitted"),
+                         Column("error, \\%", scientific(1).rounded_up()).under("fitted").exact(),
+                         Column("off, \\%", fixed(2)).under("fitted")});
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const auto found = printed.find(fitted[i].name);
     if (found == printed.end() || found->second.value() == 0) continue;
-    const double value = found->second.value();
     const auto converged = printed_data.appendix2.convergence.find(fitted[i].name);
     const Cell convergence =
         converged == printed_data.appendix2.convergence.end() ? Cell() : quoted(converged->second);
     table.add_row({Cell::latex("\\code{" + escaped(fitted[i].name) + "}"), quoted(found->second),
-                   convergence, stated[i].value.value, percent(stated[i].value.value, value),
-                   fitted[i].value.value,
+                   convergence, stated[i].value, off_by(stated[i].value, found->second),
+                   fitted[i].value,
                    100 * fitted[i].value.abs_error / std::abs(fitted[i].value.value),
-                   percent(fitted[i].value.value, value)});
+                   off_by(fitted[i].value, found->second)});
   }
-  document.table("appendix2", table);
+  table.note("A dash: the discretisation error leaves no digit.");
+  document.table(table);
 
   const auto value_of = [&](const std::string& name) {
     return std::ranges::find(fitted, name, &MeasureEstimate::name)->value;
@@ -171,22 +178,34 @@ void register_fit(literate::Document& document, const parameters::HalfSpaceCase&
                                      percent(2).rounded_up()));
 }
 
+// A number of a fitted load's solution, as wrong as the fit on the coarser mesh has it otherwise.
+template <typename Number>
+Estimate of_refitted(const Candidate& candidate, Number&& number) {
+  const double fine = number(candidate.refitted.fine());
+  const double coarse = number(candidate.refitted.coarse());
+  return {fine, std::abs(fine - coarse) + of_resultant * std::abs(fine)};
+}
+
 void tabulate_candidates(literate::Document& document, const PrintedData& printed_data,
                          const BlockStudy& study) {
   const auto& printed = printed_data.appendix2.measures;
-  const double resultant = printed.at("resultant_load_y").value();
-  const double energy = printed.at("strain_energy").value();
-  literate::Table table(
-      {Column::text("load"), Column::text("sides"), Column::fixed("largest misfit, \\%", "", 2),
-       Column::fixed("rms misfit, \\%", "", 2), Column::fixed("resultant, \\%", "", 1),
-       Column::fixed("energy, \\%", "", 1)});
+  literate::Table table("fit-candidates",
+                        {Column::text("load"), Column::text("sides"),
+                         Column("largest, \\%", fixed(2)).under("misfit"),
+                         Column("rms, \\%", fixed(2)).under("misfit"),
+                         Column("resultant, \\%", fixed(1)).under("off the printed"),
+                         Column("energy, \\%", fixed(1)).under("off the printed")});
   Estimate best_other{HUGE_VAL, 0};
   for (const Candidate& candidate : study.candidates()) {
-    const block::Solution& solution = candidate.fit.solution.fine();
-    table.add_row({candidate.shape, name_of(candidate.sides), 100 * candidate.fit.max_misfit,
-                   100 * candidate.fit.rms_misfit,
-                   percent(-solution.applied().force.y(), resultant),
-                   percent(solution.strain_energy(), energy)});
+    const Estimate force =
+        of_refitted(candidate, [](const block::Solution& s) { return -s.applied().force.y(); });
+    const Estimate energy =
+        of_refitted(candidate, [](const block::Solution& s) { return s.strain_energy(); });
+    table.add_row({candidate.shape, name_of(candidate.sides),
+                   100 * Estimate{candidate.fit.max_misfit, candidate.misfit_error},
+                   100 * Estimate{candidate.fit.rms_misfit, candidate.misfit_error},
+                   percent_off(force, printed.at("resultant_load_y")),
+                   percent_off(energy, printed.at("strain_energy"))});
     const Estimate misfit{candidate.fit.max_misfit, candidate.misfit_error};
     if (candidate.shape == "linear fall") {
       document.value("fit." + name_of(candidate.sides) + "-misfit", Value(misfit, percent(2)));
@@ -194,7 +213,7 @@ void tabulate_candidates(literate::Document& document, const PrintedData& printe
       best_other = misfit;
     }
   }
-  document.table("fit-candidates", table);
+  document.table(table);
   document.value("fit.best-other", Value(best_other, percent(1)));
   const Estimate own{study.fit()->fit.max_misfit, study.misfit_error()};
   document.check("fit-stands-out",
@@ -225,19 +244,26 @@ std::vector<Share> like_with_like(const parameters::HalfSpaceCase& h, const Bloc
 }
 
 void tabulate_shares(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                     const config::UnitSystem& units, const SharesOnBothMeshes& shares) {
+                     const config::UnitSystem& units, const std::vector<PrintedNumber>& printed,
+                     const SharesOnBothMeshes& shares) {
   const auto column = [&](const char* heading) {
-    return Column::scaled(heading, units.length, -8, 3);
+    return Column(heading, fixed(3), units.length).scaled(-8);
   };
-  literate::Table table({Column::fixed("$x$", units.length, decimals_of(half_space.points)),
-                         column("whole"), column("datum"), column("finite body"), column("load"),
-                         column("rest")});
+  literate::Table table(
+      "like-with-like",
+      {Column("$x$", fixed(decimals_of(half_space.points)), units.length).exact(), column("whole"),
+       column("datum"), column("finite body"), column("load"), column("rest")});
   double largest_gap = 0;
-  for (const Share& s : shares.fine()) {
-    table.add_row({s.x, s.whole, s.datum, s.body, s.load, s.rest});
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Share& s = shares.fine()[i];
+    // The printed displacement is in the whole and in the rest.
+    const Estimate print{0, as_estimate(printed[i]).abs_error};
+    table.add_row({s.x, shares.part(&Share::whole, i) + print, shares.part(&Share::datum, i),
+                   shares.part(&Share::body, i), shares.part(&Share::load, i),
+                   shares.part(&Share::rest, i) + print});
     largest_gap = std::max(largest_gap, std::abs(s.datum + s.body + s.load + s.rest - s.whole));
   }
-  document.table("like-with-like", table);
+  document.table(table);
   const std::string& unit = units.length;
   const std::size_t last = shares.size() - 1;
   const Estimate datum = shares.part(&Share::datum, 0);
@@ -260,15 +286,16 @@ void tabulate_shares(literate::Document& document, const parameters::HalfSpaceCa
 void tabulate_mass(literate::Document& document, const parameters::BlockCase& block_case,
                    const PrintedData& printed_data) {
   const auto& printed = printed_data.appendix2.mass_properties;
-  literate::Table table({Column::text("property"), Column::scientific("printed", "", 7),
-                         Column::scientific("computed", "", 7),
-                         Column::integer("digits that agree")});
+  literate::Table table(
+      "mass-properties",
+      {Column::text("property"), Column("printed", scientific(7)),
+       Column("computed", scientific(7)), Column("digits that agree", integer())});
   for (const auto& [name, value] : mass_by_name(block_case)) {
     const PrintedNumber& number = printed.at(name);
-    table.add_row({Cell::latex("\\code{" + escaped(name) + "}"), quoted(number), value,
+    table.add_row({Cell::latex("\\code{" + escaped(name) + "}"), quoted(number), closed_form(value),
                    number.n_agreeing_digits(value)});
   }
-  document.table("mass-properties", table);
+  document.table(table);
 }
 
 }  // namespace
@@ -292,7 +319,7 @@ void compute_finite_block(literate::Document& document, const parameters::HalfSp
       like_with_like(half_space, study, &block::RefinedSolution::fine),
       like_with_like(half_space, study, &block::RefinedSolution::coarse),
       2 * displacement(half_space, 0).abs_error);
-  tabulate_shares(document, half_space, units, shares);
+  tabulate_shares(document, half_space, units, printed_data->figure5.fea_z, shares);
   tabulate_mass(document, block_case, *printed_data);
   claim_block(document, half_space, block_case, units, *printed_data, study, fitted, shares);
 }

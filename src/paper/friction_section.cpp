@@ -129,22 +129,32 @@ double departure_from_beta_mu(const Pair& pair) {
 
 void compare_pairs(literate::Document& document, const parameters::ContactCase& c,
                    const Pair& own) {
-  literate::Table table({Column::text("bodies"), Column::fixed("$E_1/E_2$", "", 2),
-                         Column::fixed("$\\nu_1$", "", 3), Column::fixed("$\\nu_2$", "", 3),
-                         Column::fixed("$\\beta$", "", 3),
-                         Column::fixed(fmt::format("$\\mu = {}$", light_friction), "", 2),
-                         Column::fixed(fmt::format("$\\mu = {}$", friction_coefficient), "", 2),
-                         Column::fixed("shift", "", 2), Column::fixed("widening", "", 3)});
+  const char* const of_slopes = "ratio of slopes, \\%";
+  const char* const of_contact = "of the contact, \\%";
+  literate::Table table(
+      "friction-pairs",
+      {Column::text("bodies"), Column("$E_1/E_2$", fixed(2)), Column("$\\nu_1$", fixed(3)).exact(),
+       Column("$\\nu_2$", fixed(3)).exact(), Column("$\\beta$", fixed(3)),
+       Column(fmt::format("$\\mu = {}$", light_friction), fixed(2)).under(of_slopes),
+       Column(fmt::format("$\\mu = {}$", friction_coefficient), fixed(2)).under(of_slopes),
+       Column("shift", fixed(2)).under(of_contact),
+       Column("widening", fixed(3)).under(of_contact)});
   double departure_of_ratio = 0;
   Estimate departure_of_exact;
   const auto add = [&](const char* name, const Pair& pair, literate::Cell young_ratio,
                        const Material& first, const Material& second) {
     const CoupledSliding exact(pair.cylinders, pair.line_load, friction_coefficient, pair.beta);
-    table.add_row({name, young_ratio, first.poisson(), second.poisson(), pair.beta,
-                   100 * slope_ratio(pair, light_friction),
-                   100 * slope_ratio(pair, friction_coefficient),
-                   100 * std::abs(exact.shift()) / pair.hertz.half_width(),
-                   100 * (exact.half_width() / pair.hertz.half_width() - 1)});
+    const double closed = rounded(c, 1);
+    // The ratio is μ|β| times peak over half-width, of which each is wrong by so much.
+    const double of_ratio =
+        pressure_error(pair.solution) + half_width_error(pair.solution) + closed;
+    const double a = pair.hertz.half_width();
+    table.add_row(
+        {name, young_ratio, first.poisson(), second.poisson(), Estimate{pair.beta, rounded(1)},
+         100 * Estimate{slope_ratio(pair, light_friction), light_friction * of_ratio},
+         100 * Estimate{slope_ratio(pair, friction_coefficient), friction_coefficient * of_ratio},
+         100 * Estimate{std::abs(exact.shift()) / a, closed},
+         100 * Estimate{exact.half_width() / a - 1, 2 * closed}});
     departure_of_ratio = std::max(departure_of_ratio, departure_from_beta_mu(pair));
     const Estimate off = departure(exact, first, second, pair.cylinders.relative_curvature());
     departure_of_exact.value = std::max(departure_of_exact.value, off.value);
@@ -152,15 +162,14 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
   };
   const Material& body1 = c.body1.material;
   const Material& body2 = c.body2.material;
-  add("this case", own, literate::Cell::to_place(body1.young() / body2.young(), -2), body1, body2);
+  add("this case", own, closed_form(body1.young() / body2.young()), body1, body2);
   for (const Mating& mating : matings) {
     const Material steel(body1.young(), steel_poisson);
     const Material other(mating.young_ratio * steel.young(), mating.poisson);
     add(mating.name, pair_of(c, other, steel),
-        literate::Cell::to_place(mating.young_ratio, mating.place), other, steel);
+        literate::Cell::quoted(mating.young_ratio, mating.place), other, steel);
   }
-  document.table("friction-pairs", table);
-  // The ratio is μ|β| times peak over half-width, of which each is wrong by so much.
+  document.table(table);
   const double bound = friction_coefficient * (pressure_error(own.solution) +
                                                half_width_error(own.solution) + rounded(c, 1));
   document.value("friction.ratio-error",
@@ -313,15 +322,27 @@ SlipCurve curve_of(const Pair& pair, const Slip& slip) {
 
 constexpr double shares[] = {0.3, 0.6, 0.9};
 
-literate::Table slip_table(const std::vector<Slip>& slips, double half_width) {
-  literate::Table table({Column::fixed("$Q/(\\mu P)$", "", 1), Column::fixed("elements", "", 5),
-                         Column::fixed("closed form", "", 5),
-                         Column::scientific("relative difference", "", 2),
-                         Column::scientific("largest", "", 2), Column::scientific("mean", "", 2)});
+literate::Table slip_table(const std::vector<Slip>& slips, const Pair& pair) {
+  const char* const of_strip = "half-width of the strip over $a$";
+  const char* const of_shear = "error of $q/(\\mu p_0)$";
+  literate::Table table(
+      "partial-slip",
+      {Column("$Q/(\\mu P)$", fixed(1)).exact(), Column("elements", fixed(5)).under(of_strip),
+       Column("closed form", fixed(5)).under(of_strip),
+       Column("relative difference", scientific(2)).under(of_strip),
+       Column("largest", scientific(2)).under(of_shear),
+       Column("mean", scientific(2)).under(of_shear)});
+  // The shear is the difference of two pressures. What is taken away has its peak in proportion to
+  // the strip's half-width b, which is wrong as half_width_error() says with a/b times the error.
+  const double of_shears = 2 * pressure_error(pair.solution) + closed_form(1).abs_error;
+  const double a = pair.hertz.half_width();
   for (std::size_t k = 0; k < slips.size(); ++k) {
-    table.add_row({shares[k], slips[k].stick / half_width,
-                   slips[k].exact.stick_half_width() / half_width, slips[k].errors.stick,
-                   slips[k].errors.largest, slips[k].errors.mean});
+    const Estimate closed = closed_form(slips[k].exact.stick_half_width() / a);
+    const double of_stick = 1.5 * of_shears / closed.value;
+    table.add_row({shares[k], Estimate{slips[k].stick / a, of_stick * closed.value}, closed,
+                   Estimate{slips[k].errors.stick, of_stick + rounded(1)},
+                   Estimate{slips[k].errors.largest, of_shears},
+                   Estimate{slips[k].errors.mean, of_shears}});
   }
   return table;
 }
@@ -394,7 +415,7 @@ void compare_partial_slip(literate::Document& document, const parameters::Contac
   for (const double x : sliding_x) {
     sliding.push_back(own.hertz.pressure(x * a) / own.hertz.peak_pressure());
   }
-  document.table("partial-slip", slip_table(slips, a));
+  document.table(slip_table(slips, own));
   figure.data["sliding"] = {{"x", sliding_x}, {"shear", sliding}};
   document.figure("partial-slip", std::move(figure));
   // As for the half-width of the contact itself (0.36 (c/a)²), with the strip for the contact.

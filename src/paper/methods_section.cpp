@@ -33,6 +33,7 @@ using literate::scientific;
 using literate::significant;
 using literate::Value;
 using literate::Verdict;
+using numerics::Estimate;
 using numerics::fit_power;
 using parameters::ContactCase;
 
@@ -45,9 +46,11 @@ void register_methods(literate::Document& document, const ContactCase& c, const 
   const Solution least = contact::solve_by_variational_method(problem, c.line_load);
   const Solution fast = contact::solve_by_fft(problem, c.line_load);
 
-  literate::Table table({Column::text("method"), Column::text("its unit of work"),
-                         Column::integer("contacts tried"), Column::integer("units"),
-                         Column::scientific("largest $\\Delta p/p_0$", "", 1)});
+  // The differences are nothing but rounding and what the methods leave over.
+  literate::Table table("three-methods",
+                        {Column::text("method"), Column::text("its unit of work"),
+                         Column("contacts tried", integer()), Column("units", integer()),
+                         Column("largest $\\Delta p/p_0$", scientific(1)).exact()});
   double pressure = 0;
   double approach = 0;
   const auto difference = [&](const Solution& other) {
@@ -65,7 +68,7 @@ void register_methods(literate::Document& document, const ContactCase& c, const 
                  fast.work.products, difference(fast)});
   const double of_pressures =
       pressure_error(inversion) + std::max(pressure_error(least), pressure_error(fast));
-  document.table("three-methods", std::move(table));
+  document.table(std::move(table));
   document.value("methods.nodes", Value(n_nodes, integer()));
   document.value("methods.in-contact", Value(inversion.n_in_contact(), integer()));
   document.value("methods.approach", Value(approach, scientific(1).rounded_up()));
@@ -106,11 +109,14 @@ double rounding_of_displacements(const Problem& problem, const Solution& solutio
 }
 
 void register_large_grids(literate::Document& document, const ContactCase& c, const Hertz& hertz) {
-  literate::Table table({Column::integer("$N$"), Column::integer("tried"),
-                         Column::integer("iterations"), Column::integer("products"),
-                         Column::scientific("$p$, inside", "", 2),
-                         Column::scientific("peak", "", 2), Column::scientific("half-width", "", 2),
-                         Column::scientific("$u_z$ rounded", "", 1)});
+  // What the rounding of u_z leaves is rounding itself, and has no bound.
+  literate::Table table("large-grids",
+                        {Column("$N$", integer()), Column("tried", integer()),
+                         Column("iterations", integer()), Column("products", integer()),
+                         Column("$p$, inside", scientific(2)).under("error against Hertz"),
+                         Column("peak", scientific(2)).under("error against Hertz"),
+                         Column("half-width", scientific(2)).under("error against Hertz"),
+                         Column("$u_z$ rounded", scientific(1)).exact()});
   std::vector<double> n, inside, bounds, rounding;
   std::vector<int> products;
   double left_over = 0;
@@ -126,12 +132,16 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
     rounding.push_back(rounding_of_displacements(problem, solution));
     products.push_back(solution.work.products);
     left_over = solution.residuals.pressure / hertz.peak_pressure();
-    table.add_row({n_nodes, solution.work.solves, solution.work.iterations, products.back(),
-                   errors.inside, std::abs(errors.peak), std::abs(errors.half_width_moment),
-                   rounding.back()});
+    const double closed = rounded(c, 1);
+    table.add_row(
+        {n_nodes, solution.work.solves, solution.work.iterations, products.back(),
+         Estimate{errors.inside, bounds.back() + closed},
+         Estimate{std::abs(errors.peak), bounds.back() + closed},
+         Estimate{std::abs(errors.half_width_moment), half_width_error(solution) + closed},
+         rounding.back()});
   }
   const auto [least, most] = std::minmax_element(products.begin() + 1, products.end());
-  document.table("large-grids", std::move(table));
+  document.table(std::move(table));
   document.value("large.width", Value(cylinder_domain, exact()));
   document.value("large.growth", Value(std::lround(n.back() / n.front()), integer()));
   document.value("large.products.coarsest", Value(products.front(), integer()));

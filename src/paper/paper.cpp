@@ -93,10 +93,28 @@ const std::vector<Section>& sections() {
 }
 #undef PAPER_LIST
 
+// The report inverts matrices of several grids, the finest with eight times the case's nodes, and
+// solves a dozen blocks.
+constexpr long most_nodes = 1001;
+constexpr int most_refine = 3;
+
+// A case that the commands can solve may be too large for the report.
+void require_reportable(const parameters::Case& c) {
+  const auto refuse = [&](const char* table, const char* key, long value, long most) {
+    config::Table::parse_file(c.file).table(table).fail(
+        key, fmt::format("{}: must be at most {} for the report", value, most));
+  };
+  if (c.contact.n_nodes > most_nodes) refuse("contact", "nodes", c.contact.n_nodes, most_nodes);
+  if (c.block && c.block->discretization.refine > most_refine) {
+    refuse("block", "refine", c.block->discretization.refine, most_refine);
+  }
+}
+
 }  // namespace
 
 void compute(Document& document, const parameters::Case& from_file,
              const std::optional<Listings>& listings, const literate::Paper& paper) {
+  require_reportable(from_file);
   const std::optional<PrintedData> printed = read_printed(from_file);
   document.flag("printed", printed.has_value());
   document.flag("block", from_file.block.has_value());

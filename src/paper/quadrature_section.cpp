@@ -87,16 +87,24 @@ std::vector<double> wide_points(double half_width) {
   return points;
 }
 
+// The error that the quadrature reports is a bound, and the difference of the two numbers as they
+// were computed is rounding: neither has an error of its own.
 literate::Table comparison_table(const Comparisons& gradients, const Comparisons& displacements,
                                  int n_decimals, const config::UnitSystem& units) {
-  literate::Table table({Column::fixed("$x$", units.length, n_decimals),
-                         Column::common_exponent("eq.~(2)", "", 10),
-                         Column::common_exponent("difference", "", 2),
-                         Column::common_exponent("$u_z$ from eq.~(2)", units.length, 10),
-                         Column::common_exponent("difference", units.length, 2)});
+  std::vector<Column> columns{Column("$x$", fixed(n_decimals), units.length).exact()};
+  const auto add = [&](const std::string& group, const std::string& unit) {
+    columns.push_back(Column("eq.~(2)", significant(10), unit).under(group));
+    columns.push_back(Column("error", scientific(1).rounded_up(), unit).under(group).exact());
+    columns.push_back(Column("difference", scientific(1), unit).under(group).exact());
+  };
+  add("$\\partial u_z/\\partial x$", "");
+  add("$u_z$", units.length);
+  literate::Table table("quadrature", columns);
   for (std::size_t i = 0; i < gradients.size(); ++i) {
-    table.add_row({gradients[i].x, gradients[i].quadrature.value, gradients[i].difference(),
-                   displacements[i].quadrature.value, displacements[i].difference()});
+    const Comparison& g = gradients[i];
+    const Comparison& u = displacements[i];
+    table.add_row({g.x, g.quadrature, g.quadrature.abs_error, g.difference(), u.quadrature,
+                   u.quadrature.abs_error, u.difference()});
   }
   return table;
 }
@@ -216,8 +224,7 @@ void compute_quadrature(literate::Document& document, const parameters::HalfSpac
 
   const Comparisons gradients = compare_gradients(c, c.points);
   const Comparisons from_gradients = compare_displacements(c, c.points, true);
-  document.table("quadrature",
-                 comparison_table(gradients, from_gradients, decimals_of(c.points), units));
+  document.table(comparison_table(gradients, from_gradients, decimals_of(c.points), units));
   count_evaluations(document, c);
 
   const std::vector<double> points = wide_points(a);

@@ -119,10 +119,11 @@ const std::array<Loading, 7> loadings = {{{"$P/64$", 1. / 64, false},
 
 void register_regions(literate::Document& document, const ContactCase& c, const Hertz& hertz,
                       const WavyCylinders& wavy) {
-  literate::Table table({Column::text("load"), Column::integer("regions"),
-                         Column::integer("valleys closed"), Column::integer("expected"),
-                         Column::fixed("outermost edge$/a$", "", 2),
-                         Column::fixed("share in contact", "", 2)});
+  literate::Table table(
+      "several-regions",
+      {Column::text("load"), Column("regions", integer()),
+       Column("closed", integer()).under("valleys"), Column("expected", integer()).under("valleys"),
+       Column("outermost edge$/a$", fixed(2)), Column("share in contact", fixed(2))});
   literate::Figure figure{.width_cm = 14, .height_cm = 8.6};
   int n_panels = 0;
   std::vector<std::size_t> counts;
@@ -143,15 +144,20 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
         "difference", Value(closed - expected, integer()).within(0), Value(0, integer()).within(0),
         {LimitKind::stated, 0.0, "it is a count"}));
     n_closed += closed;
+    // Every edge is wrong by so much, with either sign.
+    const double of_edge = edge_error(solution);
+    const double of_touching = 2 * static_cast<double>(regions.size()) * of_edge;
     table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
-                   regions.back().end / hertz.half_width(), touching / extent});
+                   Estimate{regions.back().end / hertz.half_width(),
+                            of_edge / hertz.half_width() + rounded(c, 1)},
+                   quotient({touching, of_touching}, {extent, 2 * of_edge})});
     if (loading.is_drawn) {
       ++n_panels;
       figure.data[fmt::format("panel_{}", n_panels)] = panel_of(solution, smooth, hertz);
       figure.texts[fmt::format("title_{}", n_panels)] = loading.name;
     }
   }
-  document.table("several-regions", std::move(table));
+  document.table(std::move(table));
   figure.numbers["n_panels"] = n_panels;
   document.figure("several-regions", std::move(figure));
   const std::size_t most = std::ranges::max(counts);

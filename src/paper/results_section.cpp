@@ -109,13 +109,12 @@ void claim_shape(literate::Document& document, const parameters::HalfSpaceCase& 
 // Eq. (3) at the points, for a case that has no printed data to stand beside.
 void tabulate_displacements(literate::Document& document, const parameters::HalfSpaceCase& c,
                             const config::UnitSystem& units) {
-  literate::Table table({Column::fixed("$x$", units.length, decimals_of(c.points)),
-                         Column::common_exponent("$u_z$, eq.~(3)", units.length, 8),
-                         Column::common_exponent("$\\partial u_z/\\partial x$", "", 8)});
-  for (const double x : c.points) {
-    table.add_row({x, analytical(c, x), normal_gradient(c.material, c.load, x)});
-  }
-  document.table("displacements", table);
+  literate::Table table("displacements",
+                        {Column("$x$", fixed(decimals_of(c.points)), units.length).exact(),
+                         Column("$u_z$, eq.~(3)", significant(8), units.length),
+                         Column("$\\partial u_z/\\partial x$", significant(8))});
+  for (const double x : c.points) table.add_row({x, displacement(c, x), gradient(c, x)});
+  document.table(table);
 }
 
 // The point whose printed value is farthest from eq. (3), in units of its last place.
@@ -191,11 +190,13 @@ void claim_tri_dist(literate::Document& document, const parameters::HalfSpaceCas
 void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceCase& c,
                       const config::UnitSystem& units, const PrintedData& printed_data) {
   const PrintedTriDist& printed = printed_data.tri_dist;
-  literate::Table table({Column::fixed("$x$", units.length, decimals_of(c.points)),
-                         Column::scaled("Tri\\_dist.m", units.length, -6, 7),
-                         Column::scaled("eq.~(3)", units.length, -6, 7),
-                         Column::integer("digits that agree"),
-                         Column::scaled("eq.~(3), stepped off", units.length, -6, 7)});
+  const auto column = [&](const char* heading) {
+    return Column(heading, fixed(7), units.length).scaled(-6);
+  };
+  literate::Table table(
+      "tri-dist",
+      {Column("$x$", fixed(decimals_of(c.points)), units.length).exact(), column("Tri\\_dist.m"),
+       column("eq.~(3)"), Column("digits that agree", integer()), column("eq.~(3), stepped off")});
   long n_agree = 0;
   long n_agree_stepped = 0;
   std::vector<Criterion> at_point, at_step;
@@ -207,9 +208,11 @@ void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceC
     const bool steps_off =
         x == 0 || std::abs(x - c.load.half_width()) < 1e-12 * c.load.half_width();
     const double exact = analytical(c, x);
-    const double stepped = analytical(c, steps_off ? x + printed.step.value() : x);
+    const double stepped_x = steps_off ? x + printed.step.value() : x;
+    const double stepped = analytical(c, stepped_x);
     const PrintedNumber& digits = printed.displacement[i];
-    table.add_row({x, quoted(digits), exact, digits.n_agreeing_digits(exact), stepped});
+    table.add_row({x, quoted(digits), displacement(c, x), digits.n_agreeing_digits(exact),
+                   displacement(c, stepped_x)});
     at_point.push_back(from_print(digits, displacement(c, x)));
     at_step.push_back(
         from_print(digits, displacement(c, steps_off ? x + printed.step.value() : x)));
@@ -223,7 +226,7 @@ void compare_tri_dist(literate::Document& document, const parameters::HalfSpaceC
   }
   describe_odd_point(document, c, units, printed_data, odd);
   claim_tri_dist(document, c, units, printed_data, at_point, at_step);
-  document.table("tri-dist", table);
+  document.table(table);
   document.value("tri-dist.n-agree", Value(n_agree, integer()));
   document.value("tri-dist.n-agree-stepped", Value(n_agree_stepped, integer()));
   document.value("tri-dist.step", Value(printed.step.value(), exact(), units.length));
@@ -286,18 +289,20 @@ void compare_figure5(literate::Document& document, const parameters::HalfSpaceCa
                      const config::UnitSystem& units, const PrintedData& printed_data) {
   const PrintedFigure5& printed = printed_data.figure5;
   const std::string& unit = units.length;
-  literate::Table table(
-      {Column::fixed("$x$", unit, decimals_of(c.points)), Column::scaled("FEA ($z$)", unit, -6, 6),
-       Column::scaled("analytical", unit, -6, 6), Column::scaled("eq.~(3)", unit, -6, 6),
-       Column::scaled("error", unit, -8, 6),
-       Column::scaled("$|$eq.~(3) $-$ FEA ($z$)$|$", unit, -8, 6)});
+  const auto column = [&](const char* heading, int exponent) {
+    return Column(heading, fixed(6), unit).scaled(exponent);
+  };
+  literate::Table table("figure5",
+                        {Column("$x$", fixed(decimals_of(c.points)), unit), column("FEA ($z$)", -6),
+                         column("analytical", -6), column("eq.~(3)", -6), column("error", -8),
+                         column("$|$eq.~(3) $-$ FEA ($z$)$|$", -8)});
   long n_analytical = 0;
   std::vector<Criterion> analytical_points, errors_of_magnitude, errors_of_z;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const double exact = analytical(c, c.points[i]);
-    const double error_z = std::abs(exact - printed.fea_z[i].value());
+    const numerics::Estimate u_z = displacement(c, c.points[i]);
     table.add_row({quoted(printed.x[i]), quoted(printed.fea_z[i]), quoted(printed.analytical[i]),
-                   exact, quoted(printed.error[i]), error_z});
+                   u_z, quoted(printed.error[i]), magnitude(u_z - as_estimate(printed.fea_z[i]))});
     n_analytical += printed.analytical[i].agrees_with(exact);
     analytical_points.push_back(from_print(printed.analytical[i], displacement(c, c.points[i])));
 
@@ -315,7 +320,7 @@ void compare_figure5(literate::Document& document, const parameters::HalfSpaceCa
     errors_of_magnitude.push_back(explains(printed.fea_magnitude[i]));
     errors_of_z.push_back(explains(printed.fea_z[i]));
   }
-  document.table("figure5", table);
+  document.table(table);
   claim_figure5(document, units, printed_data, analytical_points, errors_of_z);
   document.value("figure5.n-analytical", Value(n_analytical, integer()));
   document.value("figure5.n-errors-of-magnitude", Value(n_holding(errors_of_magnitude), integer()));

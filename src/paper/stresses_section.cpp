@@ -56,6 +56,16 @@ double shear_error_of(const Solution& solution) {
   return 2 * pressure_error(solution) + 1e-13;
 }
 
+// McEwen's closed form, over p₀ (contact/mcewen.hpp, contact/sliding_hertz.hpp).
+constexpr double of_mcewen = 1e-13;
+
+// How wrong the place of the greatest shear may be, over a: the shear is known to so much only, its
+// curvature there is 0.3 p₀/a² at least, and the search ends with steps of 1e-7 a.
+double place_error(double shear_error) {
+  constexpr double least_curvature = 0.3;
+  return 1e-7 + std::sqrt(4 * shear_error / least_curvature);
+}
+
 // The edge's kinks, which only elements have, show above this depth (over a).
 constexpr double least_depth = 0.1;
 constexpr double greatest_friction = 0.3;  // of the table and the figure
@@ -83,10 +93,11 @@ Estimate friction_at_surface(const Hertz& hertz) {
 
 literate::Table depth_table(literate::Document& document, const PiecewiseLinearTraction& traction,
                             const Solution& solution, const Hertz& hertz,
-                            double depth_of_greatest) {
-  literate::Table table({Column::fixed("$z/a$", "", 5), Column::fixed("McEwen", "", 7),
-                         Column::fixed("elements", "", 7), Column::scientific("difference", "", 1),
-                         Column::scientific("largest at this depth", "", 1)});
+                            Estimate depth_of_greatest) {
+  literate::Table table(
+      "shear-depths",
+      {Column("$z/a$", fixed(5)), Column("McEwen", fixed(7)), Column("elements", fixed(7)),
+       Column("difference", scientific(1)), Column("largest at this depth", scientific(1))});
   const McEwen mcewen(hertz);
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
@@ -95,20 +106,23 @@ literate::Table depth_table(literate::Document& document, const PiecewiseLinearT
   };
   double near = 0;
   double at_greatest = 0;
-  for (const double depth : {0.01, 0.05, 0.25, depth_of_greatest, 2.0, 5.0, 20.0}) {
+  const double bound = shear_error_of(solution);
+  for (const double depth : {0.01, 0.05, 0.25, depth_of_greatest.value, 2.0, 5.0, 20.0}) {
     double largest = 0;
     for (int i = -300; i <= 300; ++i) {
       largest = std::max(largest, std::abs(difference(0.005 * i * a, depth * a)));
     }
     near = std::max(near, largest);
-    const bool is_greatest = depth == depth_of_greatest;
+    const bool is_greatest = depth == depth_of_greatest.value;
     if (is_greatest) at_greatest = largest;
-    table.add_row({is_greatest ? literate::Cell(depth) : literate::Cell::to_place(depth, -2),
-                   mcewen.stress(0, depth * a).max_shear() / p0,
-                   traction.stress(0, depth * a).max_shear() / p0, difference(0, depth * a),
-                   largest});
+    const auto over_peak = [&](double shear, double error) { return Estimate{shear / p0, error}; };
+    table.add_row(
+        {is_greatest ? literate::Cell(depth_of_greatest) : literate::Cell::quoted(depth, -2),
+         over_peak(mcewen.stress(0, depth * a).max_shear(), of_mcewen),
+         over_peak(traction.stress(0, depth * a).max_shear(), bound),
+         Estimate{difference(0, depth * a), bound + of_mcewen},
+         Estimate{largest, bound + of_mcewen}});
   }
-  const double bound = shear_error_of(solution);
   document.value("stresses.decay",
                  Value(near / at_greatest, significant(1))
                      .within(quotient({near, bound}, {at_greatest, bound}).abs_error));
@@ -225,10 +239,13 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   const double square = std::pow(solution.grid.spacing / a, 2);
-  literate::Table table({Column::fixed("$\\mu$", "", 1), Column::fixed("$x/a$", "", 3),
-                         Column::fixed("$z/a$", "", 3), Column::fixed("$\\tau_1/p_0$", "", 5),
-                         Column::fixed("closed form", "", 5),
-                         Column::scientific("relative difference", "", 1)});
+  literate::Table table(
+      "sliding-shear",
+      {Column("$\\mu$", fixed(1)).exact(), Column("$x/a$", fixed(3)), Column("$z/a$", fixed(3)),
+       Column("$\\tau_1/p_0$", fixed(5)), Column("closed form", fixed(5)),
+       Column("relative difference", scientific(1))});
+  // The shear tractions are those pressures times μ, and add their share.
+  const double bound = 2 * shear_error_of(solution);
   double largest = 0;
   for (const double mu : {0.0, 0.1, 0.2, greatest_friction}) {
     const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
@@ -236,9 +253,13 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
     const ShearPoint exact = greatest_shear(SlidingHertz(hertz, mu), a);
     const double difference = found.shear / exact.shear - 1;
     largest = std::max(largest, std::abs(difference));
-    table.add_row({mu, found.x / a, found.z / a, found.shear / p0, exact.shear / p0, difference});
+    const Estimate shear{found.shear / p0, bound};
+    const Estimate closed{exact.shear / p0, of_mcewen};
+    table.add_row({mu, Estimate{found.x / a, place_error(bound)},
+                   Estimate{found.z / a, place_error(bound)}, shear, closed,
+                   Estimate{difference, quotient(shear, closed).abs_error}});
   }
-  document.table("sliding-shear", table);
+  document.table(table);
   document.value("stresses.least-depth", Value(least_depth, exact()));
   document.value("stresses.surface-friction", Value(friction_at_surface(hertz), fixed(3)));
   document.check(
@@ -369,8 +390,8 @@ void compute_stresses(literate::Document& document, const parameters::ContactCas
   const contact::GreatestShear exact = McEwen(hertz).greatest_shear();
 
   compare_greatest(document, traction, exact, solution, hertz);
-  document.table("shear-depths", depth_table(document, traction, solution, hertz,
-                                             exact.depth.value / hertz.half_width()));
+  document.table(
+      depth_table(document, traction, solution, hertz, 1 / hertz.half_width() * exact.depth));
   compare_deep(document, traction, solution, hertz);
   fit_order(document, c, hertz);
   compare_sliding(document, solution, hertz);

@@ -28,13 +28,6 @@ constexpr double farthest = 1e6;
 // is ill-conditioned.
 constexpr double widest_block = 2000;
 
-// Of the matrix that is inverted for the contact; the finest grid of the report has eight times as
-// many.
-constexpr long most_nodes = 1001;
-
-// Each level doubles the finest elements: beyond, the block takes minutes.
-constexpr long most_refine = 3;
-
 double in_range(const config::Table& table, const std::string& key, config::Dimension dimension,
                 const config::UnitSystem& units) {
   const double value = table.quantity(key, dimension, units);
@@ -115,7 +108,7 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
   const auto cylinders = table.at("body2", [&] {
     return contact::CylinderPair(body1.material, body1.radius, body2.material, body2.radius);
   });
-  const long n_nodes = integer_in(table, "nodes", contact::min_nodes, most_nodes);
+  const long n_nodes = integer_in(table, "nodes", contact::min_nodes, contact::max_nodes);
   const double line_load = positive(table, "load", config::Dimension::line_load, units);
   const double datum = positive(table, "datum", config::Dimension::length, units);
   const contact::Grid grid =
@@ -162,7 +155,7 @@ BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space
   }
   block::Discretization discretization;
   discretization.order = static_cast<int>(integer_in(table, "order", 2, 10));
-  discretization.refine = static_cast<int>(integer_in(table, "refine", 0, most_refine));
+  discretization.refine = static_cast<int>(integer_in(table, "refine", 0, 6));
   return {rectangle, read_sides(table),
           positive(table, "density", config::Dimension::density, units), discretization};
 }

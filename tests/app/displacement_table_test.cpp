@@ -26,6 +26,8 @@ const std::vector<DisplacementRow> rows = {
     {0.005, {-2.675848e-05, 1e-16}, -2.6758480000000003e-05, {1.5187873e-06, 4e-18}, 1.5187874e-06},
 };
 
+const app::DisplacementNotes notes{.closed_form = "eq. (3)", .seconds = 0.0123};
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
@@ -51,10 +53,10 @@ std::vector<double> numbers_of(const DisplacementRow& row) {
   return {row.x,
           row.gradient_quadrature.value,
           row.gradient_quadrature.abs_error,
-          row.gradient_closed_form,
+          row.gradient_closed_form.value(),
           row.displacement_quadrature.value,
           row.displacement_quadrature.abs_error,
-          row.displacement_closed_form};
+          row.displacement_closed_form.value()};
 }
 
 }  // namespace
@@ -98,10 +100,12 @@ BOOST_AUTO_TEST_CASE(no_points_give_a_header_and_an_empty_array) {
 
 BOOST_AUTO_TEST_CASE(the_table_is_aligned_and_names_the_units) {
   const std::vector<std::string> lines =
-      lines_of(app::displacement_text(rows, config::unit_system("mm-N")));
+      lines_of(app::displacement_text(rows, config::unit_system("mm-N"), notes));
 
-  BOOST_TEST_REQUIRE(lines.size() == 3 + rows.size());
-  for (const std::string& line : lines) BOOST_TEST(line.size() == lines[0].size());
+  BOOST_TEST_REQUIRE(lines.size() == 3 + rows.size() + 2);
+  for (std::size_t i = 0; i < 3 + rows.size(); ++i) {
+    BOOST_TEST(lines[i].size() == lines[0].size());
+  }
   // Columns end at the same place: a heading, a unit and each number.
   const auto end_of = [&](std::size_t line, const std::string& cell) {
     const auto at = lines[line].find(cell);
@@ -115,11 +119,50 @@ BOOST_AUTO_TEST_CASE(the_table_is_aligned_and_names_the_units) {
 }
 
 BOOST_AUTO_TEST_CASE(the_table_shows_thirteen_digits_and_the_size_of_the_error) {
-  const std::string text = app::displacement_text(rows, config::unit_systems().front());
+  const std::string text = app::displacement_text(rows, config::unit_systems().front(), notes);
 
   BOOST_TEST(text.find(" 1.623604774879e-06 ") != std::string::npos);
   BOOST_TEST(text.find(" 3.0e-18 ") != std::string::npos);
   BOOST_TEST(text.find("[in]") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(below_the_table_stands_how_many_points_agree_and_what_it_took) {
+  std::vector<DisplacementRow> some = rows;  // 4e-15 and 1e-13 apart: more than the errors
+  some.push_back({0.01, {2.0, 1e-9}, 2.0 + 0.9e-9, {1.0, 1e-12}, 1.0});
+  some.push_back({0.02, {2.0, 1e-9}, 2.0 + 1.1e-9, {1.0, 1e-12}, 1.0});
+  some[2].n_evaluations = 100;
+  some[3].n_evaluations = 23;
+  const std::string text = app::displacement_text(some, config::unit_systems().front(), notes);
+
+  BOOST_TEST(text.find("beside eq. (2) by quadrature stands eq. (3)\n") != std::string::npos);
+  BOOST_TEST(text.find("\n2 of 4 points agree within their errors; 123 evaluations of the load, "
+                       "0.0123 s\n") != std::string::npos,
+             text);
+  BOOST_TEST(text.find(" 0.9 ") != std::string::npos);
+  BOOST_TEST(text.find(" 1.1 ") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_difference_is_taken_over_the_estimate_and_roundings) {
+  BOOST_TEST(app::difference_over_error({1.0, 0}, 1.0) == 0);
+  BOOST_TEST(app::difference_over_error({1.0, 1e-6}, 1.0 + 3e-6) > 2.999);
+  BOOST_TEST(app::difference_over_error({1.0, 0}, 1.0 + 4e-16) < 1);
+  BOOST_TEST(app::difference_over_error({1.0, 0}, 1.0 + 1e-12) > 1000);
+}
+
+BOOST_AUTO_TEST_CASE(without_closed_forms_there_are_no_columns_for_them) {
+  const std::vector<DisplacementRow> alone{{.x = 0.5,
+                                            .gradient_quadrature = {-1.5, 2e-17},
+                                            .displacement_quadrature = {2.5, 3e-18},
+                                            .n_evaluations = 7}};
+
+  BOOST_TEST(app::displacement_csv(alone) ==
+             "x,gradient_quadrature,gradient_abs_error,displacement_quadrature,"
+             "displacement_abs_error\n0.5,-1.5,2e-17,2.5,3e-18\n");
+  BOOST_TEST(app::displacement_json(alone).find("closed_form") == std::string::npos);
+  BOOST_TEST(
+      app::displacement_text(alone, config::unit_systems().front(), {})
+          .find("1 points by quadrature, which no closed form stands beside; 7 evaluations") !=
+      std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
@@ -133,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
 
   BOOST_CHECK_EXCEPTION(app::displacement_csv(wrong), sys::InputError, names_it);
   BOOST_CHECK_EXCEPTION(app::displacement_json(wrong), sys::InputError, names_it);
-  BOOST_CHECK_EXCEPTION(app::displacement_text(wrong, config::unit_systems().front()),
+  BOOST_CHECK_EXCEPTION(app::displacement_text(wrong, config::unit_systems().front(), notes),
                         sys::InputError, names_it);
 }
 

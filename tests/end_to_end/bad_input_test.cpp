@@ -225,6 +225,14 @@ BOOST_AUTO_TEST_CASE(values_of_a_case_out_of_range_are_refused_at_their_place) {
   check_case("value = 30e6", "value = inf", {place_of("30e6"), "young", "finite"});
 }
 
+BOOST_AUTO_TEST_CASE(what_the_commands_can_solve_may_be_too_much_for_the_report) {
+  const TemporaryFolder folder;
+  check_report_case(changed_case(folder, "nodes = 91", "nodes = 1002"),
+                    {place_of("91"), "contact.nodes", "at most 1001 for the report"});
+  check_report_case(changed_case(folder, "refine = 1", "refine = 4"),
+                    {place_of("1\n\n# What"), "block.refine", "at most 3 for the report"});
+}
+
 BOOST_AUTO_TEST_CASE(missing_unknown_and_doubled_keys_of_a_case_are_refused_at_their_place) {
   check_case("poisson = 0.30\n\n[half_space.load]", "\n[half_space.load]",
              {"half_space.material.poisson", "missing"});
@@ -285,13 +293,6 @@ BOOST_AUTO_TEST_CASE(results_that_are_not_finite_are_refused_by_column_and_place
         2, {"contact", "--case", papers_case.string(), "--datum", "1e308", "--format", format},
         {"approach: not a finite number", "range of a double"});
   }
-  const TemporaryFolder folder;
-  const std::string text = with(sys::read_file(papers_case), "value = 1000", "value = 1e200");
-  const std::string file = folder.write("strong.toml", text).string();
-  for (const char* format : {"table", "csv", "json"}) {
-    check_refused(2, {"block", "--case", file, "--order", "2", "--refine", "0", "--format", format},
-                  {"not a finite number", "range of a double"});
-  }
 }
 
 BOOST_AUTO_TEST_CASE(a_flag_with_an_empty_value_is_refused_and_not_left_out) {
@@ -318,6 +319,21 @@ BOOST_AUTO_TEST_CASE(flags_that_the_shape_makes_no_use_of_are_refused) {
     check_refused(2, from_case + Words{"--shape", "concentrated", flag, "1"},
                   {flag, "--shape concentrated"});
   }
+}
+
+BOOST_AUTO_TEST_CASE(loads_that_are_wrong_are_refused_by_line_or_column) {
+  const Words from_case = {"displacement", "--case", papers_case.string(), "--x", "1", "--shape"};
+  const TemporaryFolder folder;
+  const std::string file = folder.write("load.csv", "x,pressure\n0,0\n1,much\n2,0\n").string();
+  check_refused(2, from_case + Words{"file:" + file}, {file + ":3: ", "pressure", "much"});
+  check_refused(2, from_case + Words{"file:/none.csv"}, {"/none.csv", "cannot be read"});
+  check_refused(2, from_case + Words{"expression:p0*(1-(y/a)^4)"}, {"column 8", "y"});
+  check_refused(2, from_case + Words{"expression:p0*("}, {"column"});
+  check_refused(2, from_case + Words{"expression:p0/x"}, {"no finite value at x = "});
+  check_refused(2, from_case + Words{"expression:p0", "--kinks", "1"}, {"--kinks: 1", "under"});
+  check_refused(2, from_case + Words{"file:" + file, "--half-width", "1"},
+                {"--half-width", "not used"});
+  check_refused(2, from_case + Words{"triangular", "--kinks", "0.001"}, {"--kinks", "not used"});
 }
 
 BOOST_AUTO_TEST_CASE(a_file_of_the_block_in_a_folder_that_is_not_there_is_refused) {

@@ -29,8 +29,8 @@ struct AlteredReport {
   fs::path pdf = folder.path() / "report.pdf";
 
   Outcome compute(const Words& more = {}) const {
-    return run_program(Words{"compute", "--case", case_file.string(), "--output", generated.string(),
-                             "--source", source_dir.string()} +
+    return run_program(Words{"compute", "--case", case_file.string(), "--output",
+                             generated.string(), "--source", source_dir.string()} +
                        more);
   }
 

@@ -45,7 +45,7 @@ class Workplace {
   fs::path pdf() const { return folder_.path() / "report.pdf"; }
 
   Words report() const {
-    return {"compute",   "--case",           steel_case.string(), "--output", generated().string(),
+    return {"compute",  "--case",           steel_case.string(), "--output", generated().string(),
             "--source", source_dir.string()};
   }
   Words typeset() const {

@@ -20,7 +20,7 @@ class Workplace {
     folder_.write("report/report.tex", prose);
     literate::Document document;
     document.value("peak", literate::Value(1.5, literate::fixed(1)));
-    document.table("peaks", literate::Table({literate::Column::integer("n")}));
+    document.table(literate::Table("peaks", {literate::Column("n", literate::integer())}));
     document.check("balance", holds, "The forces balance.");
     document.write(folder_.path() / "generated");
   }

@@ -180,4 +180,17 @@ BOOST_AUTO_TEST_CASE(at_a_jump_however_small_there_is_no_principal_value) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_error_at_a_root_of_the_density_holds_what_rounding_of_s_leaves) {
+  // PV of sqrt(1−s²)/(x−s) is πx inside, here scaled: at the ends the quotient grows as t^{-1/2}.
+  for (const double a : {1.0, 0.01, 0.75, 3.7e4}) {
+    const auto root = [a](double s) { return std::sqrt(std::max(0.0, (a - s) * (a + s))) / a; };
+    const numerics::KernelIntegrals integrals(numerics::PiecewiseFunction({{-a, a, root}}));
+    for (const double x : {-a, a}) {
+      const numerics::Estimate integral = integrals.cauchy(x);
+      BOOST_TEST(std::abs(integral.value - std::numbers::pi * x / a) <= integral.abs_error);
+      BOOST_TEST(integral.abs_error < 1e-9);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

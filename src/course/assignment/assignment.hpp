@@ -52,7 +52,7 @@ struct LatePolicy {
 struct Limits {
   int compile_seconds = 20;
   int run_seconds = 5;           ///< of processor time, for one answer
-  int submission_seconds = 120;  ///< by the clock, for all answers together
+  int submission_seconds = 600;  ///< of processor time, for all answers together
   int memory_mb = 1024;
   int processes = 32;
   int output_kb = 256;

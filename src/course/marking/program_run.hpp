@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <map>
 #include <string>
 #include <string_view>
@@ -18,7 +17,8 @@ Numbers parse_answer(std::string_view text);
 
 /// A built submission as the checks see it. Each question is asked in two runs in the sandbox,
 /// which must agree; the same question again gets the same answer. A task that took too long is not
-/// asked again, and no question is asked once all runs together took Limits::submission_seconds.
+/// asked again, and no question is asked once all runs together took Limits::submission_seconds of
+/// processor time.
 class ProgramRun {
  public:
   /// Writes its files beside the program.
@@ -42,7 +42,7 @@ class ProgramRun {
   Sandbox sandbox_;
   std::map<std::pair<std::string, Numbers>, Answer> answers_;
   std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
-  std::chrono::duration<double> time_{};         ///< of all runs so far
+  double cpu_seconds_ = 0;                       ///< of all runs so far
 };
 
 }  // namespace course

@@ -5,9 +5,11 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -29,11 +31,17 @@ void set_streams(sys::FileActions& actions, const Child& child) {
   actions.change_folder(child.folder);
 }
 
-/// What the attendant reports: why the child could not start, or its status as of wait.
+/// What the attendant reports: why the child could not start, or its status as of wait and the
+/// processor time of all that were waited for.
 struct Report {
   int error = 0;
   int status = SIGKILL;
+  double cpu_seconds = 0;
 };
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 /// The attendant's life: it starts the child, reports how that ended, and stays until no process is
 /// left below it, since orphans become its own. It was forked from a process that may have threads,
@@ -50,6 +58,9 @@ struct Report {
     do {
       ended = ::wait(&report.status);
     } while (ended != child && (ended > 0 || errno == EINTR));
+    rusage usage{};
+    ::getrusage(RUSAGE_CHILDREN, &usage);
+    report.cpu_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   }
   while (::write(reports, &report, sizeof report) < 0 && errno == EINTR) {
   }
@@ -80,12 +91,22 @@ class Attended {
   ~Attended() { end_all(); }
 
   /// Waits for the child's end, and looks at what it uses 20 times a second, since limits of single
-  /// processes do not count what many of them hold together.
+  /// processes do not count what many of them hold together. Time counts as waiting if none of them
+  /// wanted a processor and none was used: on a busy machine a process that waits for its turn does
+  /// not wait in this sense.
   Excess watch(const Child& child) {
+    using Clock = std::chrono::steady_clock;
     pollfd poll{pipe_.reading.number(), POLLIN, 0};
+    Clock::time_point last = Clock::now();
+    std::chrono::duration<double> waited{};
     for (int ready = 0; (ready = ::poll(&poll, 1, 50)) <= 0;) {
       if (ready < 0 && errno != EINTR) break;
       const Usage usage = usage_of(descendants(attendant_));
+      const Clock::time_point now = Clock::now();
+      if (usage.is_waiting && usage.cpu_seconds <= cpu_seconds_) waited += now - last;
+      last = now;
+      cpu_seconds_ = usage.cpu_seconds;
+      if (child.waiting_seconds > 0 && waited.count() > child.waiting_seconds) return Excess::time;
       if (child.memory_mb > 0 && usage.bytes > child.memory_mb * 1'048'576) return Excess::memory;
       if (child.cpu_seconds > 0 && usage.cpu_seconds > child.cpu_seconds) return Excess::time;
       if (child.tasks > 0 && usage.tasks > child.tasks) return Excess::tasks;
@@ -93,6 +114,9 @@ class Attended {
     }
     return Excess::none;
   }
+
+  /// The processor time that watch() saw last.
+  double cpu_seconds() const { return cpu_seconds_; }
 
   /// What the attendant reported; to be asked for after watch() found no excess.
   Report report() const {
@@ -118,6 +142,7 @@ class Attended {
 
   sys::Pipe pipe_;
   pid_t attendant_ = 0;
+  double cpu_seconds_ = 0;
   bool is_over_ = false;
 };
 
@@ -127,9 +152,11 @@ ChildEnd run_child(const Child& child) {
   Attended attended(child);
   ChildEnd end;
   end.excess = attended.watch(child);
+  end.cpu_seconds = attended.cpu_seconds();
   if (end.excess != Excess::none) return end;
-  const auto [error, status] = attended.report();
+  const auto [error, status, cpu_seconds] = attended.report();
   if (error != 0) throw sys::cannot_start(child.command.front(), error);
+  end.cpu_seconds = std::max(end.cpu_seconds, cpu_seconds);
   end.status = sys::shell_status(status);
   return end;
 }

@@ -19,7 +19,8 @@ struct Child {
   // What the child and all its descendants may use together; 0 means no limit.
   std::size_t memory_mb = 0;
   double cpu_seconds = 0;
-  std::size_t tasks = 0;  ///< processes and threads
+  double waiting_seconds = 0;  ///< by the clock, in which none of them wants a processor
+  std::size_t tasks = 0;       ///< processes and threads
 };
 
 /// A limit that was exceeded, so that the child was killed.
@@ -28,6 +29,7 @@ enum class Excess { none, memory, time, tasks };
 struct ChildEnd {
   int status = 0;  ///< exit status, or 128 + the number of the signal that ended it
   Excess excess = Excess::none;
+  double cpu_seconds = 0;  ///< of the child and those of its descendants that have ended
 };
 
 /// Runs a child to its end and then ends all processes that it leaves behind, daemons included.

@@ -68,6 +68,8 @@ Usage usage_of(const std::vector<pid_t>& processes) {
   for (const pid_t process : processes) {
     const std::vector<std::string> fields = statistics_of(process);
     if (fields.size() < 22) continue;  // it has ended
+    const std::string& state = fields[0];
+    if (state == "R" || state == "D") usage.is_waiting = false;
     for (std::size_t i = 11; i < 15; ++i) usage.cpu_seconds += std::stod(fields[i]) / ticks;
     usage.tasks += std::stoul(fields[17]);
     usage.bytes += std::stoul(fields[21]) * page;

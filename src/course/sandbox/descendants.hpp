@@ -17,6 +17,7 @@ struct Usage {
   std::size_t bytes = 0;   ///< of memory; a page that two processes share counts twice
   double cpu_seconds = 0;  ///< including that of their children that have ended
   std::size_t tasks = 0;   ///< processes and threads
+  bool is_waiting = true;  ///< whether none of them wants a processor or a disk
 };
 
 Usage usage_of(const std::vector<pid_t>& processes);

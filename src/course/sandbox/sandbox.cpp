@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <system_error>
 
@@ -36,17 +37,48 @@ std::vector<std::string> hidden_folders() {
   return hidden;
 }
 
-JobEnd ending_of(const ChildEnd& end) {
+/// A job has so many times its processor time by the clock, which it can only need where it hardly
+/// ever gets a processor.
+constexpr int most_by_the_clock = 60;
+
+JobEnd ending_of(const ChildEnd& end, const Job& job, double seconds_by_the_clock) {
+  JobEnd ending{.cpu_seconds = end.cpu_seconds};
   const int status = end.status;
-  if (end.excess == Excess::memory) return {Ending::too_large, 0};
-  if (end.excess == Excess::time) return {Ending::too_slow, 0};
-  if (end.excess == Excess::tasks) return {Ending::too_many_processes, 0};
-  if (status == 124 || status == 128 + SIGKILL || status == 128 + SIGXCPU) {
-    return {Ending::too_slow, 0};
+  // The status alone would not tell, since a program may end itself with any: with that of
+  // `timeout`, 124, as well as by the signals that end what took too long. The kernel's own account
+  // is behind by a few clock ticks.
+  constexpr double accounted = 0.9;
+  const bool took_too_long = end.cpu_seconds >= accounted * job.seconds ||
+                             seconds_by_the_clock >= most_by_the_clock * job.seconds;
+  const bool is_ended_for_it = status == 124 || status == 128 + SIGKILL || status == 128 + SIGXCPU;
+  if (end.excess == Excess::memory) {
+    ending.ending = Ending::too_large;
+  } else if (end.excess == Excess::tasks) {
+    ending.ending = Ending::too_many_processes;
+  } else if (end.excess == Excess::time || (is_ended_for_it && took_too_long)) {
+    ending.ending = Ending::too_slow;
+  } else if (status == 128 + SIGXFSZ) {
+    ending.ending = Ending::too_much_output;
+  } else {
+    ending.ending = status > 128 ? Ending::crash : Ending::normal;
+    ending.status = status > 128 ? status - 128 : status;
   }
-  if (status == 128 + SIGXFSZ) return {Ending::too_much_output, 0};
-  if (status > 128) return {Ending::crash, status - 128};
-  return {Ending::normal, status};
+  return ending;
+}
+
+/// Lets a job write a file that nobody wrote before: what it set on an earlier one, such as rights
+/// or attributes, would tell the next job something, or keep it from starting.
+void make_way_for(const fs::path& file) {
+  if (!file.string().starts_with("/dev/")) fs::remove(file);
+}
+
+/// Lets this process read what a job wrote, whatever rights the job gave it.
+void make_own(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) {
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, fs::perm_options::add,
+                    ignored);
+  }
 }
 
 /// The start of a command line that runs the rest as another user without any capability.
@@ -61,8 +93,7 @@ std::vector<std::string> as_user(unsigned user) {
 }
 
 /// The start of a command line that runs the rest within limits. Processor time is limited, so
-/// that a busy machine does nobody an injustice; a limit by the clock, twice as long, ends what
-/// sleeps.
+/// that a busy machine does nobody an injustice; what sleeps is ended by run_child.
 std::vector<std::string> within_limits(const Job& job) {
   return {"/usr/bin/prlimit",
           "--core=0",
@@ -176,7 +207,7 @@ std::vector<std::string> Sandbox::command(const Job& job) const {
   // In a process group of its own `timeout` would not receive Ctrl-C. Without walls it needs
   // that group to end the children.
   if (isolation_ == Isolation::sandbox) command.emplace_back("--foreground");
-  append(command, {"--kill-after=1", fmt::format("{}", 2 * job.seconds)});
+  append(command, {"--kill-after=1", fmt::format("{}", most_by_the_clock * job.seconds)});
   if (isolation_ == Isolation::sandbox) append(command, walls(job));
   if (is_root_) append(command, as_user(user_));
   append(command, within_limits(job));
@@ -197,6 +228,9 @@ JobEnd Sandbox::run(const Job& job) const {
   // `timeout` is one process more.
   const std::size_t max_tasks =
       has_walls || is_root_ ? 0 : static_cast<std::size_t>(job.processes) + 1;
+  make_way_for(job.output);
+  make_way_for(job.errors);
+  const auto begin = std::chrono::steady_clock::now();
   const ChildEnd end = run_child({.command = command(job),
                                   .environment = {"PATH=/usr/bin:/bin", "LC_ALL=C",
                                                   "HOME=" + scratch(), "TMPDIR=" + scratch()},
@@ -209,10 +243,14 @@ JobEnd Sandbox::run(const Job& job) const {
                                   .third = has_walls ? work_ / "filter" : "/dev/null",
                                   .memory_mb = static_cast<std::size_t>(job.memory_mb),
                                   .cpu_seconds = static_cast<double>(job.seconds),
+                                  .waiting_seconds = 2.0 * job.seconds,
                                   .tasks = max_tasks});
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  make_own(job.output);
+  make_own(job.errors);
   std::error_code ignored;
   if (!has_walls) fs::remove_all(scratch(), ignored);
-  return ending_of(end);
+  return ending_of(end, job, time.count());
 }
 
 void Sandbox::prepare_scratch() const {

@@ -24,7 +24,9 @@ struct Job {
   std::filesystem::path input = "/dev/null";
   std::filesystem::path output;
   std::filesystem::path errors;
-  int seconds = 5;       ///< of processor time, for all processes together; by the clock twice that
+  /// Of processor time, for all processes together, and twice that by the clock in which none of
+  /// them wants a processor.
+  int seconds = 5;
   int memory_mb = 1024;  ///< of address space for each process, and of memory for all together
   int processes = 32;    ///< and threads
   int file_kb = 256;     ///< of each file and stream it writes
@@ -36,6 +38,7 @@ enum class Ending { normal, too_slow, too_large, too_many_processes, too_much_ou
 struct JobEnd {
   Ending ending = Ending::normal;
   int status = 0;  ///< the exit status after a normal end, the signal's number after a crash
+  double cpu_seconds = 0;
 };
 
 /// Runs jobs within limits and so that they reach no file, process or network but their own.
@@ -50,7 +53,8 @@ class Sandbox {
   /// ToolError if it does not work.
   Sandbox(Isolation isolation, const std::filesystem::path& work);
 
-  /// Runs a job to its end. Throws ToolError if it cannot start.
+  /// Runs a job to its end. Its output and errors are new files, whatever stood there. Throws
+  /// ToolError if it cannot start.
   JobEnd run(const Job& job) const;
 
   /// The path by which a job finds what it may read.

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <sys/mman.h>
 
 #include <cerrno>
 #include <memory>
@@ -37,8 +38,20 @@ void add_rules(scmp_filter_ctx filter) {
                          SCMP_SYS(io_uring_setup),
                          SCMP_SYS(userfaultfd),
                          SCMP_SYS(socket),
-                         SCMP_SYS(memfd_create)}) {
+                         SCMP_SYS(memfd_create),
+                         SCMP_SYS(memfd_secret),
+                         SCMP_SYS(io_setup),
+                         SCMP_SYS(setxattr),
+                         SCMP_SYS(lsetxattr),
+                         SCMP_SYS(fsetxattr)}) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0);
+  }
+  // No mapping that is shared: what it holds stays in memory, where nothing counts it, even if only
+  // one page of it is still mapped. Libraries read a file where they cannot map it.
+  constexpr int kind_of_mapping = 0xf;
+  for (const int kind : {MAP_SHARED, MAP_SHARED_VALIDATE}) {
+    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mmap), 1,
+                     SCMP_A3(SCMP_CMP_MASKED_EQ, kind_of_mapping, static_cast<scmp_datum_t>(kind)));
   }
   // No new user namespace. A filter cannot see the flags of clone3, so clone3 is refused as a
   // whole; libraries then use clone.

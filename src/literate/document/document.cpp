@@ -57,12 +57,14 @@ void Document::flag(const std::string& key, bool is_set, Location location) {
   registered_.flags.emplace(key, is_set);
 }
 
-void Document::table(const std::string& name, Table table, Location location) {
-  this->table(name, std::move(table), place_of(location));
+void Document::table(Table table, Location location) {
+  this->table(std::move(table), place_of(location));
 }
 
-void Document::table(const std::string& name, Table table, const SourcePlace& place) {
+void Document::table(Table table, const SourcePlace& place) {
+  const std::string name = table.name();
   require_file_name(name);
+  table.require_complete();
   remember("table", name, place);
   registered_.tables.emplace(name, std::move(table));
 }

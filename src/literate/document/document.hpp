@@ -28,7 +28,9 @@ class Document {
   /// Registers a condition for the prose: `\ifflag{key}{yes}{no}`.
   void flag(const std::string& key, bool is_set, Location location = Location::current());
 
-  void table(const std::string& name, Table table, Location location = Location::current());
+  /// Registers a table by its name. Throws std::invalid_argument for a mark without its note, or a
+  /// note without its mark.
+  void table(Table table, Location location = Location::current());
 
   /// Registers what a figure's script reads: its size, data, numbers and texts. Throws
   /// std::logic_error for what no script could read, as require_drawable.
@@ -47,7 +49,7 @@ class Document {
 
   /// Registers what comes from another program's file, with the place in that file.
   void value(const std::string& key, Value value, const SourcePlace& place);
-  void table(const std::string& name, Table table, const SourcePlace& place);
+  void table(Table table, const SourcePlace& place);
 
   /// Keeps a file that values came from: it is written to imports/, listed with its SHA-256 and
   /// attached to the PDF. Throws std::logic_error as Attachments::add does.
@@ -85,8 +87,7 @@ class Document {
   /// All files are written to output_dir + ".part" and moved to output_dir only after everything
   /// succeeded. Files whose content is the same keep their time stamp, and files of the previous
   /// run that were not written again are removed. On an error output_dir stays as it was. Throws
-  /// sys::OutputError for a folder that cannot be written and std::invalid_argument for a table
-  /// that cannot be printed.
+  /// sys::OutputError for a folder that cannot be written.
   void write(const std::filesystem::path& output_dir,
              const std::vector<Excerpt>& excerpts = {}) const;
 

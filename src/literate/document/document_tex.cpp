@@ -4,8 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <vector>
 
 #include "literate/text/latex.hpp"
@@ -14,20 +12,6 @@
 
 namespace literate {
 namespace fs = std::filesystem;
-
-namespace {
-
-/// The shortest digits that read back as the same double, without an exponent, which TeX does not
-/// read in a length.
-std::string bare_digits(double number) {
-  std::array<char, 400> digits;
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed)
-          .ptr;
-  return {digits.data(), end};
-}
-
-}  // namespace
 
 std::string values_tex(const Registered& registered) {
   std::string text;

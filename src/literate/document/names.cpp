@@ -20,7 +20,38 @@ json value_json(const Value& value, const SourcePlace& place) {
   if (value.number()) entry["number"] = *value.number();
   if (value.abs_error()) entry["abs_error"] = *value.abs_error();
   if (!value.unit().empty()) entry["unit"] = value.unit();
+  if (!value.format()) return entry;
+  const Format& format = *value.format();
+  entry["notation"] = name_of(format.notation());
+  entry["last_place"] = value.last_place();
+  const bool is_exact = format.notation() == Notation::exact ||
+                        format.notation() == Notation::integer || value.abs_error() == 0.0;
+  if (is_exact) entry["exact"] = true;
+  if (format.is_percentage()) entry["percent"] = true;
+  if (format.rounds_up()) entry["rounded_up"] = true;
   return entry;
+}
+
+std::optional<StoredNumber> stored_number(const json& entry) {
+  if (!entry.contains("number")) return std::nullopt;
+  StoredNumber stored;
+  stored.number = entry.at("number").get<double>();
+  if (entry.contains("abs_error")) stored.abs_error = entry.at("abs_error").get<double>();
+  stored.unit = entry.value("unit", "");
+  stored.notation = notation_of(entry.at("notation").get<std::string>());
+  stored.last_place = entry.at("last_place").get<int>();
+  stored.is_exact = entry.value("exact", false);
+  stored.is_percentage = entry.value("percent", false);
+  stored.rounds_up = entry.value("rounded_up", false);
+  return stored;
+}
+
+std::map<std::string, StoredNumber> numbers_in(const json& values) {
+  std::map<std::string, StoredNumber> numbers;
+  for (const auto& entry : values.items()) {
+    if (const auto stored = stored_number(entry.value())) numbers.emplace(entry.key(), *stored);
+  }
+  return numbers;
 }
 
 json checks_json(const std::vector<Check>& checks) {
@@ -124,7 +155,7 @@ json texts_json(const Registered& registered) {
     add("check", check.id, "statement", escape_latex(check.statement));
   }
   for (const auto& [name, table] : registered.tables) {
-    for (const std::string& heading : table.headings()) add("table", name, "heading", heading);
+    for (const Column& column : table.columns()) add("table", name, "heading", column.format().heading);
   }
   return texts;
 }
@@ -167,6 +198,7 @@ Names read_names(const std::filesystem::path& file) {
   try {
     const json names = json::parse(sys::read_file(file));
     return {.values = keys_of(names.at("values")),
+            .numbers = numbers_in(names.at("values")),
             .flags = names.at("flags").get<std::map<std::string, bool>>(),
             .tables = names.at("tables").get<std::set<std::string>>(),
             .figures = keys_of(names.at("figures")),
@@ -176,7 +208,7 @@ Names read_names(const std::filesystem::path& file) {
             .texts = texts_in(names.at("texts")),
             .faults = names.at("faults").get<std::vector<std::string>>(),
             .files = names.at("files").get<std::vector<std::string>>()};
-  } catch (const json::exception& error) {
+  } catch (const std::exception& error) {
     throw sys::OutputError(
         fmt::format("'{}' is not a list of names: {}", file.string(), error.what()));
   }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,10 +28,24 @@ struct NamedText {
   std::string latex;
 };
 
+/// A number as names.json stores it, for printing it in another way.
+struct StoredNumber {
+  double number = 0;                ///< of a percentage the ratio
+  std::optional<double> abs_error;  ///< none for bounds, rounding and exact numbers
+  std::string unit;
+  Notation notation = Notation::significant;
+  int last_place = 0;  ///< of the printed digits, in the unit of `number` before any conversion
+  bool is_exact = false;
+  bool is_percentage = false;
+  bool rounds_up = false;
+  double conversion = 1;  ///< from the unit that last_place counts in
+};
+
 /// The names that a document may refer to, read from names.json.
 struct Names {
   std::set<std::string> values;
-  std::map<std::string, bool> flags;  ///< with whether they are set
+  std::map<std::string, StoredNumber> numbers;  ///< of those values that are no texts
+  std::map<std::string, bool> flags;            ///< with whether they are set
   std::set<std::string> tables;
   std::set<std::string> figures;
   std::set<std::string> excerpts;
@@ -42,7 +57,7 @@ struct Names {
 };
 
 /// Writes names.json: all names, sorted; for each value its printed text and its place, and its
-/// number, error bound and unit if it has them; flags, checks and claims with their outcome;
+/// number, error bound, unit and style if it has them; flags, checks and claims with their outcome;
 /// faults.
 std::string names_json(const Registered& registered, const std::vector<Excerpt>& excerpts,
                        const std::vector<std::string>& files);

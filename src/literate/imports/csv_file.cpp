@@ -37,7 +37,7 @@ std::vector<CsvRow> csv_rows(const std::string& file, const std::string& text) {
   unsigned number = 0;
   for (const std::string_view line : sys::lines_of(text)) {
     ++number;
-    if (sys::stripped(line).empty()) continue;
+    if (sys::stripped(line).empty() || line.starts_with('#')) continue;
     if (line.find('\0') != line.npos) {
       throw ImportError(fmt::format("{}:{}: the line holds a zero byte", file, number));
     }

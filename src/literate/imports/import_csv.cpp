@@ -129,11 +129,11 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
           cell_of(file, *row, fields[i], columns[i].format == NumberFormat::text));
     }
   }
-  Table table = table_of(columns, cells, fmt::format("{}:{}", file, rows.front().line));
+  Table table = table_of(key, columns, cells, fmt::format("{}:{}", file, rows.front().line));
 
   document.attach(sources.numbers);
   document.attach(sources.script);
-  document.table(key, std::move(table),
+  document.table(std::move(table),
                  SourcePlace{sources.numbers.name, sources.script.name, rows.front().line});
 }
 

@@ -146,7 +146,8 @@ ImportedCell cell_of(const JsonFile& file, const Json::Value& entry, const std::
   return cell;
 }
 
-Table table_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
+Table table_of(const std::string& name, const JsonFile& file, const Json::Value& entry,
+               const std::string& what) {
   file.require_fields(entry, what, {"columns", "rows"});
   for (const char* field : {"columns", "rows"}) {
     if (!entry[field].isArray()) file.fail(entry, fmt::format("{} has no list of {}", what, field));
@@ -165,7 +166,7 @@ Table table_of(const JsonFile& file, const Json::Value& entry, const std::string
     rows.emplace_back();
     for (const Json::Value& cell : row) rows.back().push_back(cell_of(file, cell, row_name));
   }
-  return literate::table_of(columns, rows, fmt::format("{}: {}", file.at(entry), what));
+  return literate::table_of(name, columns, rows, fmt::format("{}: {}", file.at(entry), what));
 }
 
 /// Calls visit(name, entry) for each field of an object that need not be there.
@@ -228,7 +229,7 @@ void import_json(Document& document, const fs::path& file_path, const ImportOpti
     const bool is_known = document.tables().contains(key);
     require_new(file, entry, what, is_file_name(key),
                 is_known ? &document.registered().places.at({"table", key}) : nullptr);
-    part.table(key, table_of(file, entry, what), place_of(entry));
+    part.table(table_of(key, file, entry, what), place_of(entry));
   });
   part.attach(sources.numbers);
   part.attach(sources.script);

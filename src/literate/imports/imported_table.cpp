@@ -27,18 +27,19 @@ bool has_exponents(const Rows& rows, std::size_t column) {
 Column column_of(const ImportedColumn& column, bool writes_exponents) {
   switch (column.format) {
     case NumberFormat::decimals:
-      return Column::scaled(column.heading, column.unit, column.exponent, column.digits);
+      return Column(column.heading, fixed(column.digits), column.unit)
+          .scaled(column.exponent)
+          .exact();
     case NumberFormat::digits:
-      return Column::scientific(column.heading, column.unit, column.digits);
+      return Column(column.heading, scientific(column.digits), column.unit).exact();
     case NumberFormat::integer:
-      return Column::integer(column.heading, column.unit);
+      return {column.heading, integer(), column.unit};
     case NumberFormat::text:
       return Column::text(column.heading);
     case NumberFormat::as_written:
       break;
   }
-  return writes_exponents ? Column::scientific(column.heading, column.unit, 1)
-                          : Column::fixed(column.heading, column.unit, 0);
+  return {column.heading, writes_exponents ? scientific(1) : fixed(0), column.unit};
 }
 
 /// The power of ten of the last digit that a number of this column is printed with.
@@ -84,8 +85,10 @@ Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
                                   round_trip(written.number), column.heading));
   }
   require_earned(cell, written, printed_place(column, written));
-  return column.format == NumberFormat::as_written ? Cell::to_place(written.number, written.place)
-                                                   : Cell(written.number);
+  if (column.format == NumberFormat::as_written) {
+    return Cell::quoted(written.number, written.place, cell.abs_error);
+  }
+  return cell.abs_error ? Cell(written.number).within(*cell.abs_error) : Cell(written.number);
 }
 
 Cell cell_of(const ImportedColumn& column, const ImportedCell& cell) {
@@ -132,21 +135,20 @@ std::optional<WrittenNumber> written_number(std::string_view text) {
   return written;
 }
 
-Table table_of(const std::vector<ImportedColumn>& columns, const Rows& rows,
-               const std::string& at) {
+Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,
+               const Rows& rows, const std::string& at) {
+  if (columns.empty()) throw ImportError(at + ": a table needs a column");
   try {
     std::vector<Column> printed;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       printed.push_back(column_of(columns[i], has_exponents(rows, i)));
     }
-    Table table(printed);
+    Table table(name, printed);
     for (const auto& row : rows) {
       std::vector<Cell> cells;
       for (std::size_t i = 0; i < row.size(); ++i) cells.push_back(cell_of(columns[i], row[i]));
       table.add_row(std::move(cells));
     }
-    // What cannot be printed is told now, while its place is known.
-    static_cast<void>(table.latex());
     return table;
   } catch (const std::invalid_argument& error) {
     throw ImportError(fmt::format("{}: {}", at, error.what()));

@@ -47,13 +47,13 @@ struct ImportedCell {
   std::string at = {};  ///< «file:line:column», for messages
 };
 
-/// Makes a table for the document.
+/// Makes a table for the document. A number without an error counts as exact.
 ///
 /// Throws ImportError naming the cell for a number or an error bound that is not finite, an error
 /// bound that is negative, a number printed with more digits than its error supports, a text in a
 /// column of numbers, a number in a column of texts, and a fraction in a column of whole numbers;
 /// naming `at`, which is where the table begins, for a column that cannot be printed.
-Table table_of(const std::vector<ImportedColumn>& columns,
+Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,
                const std::vector<std::vector<ImportedCell>>& rows, const std::string& at);
 
 }  // namespace literate

@@ -12,6 +12,7 @@
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/quotations.hpp"
 #include "literate/prose/references.hpp"
+#include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
 
 namespace literate {
@@ -40,13 +41,15 @@ ExitCode run(const CheckOptions& options) {
   if (!options.quoted_text.empty()) {
     add(quotation_errors(read_quotations(options.document), options.quoted_text));
   }
+  const Restyled restyled = restyled_values(options.document, names);
   print(references.errors);
+  print(restyled.errors);
   for (const std::string& name : references.unused) {
     complain(name + " is registered and not used", ExitCode::failed);
   }
   print(findings);
   const ExitCode of_faults = command_line::answer_faults(names.faults);
-  if (!references.errors.empty()) return ExitCode::bad_input;
+  if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
   if (!references.unused.empty() || !findings.empty()) return ExitCode::failed;
   return of_faults;
 }

@@ -10,6 +10,7 @@ void add_stages(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
   add_typeset_stage(program, exit_code, paper);
   add_statements_stage(program, exit_code);
   add_check_stage(program, exit_code);
+  add_restyle_stage(program, exit_code);
   add_describe_stage(program, exit_code, paper);
 }
 

@@ -18,6 +18,7 @@
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/references.hpp"
+#include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
 #include "literate/provenance/digest.hpp"
 #include "literate/provenance/manifest.hpp"
@@ -153,14 +154,17 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
   }
   const ReferenceReport references = check_references(options.document, names);
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);
-  if (!references.errors.empty()) return ExitCode::bad_input;
+  const Restyled restyled = restyled_values(options.document, names);
+  for (const std::string& error : restyled.errors) complain(error, ExitCode::bad_input);
+  if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
   require_drawn(generated, names.figure_places);
   for (const std::string& name : references.unused) {
     complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
   }
 
-  write_statements(options.document, names,
-                   fs::path(options.build) / prose_folder / "statements.tex");
+  // LaTeX looks into its output folder before all others.
+  write_statements(options.document, names, fs::path(options.build) / "statements.tex");
+  sys::write_if_changed(fs::path(options.build) / "restyled.tex", restyled.latex);
   typeset({.source_dir = options.document,
            .main_file = options.main_file,
            .generated_dir = options.generated,

@@ -50,6 +50,22 @@ class Conditionals {
   int depth_ = 0;
 };
 
+/// The content of a group in brackets, as TeX reads it: white space is one blank.
+std::string in_one_line(std::string_view group) {
+  if (group.empty()) return "";
+  const auto open = group.find('[');
+  std::string text;
+  for (const char c : group.substr(open + 1, group.size() - open - 2)) {
+    const bool is_blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!is_blank) {
+      text += c;
+    } else if (!text.ends_with(' ')) {
+      text += ' ';
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 bool is_left_out(const std::vector<Branch>& branches, const std::map<std::string, bool>& flags) {
@@ -68,12 +84,14 @@ std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::s
     if (token->kind != TexKind::command) continue;
     const std::string name(token->name);
     const std::string_view rest = scanner.rest();
-    const std::string argument(argument_at(rest.substr(group_at(rest, '[', ']').size())));
+    const std::string_view in_brackets = group_at(rest, '[', ']');
+    const std::string argument(argument_at(rest.substr(in_brackets.size())));
     if (argument.empty() || argument.find('#') != std::string::npos) continue;
     if (names.contains(name)) {
       const auto [line, column] = place_in(text, token->text);
       const auto end = static_cast<std::size_t>(rest.data() - text.data());
-      commands.push_back({name, argument, line, column, conditionals.branches(), end});
+      commands.push_back(
+          {name, argument, in_one_line(in_brackets), line, column, conditionals.branches(), end});
     }
     if (name == "ifflag") conditionals.begin(argument);
   }

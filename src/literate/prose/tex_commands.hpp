@@ -16,11 +16,12 @@ struct Branch {
   bool is_yes = false;
 };
 
-/// A use of a LaTeX command, `\name{argument}` or `\name[…]{argument}`, and where its backslash
-/// stands.
+/// A use of a LaTeX command, `\name{argument}` or `\name[options]{argument}`, and where its
+/// backslash stands.
 struct TexCommand {
   std::string name;
   std::string argument;
+  std::string options;           ///< as they are written, in one line; empty if there are none
   int line = 0;                  ///< from 1
   int column = 0;                ///< from 1, counted in characters
   std::vector<Branch> branches;  ///< of \ifflag around it, outermost first

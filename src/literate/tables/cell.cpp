@@ -1,23 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/tables/cell.hpp"
 
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "literate/text/latex.hpp"
+#include "literate/values/format.hpp"
 
 namespace literate {
 
 Cell::Cell(std::string_view text) : content_(escape_latex(text)) {}
 
-Cell Cell::to_place(double number, int place) {
+Cell Cell::quoted(double number, int place, std::optional<double> abs_error) {
+  const std::string text = scientific(rounded_to_place(number, place));
+  double printed = 0;
+  std::from_chars(text.data(), text.data() + text.size(), printed);
+  // A decimal number that was read as a double is off by half a rounding; two more may come from
+  // arithmetic such as 5 · 0.01.
+  constexpr double of_reading = 4 * std::numeric_limits<double>::epsilon();
+  if (std::abs(printed - number) > of_reading * std::abs(number)) {
+    throw std::invalid_argument(fmt::format("{} has more digits than one quoted to the place 1e{}",
+                                            round_trip(number), place));
+  }
   Cell cell(number);
   cell.place_ = place;
+  cell.abs_error_ = abs_error;
   return cell;
 }
 
 Cell Cell::latex(std::string text) {
   Cell cell;
   cell.content_ = std::move(text);
+  return cell;
+}
+
+Cell Cell::within(double abs_error) const {
+  require_error_bound(abs_error);
+  if (number() == nullptr || abs_error_ || place_) {
+    throw std::invalid_argument("only a cell with a bare number can be given an error bound");
+  }
+  Cell cell = *this;
+  cell.abs_error_ = abs_error;
+  cell.wants_all_digits_ = true;
+  return cell;
+}
+
+Cell Cell::marked(std::string mark) const {
+  Cell cell = *this;
+  cell.mark_ = std::move(mark);
   return cell;
 }
 

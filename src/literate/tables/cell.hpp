@@ -7,37 +7,64 @@
 #include <string_view>
 #include <variant>
 
+#include "numerics/estimate.hpp"
+
 namespace literate {
 
 /// A number, a text, or nothing. Text is plain and is escaped, unless Cell::latex made it.
+///
+/// A number is exact (an integer), an estimate with its error bound, or quoted with its last place.
+/// Table::add_row() takes one that is none of these, a bare double, only in a column that is
+/// declared to hold exact numbers.
 class Cell {
  public:
   Cell() = default;
-  template <typename Number>
-  requires(std::integral<Number> || std::floating_point<Number>) Cell(Number number)
-      : content_(static_cast<double>(number)) {}
+  template <std::integral Integer>
+  Cell(Integer number) : content_(static_cast<double>(number)), abs_error_(0) {}
+  template <std::floating_point Number>
+  Cell(Number number) : content_(static_cast<double>(number)) {}
+  /// Prints as the column says, but no digit that the error does not support.
+  Cell(numerics::Estimate estimate) : content_(estimate.value), abs_error_(estimate.abs_error) {}
   Cell(std::string_view text);
   Cell(const std::string& text) : Cell(std::string_view(text)) {}
   Cell(const char* text) : Cell(std::string_view(text)) {}
 
-  /// Makes a number whose last digit stands at 10^place, whatever the column says of decimals: for
-  /// quoted numbers, which keep the digits of their source.
-  static Cell to_place(double number, int place);
+  /// Makes a number that another source prints with its last digit at 10^place, and with an error
+  /// bound if that source tells one: it keeps these digits, whatever the column says. Throws
+  /// std::invalid_argument for a number that has more digits.
+  static Cell quoted(double number, int place, std::optional<double> abs_error = std::nullopt);
 
   /// Makes a text that is LaTeX already.
   static Cell latex(std::string text);
 
+  /// The same number with a bound on its error, which has to support every digit that the column
+  /// asks for: Table::add_row() refuses it otherwise. Throws std::invalid_argument for a cell that
+  /// is not a bare number, and for a bound that is negative or not finite.
+  Cell within(double abs_error) const;
+
+  /// The same cell with a small mark behind it, which a note below the table explains.
+  Cell marked(std::string mark) const;
+
   bool is_empty() const { return std::holds_alternative<std::monostate>(content_); }
   /// The number, or null.
   const double* number() const { return std::get_if<double>(&content_); }
-  /// The place of the number's last digit; none if the column decides it.
+  /// The error bound of the number: 0 for an integer; none for a bare or a quoted number.
+  const std::optional<double>& abs_error() const { return abs_error_; }
+  /// Whether every digit that the column asks for must be earned.
+  bool wants_all_digits() const { return wants_all_digits_; }
+  /// The place of a quoted number's last digit; none if the column decides it.
   const std::optional<int>& place() const { return place_; }
   /// The text as LaTeX, or null.
   const std::string* text() const { return std::get_if<std::string>(&content_); }
+  /// The mark, plain text; empty for none.
+  const std::string& mark() const { return mark_; }
 
  private:
   std::variant<std::monostate, double, std::string> content_;
+  std::optional<double> abs_error_;
+  bool wants_all_digits_ = false;
   std::optional<int> place_;
+  std::string mark_;
 };
 
 }  // namespace literate

@@ -1,38 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/tables/column.hpp"
 
+#include <fmt/core.h>
+
+#include <stdexcept>
 #include <utility>
 
 #include "literate/text/latex.hpp"
 
 namespace literate {
+namespace {
+
+bool prints_all_digits(const Format& numbers) {
+  return numbers.notation() == Notation::integer || numbers.notation() == Notation::exact;
+}
+
+}  // namespace
 
 Column::Column(ColumnFormat format) : format_(std::move(format)) {
   require_unit(format_.unit);
+  const auto& numbers = format_.numbers;
+  if (numbers && numbers->is_percentage() && !format_.unit.empty()) {
+    throw std::invalid_argument(
+        fmt::format("column '{}' is in per cent and has no other unit, such as '{}'",
+                    format_.heading, format_.unit));
+  }
+  if (numbers && numbers->rounds_up() && numbers->notation() == Notation::significant) {
+    throw std::invalid_argument(fmt::format(
+        "column '{}': only scientific() and fixed() numbers round up", format_.heading));
+  }
 }
 
-Column Column::fixed(std::string heading, std::string unit, int decimals) {
-  return scaled(std::move(heading), std::move(unit), 0, decimals);
-}
-
-Column Column::scaled(std::string heading, std::string unit, int exponent, int decimals) {
-  return Column({ColumnKind::fixed, std::move(heading), std::move(unit), exponent, decimals});
-}
-
-Column Column::common_exponent(std::string heading, std::string unit, int n_digits) {
-  return Column({ColumnKind::common_exponent, std::move(heading), std::move(unit), 0, n_digits});
-}
-
-Column Column::scientific(std::string heading, std::string unit, int n_digits) {
-  return Column({ColumnKind::scientific, std::move(heading), std::move(unit), 0, n_digits});
-}
-
-Column Column::integer(std::string heading, std::string unit) {
-  return Column({ColumnKind::integer, std::move(heading), std::move(unit)});
-}
+Column::Column(std::string heading, const Format& numbers, std::string unit)
+    : Column(ColumnFormat{.heading = std::move(heading),
+                          .numbers = numbers,
+                          .unit = std::move(unit),
+                          .is_exact = prints_all_digits(numbers)}) {}
 
 Column Column::text(std::string heading) {
-  return Column({ColumnKind::text, std::move(heading), ""});
+  return Column(ColumnFormat{.heading = std::move(heading), .numbers = std::nullopt, .unit = ""});
+}
+
+Column Column::scaled(int exponent) const {
+  if (!format_.numbers || format_.numbers->notation() != Notation::fixed ||
+      format_.numbers->rounds_up()) {
+    throw std::invalid_argument(
+        fmt::format("column '{}': only fixed() numbers can be scaled", format_.heading));
+  }
+  Column column = *this;
+  column.format_.exponent = exponent;
+  return column;
+}
+
+Column Column::exact() const {
+  Column column = *this;
+  column.format_.is_exact = true;
+  return column;
+}
+
+Column Column::under(std::string group) const {
+  Column column = *this;
+  column.format_.group = std::move(group);
+  return column;
 }
 
 }  // namespace literate

@@ -1,44 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "literate/values/format.hpp"
 
 namespace literate {
 
-enum class ColumnKind { fixed, common_exponent, scientific, integer, text };
-
-/// The heading of a column and how it prints numbers. The factories of Column explain the kinds.
+/// What a column says of itself and of its numbers. Column explains it.
 struct ColumnFormat {
-  ColumnKind kind;
-  std::string heading;  ///< LaTeX
-  std::string unit;     ///< literal text; empty for none
-  int exponent = 0;     ///< the power of ten that the unit line states
-  int digits = 0;       ///< decimals of fixed numbers, significant digits of others
+  std::string heading;            ///< LaTeX
+  std::optional<Format> numbers;  ///< none for a column of texts
+  std::string unit;               ///< literal text; empty for none
+  std::string group = {};         ///< the heading over this column and its neighbours, LaTeX
+  int exponent = 0;               ///< the power of ten that the unit line states
+  bool is_exact = false;          ///< whether bare numbers are exact
 };
 
-/// One column of a Table: its heading (LaTeX), its unit (literal text) and how it prints numbers.
-/// Every factory throws std::invalid_argument for a unit that require_unit refuses.
+/// One column of a Table: its heading (LaTeX), how it prints numbers, and their unit (literal
+/// text).
+///
+///     Column("$u_z$", significant(8), "in")         // ten to the power they share below the
+///     heading Column("FEA", fixed(3), "in").scaled(-6)      // in 10⁻⁶ in Column("$x$", fixed(2),
+///     "in").exact()         // parameters, which have no error Column("misfit", percent(1)) //
+///     ratios; (%) below the heading Column("nodes", integer()) Column::text("method")
 class Column {
  public:
-  /// Prints numbers with `decimals` digits after the point.
-  static Column fixed(std::string heading, std::string unit, int decimals);
-
-  /// Prints numbers divided by 10^exponent, which the unit line states: (10⁻⁶ in).
-  static Column scaled(std::string heading, std::string unit, int exponent, int decimals);
-
-  /// Prints as scaled() does, with the exponent of the column's largest magnitude, which gets
-  /// `n_digits` digits.
-  static Column common_exponent(std::string heading, std::string unit, int n_digits);
-
-  /// Prints each number with `n_digits` significant digits and an exponent of its own.
-  static Column scientific(std::string heading, std::string unit, int n_digits);
-
-  /// Prints whole numbers; a cell with a fraction throws std::invalid_argument when the table is
-  /// written.
-  static Column integer(std::string heading, std::string unit = "");
+  /// Throws std::invalid_argument for a unit that require_unit refuses, and for a percentage with a
+  /// unit.
+  Column(std::string heading, const Format& numbers, std::string unit = "");
 
   /// Prints plain text, flush left.
   static Column text(std::string heading);
+
+  /// Prints the numbers divided by 10^exponent, which the unit line states. Only for fixed():
+  /// throws std::invalid_argument for other formats.
+  Column scaled(int exponent) const;
+
+  /// Declares that bare numbers in this column have no error: parameters, abscissae, differences of
+  /// two numbers as they were computed. Columns of integer() and exact() numbers need not say so.
+  Column exact() const;
+
+  /// Puts a heading over this column and those beside it that have the same one.
+  Column under(std::string group) const;
 
   const ColumnFormat& format() const { return format_; }
 

@@ -8,41 +8,100 @@
 #include <stdexcept>
 #include <utility>
 
-#include "literate/values/decimal.hpp"
+#include "literate/text/latex.hpp"
 
 namespace literate {
 namespace {
 
-/// The power of ten of the largest magnitude after rounding to `n_digits` digits.
+/// The power of ten of the largest magnitude after rounding to `n_digits` digits, or of the largest
+/// error if that is larger.
 int common_exponent_of(const std::vector<const Cell*>& cells, int n_digits) {
-  double largest = 0;
+  std::optional<int> largest;
+  const auto consider = [&](int place) { largest = std::max(largest.value_or(place), place); };
   for (const Cell* cell : cells) {
-    if (const double* number = cell->number()) largest = std::max(largest, std::abs(*number));
+    const double* number = cell->number();
+    if (number == nullptr) continue;
+    if (*number != 0) consider(leading_place(rounded_to_digits(*number, n_digits)));
+    if (const auto place = least_earned_place(cell->abs_error().value_or(0))) consider(*place);
   }
-  return leading_place(rounded_to_digits(largest, n_digits)) * (largest > 0 ? 1 : 0);
+  return largest.value_or(0);
+}
+
+/// The number of a cell as the column rounds it. The column's exponent is known.
+RoundedNumber rounded_in(const ColumnFormat& column, const Cell& cell) {
+  const double number = *cell.number();
+  const Format& format = *column.numbers;
+  if (cell.place()) {
+    const bool has_exponent = format.notation() == Notation::scientific;
+    return {rounded_to_place(number, *cell.place()),
+            has_exponent ? RoundedNumber::Style::with_exponent : RoundedNumber::Style::plain, false,
+            ""};
+  }
+  if (format.notation() == Notation::fixed && !format.rounds_up()) {
+    // Moving the decimal point is exact, so the number is rounded only once; dividing it would
+    // round it again.
+    const int of_percentage = format.is_percentage() ? -2 : 0;
+    return rounded_at(number, cell.abs_error(), column.exponent + of_percentage - format.digits());
+  }
+  return rounded(format, number, cell.abs_error());
+}
+
+std::string text_in(const ColumnFormat& column, const Cell& cell) {
+  const int of_percentage = column.numbers->is_percentage() ? -2 : 0;
+  return rounded_in(column, cell).text(column.exponent + of_percentage);
 }
 
 }  // namespace
 
+void require_printable(const ColumnFormat& column, const Cell& cell) {
+  const double* number = cell.number();
+  if (number == nullptr) return;
+  const std::string digits = round_trip(*number);
+  if (!column.numbers) throw std::invalid_argument(digits + " is a number in a column of texts");
+  if (!std::isfinite(*number)) throw std::invalid_argument(digits + " is not finite");
+  if (cell.abs_error()) {
+    require_error_bound(*cell.abs_error());
+  } else if (!cell.place() && !column.is_exact) {
+    throw std::invalid_argument(
+        digits + " comes without its error: give an Estimate, or declare the column exact");
+  }
+  const RoundedNumber rounded = rounded_in(column, cell);
+  const bool has_common_exponent = column.numbers->notation() == Notation::significant;
+  if (!cell.wants_all_digits() || has_common_exponent) return;
+  Cell bare(*number);
+  require_earned(*number, rounded_in(column, bare).digits.place, *cell.abs_error(),
+                 text_in(column, bare));
+}
+
 ColumnWriter::ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells)
     : format_(std::move(format)) {
-  if (format_.kind == ColumnKind::common_exponent) {
-    format_.exponent = common_exponent_of(cells, format_.digits);
-    format_.kind = ColumnKind::fixed;
-    --format_.digits;  // one of them stands before the point
+  const auto& numbers = format_.numbers;
+  if (numbers && numbers->notation() == Notation::significant) {
+    const int n_digits = numbers->digits();
+    format_.exponent = common_exponent_of(cells, n_digits);
+    // One of them stands before the point; of a percentage the exponent is that of the ratio.
+    const bool is_percentage = numbers->is_percentage();
+    format_.numbers = fixed(n_digits - 1);
+    if (is_percentage) {
+      format_.exponent += 2;
+      format_.numbers = fixed(n_digits - 1).in_percent();
+    }
   }
   for (const Cell* cell : cells) cells_.push_back(written(*cell));
 }
 
 std::string ColumnWriter::specification() const {
-  return format_.kind == ColumnKind::text ? "l" : "c";
+  return format_.numbers ? "c" : "l";
 }
 
 std::string ColumnWriter::cell(std::size_t row) const {
   const Written& cell = cells_[row];
-  if (!cell.is_number) return cell.text;
-  return fmt::format("\\LiterateCell{{{}}}{{{}}}{{{}}}", table_format(width_), cell.text,
-                     aligned_number(cell.text, width_));
+  // A mark takes no width, so that the decimal points stay below one another.
+  const std::string mark =
+      cell.mark.empty() ? "" : fmt::format("\\LiterateMark{{{}}}", escape_latex(cell.mark));
+  if (!cell.is_number) return cell.text + mark;
+  return fmt::format("\\LiterateCell{{{}}}{{{}}}{{{}}}{}", table_format(width_), cell.text,
+                     aligned_number(cell.text, width_), mark);
 }
 
 std::string ColumnWriter::heading() const {
@@ -50,40 +109,19 @@ std::string ColumnWriter::heading() const {
 }
 
 std::string ColumnWriter::unit() const {
-  const std::string& unit = format_.unit;
+  const bool is_percentage = format_.numbers && format_.numbers->is_percentage();
+  const std::string unit = is_percentage ? "\\percent" : format_.unit;
   if (format_.exponent == 0) return unit.empty() ? "" : fmt::format("(\\unit{{{}}})", unit);
   if (unit.empty()) return fmt::format("(\\num{{e{}}})", format_.exponent);
   return fmt::format("(\\qty{{e{}}}{{{}}})", format_.exponent, unit);
 }
 
 ColumnWriter::Written ColumnWriter::written(const Cell& cell) {
-  if (cell.is_empty()) return {};
-  if (cell.text()) return {*cell.text()};
-  if (format_.kind == ColumnKind::text) {
-    throw std::invalid_argument(
-        fmt::format("column '{}' holds text, not numbers", format_.heading));
-  }
-  const std::string number = number_text(cell);
+  if (cell.is_empty()) return {"", cell.mark()};
+  if (cell.text()) return {*cell.text(), cell.mark()};
+  const std::string number = text_in(format_, cell);
   width_ = widest(width_, width_of(number));
-  return {number, true};
-}
-
-std::string ColumnWriter::number_text(const Cell& cell) const {
-  const double number = *cell.number();
-  if (format_.kind == ColumnKind::scientific) {
-    return scientific(cell.place() ? rounded_to_place(number, *cell.place())
-                                   : rounded_to_digits(number, format_.digits));
-  }
-  if (format_.kind == ColumnKind::integer && std::trunc(number) != number) {
-    throw std::invalid_argument(
-        fmt::format("column '{}': {} is not a whole number", format_.heading, round_trip(number)));
-  }
-  // Moving the decimal point is exact, so the number is rounded only once; dividing it would round
-  // it again.
-  Decimal decimal =
-      rounded_to_place(number, cell.place().value_or(format_.exponent - format_.digits));
-  decimal.place -= format_.exponent;
-  return plain(decimal);
+  return {number, cell.mark(), true};
 }
 
 }  // namespace literate

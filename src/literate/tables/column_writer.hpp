@@ -10,18 +10,25 @@
 
 namespace literate {
 
+/// Throws std::invalid_argument for a cell that the column cannot print, or whose digits are not
+/// earned: a number that is not finite, a bare number unless the column is exact, a number in a
+/// column of texts, a fraction among whole numbers, and a bound that does not support all digits.
+/// What two columns of one table decide together, a common exponent, is not known here.
+void require_printable(const ColumnFormat& column, const Cell& cell);
+
 /// Writes one column of a table as LaTeX: header lines, and cells of equal width, so that the
 /// decimal points stand below one another. (An S column of siunitx does the same, but takes 1 ms
 /// for each cell in each run of LaTeX.)
 class ColumnWriter {
  public:
-  /// Writes all cells; throws std::invalid_argument as Table::latex does.
+  /// Writes all cells, each of which must be printable.
   ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells);
 
   /// The column type: `l` for text, `c` for numbers.
   std::string specification() const;
 
   std::string heading() const;
+  const std::string& group() const { return format_.group; }
 
   /// The unit in parentheses, with the power of ten factored out; empty if there is none.
   std::string unit() const;
@@ -33,10 +40,10 @@ class ColumnWriter {
  private:
   struct Written {
     std::string text;
+    std::string mark;
     bool is_number = false;
   };
   Written written(const Cell& cell);
-  std::string number_text(const Cell& cell) const;
 
   ColumnFormat format_;  // a common exponent is turned into the fixed one that the cells have
   NumberWidth width_;

@@ -12,6 +12,7 @@ struct Parts {
   bool negative = false;
   std::string_view whole;
   std::string_view decimals;
+  std::string_view uncertainty;  // in parentheses
   bool negative_exponent = false;
   std::string_view exponent;
 };
@@ -29,6 +30,10 @@ Parts parts_of(std::string_view number) {
     parts.exponent = number.substr(e + 1);
     parts.negative_exponent = remove_minus(parts.exponent);
     number = number.substr(0, e);
+  }
+  if (const auto open = number.find('('); open != number.npos) {
+    parts.uncertainty = number.substr(open);
+    number = number.substr(0, open);
   }
   const auto point = number.find('.');
   parts.whole = number.substr(0, point);
@@ -77,14 +82,17 @@ std::string power_of_ten(const Parts& parts, const NumberWidth& column) {
 
 NumberWidth width_of(std::string_view number) {
   const Parts parts = parts_of(number);
-  return {parts.negative, parts.whole.size(), parts.decimals.size(), parts.negative_exponent,
-          parts.exponent.size()};
+  return {parts.negative,          parts.whole.size(),    parts.decimals.size(),
+          parts.negative_exponent, parts.exponent.size(), parts.uncertainty.size()};
 }
 
 NumberWidth widest(const NumberWidth& a, const NumberWidth& b) {
-  return {a.negative || b.negative, std::max(a.n_whole, b.n_whole),
-          std::max(a.n_decimals, b.n_decimals), a.negative_exponent || b.negative_exponent,
-          std::max(a.n_exponent, b.n_exponent)};
+  return {a.negative || b.negative,
+          std::max(a.n_whole, b.n_whole),
+          std::max(a.n_decimals, b.n_decimals),
+          a.negative_exponent || b.negative_exponent,
+          std::max(a.n_exponent, b.n_exponent),
+          std::max(a.n_uncertainty, b.n_uncertainty)};
 }
 
 std::string table_format(const NumberWidth& width) {
@@ -105,6 +113,14 @@ std::string aligned_number(std::string_view number, const NumberWidth& column) {
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true);
   if (parts.decimals.empty() && column.n_decimals > 0) text += blank(".");
   text += blank_digits(parts.decimals.size(), column.n_decimals);
+  text += parts.uncertainty;
+  if (parts.uncertainty.size() < column.n_uncertainty) {
+    // Parentheses are as wide as those that the others have.
+    const bool has_none = parts.uncertainty.empty();
+    text += blank(
+        (has_none ? "()" : "") +
+        std::string(column.n_uncertainty - parts.uncertainty.size() - (has_none ? 2 : 0), '0'));
+  }
 
   if (!parts.exponent.empty()) return text + power_of_ten(parts, column);
   if (column.n_exponent == 0) return text;

@@ -4,25 +4,48 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "literate/tables/column_writer.hpp"
+#include "literate/text/latex.hpp"
 
 namespace literate {
 namespace {
 
+using Columns = std::vector<ColumnWriter>;
+
 /// One line of the tabular, its cells joined by `&`.
 template <typename CellText>
-std::string line(const std::vector<ColumnWriter>& columns, CellText&& text) {
+std::string line(const Columns& columns, CellText&& text) {
   std::vector<std::string> cells;
   for (const ColumnWriter& column : columns) cells.push_back(text(column));
   return fmt::format("  {} \\\\\n", fmt::join(cells, " & "));
 }
 
-std::string header(const std::vector<ColumnWriter>& columns) {
-  std::string text = line(columns, [](const ColumnWriter& column) { return column.heading(); });
+/// The headings over several columns, each with a rule below; empty if there are none.
+std::string spanning_headings(const Columns& columns) {
+  std::vector<std::string> cells, rules;
+  for (std::size_t first = 0; first < columns.size();) {
+    const std::string& group = columns[first].group();
+    std::size_t end = first + 1;
+    while (!group.empty() && end < columns.size() && columns[end].group() == group) ++end;
+    if (group.empty()) {
+      cells.emplace_back();
+    } else {
+      cells.push_back(fmt::format("\\multicolumn{{{}}}{{c}}{{{}}}", end - first, group));
+      rules.push_back(fmt::format("\\cmidrule(lr){{{}-{}}}", first + 1, end));
+    }
+    first = end;
+  }
+  if (rules.empty()) return "";
+  return fmt::format("  {} \\\\\n  {}\n", fmt::join(cells, " & "), fmt::join(rules, " "));
+}
+
+std::string header(const Columns& columns) {
+  std::string text = spanning_headings(columns);
+  text += line(columns, [](const ColumnWriter& column) { return column.heading(); });
   const auto has_unit = [](const ColumnWriter& column) { return !column.unit().empty(); };
   if (std::ranges::any_of(columns, has_unit)) {
     text += line(columns, [](const ColumnWriter& column) { return column.unit(); });
@@ -30,69 +53,176 @@ std::string header(const std::vector<ColumnWriter>& columns) {
   return text;
 }
 
-}  // namespace
-
-Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
-  if (columns_.empty()) throw std::invalid_argument("a table needs a column");
+std::string place_of(const std::source_location& location) {
+  return fmt::format("{}:{}", location.file_name(), location.line());
 }
 
-Table& Table::add_row(std::vector<Cell> cells) {
+/// Puts LaTeX's text into one line, as a comment of a CSV file has to be.
+std::string one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+}  // namespace
+
+Table::Table(std::string name, std::vector<Column> columns, Location location)
+    : name_(std::move(name)), columns_(std::move(columns)), location_(location) {
+  if (!columns_.empty()) return;
+  throw std::invalid_argument(
+      fmt::format("{}: table '{}' has no column", place_of(location), name_));
+}
+
+Table& Table::add_row(std::vector<Cell> cells, Location location) {
+  const std::string row = fmt::format("{}: table '{}' (begun at {}), row {}", place_of(location),
+                                      name_, place_of(location_), rows_.size() + 1);
   if (cells.size() != columns_.size()) {
-    throw std::invalid_argument(fmt::format("row {} of a table has {} cells for {} columns",
-                                            rows_.size() + 1, cells.size(), columns_.size()));
+    throw std::invalid_argument(
+        fmt::format("{}: {} cells for {} columns", row, cells.size(), columns_.size()));
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    try {
+      require_printable(columns_[i].format(), cells[i]);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("{}, column {} '{}': {}", row, i + 1,
+                                              columns_[i].format().heading, error.what()));
+    }
   }
   rows_.push_back(std::move(cells));
   return *this;
 }
 
-std::vector<std::string> Table::headings() const {
-  std::vector<std::string> headings;
-  for (const Column& column : columns_) headings.push_back(column.format().heading);
-  return headings;
+Table& Table::note(std::string text) {
+  return note("", std::move(text));
+}
+
+Table& Table::note(std::string mark, std::string text) {
+  notes_.push_back({std::move(mark), std::move(text)});
+  return *this;
+}
+
+Table& Table::break_over_pages() {
+  breaks_over_pages_ = true;
+  return *this;
+}
+
+void Table::require_complete() const {
+  std::set<std::string> used, explained;
+  for (const auto& row : rows_) {
+    for (const Cell& cell : row) {
+      if (!cell.mark().empty()) used.insert(cell.mark());
+    }
+  }
+  for (const TableNote& note : notes_) {
+    if (!note.mark.empty()) explained.insert(note.mark);
+  }
+  for (const std::string& mark : used) {
+    if (explained.contains(mark)) continue;
+    throw std::invalid_argument(fmt::format("{}: table '{}': no note explains the mark '{}'",
+                                            place_of(location_), name_, mark));
+  }
+  for (const std::string& mark : explained) {
+    if (used.contains(mark)) continue;
+    throw std::invalid_argument(fmt::format("{}: table '{}': no cell has the mark '{}' of a note",
+                                            place_of(location_), name_, mark));
+  }
+}
+
+std::string Table::notes_latex() const {
+  std::string text;
+  for (const TableNote& note : notes_) {
+    text += fmt::format("  \\LiterateNote{{{}}}{{{}}}\n", escape_latex(note.mark), note.text);
+  }
+  return text;
 }
 
 std::string Table::latex() const {
-  std::vector<ColumnWriter> columns;
+  Columns columns;
+  std::string specification;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     std::vector<const Cell*> cells;
     for (const auto& row : rows_) cells.push_back(&row[i]);
     columns.emplace_back(columns_[i].format(), cells);
+    specification += columns.back().specification();
   }
-  std::string specification;
-  for (const ColumnWriter& column : columns) specification += column.specification();
-
-  std::string text = fmt::format("\\begin{{tabular}}{{{}}}\n  \\toprule\n", specification);
-  text += header(columns) + "  \\midrule\n";
+  std::string rows;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    text += line(columns, [row](const ColumnWriter& column) { return column.cell(row); });
+    rows += line(columns, [row](const ColumnWriter& column) { return column.cell(row); });
   }
-  return text + "  \\bottomrule\n\\end{tabular}\n";
+  const std::string heading = fmt::format("  \\toprule\n{}  \\midrule\n", header(columns));
+
+  if (breaks_over_pages_) {
+    return fmt::format(
+        "\\begin{{longtable}}{{{}}}\n  \\LiterateLongCaption\n{}  \\endfirsthead\n{}  \\endhead\n"
+        "  \\midrule\n  \\multicolumn{{{}}}{{r}}{{\\LiterateContinued}} \\\\\n  \\endfoot\n"
+        "  \\bottomrule\n  \\endlastfoot\n{}\\end{{longtable}}\n{}",
+        specification, heading, heading, columns.size(), rows,
+        notes_.empty()
+            ? ""
+            : fmt::format("\\begin{{LiterateNotes}}\n{}\\end{{LiterateNotes}}\n", notes_latex()));
+  }
+  const std::string tabular =
+      fmt::format("\\begin{{tabular}}{{{}}}\n{}{}  \\bottomrule\n\\end{{tabular}}", specification,
+                  heading, rows);
+  if (notes_.empty()) return tabular + "\n";
+  return fmt::format("\\LiterateNoted{{%\n{}}}{{%\n{}}}\n", tabular, notes_latex());
 }
 
-std::string Table::csv() const {
-  const auto quoted = [](std::string text) {
-    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
-      text.insert(at, 1, '"');
-    }
-    return '"' + text + '"';
-  };
-  std::vector<std::string> line;
-  for (const Column& column : columns_) {
-    const auto& [heading, unit] = std::tie(column.format().heading, column.format().unit);
-    line.push_back(quoted(unit.empty() ? heading : fmt::format("{} ({})", heading, unit)));
+namespace {
+
+std::string quoted(std::string text) {
+  for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
+    text.insert(at, 1, '"');
   }
-  std::string text = fmt::format("{}\n", fmt::join(line, ","));
+  return '"' + text + '"';
+}
+
+std::string csv_heading(const ColumnFormat& format) {
+  const std::string group = format.group.empty() ? "" : format.group + ": ";
+  const std::string unit = format.unit.empty() ? "" : fmt::format(" ({})", format.unit);
+  return quoted(group + format.heading + unit);
+}
+
+std::string csv_cell(const Cell& cell) {
+  if (cell.is_empty()) return "";
+  return cell.number() != nullptr ? fmt::format("{}", *cell.number()) : quoted(*cell.text());
+}
+
+std::string csv_error(const Cell& cell) {
+  return cell.abs_error() ? fmt::format("{}", *cell.abs_error()) : "";
+}
+
+}  // namespace
+
+std::string Table::csv() const {
+  std::vector<bool> has_errors(columns_.size(), false);
   for (const auto& row : rows_) {
-    line.clear();
-    for (const Cell& cell : row) {
-      if (cell.is_empty()) {
-        line.emplace_back();
-      } else {
-        line.push_back(cell.number() != nullptr ? fmt::format("{}", *cell.number())
-                                                : quoted(*cell.text()));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (row[i].abs_error().value_or(0) > 0) has_errors[i] = true;
+    }
+  }
+  std::vector<std::string> fields;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    fields.push_back(csv_heading(columns_[i].format()));
+    if (has_errors[i]) fields.emplace_back("\"abs_error\"");
+  }
+  std::string text = fmt::format("{}\n", fmt::join(fields, ","));
+  std::string marks;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    fields.clear();
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const Cell& cell = rows_[r][i];
+      fields.push_back(csv_cell(cell));
+      if (has_errors[i]) fields.push_back(csv_error(cell));
+      if (!cell.mark().empty()) {
+        marks += fmt::format("# row {}, column {}: {}\n", r + 1, i + 1, cell.mark());
       }
     }
-    text += fmt::format("{}\n", fmt::join(line, ","));
+    text += fmt::format("{}\n", fmt::join(fields, ","));
+  }
+  text += marks;
+  for (const TableNote& note : notes_) {
+    text +=
+        fmt::format("# {}{}{}\n", note.mark, note.mark.empty() ? "" : ": ", one_line(note.text));
   }
   return text;
 }

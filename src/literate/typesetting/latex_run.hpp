@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "literate/typesetting/typeset.hpp"
+#include "literate/typesetting/typeset_options.hpp"
 
 namespace literate {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "literate/typesetting/typeset.hpp"
+#include "literate/typesetting/typeset_options.hpp"
 
 namespace literate {
 

@@ -162,4 +162,12 @@ std::string round_trip(double value) {
   return {buffer.data(), end.ptr};
 }
 
+std::string bare_digits(double value) {
+  require_number(value);
+  Buffer buffer;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
+  return {buffer.data(), end.ptr};
+}
+
 }  // namespace literate

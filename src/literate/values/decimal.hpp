@@ -48,4 +48,8 @@ std::string plain_or_scientific(const Decimal& number);
 /// becomes "nan".
 std::string round_trip(double value);
 
+/// Writes the shortest digits that read back as the same double, without an exponent, which TeX
+/// does not read in a length.
+std::string bare_digits(double value);
+
 }  // namespace literate

@@ -86,6 +86,15 @@ std::string_view name_of(Notation notation) {
   throw std::logic_error("no name for this notation");
 }
 
+Notation notation_of(std::string_view name) {
+  for (const Notation notation :
+       {Notation::significant, Notation::fixed, Notation::scientific, Notation::integer,
+        Notation::exact, Notation::supported, Notation::uncertain}) {
+    if (name_of(notation) == name) return notation;
+  }
+  throw std::invalid_argument(fmt::format("there is no notation '{}'", name));
+}
+
 Format Format::in_percent() const {
   Format format = *this;
   format.is_percentage_ = true;
@@ -263,6 +272,7 @@ RoundedNumber rounded(const Format& format, double number, std::optional<double>
   if (format.is_percentage()) {
     // Style::automatic is what a number too small for its decimals has.
     if (notation != Notation::fixed) result.style = Style::plain;
+    if (notation == Notation::scientific) result.style = Style::with_exponent;
     result.has_unknown_zeros = notation != Notation::exact;
   } else if (notation == Notation::scientific) {
     result.style = Style::with_exponent;

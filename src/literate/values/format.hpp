@@ -14,6 +14,9 @@ enum class Notation { significant, fixed, scientific, integer, exact, supported,
 /// significant, fixed, scientific, integer, exact, supported or uncertain.
 std::string_view name_of(Notation notation);
 
+/// The notation of that name; throws std::invalid_argument for any other text.
+Notation notation_of(std::string_view name);
+
 /// How a number is printed, in the text and in the columns of tables: significant(4), fixed(2),
 /// scientific(3), percent(1), integer(), exact(), supported(), uncertain().
 ///

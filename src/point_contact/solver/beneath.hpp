@@ -16,4 +16,9 @@ namespace point_contact {
 InteriorField field_beneath(const Solution& solution, const elasticity::Material& material,
                             const Eigen::Vector3d& at);
 
+/// The displacement (u_x, u_y, u_z) of the surface of the body of this material, by the same
+/// pressure: the sum of surface_displacement() over the same triangles, for pyramids alone.
+Eigen::Vector3d displacement_of_surface(const Solution& solution,
+                                        const elasticity::Material& material, const Vector2& at);
+
 }  // namespace point_contact

@@ -2,12 +2,10 @@
 #include "point_contact/solver/grid.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "point_contact/solver/influence_operator.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {
@@ -19,10 +17,6 @@ double require_n(Eigen::Index n) {
                                fmt::format("{} or more", min_nodes));
   }
   return static_cast<double>(n);
-}
-
-double bytes_of_machine() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace
@@ -56,21 +50,6 @@ Grid Grid::with_nodes(Eigen::Index new_n1, Eigen::Index new_n2) const {
   grid.lattice.second = between_rows() * (static_cast<double>(n2) / static_cast<double>(new_n2));
   if (is_staggered) grid.lattice.second += grid.lattice.first / 2;
   return grid;
-}
-
-void require_memory(Eigen::Index n1, Eigen::Index n2) {
-  // Nine fields of doubles, the mask of the contact, and as much as two fields in between.
-  constexpr double bytes_of_fields = 9 * 8 + 1 + 16;
-  const auto n_nodes = static_cast<double>(n1) * static_cast<double>(n2);
-  constexpr double billions = 1e18;  // beyond, even the sizes are no numbers of the machine
-  const double need = bytes_of_fields * n_nodes +
-                      (n_nodes < billions ? InfluenceOperator::bytes(n1, n2) : 80 * n_nodes);
-  if (need <= bytes_of_machine()) return;
-  throw sys::InvalidQuantity(
-      "nodes", n_nodes,
-      fmt::format("fewer: these need {:.3g} GB of memory, and there are {:.3g} "
-                  "GB",
-                  1e-9 * need, 1e-9 * bytes_of_machine()));
 }
 
 }  // namespace point_contact

@@ -66,8 +66,4 @@ Grid square_grid(double width, Eigen::Index n);
 /// triangles that fill a square of this width. If `stretch` is not 1, all is so many times as high.
 Grid hexagonal_grid(double width, Eigen::Index n, double stretch = 1);
 
-/// Throws InvalidQuantity if a contact on n1 × n2 nodes needs more memory than this machine has;
-/// the message says how much.
-void require_memory(Eigen::Index n1, Eigen::Index n2);
-
 }  // namespace point_contact

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/contact_error.hpp"
+#include "point_contact/solver/memory.hpp"
 #include "point_contact/solver/prolongation.hpp"
 #include "system/require.hpp"
 

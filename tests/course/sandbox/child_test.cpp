@@ -97,7 +97,21 @@ BOOST_AUTO_TEST_CASE(a_child_that_exceeds_a_limit_is_ended_and_the_limit_named) 
               Excess::time));
   BOOST_TEST((excess_of("head -c 200000000 /dev/zero | tail -c 150000000 >/dev/null; sleep 100",
                         [](Child& child) { child.memory_mb = 50; }) == Excess::memory));
+  BOOST_TEST(
+      (excess_of("sleep 100", [](Child& child) { child.waiting_seconds = 0.3; }) == Excess::time));
   BOOST_TEST((std::chrono::steady_clock::now() - begin < std::chrono::seconds(50)));
+}
+
+BOOST_AUTO_TEST_CASE(a_child_that_wants_a_processor_does_not_wait) {
+  const Shell shell;
+  Child child = shell.child("i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done");
+  child.waiting_seconds = 0.1;
+
+  const course::ChildEnd end = run_child(child);
+
+  BOOST_TEST((end.excess == Excess::none));
+  BOOST_TEST(end.status == 0);
+  BOOST_TEST(end.cpu_seconds > 0.1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -194,6 +194,43 @@ BOOST_AUTO_TEST_CASE(a_crash_tells_its_signal) {
   BOOST_TEST(end.status == 11);
 }
 
+BOOST_AUTO_TEST_CASE(a_status_that_looks_like_a_time_out_is_none) {
+  const TemporaryFolder work;
+
+  const JobEnd exited = run(work, shell("exit 124")).end;
+  BOOST_TEST((exited.ending == Ending::normal));
+  BOOST_TEST(exited.status == 124);
+  for (const auto& [signal, number] : {std::pair{"KILL", 9}, std::pair{"XCPU", 24}}) {
+    const JobEnd killed = run(work, shell(std::string("kill -") + signal + " $$")).end;
+    BOOST_TEST((killed.ending == Ending::crash), signal);
+    BOOST_TEST(killed.status == number);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_job_writes_to_files_that_nobody_wrote_before) {
+  const TemporaryFolder work;
+  work.write("out", "of an earlier job\n");
+  fs::create_hard_link(work.path() / "out", work.path() / "kept");
+
+  BOOST_TEST(run(work, shell("echo new")).output == "new\n");
+
+  BOOST_TEST(sys::read_file(work.path() / "kept") == "of an earlier job\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_job_that_locks_its_output_is_graded_all_the_same) {
+  const TemporaryFolder work;
+
+  const bool is_read_twice = as_nobody(work, [&] {
+    for (int i = 0; i < 2; ++i) {
+      run_freely(work, shell("echo 1; chmod 0 /proc/self/fd/1 /proc/self/fd/2"));
+      if (sys::read_file(work.path() / "out") != "1\n") return false;
+    }
+    return true;
+  });
+
+  BOOST_TEST(is_read_twice);
+}
+
 BOOST_AUTO_TEST_CASE(processes_are_counted_for_each_job) {
   const TemporaryFolder work;
   Job job = shell("for i in 1 2 3 4 5 6 7 8 9; do sleep 0.2 & done 2>/dev/null; wait");

@@ -59,7 +59,7 @@ std::vector<std::string> pages_with(Verdict found) {
       "Apples \\claim{apples}.\\newpage More.\\newpage\n"
       "\\claimledger\\end{document}\n");
   write_statements(scratch / "text", read_names(scratch / "generated/names.json"),
-                   scratch / "latex/prose/statements.tex");
+                   scratch / "latex/statements.tex");
   typeset({.source_dir = scratch / "text",
            .main_file = "main.tex",
            .generated_dir = scratch / "generated",

@@ -16,6 +16,7 @@ using Lines = std::vector<std::string>;
 namespace {
 
 const Names names{.values = {"peak.pressure", "load"},
+                  .numbers = {},
                   .flags = {{"converged", true}, {"diverged", false}},
                   .tables = {"results"},
                   .figures = {"pressure"},

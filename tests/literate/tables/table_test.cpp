@@ -5,11 +5,23 @@
 #include <limits>
 #include <stdexcept>
 
+#include "message_of.hpp"
+
 BOOST_AUTO_TEST_SUITE(table_test)
 
 using literate::Cell;
 using literate::Column;
+using literate::exact;
+using literate::fixed;
+using literate::integer;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
+using literate::supported;
 using literate::Table;
+using literate::uncertain;
+using numerics::Estimate;
+using std::invalid_argument;
 
 namespace {
 
@@ -17,11 +29,18 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+// The number that a table of one column prints for a cell, as \LiterateCell has it.
+std::string printed(const Column& column, const Cell& cell) {
+  const std::string latex = Table("t", {column}).add_row({cell}).latex();
+  const auto begin = latex.find("}{", latex.find("\\LiterateCell{")) + 2;
+  return latex.substr(begin, latex.find('}', begin) - begin);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_table_format_holds_the_widest_number) {
-  Table table(
-      {Column::fixed("$a$", "", 2), Column::scientific("$e$", "in", 3), Column::integer("$n$")});
+  Table table("t", {Column("$a$", fixed(2)).exact(), Column("$e$", scientific(3), "in").exact(),
+                    Column("$n$", integer())});
   table.add_row({-1.0, 1.5e-6, 12}).add_row({123.456, -2.386e-12, 1200});
 
   const std::string latex = table.latex();
@@ -38,8 +57,9 @@ BOOST_AUTO_TEST_CASE(the_table_format_holds_the_widest_number) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scaled_column_moves_its_power_of_ten_to_the_unit_line) {
-  Table table({Column::scaled("$v$", "in", -6, 3), Column::scaled("$E$", "psi", 6, 1),
-               Column::scaled("$k$", "", 3, 0)});
+  Table table("t", {Column("$v$", fixed(3), "in").scaled(-6).exact(),
+                    Column("$E$", fixed(1), "psi").scaled(6).exact(),
+                    Column("$k$", fixed(0)).scaled(3).exact()});
   table.add_row({1.623605e-6, 29.96e6, 1500.5});
 
   const std::string latex = table.latex();
@@ -50,18 +70,31 @@ BOOST_AUTO_TEST_CASE(a_scaled_column_moves_its_power_of_ten_to_the_unit_line) {
 }
 
 BOOST_AUTO_TEST_CASE(a_common_exponent_is_that_of_the_largest_magnitude) {
-  Table table({Column::common_exponent("$p$", "psi", 3)});
-  table.add_row({12.0}).add_row({-9999.0}).add_row({0.0});
+  Table table("t", {Column("$p$", significant(3), "psi").exact()});
+  table.add_row({120.0}).add_row({-9999.0}).add_row({0.0});
 
   const std::string latex = table.latex();
 
   BOOST_TEST(has(latex, "(\\qty{e4}{psi})"));
-  const std::string zero = "  \\LiterateCell{-1.2}{0.00}{\\hphantom{-}0.00} \\\\\n";
-  BOOST_TEST(has(latex, zero + "  \\LiterateCell{-1.2}{-1.00}{-1.00} \\\\\n" + zero));
+  BOOST_TEST(has(latex,
+                 "  \\LiterateCell{-1.2}{0.01}{\\hphantom{-}0.01} \\\\\n"
+                 "  \\LiterateCell{-1.2}{-1.00}{-1.00} \\\\\n"
+                 "  \\LiterateCell{-1.2}{0.00}{\\hphantom{-}0.00} \\\\\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_common_exponent_is_not_below_the_errors) {
+  Table table("t", {Column("difference", significant(2))});
+  table.add_row({Estimate{3e-16, 2e-14}}).add_row({Estimate{-4e-17, 0}});
+
+  const std::string latex = table.latex();
+
+  BOOST_TEST(has(latex, "(\\num{e-13})"));
+  BOOST_TEST(has(latex, "{0}{"));
+  BOOST_TEST(has(latex, "{-4e-4}{"));
 }
 
 BOOST_AUTO_TEST_CASE(without_units_there_is_no_unit_line) {
-  Table table({Column::text("Case"), Column::fixed("$x$", "", 1)});
+  Table table("t", {Column::text("Case"), Column("$x$", fixed(1)).exact()});
   table.add_row({"50 %", 1.0}).add_row({Cell::latex("$\\infty$"), {}}).add_row({"c", "none"});
 
   BOOST_TEST(table.latex() ==
@@ -76,28 +109,155 @@ BOOST_AUTO_TEST_CASE(without_units_there_is_no_unit_line) {
              "\\end{tabular}\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_cell_prints_no_digit_that_its_error_does_not_support) {
+  BOOST_TEST(printed(Column("x", fixed(5)), Estimate{0.123456, 1e-9}) == "0.12346");
+  BOOST_TEST(printed(Column("x", fixed(5)), Estimate{0.123456, 2e-3}) == "0.12");
+  BOOST_TEST(printed(Column("x", fixed(2)), Estimate{1234.5, 40}) == "1.2e3");
+  BOOST_TEST(printed(Column("x", scientific(4)), Estimate{2.3456e-7, 3e-9}) == "2.3e-7");
+  BOOST_TEST(printed(Column("x", scientific(2)), Estimate{3e-17, 2e-15}) == "0e-14");
+  BOOST_TEST(printed(Column("x", significant(4), "in"), Estimate{1.23456e-6, 3e-9}) == "1.23");
+  BOOST_TEST(printed(Column("x", fixed(4), "in").scaled(-6), Estimate{1.23456e-6, 3e-9}) == "1.23");
+  BOOST_TEST(printed(Column("x", percent(2)), Estimate{0.123456, 2e-3}) == "12");
+  BOOST_TEST(printed(Column("x", supported(9)), Estimate{0.123456, 2e-3}) == "0.12");
+}
+
+BOOST_AUTO_TEST_CASE(a_cell_that_is_not_zero_is_not_printed_as_zero) {
+  BOOST_TEST(printed(Column("x", fixed(3)), Estimate{-3e-4, 1e-7}) == "-3.0e-4");
+  BOOST_TEST(printed(Column("x", fixed(2)).exact(), 0.004) == "0.004");
+  BOOST_TEST(printed(Column("x", fixed(3)), Estimate{-3e-4, 1e-2}) == "0.00");
+  BOOST_TEST(printed(Column("x", fixed(3)).exact(), 0.0) == "0.000");
+}
+
+BOOST_AUTO_TEST_CASE(digits_that_are_not_earned_are_refused_with_table_row_and_column) {
+  Table table("periods", {Column::text("case"), Column("$T/T_0$", fixed(4), "s")});
+  table.add_row({"a", Cell(1.5).within(1e-4)});
+
+  const std::string unearned = message_of<invalid_argument>([&] {
+    table.add_row({"b", Cell(1.23456).within(2e-4)});
+  });
+  const std::string bare = message_of<invalid_argument>([&] { table.add_row({"c", 1.25}); });
+
+  const std::string place = "tests/literate/tables/table_test.cpp:";
+  BOOST_TEST(unearned.starts_with(place));
+  BOOST_TEST(has(unearned, "table 'periods' (begun at " + place));
+  BOOST_TEST(
+      has(unearned,
+          "), row 2, column 2 '$T/T_0$': 1.23456 is printed as '1.2346', more digits than an "
+          "error of 0.0002 supports"));
+  BOOST_TEST(has(bare,
+                 "), row 2, column 2 '$T/T_0$': 1.25 comes without its error: give an Estimate, or "
+                 "declare the column exact"));
+  BOOST_TEST(table.rows().size() == 1U);
+}
+
 BOOST_AUTO_TEST_CASE(what_does_not_fit_a_column_is_refused) {
-  using std::invalid_argument;
-  BOOST_CHECK_THROW(Table({}), invalid_argument);
-  BOOST_CHECK_THROW(Table({Column::integer("n")}).add_row({1, 2}), invalid_argument);
-  BOOST_CHECK_THROW(Table({Column::integer("n")}).add_row({1.5}).latex(), invalid_argument);
-  BOOST_CHECK_THROW(Table({Column::text("n")}).add_row({1}).latex(), invalid_argument);
+  const auto refused = [](const Column& column, const Cell& cell) {
+    BOOST_CHECK_THROW(Table("t", {column}).add_row({cell}), invalid_argument);
+  };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  BOOST_CHECK_THROW(Table({Column::fixed("n", "", 1)}).add_row({nan}).latex(), invalid_argument);
+  const double infinity = std::numeric_limits<double>::infinity();
+  BOOST_CHECK_THROW(Table("t", {}), invalid_argument);
+  BOOST_CHECK_THROW(Table("t", {Column("n", integer())}).add_row({1, 2}), invalid_argument);
+  refused(Column("n", integer()), 1.5);
+  refused(Column("n", integer()), Estimate{2, 0.5});
+  refused(Column::text("n"), 1);
+  refused(Column("n", fixed(1)).exact(), nan);
+  refused(Column("n", fixed(1)), Estimate{1, nan});
+  refused(Column("n", fixed(1)), Estimate{1, -1});
+  refused(Column("n", fixed(1)), Estimate{infinity, 1});
+  refused(Column("n", uncertain()).exact(), 1.5);
+  refused(Column("n", percent(1).rounded_up()), Estimate{-0.5, 0.1});
+  BOOST_CHECK_THROW(Cell("text").within(0), invalid_argument);
+  BOOST_CHECK_THROW(Cell(1.5).within(-1), invalid_argument);
+  BOOST_CHECK_THROW(Column("n", significant(2)).scaled(3), invalid_argument);
+  BOOST_CHECK_THROW(Column("n", significant(2).rounded_up()), invalid_argument);
+  BOOST_CHECK_THROW(Column("n", percent(1), "in"), invalid_argument);
+  BOOST_CHECK_THROW(Column("share", fixed(1), "%"), invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_quoted_number_keeps_its_digits_in_a_column_of_others) {
-  Table table({Column::scaled("$u$", "in", -6, 6)});
-  table.add_row({Cell::to_place(1.594637e-6, -12)}).add_row({Cell::to_place(9.728517e-7, -13)});
+  Table table("t", {Column("$u$", fixed(6), "in").scaled(-6)});
+  table.add_row({Cell::quoted(1.594637e-6, -12)}).add_row({Cell::quoted(9.728517e-7, -13)});
 
   const std::string latex = table.latex();
-  BOOST_TEST(latex.find("{1.594\\,637\\hphantom{0}\\,}") != latex.npos);
-  BOOST_TEST(latex.find("{0.972\\,851\\,7}") != latex.npos);
-  BOOST_TEST(latex.find("\\LiterateCell{1.7}{1.594637}") != latex.npos);
+  BOOST_TEST(has(latex, "{1.594\\,637\\hphantom{0}\\,}"));
+  BOOST_TEST(has(latex, "{0.972\\,851\\,7}"));
+  BOOST_TEST(has(latex, "\\LiterateCell{1.7}{1.594637}"));
+  BOOST_CHECK_THROW(Cell::quoted(1.5946371e-6, -12), invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(a_unit_that_latex_would_misread_is_refused) {
-  BOOST_CHECK_THROW(Column::fixed("share", "%", 1), std::invalid_argument);
+BOOST_AUTO_TEST_CASE(percentages_and_uncertainties_stand_in_columns) {
+  Table table("t", {Column("share", percent(1)).exact(), Column("period", uncertain(), "s")});
+  table.add_row({0.125, Estimate{0.786151378, 1.11e-7}}).add_row({1.0, Estimate{2.5, 0}});
+
+  const std::string latex = table.latex();
+  BOOST_TEST(has(latex, "(\\unit{\\percent}) & (\\unit{s})"));
+  BOOST_TEST(has(latex, "{12.5}{\\hphantom{0}12.5}"));
+  BOOST_TEST(has(latex, "{0.78615138(12)}{0.786\\,151\\,38(12)}"));
+  BOOST_TEST(has(latex, "{2.5}{2.5\\hphantom{0000000}\\,\\,\\hphantom{()00}}"));
+}
+
+BOOST_AUTO_TEST_CASE(a_heading_spans_the_columns_that_share_it) {
+  Table table(
+      "t", {Column::text("error of"), Column("$r$", fixed(1)).under("triangles"),
+            Column("$C$", fixed(1)).under("triangles"), Column("$r$", fixed(1)).under("uniform")});
+  table.add_row({"peak", 1, 2, 3});
+
+  BOOST_TEST(has(table.latex(),
+                 "  \\toprule\n"
+                 "   & \\multicolumn{2}{c}{triangles} & \\multicolumn{1}{c}{uniform} \\\\\n"
+                 "  \\cmidrule(lr){2-3} \\cmidrule(lr){4-4}\n"
+                 "  error of & $r$ & $C$ & $r$ \\\\\n"));
+  BOOST_TEST(table.csv() ==
+             "\"error of\",\"triangles: $r$\",\"triangles: $C$\",\"uniform: $r$\"\n"
+             "\"peak\",1,2,3\n");
+}
+
+BOOST_AUTO_TEST_CASE(notes_stand_below_and_explain_the_marks_of_cells) {
+  Table table("t", {Column("$x$", fixed(1)).exact()});
+  table.add_row({Cell(1.5).marked("a")});
+  BOOST_CHECK_THROW(table.require_complete(), invalid_argument);
+
+  table.note("a", "by\nhand").note("All in SI.");
+  table.require_complete();
+
+  BOOST_TEST(has(table.latex(), "\\LiterateNoted{%\n\\begin{tabular}{c}"));
+  BOOST_TEST(has(table.latex(), "{1.5}\\LiterateMark{a} \\\\"));
+  BOOST_TEST(
+      has(table.latex(), "  \\LiterateNote{a}{by\nhand}\n  \\LiterateNote{}{All in SI.}\n}"));
+  BOOST_TEST(table.csv() == "\"$x$\"\n1.5\n# row 1, column 1: a\n# a: by hand\n# All in SI.\n");
+  BOOST_TEST(message_of<invalid_argument>([&] {
+               Table("u", {Column::text("x")}).note("b", "?").require_complete();
+             }).ends_with("table 'u': no cell has the mark 'b' of a note"));
+}
+
+BOOST_AUTO_TEST_CASE(a_table_that_breaks_over_pages_repeats_its_heading) {
+  Table table("t", {Column("$n$", integer()), Column::text("of")});
+  table.add_row({1, "one"}).note("Counted.").break_over_pages();
+
+  BOOST_TEST(table.latex() ==
+             "\\begin{longtable}{cl}\n"
+             "  \\LiterateLongCaption\n"
+             "  \\toprule\n  $n$ & of \\\\\n  \\midrule\n"
+             "  \\endfirsthead\n"
+             "  \\toprule\n  $n$ & of \\\\\n  \\midrule\n"
+             "  \\endhead\n"
+             "  \\midrule\n  \\multicolumn{2}{r}{\\LiterateContinued} \\\\\n  \\endfoot\n"
+             "  \\bottomrule\n  \\endlastfoot\n"
+             "  \\LiterateCell{1}{1}{1} & one \\\\\n"
+             "\\end{longtable}\n"
+             "\\begin{LiterateNotes}\n  \\LiterateNote{}{Counted.}\n\\end{LiterateNotes}\n");
+}
+
+BOOST_AUTO_TEST_CASE(csv_has_the_errors_beside_their_numbers) {
+  Table table("t", {Column("$x$", exact(), "in"), Column("$u$", fixed(2), "in").scaled(-6),
+                    Column("share", percent(1))});
+  table.add_row({0.5, Estimate{1.5e-6, 2e-9}, Estimate{0.25, 0}}).add_row({1.5, {}, {}});
+
+  BOOST_TEST(table.csv() ==
+             "\"$x$ (in)\",\"$u$ (in)\",\"abs_error\",\"share\"\n"
+             "0.5,1.5e-06,2e-09,0.25\n"
+             "1.5,,,\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

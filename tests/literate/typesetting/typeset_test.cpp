@@ -5,7 +5,9 @@
 #include <cstdlib>
 
 #include "literate/document/document.hpp"
+#include "literate/document/names.hpp"
 #include "literate/figures/draw.hpp"
+#include "literate/prose/restyle.hpp"
 #include "literate/typesetting/preamble_format.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
@@ -26,7 +28,8 @@ class Paper {
     Document document;
     document.value("load_1.a-b", Value({1.6236054e-6, 3e-10}, supported(), "in^2"));
     document.flag("ok", true);
-    document.table("t", Table({Column::scaled("$v$", "in", -6, 3)}).add_row({-1.5e-6}));
+    document.table(Table("t", {Column("$v$", fixed(3), "in").scaled(-6)})
+                       .add_row({numerics::Estimate{-1.5e-6, 1e-12}}));
     document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
     document.write(options.generated_dir,
                    {{"x", "src/a_b.cpp", 3, "// 2πx ≤ ∫ σν² → √, E* − 1\nreturn x;\n"}});
@@ -79,6 +82,50 @@ BOOST_AUTO_TEST_CASE(a_whole_document_has_the_same_bytes_in_another_folder) {
 
   BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) ==
              sys::sha256_of_file(other.options.output_pdf));
+}
+
+BOOST_AUTO_TEST_CASE(restyled_values_reach_text_formulas_captions_and_bookmarks) {
+  const Paper paper(
+      "\\tableofcontents\\section{Area \\val[digits=2]{load_1.a-b}}\n"
+      "$a=\\val[unit=cm^2, digits=3]{load_1.a-b}$ \\textbf{\\val[format=scientific]{load_1.a-b}}\n"
+      "\\begin{table}\\caption{\\val[decimals=9]{load_1.a-b}}\\tab{t}\\end{table}\n"
+      "\\rule{\\rawval[unit=um^2]{load_1.a-b}pt}{1pt}\\ifdim\\rawval{load_1.a-b}pt<1pt small\\fi");
+  const Names names = read_names(paper.options.generated_dir / "names.json");
+  const Restyled restyled = restyled_values(paper.options.source_dir, names);
+  BOOST_TEST(restyled.errors.empty());
+  sys::write_file_atomically(paper.options.build_dir / "restyled.tex", restyled.latex);
+
+  typeset(paper.options);
+
+  const std::string bookmarks = sys::read_file(paper.options.build_dir / "main.out");
+  BOOST_TEST(bookmarks.find("1.6e-6") != std::string::npos, bookmarks);
+  const std::string contents = sys::read_file(paper.options.build_dir / "main.toc");
+  BOOST_TEST(contents.find("\\val [digits=2]{load_1.a-b}") != std::string::npos, contents);
+}
+
+BOOST_AUTO_TEST_CASE(a_variant_that_was_not_made_is_an_error_at_its_line) {
+  BOOST_TEST(Paper("\n\\val[digits=2]{load_1.a-b}").error().find("main.tex:7: ") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(tables_break_over_pages_and_have_notes) {
+  const Paper paper("\\tab[All.\\label{tab:long}]{long} Table~\\ref{tab:long}. \\tab{noted}");
+  Document document;
+  Table of_many("long", {Column("$n$", integer()), Column::text("of")});
+  for (int i = 0; i < 150; ++i) of_many.add_row({i, "many"});
+  document.table(of_many.note("Counted.").break_over_pages());
+  Table noted("noted",
+              {Column("$x$", fixed(1)).under("both"), Column("$y$", fixed(1)).under("both")});
+  noted.add_row({Cell(1).marked("a"), 2}).note("a", "by hand").note("In SI units.");
+  document.table(noted);
+  document.write(paper.options.generated_dir);
+
+  typeset(paper.options);
+
+  const std::string log = sys::read_file(paper.options.build_dir / "main.log");
+  BOOST_TEST(log.find("(3 pages") != std::string::npos);
+  BOOST_TEST(Paper("\\tab[All.]{t}").error().find("table 't' does not break over pages") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_kept_preamble_changes_no_byte) {

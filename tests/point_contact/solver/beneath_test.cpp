@@ -77,6 +77,23 @@ BOOST_AUTO_TEST_CASE(just_beneath_the_middle_the_body_is_displaced_by_half_the_a
   BOOST_TEST(std::abs(u / (solution.approach / 2) - 1) < 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(the_surface_is_drawn_towards_the_middle_as_hertz_says) {
+  // Johnson 3.41b, 3.42b: u_r = −[(1−2ν)(1+ν)/(3E)] (a²/r) p₀ {1 − (1−r²/a²)^{3/2}}, outside 1
+  const Solution solution = spheres(96);
+  const double scale = material.local_compliance() / 3 * hertz.peak_pressure() * a;
+  for (const auto& [r, angle] : {std::pair{0.2, 0.4}, {0.77, -2.1}, {1.0, 1.1}, {1.9, 3.0}}) {
+    const double inside = r < 1 ? 1 - std::pow(1 - r * r, 1.5) : 1;
+    const point_contact::Vector2 direction(std::cos(angle), std::sin(angle));
+    const Vector3d u = displacement_of_surface(solution, material, r * a * direction);
+    // at the edge as much as a node there carries
+    const double allowed = (r == 1 ? 2e-3 : 2e-4) * scale;
+    BOOST_TEST(std::abs(u.head<2>().dot(direction) + scale / r * inside) < allowed);
+    BOOST_TEST(std::abs(u.x() * direction.y() - u.y() * direction.x()) < allowed);
+    const double half_gap = (solution.approach - 0.571 * r * r * a * a / 2) / 2;
+    if (r < 1) BOOST_TEST(std::abs(u.z() / half_gap - 1) < 1e-4);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(far_beneath_the_contact_is_a_force) {
   const Solution solution = spheres(48);
   const double z = 50 * a;

@@ -15,7 +15,6 @@ using Eigen::Index;
 using point_contact::Grid;
 using point_contact::hexagonal_grid;
 using point_contact::rectangular_grid;
-using point_contact::require_memory;
 using point_contact::square_grid;
 using point_contact::Vector2;
 using sys::InvalidQuantity;
@@ -79,16 +78,6 @@ BOOST_AUTO_TEST_CASE(a_stretched_grid_is_so_many_times_as_high) {
   const Vector2 corner = grid.node(29, 29);
 
   BOOST_TEST((flat.node(29, 29) - Vector2(corner.x(), 0.2 * corner.y())).norm() < 1e-14);
-}
-
-BOOST_AUTO_TEST_CASE(memory_that_is_not_there_is_told_before_it_is_asked_for) {
-  BOOST_CHECK_NO_THROW(require_memory(1024, 1024));
-  BOOST_CHECK_EXCEPTION(require_memory(2'000'000, 2'000'000), InvalidQuantity,
-                        [](const InvalidQuantity& error) {
-                          return error.quantity() == "nodes" &&
-                                 error.allowed().find("GB of memory") != std::string::npos;
-                        });
-  BOOST_CHECK_THROW(require_memory(Index{1} << 40, Index{1} << 40), InvalidQuantity);
 }
 
 BOOST_AUTO_TEST_CASE(bad_grids_are_refused) {

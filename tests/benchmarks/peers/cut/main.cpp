@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The displacement under a triangular load, by quadrature and in closed form: two figures, a table, four numbers. The
-// same in R stands in ../knitr.
+// The displacement under a triangular load, by quadrature and in closed form: two figures, a table,
+// four numbers. The same in R stands in ../knitr.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,6 +13,10 @@
 namespace {
 
 using literate::Column;
+using literate::exact;
+using literate::fixed;
+using literate::scientific;
+using literate::significant;
 using literate::Value;
 using numerics::Estimate;
 
@@ -40,23 +44,24 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
   };
 
   std::vector<double> points, quadrature;
-  literate::Table table({Column::fixed("$x$", "in", 3),
-                         Column::fixed("eq.\\ (2)", "10^-6 in", 8),
-                         Column::fixed("eq.\\ (3)", "10^-6 in", 8)});
+  literate::Table table("displacements", {Column("$x$", fixed(3), "in").exact(),
+                                          Column("eq.\\ (2)", fixed(8), "in").scaled(-6),
+                                          Column("eq.\\ (3)", fixed(8), "in").scaled(-6)});
   double largest = 0;
   for (int i = 0; i <= 10; ++i) {
     const double x = 0.5 * i * a;
     points.push_back(x);
-    quadrature.push_back(surface.normal_displacement(x).value);
+    const Estimate by_quadrature = surface.normal_displacement(x);
+    quadrature.push_back(by_quadrature.value);
     largest = std::max(largest, std::abs(quadrature.back() / closed_form(x) - 1));
-    table.add_row({x, 1e6 * quadrature.back(), 1e6 * closed_form(x)});
+    table.add_row({x, by_quadrature, Estimate{closed_form(x), 1e-14 * std::abs(closed_form(x))}});
   }
-  document.table("displacements", std::move(table));
-  document.value("peak", Value::exact(c.load.peak_pressure(), "psi"));
-  document.value("half-width", Value::exact(a, "in"));
+  document.table(std::move(table));
+  document.value("peak", Value(c.load.peak_pressure(), exact(), "psi"));
+  document.value("half-width", Value(a, exact(), "in"));
   const double middle = closed_form(0);
-  document.value("middle", Value::significant(Estimate{middle, 1e-14 * std::abs(middle)}, 8, "in"));
-  document.value("largest", Value::scientific_bound(largest, 1));
+  document.value("middle", Value(Estimate{middle, 1e-14 * std::abs(middle)}, significant(8), "in"));
+  document.value("largest", Value(largest, scientific(1).rounded_up()));
 
   std::vector<double> x, displacement, gradient;
   for (int i = -200; i <= 200; ++i) {
@@ -64,11 +69,10 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
     displacement.push_back(closed_form(x.back()));
     gradient.push_back(normal_gradient(c.material, c.load, x.back()));
   }
-  document.figure("displacement",
-                  {.width_cm = 12,
-                   .height_cm = 7,
-                   .data = {{"line", {{"x", x}, {"u", displacement}}},
-                            {"integrals", {{"x", points}, {"u", quadrature}}}}});
+  document.figure("displacement", {.width_cm = 12,
+                                   .height_cm = 7,
+                                   .data = {{"line", {{"x", x}, {"u", displacement}}},
+                                            {"integrals", {{"x", points}, {"u", quadrature}}}}});
   document.figure("gradient", {.width_cm = 12,
                                .height_cm = 7,
                                .data = {{"line", {{"x", x}, {"slope", gradient}}}},

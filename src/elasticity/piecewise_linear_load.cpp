@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elasticity/piecewise_linear_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "elasticity/linear_potential.hpp"
+#include "system/require.hpp"
+
+namespace elasticity {
+namespace {
+
+// p on the element from begin to end at s; exact at both.
+double interpolated(double begin, double end, double at_begin, double at_end, double s) {
+  const double share = (s - begin) / (end - begin);
+  return share < 0.5 ? at_begin + share * (at_end - at_begin)
+                     : at_end - (end - s) / (end - begin) * (at_end - at_begin);
+}
+
+// ∫ p ds/(x − s) over an element that lies farther from x than two of its half-lengths, where the
+// logarithm of the closed form cancels: with η = 1/z,
+//   −[m L₀ + q L₁],  L₀ = 2 artanh η,  L₁ = 2 − z L₀ = −2 Σ η²ᵏ/(2k+1).
+double far_part(double z, double mean, double rise) {
+  constexpr double negligible = 1e-17;
+  const double eta = 1 / z;
+  double sum = 0;
+  double power = eta * eta;
+  for (double odd = 3; power > negligible; odd += 2) {
+    sum += power / odd;
+    power *= eta * eta;
+  }
+  return -(2 * mean * std::atanh(eta) - 2 * rise * sum);
+}
+
+// Φ(x) = ∫ p(s) ln(|x−s|/width) ds/width.
+double potential(const PiecewiseLinearLoad& load, double x) {
+  const auto& s = load.positions();
+  const auto& p = load.pressures();
+  const double width = load.width();
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < s.size(); ++i) {
+    const ElementPotential part = element_potential((s[i] - x) / width, (s[i + 1] - x) / width);
+    sum += p[i] * part.begin + p[i + 1] * part.end;
+  }
+  return sum;
+}
+
+}  // namespace
+
+PiecewiseLinearLoad::PiecewiseLinearLoad(std::vector<double> positions,
+                                         std::vector<double> pressures)
+    : positions_(std::move(positions)), pressures_(std::move(pressures)) {
+  if (positions_.size() < 2 || positions_.size() != pressures_.size()) {
+    throw sys::InvalidQuantity("number of positions", static_cast<double>(positions_.size()),
+                               "2 or more, and as many as there are pressures");
+  }
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    sys::require_finite("pressure", pressures_[i]);
+    sys::require_finite("position", positions_[i]);
+    if (i == 0 || positions_[i] > positions_[i - 1]) continue;
+    throw sys::InvalidQuantity("position", positions_[i], "greater than the one before");
+  }
+}
+
+double PiecewiseLinearLoad::pressure(double x) const {
+  if (x < positions_.front() || x > positions_.back()) return 0;
+  if (x == positions_.front()) return pressures_.front() / 2;
+  if (x == positions_.back()) return pressures_.back() / 2;
+  const auto next = std::upper_bound(positions_.begin(), positions_.end(), x);
+  const auto i = static_cast<std::size_t>(next - positions_.begin());
+  return interpolated(positions_[i - 1], positions_[i], pressures_[i - 1], pressures_[i], x);
+}
+
+double PiecewiseLinearLoad::resultant_below(double x) const {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < positions_.size() && positions_[i] < x; ++i) {
+    const double end = std::min(x, positions_[i + 1]);
+    const double at_end =
+        interpolated(positions_[i], positions_[i + 1], pressures_[i], pressures_[i + 1], end);
+    sum += (end - positions_[i]) * (pressures_[i] + at_end) / 2;
+  }
+  return sum;
+}
+
+PiecewiseLinearLoad::operator Load() const {
+  Load load;
+  std::vector<numerics::Piece> pieces;
+  for (std::size_t i = 0; i + 1 < positions_.size(); ++i) {
+    pieces.push_back({positions_[i], positions_[i + 1],
+                      [begin = positions_[i], end = positions_[i + 1], at_begin = pressures_[i],
+                       at_end = pressures_[i + 1]](double s) {
+                        return interpolated(begin, end, at_begin, at_end, s);
+                      }});
+  }
+  load.normal = numerics::PiecewiseFunction(pieces);
+  return load;
+}
+
+double normal_gradient(const Material& material, const PiecewiseLinearLoad& load, double x) {
+  sys::require_finite("x", x);
+  const auto& s = load.positions();
+  const auto& p = load.pressures();
+  if ((x == s.front() && p.front() != 0) || (x == s.back() && p.back() != 0)) {
+    throw sys::InvalidQuantity("x", x, "off the jump of the load, where the gradient is infinite");
+  }
+  // At a position the logarithms of its two elements cancel.
+  const double width = load.width();
+  const auto logarithm = [&](double end) {
+    return x == end ? 0 : std::log(std::abs(x - end) / width);
+  };
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < s.size(); ++i) {
+    const double half_length = (s[i + 1] - s[i]) / 2;
+    const double z = ((s[i] - x) / 2 + (s[i + 1] - x) / 2) / half_length;
+    const double mean = (p[i] + p[i + 1]) / 2;
+    const double rise = (p[i + 1] - p[i]) / 2;
+    constexpr double near = 2;
+    sum += std::abs(z) > near
+               ? far_part(z, mean, rise)
+               : -((mean - rise * z) * (logarithm(s[i + 1]) - logarithm(s[i])) + 2 * rise);
+  }
+  return -material.integral_compliance() * sum;
+}
+
+double normal_displacement(const Material& material, const PiecewiseLinearLoad& load, double x,
+                           double datum) {
+  const double here = potential(load, sys::require_finite("x", x));
+  const double there = potential(load, sys::require_finite("datum", datum));
+  return -material.integral_compliance() * load.width() * (here - there);
+}
+
+double tangential_gradient(const Material& material, const PiecewiseLinearLoad& load, double x) {
+  return -material.local_compliance() * load.pressure(sys::require_finite("x", x));
+}
+
+double tangential_displacement(const Material& material, const PiecewiseLinearLoad& load,
+                               double x) {
+  const double total = load.resultant_below(load.positions().back());
+  const double below = load.resultant_below(sys::require_finite("x", x));
+  return -material.local_compliance() / 2 * (2 * below - total);
+}
+
+}  // namespace elasticity

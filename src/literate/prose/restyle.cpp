@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/restyle.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include "config/units.hpp"
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/source_label.hpp"
+#include "literate/prose/tex_commands.hpp"
+#include "literate/text/latex.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace {
+
+using Options = std::map<std::string, std::string>;
+
+constexpr int digits_of_double = 17;  // of a double
+
+/// Splits «digits=3, unit={lbf/in}» at its commas.
+Options options_in(std::string_view text) {
+  Options options;
+  while (!text.empty()) {
+    std::size_t end = 0;
+    for (int depth = 0; end < text.size() && (depth > 0 || text[end] != ','); ++end) {
+      depth += (text[end] == '{' ? 1 : 0) - (text[end] == '}' ? 1 : 0);
+    }
+    const std::string_view option = sys::stripped(text.substr(0, end));
+    text.remove_prefix(std::min(text.size(), end + 1));
+    const auto equals = option.find('=');
+    if (equals == option.npos) {
+      throw std::invalid_argument(fmt::format("option '{}' has no value, as digits=3 has", option));
+    }
+    const std::string name(sys::stripped(option.substr(0, equals)));
+    std::string_view value = sys::stripped(option.substr(equals + 1));
+    if (value.starts_with('{') && value.ends_with('}')) value = value.substr(1, value.size() - 2);
+    if (!options.emplace(name, value).second) {
+      throw std::invalid_argument(fmt::format("option '{}' is given twice", name));
+    }
+  }
+  return options;
+}
+
+void require_known(const Options& options, const std::set<std::string>& known, const char* listed) {
+  for (const auto& [name, value] : options) {
+    if (known.contains(name)) continue;
+    throw std::invalid_argument(
+        fmt::format("unknown option '{}': must be one of {}", name, listed));
+  }
+}
+
+std::optional<int> count_of(const Options& options, const std::string& name, int least) {
+  const auto option = options.find(name);
+  if (option == options.end()) return std::nullopt;
+  const std::string& text = option->second;
+  int count = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc{} || end != text.data() + text.size() || count < least ||
+      count > digits_of_double) {
+    throw std::invalid_argument(fmt::format("{} = {}: must be a whole number from {} to {}", name,
+                                            text, least, digits_of_double));
+  }
+  return count;
+}
+
+/// How many units of the new kind make one of the old.
+double conversion(const std::string& from, const std::string& to) {
+  const auto known = [](const std::string& unit) { return unit.empty() ? std::string("1") : unit; };
+  try {
+    return config::conversion_factor(known(from), known(to));
+  } catch (const config::UnitError& error) {
+    throw std::invalid_argument(fmt::format("unit = {}: {}", to, error.what()));
+  }
+}
+
+/// The number in another unit. One that was exact has the rounding of the conversion.
+StoredNumber converted(StoredNumber stored, const std::string& unit) {
+  const bool is_ratio = stored.is_percentage || stored.unit.empty();
+  if (is_ratio && (unit == "percent" || unit == "1")) {
+    stored.is_percentage = unit == "percent";
+    return stored;
+  }
+  require_unit(unit);
+  const double factor = conversion(stored.is_percentage ? "1" : stored.unit, unit);
+  stored.is_percentage = false;
+  if (unit == stored.unit) return stored;
+  stored.unit = unit == "1" ? "" : unit;
+  if (factor == 1) return stored;
+  stored.number *= factor;
+  const double of_conversion = 2 * std::numeric_limits<double>::epsilon();
+  // Twelve digits of a parameter are as good as all: 0.01 in are 0.254 mm.
+  if (stored.is_exact) {
+    const std::string text = scientific(rounded_to_digits(stored.number, 12));
+    double short_number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), short_number);
+    if (std::abs(short_number - stored.number) <= of_conversion * std::abs(stored.number)) {
+      stored.number = short_number;
+      return stored;
+    }
+    stored.is_exact = false;
+    stored.abs_error = of_conversion * std::abs(stored.number);
+  } else if (stored.abs_error) {
+    stored.abs_error = *stored.abs_error * factor + of_conversion * std::abs(stored.number);
+  }
+  stored.conversion = factor;
+  return stored;
+}
+
+/// How many significant digits the value is printed with.
+int n_digits_of(const StoredNumber& stored, double original) {
+  const Decimal printed = rounded_to_place(original, stored.last_place);
+  return std::clamp(leading_place(printed) - stored.last_place + 1, 1, digits_of_double);
+}
+
+struct Wish {
+  std::optional<std::string> format;
+  std::optional<int> digits, decimals;
+};
+
+/// The digits behind the point that the stored number is printed with, in per cent if it is.
+int decimals_of(const StoredNumber& stored) {
+  return std::clamp(-stored.last_place - (stored.is_percentage ? 2 : 0), 0, digits_of_double);
+}
+
+Format with_digits(const StoredNumber& stored, const Wish& wish, int n_digits, bool is_scientific) {
+  if (wish.decimals) {
+    throw std::invalid_argument("decimals go with format=fixed and percent: say digits");
+  }
+  const int n = wish.digits.value_or(n_digits);
+  const Format format = is_scientific ? scientific(n) : significant(n);
+  return stored.is_percentage ? format.in_percent() : format;
+}
+
+Format with_decimals(const StoredNumber& stored, const Wish& wish) {
+  const Format format = fixed(wish.decimals.value_or(decimals_of(stored)));
+  return stored.is_percentage ? format.in_percent() : format;
+}
+
+/// The format that the options ask for; `n_digits` are those of the print so far.
+Format format_of(const StoredNumber& stored, const Wish& wish, int n_digits) {
+  if (wish.digits && wish.decimals) {
+    throw std::invalid_argument("digits and decimals cannot both be given");
+  }
+  const bool was_scientific = stored.notation == Notation::scientific;
+  if (!wish.format) {
+    if (wish.decimals) return with_decimals(stored, wish);
+    return with_digits(stored, wish, n_digits, was_scientific);
+  }
+  const std::string& name = *wish.format;
+  if (name == "fixed") {
+    if (wish.digits) throw std::invalid_argument("format=fixed takes decimals, not digits");
+    return with_decimals(stored, wish);
+  }
+  if (name == "significant") return with_digits(stored, wish, n_digits, false);
+  if (name == "scientific") return with_digits(stored, wish, n_digits, true);
+  if (name == "uncertain") {
+    if (wish.digits || wish.decimals) {
+      throw std::invalid_argument("format=uncertain has the digits that the error gives it");
+    }
+    return stored.is_percentage ? uncertain().in_percent() : uncertain();
+  }
+  if (name == "percent") {
+    if (!stored.unit.empty()) {
+      throw std::invalid_argument(
+          fmt::format("format = percent: the value has the unit {}", stored.unit));
+    }
+    StoredNumber ratio = stored;
+    ratio.is_percentage = true;
+    return wish.digits ? with_digits(ratio, wish, n_digits, false) : with_decimals(ratio, wish);
+  }
+  throw std::invalid_argument(fmt::format(
+      "format = {}: must be one of fixed, significant, scientific, percent, uncertain", name));
+}
+
+/// Throws for digits that the error of the stored number does not support, or that were never
+/// printed if it has none.
+void require_earned_digits(const StoredNumber& stored, const Format& format) {
+  const double bound =
+      stored.abs_error.value_or(std::pow(10.0, stored.last_place) * stored.conversion);
+  const Value bare(stored.number, format, format.is_percentage() ? "" : stored.unit);
+  if (stored.abs_error) {
+    require_earned(stored.number, bare.last_place(), bound, bare.printed());
+  } else if (std::pow(10.0, bare.last_place()) < bound * (1 - 1e-9)) {
+    throw std::invalid_argument(fmt::format(
+        "'{}' has more digits than the value, which has no error bound, is printed with",
+        bare.printed()));
+  }
+}
+
+}  // namespace
+
+Value restyled(const StoredNumber& original, std::string_view text) {
+  const Options options = options_in(text);
+  require_known(options, {"digits", "decimals", "format", "unit"},
+                "digits, decimals, format, unit");
+  const auto text_of = [&](const char* name) -> std::optional<std::string> {
+    const auto option = options.find(name);
+    return option == options.end() ? std::nullopt : std::optional(option->second);
+  };
+  const Wish wish{text_of("format"), count_of(options, "digits", 1),
+                  count_of(options, "decimals", 0)};
+  const std::optional<std::string> unit = text_of("unit");
+  const StoredNumber stored = unit ? converted(original, *unit) : original;
+  const bool names_digits = wish.digits || wish.decimals;
+
+  if (stored.is_exact && !wish.format && !names_digits) {
+    const Format format = stored.is_percentage ? exact().in_percent() : exact();
+    return {stored.number, format, stored.unit};
+  }
+  Format format = format_of(stored, wish, n_digits_of(original, original.number));
+  if (original.rounds_up) format = format.rounded_up();
+  const std::string unit_of_print = format.is_percentage() ? "" : stored.unit;
+  if (format.notation() == Notation::uncertain) {
+    if (!stored.abs_error) throw std::invalid_argument("format=uncertain needs an error bound");
+    return {numerics::Estimate{stored.number, *stored.abs_error}, format, unit_of_print};
+  }
+  if (stored.is_exact) return {stored.number, format, unit_of_print};
+  // Without digits named, as many are printed as are earned.
+  if (names_digits || !stored.abs_error) require_earned_digits(stored, format);
+  const double abs_error = stored.abs_error.value_or(0);
+  return {numerics::Estimate{stored.number, abs_error}, format, unit_of_print};
+}
+
+double restyled_number(const StoredNumber& stored, std::string_view text) {
+  const Options options = options_in(text);
+  require_known(options, {"unit"}, "unit, since \\rawval gives the unrounded number");
+  const auto unit = options.find("unit");
+  if (unit == options.end()) return stored.number;
+  const StoredNumber in_unit = converted(stored, unit->second);
+  return in_unit.is_percentage && !stored.is_percentage ? 100 * in_unit.number : in_unit.number;
+}
+
+Restyled restyled_values(const std::filesystem::path& source_dir, const Names& names) {
+  Restyled result;
+  std::set<std::string> lines;
+  for (const std::string& file : document_files(source_dir)) {
+    for (const TexCommand& use :
+         commands_in(sys::read_file(source_dir / file), {"val", "rawval"})) {
+      if (use.options.empty() || !names.values.contains(use.argument)) continue;
+      const auto stored = names.numbers.find(use.argument);
+      try {
+        if (stored == names.numbers.end()) {
+          throw std::invalid_argument("the value is a text, which has no other style");
+        }
+        if (use.name == "rawval") {
+          lines.insert(fmt::format("\\LiterateRestyledRaw{{{}}}{{[{}]}}{{{}}}\n", use.argument,
+                                   use.options,
+                                   bare_digits(restyled_number(stored->second, use.options))));
+        } else {
+          const Value value = restyled(stored->second, use.options);
+          lines.insert(fmt::format("\\LiterateRestyled{{{}}}{{[{}]}}{{{}}}{{{}}}\n", use.argument,
+                                   use.options, value.latex(), escape_bookmark(value.printed())));
+        }
+      } catch (const std::invalid_argument& error) {
+        result.errors.push_back(fmt::format("{}/{}:{}:{}: \\{}[{}]{{{}}}: {}",
+                                            source_label(source_dir), file, use.line, use.column,
+                                            use.name, use.options, use.argument, error.what()));
+      }
+    }
+  }
+  for (const std::string& line : lines) result.latex += line;
+  return result;
+}
+
+}  // namespace literate

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace literate {
+
+/// A LaTeX document and the folders of its parts.
+struct TypesetOptions {
+  std::filesystem::path source_dir;           ///< the folder in which LaTeX runs
+  std::string main_file;                      ///< relative to source_dir, such as "report.tex"
+  std::filesystem::path generated_dir;        ///< the folder that Document::write made
+  std::filesystem::path repository_dir = {};  ///< of repository.tex; empty if nothing is known
+  std::filesystem::path build_dir;            ///< for LaTeX's own files; made if it is missing
+  std::filesystem::path output_pdf;           ///< the finished document
+  std::int64_t source_date_epoch = 0;         ///< the date that \today prints, in seconds
+};
+
+}  // namespace literate

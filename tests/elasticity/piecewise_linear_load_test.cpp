@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elasticity/piecewise_linear_load.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <vector>
+
+#include "elasticity/surface_quadrature.hpp"
+#include "elasticity/triangular_load.hpp"
+#include "elasticity/uniform_load.hpp"
+#include "multiprecision.hpp"
+#include "random_inputs.hpp"
+#include "system/require.hpp"
+#include "tolerances.hpp"
+
+BOOST_AUTO_TEST_SUITE(piecewise_linear_load_test)
+
+using elasticity::Material;
+using elasticity::normal_displacement;
+using elasticity::normal_gradient;
+using elasticity::PiecewiseLinearLoad;
+using elasticity::SurfaceQuadrature;
+using elasticity::TriangularLoad;
+using elasticity::UniformLoad;
+using tolerance::relative_difference;
+
+namespace {
+
+const Material steel(207e3, 0.29);
+// unequal elements, a stretch without load and one that pulls
+const std::vector<double> positions{-0.71, -0.4, 0.03, 0.05, 0.31, 0.6, 1.9};
+const std::vector<double> pressures{0, 2.385, 1.1, 0, 0, -0.4, 0};
+const PiecewiseLinearLoad load(positions, pressures);
+const double datum = 7.7;
+const double unit = steel.integral_compliance() * 2.385;  // of the gradient
+
+Precise exact_gradient(double x) {
+  Precise sum = 0;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+    const Precise begin = positions[i];
+    const Precise end = positions[i + 1];
+    const Precise slope = (Precise(pressures[i + 1]) - pressures[i]) / (end - begin);
+    const Precise here = pressures[i] + slope * (x - begin);
+    sum += here * log(abs((x - begin) / (x - end))) - slope * (end - begin);
+  }
+  return -steel.integral_compliance() * sum;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(gradient_agrees_with_a_hundred_digits) {
+  RandomInputs random(33);
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.point(1e6);
+    const Precise error = abs(normal_gradient(steel, load, x) - exact_gradient(x));
+    BOOST_TEST(error.toDouble() < 1e-14 * unit, "x = " << x);
+  }
+  // beside a position the great logarithms cancel
+  for (const double x : {-0.4 + 1e-12, 0.03 - 1e-13, 0.6 + 3e-15}) {
+    const Precise error = abs(normal_gradient(steel, load, x) - exact_gradient(x));
+    BOOST_TEST(error.toDouble() < 1e-13 * unit, "x = " << x);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(displacement_is_the_integral_of_the_gradient) {
+  for (const double x : {-3.1, -0.5, 0.04, 0.2, 0.7, 1.7, 60.0}) {
+    const double h = 1e-5 * std::max(0.1, std::abs(x));
+    const double slope = (normal_displacement(steel, load, x + h, datum) -
+                          normal_displacement(steel, load, x - h, datum)) /
+                         (2 * h);
+    BOOST_TEST(std::abs(slope - normal_gradient(steel, load, x)) < 1e-7 * unit);
+  }
+  BOOST_TEST(normal_displacement(steel, load, datum, datum) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(three_points_are_eq_3_and_two_the_uniform_load) {
+  const PiecewiseLinearLoad three({-0.75, 0, 0.75}, {0, 2.385, 0});
+  const TriangularLoad triangle(2.385, 0.75);
+  const PiecewiseLinearLoad two({-0.75, 0.75}, {2.385, 2.385});
+  const UniformLoad uniform(2.385, 0.75);
+  for (const double x : {-9.0, -0.75, -0.3, 0.0, 0.1, 0.9, 1e4}) {
+    BOOST_TEST_CONTEXT("x = " << x) {
+      const double length = 0.75 * unit;
+      BOOST_TEST(std::abs(normal_gradient(steel, three, x) - normal_gradient(steel, triangle, x)) <
+                 1e-14 * unit);
+      BOOST_TEST(std::abs(normal_displacement(steel, three, x, datum) -
+                          normal_displacement(steel, triangle, x, datum)) < 1e-13 * length);
+      BOOST_TEST(std::abs(tangential_displacement(steel, three, x) -
+                          tangential_displacement(steel, triangle, x)) < 1e-14 * length);
+      BOOST_TEST(std::abs(tangential_gradient(steel, three, x) -
+                          tangential_gradient(steel, triangle, x)) < 1e-14 * unit);
+      BOOST_TEST(std::abs(normal_displacement(steel, two, x, datum) -
+                          normal_displacement(steel, uniform, x, datum)) < 1e-13 * length);
+      BOOST_TEST(std::abs(tangential_displacement(steel, two, x) -
+                          tangential_displacement(steel, uniform, x)) < 1e-14 * length);
+      BOOST_TEST(std::abs(tangential_gradient(steel, two, x) -
+                          tangential_gradient(steel, uniform, x)) < 1e-14 * unit);
+    }
+  }
+  BOOST_CHECK_THROW(normal_gradient(steel, two, 0.75), sys::InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_CASE(quadrature_gives_the_same_within_its_error_at_kinks_and_between_them) {
+  const SurfaceQuadrature surface(steel, load, datum);
+  std::vector<double> points = positions;
+  points.insert(points.end(), {-5, -0.5, 0.04, 0.1, 1, 3, 80});
+  for (const double x : points) {
+    BOOST_TEST_CONTEXT("x = " << x) {
+      const auto gradient = surface.normal_gradient(x);
+      BOOST_TEST(std::abs(gradient.value - normal_gradient(steel, load, x)) <=
+                 gradient.abs_error + 1e-14 * unit);
+      const auto displacement = surface.normal_displacement(x);
+      BOOST_TEST(std::abs(displacement.value - normal_displacement(steel, load, x, datum)) <=
+                 displacement.abs_error + 1e-13 * unit);
+      const auto tangential = surface.tangential_displacement(x);
+      BOOST_TEST(std::abs(tangential.value - tangential_displacement(steel, load, x)) <=
+                 tangential.abs_error + 1e-14 * unit);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(its_resultant_is_that_of_its_trapezia) {
+  double total = 0;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+    total += (positions[i + 1] - positions[i]) * (pressures[i] + pressures[i + 1]) / 2;
+  }
+  BOOST_TEST(relative_difference(load.resultant_below(100), total) < 1e-14);
+  BOOST_TEST(load.resultant_below(-1) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(bad_loads_are_refused) {
+  BOOST_CHECK_THROW(PiecewiseLinearLoad({0}, {1}), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(PiecewiseLinearLoad({0, 1}, {1}), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(PiecewiseLinearLoad({0, 0}, {1, 1}), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(PiecewiseLinearLoad({0, 1}, {1, std::nan("")}), sys::InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

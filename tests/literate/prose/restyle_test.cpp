@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/restyle.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "literate/document/document.hpp"
+#include "message_of.hpp"
+#include "system/files.hpp"
+#include "temporary_folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(restyle_test)
+
+using namespace literate;
+
+namespace {
+
+// What names.json makes of values, read again.
+const Names& names() {
+  static const Names stored = [] {
+    Document document;
+    document.value("period", Value({2.3456789, 2e-5}, significant(4), "s"));
+    document.value("width", Value(0.01, exact(), "in"));
+    document.value("share", Value({0.123456, 1e-4}, percent(1)));
+    document.value("error", Value({7.37e-4, 6e-6}, scientific(1).rounded_up(), "in"));
+    document.value("rounding", Value(2.34e-15, scientific(2)));
+    document.value("small", Value({1.25e-7, 1e-12}, scientific(2), "lbf/in"));
+    document.value("tie", Value(0.125, exact()));
+    document.value("count", Value(1048576, integer()));
+    document.value("heat", Value({20, 0.1}, fixed(1), "degC"));
+    document.value("word", Value::text("none"));
+    const TemporaryFolder folder;
+    document.write(folder / "out");
+    return read_names(folder / "out/names.json");
+  }();
+  return stored;
+}
+
+Value styled(const std::string& key, const std::string& options) {
+  return restyled(names().numbers.at(key), options);
+}
+
+std::string refusal(const std::string& key, const std::string& options) {
+  return message_of<std::invalid_argument>([&] { styled(key, options); });
+}
+
+Restyled of_text(const std::string& text) {
+  const TemporaryFolder folder;
+  sys::write_file_atomically(folder / "paper/a.tex", text);
+  return restyled_values(folder / "paper", names());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(digits_and_formats_come_from_the_unrounded_number) {
+  BOOST_TEST(styled("period", "digits=3").latex() == "\\qty{2.35}{s}");
+  BOOST_TEST(styled("period", "digits=5").latex() == "\\qty{2.3457}{s}");
+  BOOST_TEST(styled("period", "decimals=1").latex() == "\\qty{2.3}{s}");
+  BOOST_TEST(styled("period", "format=fixed,decimals=2").printed() == "2.35 s");
+  BOOST_TEST(styled("period", " format = scientific , digits = 2 ").printed() == "2.3e0 s");
+  BOOST_TEST(styled("period", "format=scientific").printed() == "2.346e0 s");
+  BOOST_TEST(styled("period", "format=uncertain").printed() == "2.345679(20) s");
+  BOOST_TEST(styled("small", "digits=3").printed() == "1.25e-7 lbf/in");
+  BOOST_TEST(styled("small", "format=significant").printed() == "1.2e-7 lbf/in");
+  BOOST_TEST(styled("count", "format=scientific,digits=3").printed() == "1.05e6");
+  BOOST_TEST(styled("tie", "decimals=2").printed() == "0.12");  // half to even
+  BOOST_TEST(styled("share", "digits=2").latex() == "\\qty{12}{\\percent}");
+  BOOST_TEST(styled("share", "format=percent,decimals=0").printed() == "12 %");
+  BOOST_TEST(styled("share", "unit=1,digits=3").printed() == "0.123");
+  BOOST_TEST(styled("tie", "format=percent").printed() == "12.5 %");
+  BOOST_TEST(styled("tie", "unit=percent").printed() == "12.5 %");
+}
+
+BOOST_AUTO_TEST_CASE(a_value_keeps_its_unit_and_converts_into_others) {
+  BOOST_TEST(styled("width", "unit=mm").latex() == "\\qty{0.254}{mm}");
+  BOOST_TEST(styled("width", "unit={um},digits=2").latex() == "\\qty{250}{um}");
+  BOOST_TEST(styled("width", "digits=1").latex() == "\\qty{0.01}{in}");
+  BOOST_TEST(styled("period", "unit=ms").printed() == "2346 ms");
+  BOOST_TEST(styled("period", "unit=ms,digits=5").printed() == "2345.7 ms");
+  BOOST_TEST(styled("period", "unit=ms,format=uncertain").printed() == "2345.679(21) ms");
+  BOOST_TEST(styled("small", "unit=N/m").printed() == "2.2e-5 N/m");
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_is_rounded_up_in_every_style) {
+  BOOST_TEST(styled("error", "digits=2").printed() == "7.5e-4 in");
+  BOOST_TEST(styled("error", "unit=mm").printed() == "2e-2 mm");
+  BOOST_TEST(styled("error", "format=fixed,decimals=4").printed() == "0.0008 in");
+}
+
+BOOST_AUTO_TEST_CASE(digits_that_are_not_earned_are_refused) {
+  BOOST_TEST(refusal("period", "digits=6") ==
+             "2.3456789 is printed as '2.34568 s', more digits than an error of 2e-05 supports");
+  BOOST_TEST(refusal("period", "unit=ms,digits=7").find("more digits than an error of 0.02") !=
+             std::string::npos);
+  BOOST_TEST(refusal("share", "decimals=3").find("more digits") != std::string::npos);
+  BOOST_TEST(refusal("error", "digits=3").find("more digits") != std::string::npos);
+  BOOST_TEST(
+      refusal("rounding", "digits=3") ==
+      "'2.34e-15' has more digits than the value, which has no error bound, is printed with");
+  BOOST_TEST(styled("rounding", "digits=1").printed() == "2e-15");
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_done_is_refused_with_what_can) {
+  BOOST_TEST(refusal("period", "digits=40") == "digits = 40: must be a whole number from 1 to 17");
+  BOOST_TEST(refusal("period", "digits=0") == "digits = 0: must be a whole number from 1 to 17");
+  BOOST_TEST(refusal("period", "decimals=x") ==
+             "decimals = x: must be a whole number from 0 to 17");
+  BOOST_TEST(refusal("period", "digit=3") ==
+             "unknown option 'digit': must be one of digits, decimals, format, unit");
+  BOOST_TEST(refusal("period", "digits") == "option 'digits' has no value, as digits=3 has");
+  BOOST_TEST(refusal("period", "digits=3,digits=2") == "option 'digits' is given twice");
+  BOOST_TEST(refusal("period", "digits=3,decimals=2") ==
+             "digits and decimals cannot both be given");
+  BOOST_TEST(refusal("period", "format=fixed,digits=2") ==
+             "format=fixed takes decimals, not digits");
+  BOOST_TEST(refusal("period", "format=scientific,decimals=2") ==
+             "decimals go with format=fixed and percent: say digits");
+  BOOST_TEST(refusal("period", "format=percent") == "format = percent: the value has the unit s");
+  BOOST_TEST(refusal("period", "format=round") ==
+             "format = round: must be one of fixed, significant, scientific, percent, uncertain");
+  BOOST_TEST(refusal("count", "format=uncertain") == "format=uncertain needs an error bound");
+  BOOST_TEST(refusal("period", "unit=mm") ==
+             "unit = mm: a unit of \"mm\" wanted, \"s\" measures something else");
+  BOOST_TEST(refusal("period", "unit=furlonk") == "unit = furlonk: unknown unit \"furlonk\"");
+  BOOST_TEST(refusal("heat", "unit=K").find("is no multiple of") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_prose_gets_a_definition_for_each_variant_it_uses) {
+  const Restyled found = of_text(
+      "\\val[digits=3]{period} \\val{width} \\val[unit=mm]{width}\n% \\val[digits=1]{width}\n"
+      "\\val[digits=3]{period} \\val[format=fixed,\n  decimals=2]{period}\\rawval[unit=mm]{width}"
+      "\\rawval[unit=percent]{tie}");
+
+  BOOST_TEST(found.errors.empty());
+  BOOST_TEST(found.latex ==
+             "\\LiterateRestyledRaw{tie}{[unit=percent]}{12.5}\n"
+             "\\LiterateRestyledRaw{width}{[unit=mm]}{0.254}\n"
+             "\\LiterateRestyled{period}{[digits=3]}{\\qty{2.35}{s}}{2.35 s}\n"
+             "\\LiterateRestyled{period}{[format=fixed, decimals=2]}{\\qty{2.35}{s}}{2.35 s}\n"
+             "\\LiterateRestyled{width}{[unit=mm]}{\\qty{0.254}{mm}}{0.254 mm}\n");
+}
+
+BOOST_AUTO_TEST_CASE(errors_have_the_place_in_the_prose) {
+  const Restyled found = of_text(
+      "a\n é \\val[digits=40]{period}\\val[digits=2]{word}\\rawval[digits=2]{width}"
+      "\\val[digits=2]{unknown}");
+
+  const std::vector<std::string> expected = {
+      "paper/a.tex:2:4: \\val[digits=40]{period}: digits = 40: must be a whole number from 1 to 17",
+      "paper/a.tex:2:27: \\val[digits=2]{word}: the value is a text, which has no other style",
+      "paper/a.tex:2:47: \\rawval[digits=2]{width}: unknown option 'digits': must be one of unit, "
+      "since \\rawval gives the unrounded number"};
+  BOOST_TEST(found.errors == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
