@@ -14,16 +14,10 @@ using boost::test_tools::per_element;
 namespace {
 
 Names names_with(const std::map<std::string, NamedClaim>& claims) {
-  return {.values = {},
-          .flags = {{"printed", false}},
-          .tables = {},
-          .figures = {},
-          .excerpts = {},
-          .claims = claims,
-          .figure_places = {},
-          .texts = {},
-          .faults = {},
-          .files = {}};
+  Names names;
+  names.flags = {{"printed", false}};
+  names.claims = claims;
+  return names;
 }
 
 const Names names = names_with({{"apples", {1, "fruit.cpp:12:3", "confirmed", "confirmed"}},
