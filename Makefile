@@ -3,6 +3,7 @@
 #
 #   CASE=file.toml   another parameter file than report/ruggiero2001.toml; relative to where you call make
 #   CASES='cases/*.toml' J=2 KEYS='key …'   reports: the parameter files, how many at a time, what to compare
+#   PAPER=file       check-report: the text of the paper, against which every quotation is held
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   ONLY=id          mutants: this one alone
 #   NAME=name        figure: which

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "block/analysis.hpp"
@@ -16,12 +18,32 @@ struct Share {
   double x, whole, datum, body, load, rest;
 };
 
+/// The parts at each point on two meshes: a part is that of the finer, and wrong by the distance
+/// from the coarser and by what the half-space's closed form may be wrong.
+class SharesOnBothMeshes {
+ public:
+  SharesOnBothMeshes(std::vector<Share> fine, std::vector<Share> coarse, double of_half_space)
+      : fine_(std::move(fine)), coarse_(std::move(coarse)), of_half_space_(of_half_space) {}
+
+  std::size_t size() const { return fine_.size(); }
+  double x(std::size_t i) const { return fine_[i].x; }
+  const std::vector<Share>& fine() const { return fine_; }
+
+  numerics::Estimate part(double Share::*which, std::size_t i) const {
+    return {fine_[i].*which, std::abs(fine_[i].*which - coarse_[i].*which) + of_half_space_};
+  }
+
+ private:
+  std::vector<Share> fine_, coarse_;
+  double of_half_space_;
+};
+
 /// What the paper says of its body, of its run and of the comparison, tried on the block. `fitted`
 /// are the measures under the fitted load.
 void claim_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
                  const parameters::BlockCase& block_case, const config::UnitSystem& units,
                  const PrintedData& printed_data, const BlockStudy& study,
                  const std::vector<block::MeasureEstimate>& fitted,
-                 const std::vector<Share>& shares);
+                 const SharesOnBothMeshes& shares);
 
 }  // namespace paper

@@ -22,9 +22,11 @@ namespace {
 using contact::Element;
 using contact::Hertz;
 using literate::Column;
-using literate::confirmed_if;
+using literate::Criterion;
+using literate::exact;
 using literate::fixed;
 using literate::integer;
+using literate::LimitKind;
 using literate::scientific;
 using literate::significant;
 using literate::Value;
@@ -71,35 +73,30 @@ literate::Figure element_figure() {
                      {"triangular", triangular_slope}}}}};
 }
 
-void claim_quality(literate::Document& document, const std::vector<ElementQuality>& quality) {
-  const double gain = quality[1].slope / quality[2].slope;
+void claim_quality(literate::Document& document, Estimate gain) {
   document.claim(
       "triangles-gain-between-nodes",
-      {.sentence = "Between the nodes the slope of the surface is right with triangles, "
-                   "not with uniform elements.",
-       .place = "this report",
-       .computed = Value(gain, significant(2)),
-       .route = "the slope against −x/R of Hertz at eighths between the nodes; the value "
-                "is the largest error with uniform elements over that with triangles",
-       .tolerance = "a factor of ten at least, an order of magnitude",
+      {.route = "the slope against −x/R of Hertz at eighths between the nodes",
        .expected = Verdict::confirmed,
-       .found = confirmed_if(gain > 10)});
+       .criteria = {Criterion::at_least(
+           "largest error with uniform elements over that with triangles",
+           Value(gain, significant(2)), {LimitKind::convention, 10.0, "an order of magnitude"})}});
   // T′(k) → 1/k: the slope that an element makes k spacings away.
   double least = HUGE_VAL;
-  for (Eigen::Index k = 1; k <= 1000; ++k) {
+  constexpr Eigen::Index farthest = 1000;
+  for (Eigen::Index k = 1; k <= farthest; ++k) {
     least = std::min(least,
                      contact::influence_gradient(Element::triangular, k) * static_cast<double>(k));
   }
+  constexpr double of_gradient = 1e-15;  // absolute, as contact/element.hpp states
   document.claim(
       "every-element-acts",
-      {.sentence = "Each element has an effect on the remaining elements.",
-       .place = "paper, Conclusions, p. 9",
-       .computed = Value(least, significant(3)),
-       .route = "the slope of the surface that a triangle makes 1 to 1000 spacings away, "
-                "as a share of that of a force; the value is the least",
-       .tolerance = "a half: nowhere may it be lost beside that of a force",
+      {.route = "the slope of the surface that a triangle makes one to a thousand spacings away",
        .expected = Verdict::confirmed,
-       .found = confirmed_if(least > 0.5)});
+       .criteria = {Criterion::at_least(
+           "the least of these, as a share of that of a force",
+           Value({least, of_gradient * farthest}, significant(3)),
+           {LimitKind::convention, 0.5, "nowhere may it be lost beside that of a force"})}});
 }
 
 // What each kind of element says between and beneath the nodes of the same contact.
@@ -128,18 +125,32 @@ void register_quality(literate::Document& document, const parameters::ContactCas
   const double spacing =
       contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes).spacing;
   document.value("elements.count", Value(closed_form(hertz.half_width() / spacing), fixed(1)));
-  claim_quality(document, quality);
   document.table(std::move(table));
   const auto gain = [&](double ElementQuality::*error) {
     return quotient({quality[1].*error, bounds[1]}, {quality[2].*error, bounds[2]});
   };
+  claim_quality(document, gain(&ElementQuality::slope));
   document.value("elements.slope-gain", Value(gain(&ElementQuality::slope), significant(2)));
   document.value("elements.shear-gain", Value(gain(&ElementQuality::shear), significant(2)));
-  document.check(
-      "triangles-gain-in-slopes-and-stresses",
-      10 * quality[2].slope < quality[1].slope && 10 * quality[2].shear < quality[1].shear &&
-          10 * quality[1].slope < quality[0].slope && 10 * quality[1].shear < quality[0].shear,
-      "slopes and stresses near the surface are best with triangles, worst with forces");
+  // That of the slope from uniform elements to triangles is a claim.
+  const auto better = [&](const char* what, double ElementQuality::*error, std::size_t i) {
+    return Criterion::at_least(
+        what,
+        Value(quotient({quality[i - 1].*error, bounds[i - 1]}, {quality[i].*error, bounds[i]}),
+              significant(2)),
+        {LimitKind::convention, 10.0, "an order of magnitude"});
+  };
+  document.check("triangles-gain-in-slopes-and-stresses",
+                 {better("slopes, forces over uniform", &ElementQuality::slope, 1),
+                  better("stresses, forces over uniform", &ElementQuality::shear, 1),
+                  better("stresses, uniform over triangles", &ElementQuality::shear, 2)},
+                 "slopes and stresses near the surface are best with triangles, worst with forces");
+}
+
+Criterion of_order(const char* what, Estimate order, double expected) {
+  return Criterion::agrees(what, Value(order, fixed(2)), Value(expected, exact()).within(0),
+                           {LimitKind::regression, 0.25,
+                            "the scatter of where the edge falls between the nodes of the grids"});
 }
 
 using Errors = std::vector<double> ConvergenceStudy::*;
@@ -164,29 +175,22 @@ const std::array<Quantity, 6> quantities = {{
      &ConvergenceStudy::of_moment},
 }};
 
+// Errors above 1e-6 of pressures that are right to 1e-12, of which the factors are made.
+constexpr double of_factors = 1e-6;
+
 void claim_orders(literate::Document& document, PowerFit inside, double ratio) {
   document.claim("interior-order-two",
-                 {.sentence = "Where the pressure is smooth its error has order 2 in the elements' "
-                              "width.",
-                  .place = "this report",
-                  .stated = Value(2, integer()),
-                  .computed = Value(inside.order, fixed(2)),
-                  .route = "a power fitted to the errors against Hertz over |x| ≤ 0.9a on many "
+                 {.route = "a power fitted to the errors against Hertz over |x| ≤ 0.9a on many "
                            "grids",
-                  .tolerance = "0.25, the scatter of where the edge falls between the nodes",
                   .expected = Verdict::confirmed,
-                  .found = confirmed_if(std::abs(inside.order - 2) < 0.25)});
-  document.claim(
-      "no-gain-in-the-pressure",
-      {.sentence = "For the pressure at the nodes triangles are no better than uniform "
-                   "elements.",
-       .place = "this report",
-       .computed = Value(ratio, significant(2)),
-       .route = "the errors of both against Hertz; the value is the ratio of the factors "
-                "of (c/a)²",
-       .tolerance = "0.8 at least: a fifth better would be a gain",
-       .expected = Verdict::confirmed,
-       .found = confirmed_if(ratio > 0.8)});
+                  .criteria = {of_order("order", inside.order_estimate(), 2)}});
+  document.claim("no-gain-in-the-pressure",
+                 {.route = "the errors of both against Hertz over |x| ≤ 0.9a",
+                  .expected = Verdict::confirmed,
+                  .criteria = {Criterion::at_least(
+                      "ratio of the factors of (c/a)², triangles over uniform elements",
+                      Value({ratio, of_factors * ratio}, significant(2)),
+                      {LimitKind::convention, 0.8, "a fifth better would be a gain"})}});
 }
 
 void register_orders(literate::Document& document, const ConvergenceStudy& triangular,
@@ -200,27 +204,22 @@ void register_orders(literate::Document& document, const ConvergenceStudy& trian
     return fit_power(study.elements, study.*quantity.errors,
                      quantity.bounds == nullptr ? std::vector<double>{} : study.*quantity.bounds);
   };
-  double worst = 0;
+  std::vector<Criterion> orders;
   for (const Quantity& quantity : quantities) {
     const PowerFit first = fit(triangular, quantity);
     const PowerFit second = fit(uniform, quantity);
     for (const PowerFit& power : {first, second}) {
-      worst = std::max(worst, std::abs(power.order - quantity.expected));
+      orders.push_back(of_order(quantity.name, power.order_estimate(), quantity.expected));
     }
     table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text),
                    first.order_estimate(), first.factor_estimate(), second.order_estimate(),
                    second.factor_estimate()});
   }
   document.table(std::move(table));
-  constexpr double scatter = 0.25;
-  document.check("orders-of-convergence", worst < scatter,
+  document.check("orders-of-convergence", orders,
                  "all errors of contact converge with the expected orders");
   const PowerFit inside = fit_power(triangular.elements, triangular.inside);
   const PowerFit uniform_inside = fit_power(uniform.elements, uniform.inside);
-  document.check(
-      "triangles-gain-nothing-in-the-pressure",
-      inside.factor < 4 * uniform_inside.factor && uniform_inside.factor < 4 * inside.factor,
-      "inside the contact triangles and uniform elements have errors of the same size");
   claim_orders(document, inside, inside.factor / uniform_inside.factor);
   const auto n = static_cast<long>(triangular.elements.size());
   document.value("elements.n-grids", Value(n, integer()));
@@ -269,20 +268,24 @@ Graded register_graded(literate::Document& document, const parameters::ContactCa
   const PowerFit width_power = fit_power(graded.elements, graded.half_width, of_width);
   document.value("graded.order", Value(pressure_power.order_estimate(), fixed(1)));
   document.value("graded.width-order", Value(width_power.order_estimate(), fixed(1)));
-  const double order = pressure_power.order;
   document.claim("graded-order",
-                 {.sentence = "A grid that ends on the edge removes the error of order ½ there.",
-                  .place = "this report",
-                  .computed = Value(order, fixed(1)),
-                  .route = "a power fitted to the largest error of the pressure against Hertz, on "
-                           "graded grids of 12 to 100 elements",
-                  .tolerance = "order 1.5 at least, since the errors inside, of order 2, are next",
+                 {.route = "a power fitted to the largest error of the pressure against Hertz, on "
+                           "graded grids of a dozen to a hundred elements",
                   .expected = Verdict::confirmed,
-                  .found = confirmed_if(order > 1.5)});
-  document.check("graded-grid-removes-the-edge-error",
-                 graded.largest.back() <= 1e-4 && graded.half_width.back() <= 1e-6 &&
-                     graded.peak.back() <= 1e-6,
-                 "100 graded elements: pressure to 1e-4 of the peak, half-width and peak to 1e-6");
+                  .criteria = {Criterion::at_least(
+                      "order", Value(pressure_power.order_estimate(), fixed(1)),
+                      {LimitKind::convention, 1.5, "the errors inside, of order 2, are next"})}});
+  const auto small = [&](const char* what, double error, double limit) {
+    return Criterion::at_most(
+        what, Value({error, rounding}, scientific(1).rounded_up()),
+        {LimitKind::regression, limit, "what was found on the finest grid, with a margin"});
+  };
+  document.check(
+      "graded-grid-removes-the-edge-error",
+      {small("largest error of the pressure, over the peak", graded.largest.back(), 1e-4),
+       small("of the half-width", graded.half_width.back(), 1e-5),
+       small("of the peak", graded.peak.back(), 1e-5)},
+      "graded elements have no error of order 1/2 at the edge");
   return graded;
 }
 

@@ -31,9 +31,11 @@ using contact::Solution;
 using Eigen::Index;
 using literate::Cell;
 using literate::Column;
-using literate::confirmed_if;
+using literate::Criterion;
+using literate::exact;
 using literate::fixed;
 using literate::integer;
+using literate::LimitKind;
 using literate::percent;
 using literate::scientific;
 using literate::significant;
@@ -195,38 +197,39 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
   // A pressure that is infinite like ln|x| is wrong by as much at a few nodes on every grid, one
   // whose slope is by c: root mean squares of orders 1/2 and 3/2.
   constexpr std::array<double, 5> expected = {2, 0.5, 1.5, 2, 2};
-  constexpr double scatter = 0.35;
-  bool as_expected = true;
-  bool second_order_away = true;
-  bool edges_found = true;
+  const auto of_order = [](const std::vector<double>& elements, const std::vector<double>& errors,
+                           double order) {
+    return Criterion::agrees("order", Value(fit_power(elements, errors).order, fixed(2)).within(0),
+                             Value(order, exact()).within(0),
+                             {LimitKind::regression, 0.35, "the scatter of four grids"});
+  };
+  std::vector<Criterion> orders, orders_away, edges;
   for (std::size_t k = 0; k < studies.size(); ++k) {
     const ProfileStudy& study = studies[k];
-    const double order = fit_power(study.elements, study.inside).order;
-    as_expected = as_expected && std::abs(order - expected[k]) < scatter;
-    const double away = fit_power(study.elements, study.away).order;
-    second_order_away = second_order_away && std::abs(away - 2) < scatter;
-    edges_found = edges_found && std::ranges::max(study.edge) < 0.25;
+    orders.push_back(of_order(study.elements, study.inside, expected[k]));
+    orders_away.push_back(of_order(study.elements, study.away, 2));
+    for (std::size_t i = 0; i < study.edge.size(); ++i) {
+      // The edge is extrapolated from p²; errors δp₀ of p move it by less than δa.
+      edges.push_back(Criterion::at_most(
+          "edge", Value({study.edge[i], study.bound[i] * study.elements[i]}, significant(2)),
+          {LimitKind::convention, 0.25, "half of what counting nodes would have"}));
+    }
   }
-  double worst = 0;
-  for (const ProfileStudy& study : studies) worst = std::max(worst, std::ranges::max(study.edge));
-  document.claim("edges-found",
-                 {.sentence = "The edge of the contact is found to a fraction of an element, for "
-                              "every profile.",
-                  .place = "this report",
-                  .computed = Value(worst, fixed(2)),
-                  .route = "the closed forms of five profiles on four grids; the value is the "
-                           "largest error of the half-width, in elements",
-                  .tolerance = "a quarter of an element: counting nodes would have one half",
-                  .expected = Verdict::confirmed,
-                  .found = confirmed_if(worst < 0.25)});
+  document.claim("edges-found", {.route = "the closed forms of five profiles on four grids",
+                                 .expected = Verdict::confirmed,
+                                 .criteria = {Criterion::in_each(
+                                     "error of the half-width, in elements", "contacts", edges)}});
   const auto [least, most] = std::ranges::minmax_element(studies[1].beside);
-  document.check("profiles-converge", as_expected, "each profile converges with its own order");
-  document.check("singularities-stay-local", second_order_away,
+  document.check("profiles-converge", orders, "each profile converges with its own order");
+  document.check("singularities-stay-local",
+                 {Criterion::in_each("order away from the singularity", "profiles", orders_away)},
                  "a tenth of a from a singularity the error is of second order");
-  document.check("edges-within-a-quarter-spacing", edges_found,
-                 "the edge of every contact is found to a quarter of the spacing");
-  document.check("wedge-apex-error-stays", *most < 1.02 * *least,
-                 "beside the wedge's apex the error is the same on all grids");
+  document.check(
+      "wedge-apex-error-stays",
+      {Criterion::at_most("largest over smallest error on the grids",
+                          Value(*most / *least, significant(3)).within(0),
+                          {LimitKind::regression, 1.02, "what was found, with a margin"})},
+      "beside the wedge's apex the error is the same on all grids");
 }
 
 void add_panel(literate::Figure& figure, std::size_t number, const Panel& panel) {
@@ -249,9 +252,12 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
   const double a = hertz.half_width();
   literate::Figure figure{.width_cm = 14, .height_cm = 9};
   std::vector<ProfileStudy> studies;
-  bool same_half_width = true;
+  std::vector<Criterion> half_widths;
   for (const KnownContact& known : known_contacts(c, hertz)) {
-    same_half_width = same_half_width && std::abs(known.half_width / a - 1) < 1e-12;
+    half_widths.push_back(Criterion::at_most(
+        "difference",
+        Value(std::abs(known.half_width / a - 1), scientific(1).rounded_up()).within(0),
+        {LimitKind::rounding, 1e-12, "each is a root of the load, found to rounding"}));
     studies.push_back(study_of(known, c, hertz));
     const ProfileStudy& study = studies.back();
     const ProfileErrors& e = study.printed;
@@ -288,7 +294,9 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
   document.value("profiles.finest", Value(closed_form(studies[0].elements.back()), fixed(0)));
   document.value("profiles.apex-error",
                  Value(Estimate{studies[1].beside.back(), studies[1].bound.back()}, percent(0)));
-  document.check("profiles-share-their-half-width", same_half_width,
+  document.check("profiles-share-their-half-width",
+                 {Criterion::in_each("relative difference from that of the cylinders", "profiles",
+                                     half_widths)},
                  "the closed forms have the half-width of the cylinders");
   check_orders(document, studies);
 }

@@ -29,11 +29,13 @@ using contact::SlidingHertz;
 using contact::Solution;
 using elasticity::PiecewiseLinearTraction;
 using literate::Column;
-using literate::confirmed_if;
+using literate::Criterion;
 using literate::exact;
 using literate::fixed;
+using literate::LimitKind;
 using literate::scientific;
 using literate::significant;
+using literate::supported;
 using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
@@ -124,8 +126,13 @@ literate::Table depth_table(literate::Document& document, const PiecewiseLinearT
   document.value("stresses.decay",
                  Value(near / at_greatest, significant(1))
                      .within(quotient({near, bound}, {at_greatest, bound}).abs_error));
-  document.check("stresses-decay", near > 10 * at_greatest,
-                 "the largest difference falls by more than ten down to the greatest shear");
+  document.check(
+      "stresses-decay",
+      {Criterion::at_least("largest difference near the surface over that at the "
+                           "depth of the greatest shear",
+                           Value(quotient({near, bound}, {at_greatest, bound}), significant(1)),
+                           {LimitKind::convention, 10.0, "an order of magnitude"})},
+      "the largest difference falls down to the greatest shear");
   return table;
 }
 
@@ -148,21 +155,16 @@ void compare_deep(literate::Document& document, const PiecewiseLinearTraction& t
   const double width_bound = half_width_error(solution) + rounded(1);
   document.value("stresses.deep.expected",
                  Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)));
-  const double left = std::abs(relative - expected);
-  document.claim("load-and-moment-felt-below",
-                 {.sentence = "Far below only the load and the second moment of the pressure are "
-                              "felt.",
-                  .place = "this report",
-                  .stated = Value(expected, scientific(2)),
-                  .computed = Value(relative, scientific(2)),
-                  .route = "the shear of the elements less McEwen's at twenty half-widths, against "
-                           "what the error of the half-width makes there",
-                  .tolerance = "(c/a)²(a/z)⁴, the next moment",
-                  .expected = Verdict::confirmed,
-                  .found = confirmed_if(left < square / std::pow(depth, 4) + 1e-12)});
-  document.check("stresses-deep",
-                 std::abs(relative - expected) < square / std::pow(depth, 4) + 1e-12,
-                 "far below, the stresses differ as the second moments of the pressures do");
+  document.claim(
+      "load-and-moment-felt-below",
+      {.route = "the shear of the elements less McEwen's at twenty half-widths, against "
+                "what the error of the half-width makes there",
+       .expected = Verdict::confirmed,
+       .criteria = {Criterion::agrees(
+           "relative difference of the shear",
+           Value(Estimate{relative, shear_error_of(solution)}, scientific(2)),
+           Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)),
+           {LimitKind::derived, square / std::pow(depth, 4), "(c/a)²(a/z)⁴, the next moment"})}});
 }
 
 void compare_greatest(literate::Document& document, const PiecewiseLinearTraction& traction,
@@ -172,7 +174,8 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
   const ShearPoint found = greatest_shear(traction, a);
   const double shear_error = std::abs(found.shear / exact.shear - 1);
   const double depth_error = std::abs(found.z - exact.depth.value) / a;
-  const double shear = exact.shear / hertz.peak_pressure();
+  const double p0 = hertz.peak_pressure();
+  const double shear = exact.shear / p0;
   // McEwen::greatest_shear() states 1e-14. The elements' shear is over p₀, a third of it and more.
   document.value("stresses.shear", Value(shear, fixed(7)).within(1e-14 * shear + rounded(shear)));
   const double shear_bound = 4 * shear_error_of(solution);
@@ -188,23 +191,25 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
   const double square = std::pow(solution.grid.spacing / a, 2);
   document.claim(
       "mcewen",
-      {.sentence = "The greatest shear beneath the contact is that of McEwen, at his "
-                   "depth.",
-       .place = "this report",
-       .stated = Value::text(fmt::format(
-           "{:.5f} p₀ at {:.5f} a", exact.shear / hertz.peak_pressure(), exact.depth.value / a)),
-       .computed = Value::text(
-           fmt::format("{:.5f} p₀ at {:.5f} a", found.shear / hertz.peak_pressure(), found.z / a)),
-       .route = "a search in the plane beneath the elements; stated is McEwen's closed "
-                "form",
-       .tolerance = "(c/a)² times 0.25 for the shear and 0.06 for the depth over a, the "
-                    "order of linear elements",
+      {.route = "a search in the plane beneath the elements, against McEwen's closed form",
        .expected = Verdict::confirmed,
-       .found = confirmed_if(shear_error < 0.25 * square && depth_error < 0.06 * square + 1e-6)});
-  document.check("greatest-shear-beneath",
-                 shear_error < 0.25 * square && depth_error < 0.06 * square + 1e-6 &&
-                     std::abs(found.x) < 1e-5 * a,
-                 "the elements find McEwen's greatest shear on the axis, to second order");
+       .criteria = {
+           Criterion::agrees(
+               "shear over p₀", Value({found.shear / p0, shear_bound * shear}, significant(6)),
+               Value(closed_form(shear), significant(6)),
+               {LimitKind::regression, 0.25 * shear * square,
+                "a quarter of (c/a)² of it: linear elements have this order, and the factor was "
+                "found, with a margin"}),
+           Criterion::agrees(
+               "depth over a", Value({found.z / a, depth_bound}, significant(6)),
+               Value({exact.depth.value / a, exact.depth.abs_error / a}, supported(6)),
+               {LimitKind::regression, 0.06 * square,
+                "in proportion to (c/a)², with the factor that was found, and a margin"}),
+           Criterion::at_most(
+               "distance from the axis over a",
+               Value(Estimate{std::abs(found.x) / a, depth_bound}, scientific(1).rounded_up()),
+               {LimitKind::rounding, 1e-5,
+                "a flat maximum tells its place to the root of rounding"})}});
 }
 
 void fit_order(literate::Document& document, const parameters::ContactCase& c, const Hertz& hertz) {
@@ -223,7 +228,10 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
   document.value("stresses.fit.least", Value(closed_form(elements.front()), fixed(0)));
   document.value("stresses.fit.most", Value(closed_form(elements.back()), fixed(0)));
   document.value("stresses.fit.order", Value(power.order_estimate(), fixed(1)));
-  document.check("stresses-order-two", power.order > 1.6 && power.order < 2.5,
+  document.check("stresses-order-two",
+                 {Criterion::agrees("order", Value(power.order_estimate(), fixed(2)),
+                                    Value(2, literate::exact()).within(0),
+                                    {LimitKind::regression, 0.4, "the scatter of the grids"})},
                  "inside the body the stresses converge with order two");
 }
 
@@ -254,8 +262,13 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
   document.table(table);
   document.value("stresses.least-depth", Value(least_depth, exact()));
   document.value("stresses.surface-friction", Value(friction_at_surface(hertz), fixed(3)));
-  document.check("sliding-shear", largest < 0.6 * square,
-                 "beneath sliding cylinders the elements find the greatest shear to second order");
+  document.check(
+      "sliding-shear",
+      {Criterion::at_most(
+          "largest relative difference over (c/a)²",
+          Value({largest / square, 4 * shear_error_of(solution) / square}, significant(2)),
+          {LimitKind::regression, 0.6, "what was found, with a margin"})},
+      "beneath sliding cylinders the elements find the greatest shear to second order");
 }
 
 // The shear on the surface of sliding cylinders is μp₀ wherever they touch.
@@ -274,8 +287,12 @@ void check_surface(literate::Document& document, const Solution& solution, const
   document.value("stresses.surface-difference",
                  Value(Estimate{largest, bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
-  document.check("sliding-surface", largest < 1.5 * square,
-                 "on the surface of sliding cylinders the greatest shear is mu p0");
+  document.check(
+      "sliding-surface",
+      {Criterion::at_most("largest relative difference from μp₀, over (c/a)²",
+                          Value({largest / square, bound / square}, significant(2)),
+                          {LimitKind::regression, 1.5, "what was found, with a margin"})},
+      "on the surface of sliding cylinders the greatest shear is mu p0");
 }
 
 // Points of the figure with the τ₁/p₀ there; lengths over the half-width.

@@ -25,6 +25,9 @@ class Workplace {
     document.write(folder_.path() / "generated");
   }
 
+  void write(const std::string& file, const std::string& text) { folder_.write(file, text); }
+  std::string path(const std::string& file) const { return (folder_.path() / file).string(); }
+
   Words check() const {
     return {"check", "--document", (folder_.path() / "report").string(), "--generated",
             (folder_.path() / "generated").string()};
@@ -68,6 +71,21 @@ BOOST_AUTO_TEST_CASE(a_typed_result_fails_with_its_place) {
 BOOST_AUTO_TEST_CASE(what_does_not_hold_fails) {
   check_found(1, Workplace(all_used, false),
               "halfspace: check balance failed: The forces balance.\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_quotation_that_the_text_does_not_have_fails_with_both_places) {
+  Workplace workplace(all_used + "They are \\quoted{high}.\n");
+  workplace.write("report/quotations.toml", "[high]\npage = 3\nwords = \"higher than the sea\"\n");
+  workplace.write("text.txt", "Mountains,\nhigher than the\nhills");
+
+  const Outcome outcome =
+      run_program(workplace.check() + Words{"--quoted-text", workplace.path("text.txt")});
+
+  BOOST_TEST(outcome.status == 1);
+  BOOST_TEST(outcome.errors ==
+             "halfspace: report/quotations.toml:1:1: quotation 'high' differs after 'higher than "
+             "the': it goes on 'sea', line 3 of the text 'hills'\n");
+  check_found(0, workplace, "");
 }
 
 BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {

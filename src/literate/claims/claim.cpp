@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace literate {
 
@@ -22,15 +21,6 @@ std::string_view name_of(Verdict verdict) {
   return "undecided";
 }
 
-Verdict confirmed_if(bool holds) {
-  return holds ? Verdict::confirmed : Verdict::refuted;
-}
-
-Verdict confirmed_in(long n_holding, long n_cases) {
-  if (n_holding == 0) return Verdict::refuted;
-  return n_holding == n_cases ? Verdict::confirmed : Verdict::partly;
-}
-
 Verdict verdict_of(const std::vector<Criterion>& criteria) {
   const auto all = [&](Outcome outcome) {
     return std::ranges::all_of(criteria,
@@ -43,22 +33,14 @@ Verdict verdict_of(const std::vector<Criterion>& criteria) {
   return all(Outcome::fails) ? Verdict::refuted : Verdict::partly;
 }
 
-Claim decided(Claim claim) {
-  if (claim.criteria.empty()) return claim;
-  if (!claim.computed.printed().empty() || !claim.tolerance.empty()) {
-    throw std::invalid_argument(
-        "a claim with criteria computes and tolerates what they say, and nothing besides");
+std::string text_of(const std::vector<Criterion>& criteria) {
+  std::string text;
+  for (const Criterion& criterion : criteria) {
+    text += fmt::format("{}{} (asked: {})", text.empty() ? "" : "; ", criterion.computed(),
+                        criterion.condition().plain);
+    if (!criterion.missing().empty()) text += ", undecided: " + criterion.missing();
   }
-  std::string computed;
-  for (const Criterion& criterion : claim.criteria) {
-    computed += fmt::format("{}{}", computed.empty() ? "" : "; ", criterion.computed());
-    claim.tolerance += fmt::format("{}{} ({})", claim.tolerance.empty() ? "" : "; ",
-                                   criterion.condition(), criterion.reason());
-    if (!criterion.missing().empty()) computed += fmt::format(" [{}]", criterion.missing());
-  }
-  claim.computed = Value::text(computed);
-  claim.found = verdict_of(claim.criteria);
-  return claim;
+  return text;
 }
 
 }  // namespace literate

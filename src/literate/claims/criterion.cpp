@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
 
 namespace literate {
@@ -30,9 +31,23 @@ double require_abs_error(const std::string& name, const Value& quantity) {
 }
 
 /// A limit, or an error, in the notation of the quantity that it belongs to.
-std::string printed_limit(double limit, const Value& quantity) {
-  return quantity.is_percentage() ? Value(limit, exact().in_percent()).printed()
-                                  : Value(limit, exact(), quantity.unit()).printed();
+Value limit_like(double limit, const Value& quantity) {
+  return quantity.is_percentage() ? Value(limit, exact().in_percent())
+                                  : Value(limit, exact(), quantity.unit());
+}
+
+/// A relative difference in per cent, or as a number where that would be mostly zeros.
+Value relative(double difference) {
+  constexpr double least_percentage = 1e-5;
+  return difference < least_percentage ? Value(difference, exact())
+                                       : Value(difference, exact().in_percent());
+}
+
+/// Words that are the same in LaTeX, and values among them: «within {} of {}».
+template <typename... Values>
+Phrase phrase(std::string_view words, const Values&... values) {
+  return {fmt::format(fmt::runtime(words), values.printed()...),
+          fmt::format(fmt::runtime(words), values.latex()...)};
 }
 
 }  // namespace
@@ -52,12 +67,13 @@ std::string_view name_of(LimitKind kind) {
     case LimitKind::regression:
       return "regression band";
   }
-  throw std::logic_error("no name for this kind of limit");
+  throw std::invalid_argument("a limit needs one of the kinds of limits");
 }
 
 Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int n_digits)
     : kind_(kind), abs_error_(number.abs_error), reason_(std::move(reason)) {
   if (reason_.empty()) throw std::invalid_argument("a limit needs a reason");
+  name_of(kind_);  // throws for one that is none
   if (!(std::isfinite(abs_error_) && abs_error_ >= 0)) {
     throw std::invalid_argument("the error of a limit is negative or not finite");
   }
@@ -65,34 +81,51 @@ Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int 
   number_ = number_of(rounded_to_digits(number.value, n_digits));
 }
 
+std::string_view name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::holds:
+      return "holds";
+    case Outcome::holds_in_part:
+      return "holds in part";
+    case Outcome::fails:
+      return "fails";
+    case Outcome::undecided:
+      break;
+  }
+  return "undecided";
+}
+
 Criterion::Criterion(std::string name, Value quantity, Limit limit)
     : name_(std::move(name)), quantity_(std::move(quantity)), limit_(std::move(limit)) {
   if (name_.empty()) throw std::invalid_argument("a criterion names what it tests");
-  found_ = quantity_.printed();
+  found_ = phrase("{}", quantity_);
 }
 
-/// Compares the interval of the tested number with that of the limit.
-void Criterion::decide(double tested, double error, bool is_upper_limit) {
+/// Compares the interval of the tested number with that of the limit; both are printed as `like`
+/// is.
+void Criterion::decide(double tested, double error, bool is_upper_limit, const Value& like) {
   // A negated limit turns «at least» into «at most»: −q ≤ −L.
   const double sign = is_upper_limit ? 1 : -1;
-  const double excess = sign * (tested - limit_.number());
+  excess_ = sign * (tested - limit_.number());
   const double unsure = error + limit_.abs_error();
-  if (excess + unsure <= 0) {
+  if (excess_ + unsure <= 0) {
     outcome_ = Outcome::holds;
-  } else if (excess - unsure > 0) {
+  } else if (excess_ - unsure > 0) {
     outcome_ = Outcome::fails;
   } else {
     outcome_ = Outcome::undecided;
-    missing_ = fmt::format("{}: its error of {} reaches across the limit", name_,
-                           printed_limit(number_of(rounded_up_to_digits(unsure, 1)), quantity_));
+    const double printed = number_of(rounded_up_to_digits(unsure, 1));
+    missing_ =
+        fmt::format("an error of {} reaches across the limit", limit_like(printed, like).printed());
   }
 }
 
 Criterion Criterion::at_most(std::string name, Value quantity, Limit limit) {
   const double error = require_abs_error(name, quantity);
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
-  criterion.condition_ = "at most " + printed_limit(criterion.limit_.number(), criterion.quantity_);
-  criterion.decide(*criterion.quantity_.number(), error, true);
+  criterion.condition_ =
+      phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
+  criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_);
   return criterion;
 }
 
@@ -100,8 +133,8 @@ Criterion Criterion::at_least(std::string name, Value quantity, Limit limit) {
   const double error = require_abs_error(name, quantity);
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
-      "at least " + printed_limit(criterion.limit_.number(), criterion.quantity_);
-  criterion.decide(*criterion.quantity_.number(), error, false);
+      phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
+  criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_);
   return criterion;
 }
 
@@ -109,10 +142,10 @@ Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limi
   const double error = require_abs_error(name, computed) + require_abs_error(name, stated);
   const double difference = std::abs(*computed.number() - *stated.number());
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
-  const Value& quantity = criterion.quantity_;
-  criterion.condition_ = fmt::format(
-      "within {} of {}", printed_limit(criterion.limit_.number(), quantity), stated.printed());
-  criterion.decide(difference, error, true);
+  const Value limit = limit_like(criterion.limit_.number(), criterion.quantity_);
+  criterion.condition_ = criterion.limit_.number() == 0 ? phrase("equal to {}", stated)
+                                                        : phrase("within {} of {}", limit, stated);
+  criterion.decide(difference, error, true, criterion.quantity_);
   return criterion;
 }
 
@@ -130,13 +163,14 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
       (error + std::abs(c / s) * error_of_stated) / (std::abs(s) - error_of_stated);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
   const double off = std::abs(c / s - 1);
+  // A difference that is lost in its error is told by what it is at most.
   criterion.found_ =
-      fmt::format("{}, {} from {}", criterion.quantity_.printed(),
-                  Value({off, unsure}, significant(2).in_percent()).printed(), stated.printed());
-  criterion.condition_ = fmt::format(
-      "within {} of {}", Value(criterion.limit_.number(), exact().in_percent()).printed(),
-      stated.printed());
-  criterion.decide(off, unsure, true);
+      off > unsure ? phrase("{}, {} from {}", criterion.quantity_,
+                            Value({off, unsure}, significant(2).in_percent()), stated)
+                   : phrase("{}, at most {} from {}", criterion.quantity_,
+                            relative(number_of(rounded_up_to_digits(off + unsure, 1))), stated);
+  criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
+  criterion.decide(off, unsure, true, Value(0, exact().in_percent()));
   return criterion;
 }
 
@@ -145,8 +179,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   if (each.empty()) throw std::invalid_argument(name + ": there is no case to try");
   const Criterion& first = each.front();
   if (!std::ranges::all_of(each, [&](const Criterion& c) {
-        return c.limit_.number() == first.limit_.number() &&
-               c.limit_.reason() == first.limit_.reason() && c.limit_.kind() == first.limit_.kind();
+        return c.condition_.plain == first.condition_.plain && c.reason() == first.reason();
       })) {
     throw std::invalid_argument(name + ": the cases are not held to one limit");
   }
@@ -156,13 +189,16 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   const auto n_holding = n_with(Outcome::holds);
   const auto n = std::ssize(each);
   const auto n_undecided = n_with(Outcome::undecided);
+  const Criterion& worst = *std::ranges::max_element(each, {}, &Criterion::excess_);
 
   Criterion criterion(std::move(name), Value(n_holding, integer()).within(0), first.limit_);
-  criterion.found_ = fmt::format("{} of {} {}", n_holding, n, cases);
+  const std::string counted = fmt::format("{} of {} {}", n_holding, n, cases);
+  criterion.found_ = {fmt::format("{}, at worst {}", counted, worst.found_.plain),
+                      fmt::format("{}, at worst {}", escape_latex(counted), worst.found_.latex)};
   criterion.condition_ = first.condition_;
+  criterion.excess_ = worst.excess_;
   if (n_undecided > 0) {
-    criterion.missing_ =
-        fmt::format("{}: {} of {} {} are undecided", criterion.name_, n_undecided, n, cases);
+    criterion.missing_ = fmt::format("{} of {} {} are undecided", n_undecided, n, cases);
   } else if (n_holding == n) {
     criterion.outcome_ = Outcome::holds;
   } else {
@@ -172,7 +208,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
 }
 
 std::string Criterion::computed() const {
-  return fmt::format("{}: {}", name_, found_);
+  return fmt::format("{}: {}", name_, found_.plain);
 }
 
 std::string Criterion::reason() const {

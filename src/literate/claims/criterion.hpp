@@ -56,6 +56,15 @@ enum class Outcome {
   undecided,  ///< the error of the quantity, or of the limit, reaches across the limit
 };
 
+/// Names an outcome: «holds», «holds in part», «fails» or «undecided».
+std::string_view name_of(Outcome outcome);
+
+/// A text for messages and the same as LaTeX.
+struct Phrase {
+  std::string plain;
+  std::string latex;
+};
+
 /// A condition on a computed quantity that decides a claim: quantity, relation, limit.
 ///
 /// One object prints the quantity, prints the limit and decides, so that what the reader sees is
@@ -72,7 +81,7 @@ class Criterion {
   static Criterion at_least(std::string name, Value quantity, Limit limit);
 
   /// |computed − stated| ≤ tolerance, in the quantities' unit. The error of the difference is the
-  /// sum of both.
+  /// sum of both. A tolerance of 0 asks for equality, such as of counts.
   static Criterion agrees(std::string name, Value computed, Value stated, Limit tolerance);
 
   /// |computed/stated − 1| ≤ tolerance; `stated` must not be zero, nor its interval hold zero.
@@ -80,36 +89,43 @@ class Criterion {
                                      Limit tolerance);
 
   /// Every one of several cases, such as «points»: holds if all hold, fails if none does. All must
-  /// have the same relation and limit; what is printed is how many hold.
+  /// have the same condition and reason; what is printed is how many hold, and the worst case.
   static Criterion in_each(std::string name, std::string cases, const std::vector<Criterion>& each);
 
   Outcome outcome() const { return outcome_; }
 
-  /// The tested quantity by name and as printed, such as «largest misfit: 0.074 %».
-  std::string computed() const;
+  /// What the quantity is called, such as «largest misfit».
+  const std::string& name() const { return name_; }
+
+  /// The quantity as it was tested, such as «0.074 %».
+  const Phrase& found() const { return found_; }
 
   /// The relation and the limit as they were tested, such as «at most 0.1 %».
-  const std::string& condition() const { return condition_; }
+  const Phrase& condition() const { return condition_; }
+
+  /// Name and quantity for a message: «largest misfit: 0.074 %».
+  std::string computed() const;
 
   /// The kind of the limit and its reason.
   std::string reason() const;
 
-  /// What it would take to decide; empty unless undecided.
+  /// Why it cannot be decided; empty unless undecided.
   const std::string& missing() const { return missing_; }
 
-  /// The quantity that was tested, for the column of computed values.
+  /// The quantity that was tested.
   const Value& quantity() const { return quantity_; }
 
  private:
   Criterion(std::string name, Value quantity, Limit limit);
-  void decide(double tested, double error, bool is_upper_limit);
+  void decide(double tested, double error, bool is_upper_limit, const Value& like);
 
   std::string name_;
   Value quantity_;
   Limit limit_;
-  std::string found_;      // the quantity, and for an agreement how far it is from what is stated
-  std::string condition_;  // relation and limit
+  Phrase found_;      // the quantity, and for an agreement how far it is from what is stated
+  Phrase condition_;  // relation and limit
   std::string missing_;
+  double excess_ = 0;  // how far the quantity is beyond the limit; negative within it
   Outcome outcome_ = Outcome::undecided;
 };
 

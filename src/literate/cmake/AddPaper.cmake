@@ -268,7 +268,7 @@ latex=${arg_ENGINE}
   add_custom_target(${name}-html DEPENDS "${output}/${name}.html")
 
   add_custom_target(${name}-check
-    COMMAND ${arg_PROGRAM} check --document "${document}" --generated "${generated}"
+    COMMAND bash "${scripts}/check" "${settings}"
     DEPENDS "${digest}" USES_TERMINAL VERBATIM)
   # What verify runs for a MANIFEST, which it lays there.
   add_custom_target(${name}-compare

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -82,27 +81,32 @@ void Document::figure(const std::string& name, Figure figure, Location location)
   registered_.figures.emplace(name, std::move(figure));
 }
 
+void Document::check(const std::string& id, const std::vector<Criterion>& criteria,
+                     std::string statement, Location location) {
+  if (criteria.empty()) {
+    throw std::logic_error(
+        fmt::format("{}: check '{}' has no criterion", text_of(place_of(location)), id));
+  }
+  check(id, verdict_of(criteria) == Verdict::confirmed, std::move(statement), location);
+  registered_.checks.back().found = literate::text_of(criteria);
+}
+
 void Document::check(const std::string& id, bool passed, std::string statement, Location location) {
   require_key(id);
   remember("check", id, place_of(location));
-  registered_.checks.push_back({id, passed, std::move(statement)});
+  registered_.checks.push_back({id, passed, std::move(statement), {}});
 }
 
 void Document::claim(const std::string& id, Claim claim, Location location) {
-  claim = decided(std::move(claim));
   require_key(id);
   remember("claim", id, place_of(location));
-  const std::array<std::pair<const char*, const std::string*>, 5> parts{
-      {{"sentence", &claim.sentence},
-       {"place", &claim.place},
-       {"computed value", &claim.computed.printed()},
-       {"route", &claim.route},
-       {"tolerance", &claim.tolerance}}};
-  for (const auto& [part, text] : parts) {
-    if (!text->empty()) continue;
+  const auto require = [&](bool is_there, const char* part) {
+    if (is_there) return;
     throw std::logic_error(
         fmt::format("{}: claim '{}' has no {}", text_of(place_of(location)), id, part));
-  }
+  };
+  require(!claim.route.empty(), "route");
+  require(!claim.criteria.empty(), "criterion");
   registered_.claims.emplace_back(id, std::move(claim));
 }
 

@@ -36,11 +36,15 @@ class Document {
   /// std::logic_error for what no script could read, as require_drawable.
   void figure(const std::string& name, Figure figure, Location location = Location::current());
 
+  /// Registers something that must hold for the computation to be trusted: what its criteria say,
+  /// of which none may be undecided, or a fact that is no number.
+  void check(const std::string& id, const std::vector<Criterion>& criteria, std::string statement,
+             Location location = Location::current());
   void check(const std::string& id, bool passed, std::string statement,
              Location location = Location::current());
 
-  /// Registers a statement with its verdict: `\claim{id}`. Throws std::logic_error if its sentence,
-  /// place, computed value, route or tolerance is empty.
+  /// Registers a statement with its verdict: `\claim{id}`. Its sentence stands in the
+  /// prose: `\statement{id}{…}`. Throws std::logic_error without a route or a criterion.
   void claim(const std::string& id, Claim claim, Location location = Location::current());
 
   /// Registers what comes from another program's file, with the place in that file.

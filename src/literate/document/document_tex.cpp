@@ -25,10 +25,8 @@ std::string values_tex(const Registered& registered) {
   for (const auto& [key, is_set] : registered.flags) {
     text += fmt::format("\\LiterateFlag{{{}}}{{{}}}\n", key, is_set ? "true" : "false");
   }
-  int number = 0;
   for (const auto& [id, claim] : registered.claims) {
-    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", id, ++number,
-                        name_of(claim.found), claim.stated.latex(), claim.computed.latex());
+    text += fmt::format("\\LiterateClaim{{{}}}{{{}}}\n", id, name_of(claim.found()));
   }
   const std::size_t n_faults = faults(registered).size();
   if (n_faults > 0) {
@@ -41,33 +39,27 @@ std::string values_tex(const Registered& registered) {
 
 namespace {
 
-/// Writes «\LiterateLedgerSummary{all}{confirmed}{partly}{refuted}{undecided}{not as expected}».
-std::string ledger_summary(const Registered& registered) {
-  const auto count = [&](auto&& is_meant) {
-    return std::ranges::count_if(registered.claims,
-                                 [&](const auto& entry) { return is_meant(entry.second); });
-  };
-  const auto count_of = [&](Verdict verdict) {
-    return count([verdict](const Claim& claim) { return claim.found == verdict; });
-  };
-  return fmt::format("\\LiterateLedgerSummary{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n",
-                     registered.claims.size(), count_of(Verdict::confirmed),
-                     count_of(Verdict::partly), count_of(Verdict::refuted),
-                     count_of(Verdict::undecided),
-                     count([](const Claim& claim) { return claim.found != claim.expected; }));
+/// «\LiterateCriterion{name}{found}{condition}{reason}{outcome}{why it is undecided}», one a line.
+std::string criteria_tex(const Claim& claim) {
+  std::string text;
+  for (const Criterion& criterion : claim.criteria) {
+    text += fmt::format("    \\LiterateCriterion{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}%\n",
+                        escape_latex(criterion.name()), criterion.found().latex,
+                        criterion.condition().latex, escape_latex(criterion.reason()),
+                        name_of(criterion.outcome()), escape_latex(criterion.missing()));
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string claims_tex(const Registered& registered) {
-  std::string text = ledger_summary(registered);
+  std::string text;
   for (const auto& [id, claim] : registered.claims) {
     text += fmt::format(
-        "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  {{{}}}\n  "
-        "{{{}}}{{{}}}{{{}}}\n",
-        id, escape_latex(claim.sentence), escape_latex(claim.place), escape_latex(claim.route),
-        escape_latex(claim.tolerance), name_of(claim.expected), name_of(claim.found),
-        escape_latex_path(text_of(registered.places.at({"claim", id}))));
+        "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}{{{}}}{{{}}}{{%\n{}  }}\n", id,
+        escape_latex(claim.route), name_of(claim.expected), name_of(claim.found()),
+        escape_latex_path(text_of(registered.places.at({"claim", id}))), criteria_tex(claim));
   }
   return text;
 }

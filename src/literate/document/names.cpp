@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "literate/document/registered.hpp"
+#include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -61,17 +62,30 @@ json checks_json(const std::vector<Check>& checks) {
   return entries;
 }
 
+json criteria_json(const std::vector<Criterion>& criteria) {
+  json entries = json::array();
+  for (const Criterion& criterion : criteria) {
+    json entry{{"name", criterion.name()},
+               {"found", criterion.found().plain},
+               {"condition", criterion.condition().plain},
+               {"reason", criterion.reason()},
+               {"outcome", name_of(criterion.outcome())}};
+    if (!criterion.missing().empty()) entry["missing"] = criterion.missing();
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
 json claims_json(const Registered& registered) {
   json entries = json::object();
   for (const auto& [id, claim] : registered.claims) {
-    entries[id] = {{"sentence", claim.sentence},
-                   {"place", claim.place},
-                   {"stated", claim.stated.printed()},
-                   {"computed", claim.computed.printed()},
+    const SourcePlace& place = registered.places.at({"claim", id});
+    entries[id] = {{"number", entries.size() + 1},
+                   {"place", fmt::format("{}:{}", text_of(place), place.column)},
                    {"route", claim.route},
-                   {"tolerance", claim.tolerance},
+                   {"criteria", criteria_json(claim.criteria)},
                    {"expected", name_of(claim.expected)},
-                   {"found", name_of(claim.found)}};
+                   {"found", name_of(claim.found())}};
   }
   return entries;
 }
@@ -105,6 +119,56 @@ std::map<std::string, std::string> places_in(const json& entries) {
   return places;
 }
 
+std::map<std::string, NamedClaim> claims_in(const json& entries) {
+  std::map<std::string, NamedClaim> claims;
+  for (const auto& entry : entries.items()) {
+    const json& claim = entry.value();
+    claims[entry.key()] = {.number = claim.at("number"),
+                           .place = claim.at("place"),
+                           .expected = claim.at("expected"),
+                           .found = claim.at("found")};
+  }
+  return claims;
+}
+
+/// What the program says in words: routes, criteria and reasons, headings of tables, checks.
+json texts_json(const Registered& registered) {
+  json texts = json::array();
+  const auto add = [&](const char* kind, const std::string& name, const char* part,
+                       const std::string& latex) {
+    texts.push_back({{"what", fmt::format("{} of {} '{}'", part, kind, name)},
+                     {"place", text_of(registered.places.at({kind, name}))},
+                     {"latex", latex}});
+  };
+  const auto add_criteria = [&](const char* kind, const std::string& name,
+                                const std::vector<Criterion>& criteria) {
+    for (const Criterion& criterion : criteria) {
+      add(kind, name, "quantity", escape_latex(criterion.name()));
+      add(kind, name, "reason", escape_latex(criterion.reason()));
+    }
+  };
+  for (const auto& [id, claim] : registered.claims) {
+    add("claim", id, "route", escape_latex(claim.route));
+    add_criteria("claim", id, claim.criteria);
+  }
+  for (const Check& check : registered.checks) {
+    add("check", check.id, "statement", escape_latex(check.statement));
+  }
+  for (const auto& [name, table] : registered.tables) {
+    for (const Column& column : table.columns()) add("table", name, "heading", column.format().heading);
+  }
+  return texts;
+}
+
+std::vector<NamedText> texts_in(const json& entries) {
+  std::vector<NamedText> texts;
+  for (const json& entry : entries) {
+    texts.push_back(
+        {.what = entry.at("what"), .place = entry.at("place"), .latex = entry.at("latex")});
+  }
+  return texts;
+}
+
 }  // namespace
 
 std::string names_json(const Registered& registered, const std::vector<Excerpt>& excerpts,
@@ -124,6 +188,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["checks"] = checks_json(registered.checks);
   names["claims"] = claims_json(registered);
   names["imports"] = registered.attachments.digests();
+  names["texts"] = texts_json(registered);
   names["faults"] = faults(registered);
   names["files"] = files;
   return names.dump(2) + "\n";
@@ -138,8 +203,9 @@ Names read_names(const std::filesystem::path& file) {
             .tables = names.at("tables").get<std::set<std::string>>(),
             .figures = keys_of(names.at("figures")),
             .excerpts = keys_of(names.at("excerpts")),
-            .claims = keys_of(names.at("claims")),
+            .claims = claims_in(names.at("claims")),
             .figure_places = places_in(names.at("figures")),
+            .texts = texts_in(names.at("texts")),
             .faults = names.at("faults").get<std::vector<std::string>>(),
             .files = names.at("files").get<std::vector<std::string>>()};
   } catch (const std::exception& error) {

@@ -13,6 +13,21 @@
 
 namespace literate {
 
+/// What names.json says of a claim.
+struct NamedClaim {
+  int number = 0;        ///< in the order of registration, from 1
+  std::string place;     ///< «file:line:column» of its registration
+  std::string expected;  ///< verdict
+  std::string found;
+};
+
+/// A text of the program that reaches the document, and where it was registered.
+struct NamedText {
+  std::string what;   ///< «route of claim 'x'»
+  std::string place;  ///< «file:line»
+  std::string latex;
+};
+
 /// A number as names.json stores it, for printing it in another way.
 struct StoredNumber {
   double number = 0;                ///< of a percentage the ratio
@@ -34,8 +49,9 @@ struct Names {
   std::set<std::string> tables;
   std::set<std::string> figures;
   std::set<std::string> excerpts;
-  std::set<std::string> claims;
+  std::map<std::string, NamedClaim> claims;
   std::map<std::string, std::string> figure_places;  ///< where each was registered
+  std::vector<NamedText> texts;                      ///< of the program that reach the document
   std::vector<std::string> faults;  ///< a line each; empty if the document is to be trusted
   std::vector<std::string> files;   ///< all files written, sorted, relative to names.json
 };

@@ -26,14 +26,13 @@ std::map<std::string, std::string> figure_places(const Registered& registered) {
 std::vector<std::string> faults(const Registered& registered) {
   std::vector<std::string> faults;
   for (const Check& check : failed_checks(registered)) {
-    faults.push_back(fmt::format("check {} failed: {}", check.id, check.statement));
+    faults.push_back(fmt::format("check {} failed: {}{}{}", check.id, check.statement,
+                                 check.found.empty() ? "" : "; ", check.found));
   }
   for (const auto& [id, claim] : registered.claims) {
-    if (claim.found == claim.expected) continue;
-    faults.push_back(fmt::format("claim {} is {}, not {}: {} Stated: {}; computed: {}", id,
-                                 name_of(claim.found), name_of(claim.expected), claim.sentence,
-                                 claim.stated.printed().empty() ? "-" : claim.stated.printed(),
-                                 claim.computed.printed()));
+    if (claim.found() == claim.expected) continue;
+    faults.push_back(fmt::format("claim {} is {}, not {}: {}", id, name_of(claim.found()),
+                                 name_of(claim.expected), text_of(claim.criteria)));
   }
   return faults;
 }

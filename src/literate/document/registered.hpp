@@ -20,6 +20,7 @@ struct Check {
   std::string id;
   bool passed = false;
   std::string statement;
+  std::string found;  ///< what its criteria computed and asked; empty for a fact
 };
 
 /// All that a computation registered for its document.

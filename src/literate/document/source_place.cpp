@@ -23,7 +23,8 @@ std::string short_name(std::string_view signature) {
 }  // namespace
 
 SourcePlace place_of(const std::source_location& location) {
-  return {location.file_name(), short_name(location.function_name()), location.line()};
+  return {location.file_name(), short_name(location.function_name()), location.line(),
+          location.column()};
 }
 
 std::string text_of(const SourcePlace& place) {

@@ -11,6 +11,7 @@ struct SourcePlace {
   std::string file;      ///< relative to the checkout
   std::string function;  ///< with its namespace, without its parameters
   unsigned line = 0;
+  unsigned column = 0;  ///< 0 where it is not known
 };
 
 /// The place as the compiler knows it.

@@ -23,6 +23,7 @@
 #include "literate/prose/images.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
+#include "literate/prose/statements.hpp"
 #include "literate/provenance/digest.hpp"
 #include "literate/provenance/manifest.hpp"
 #include "literate/provenance/manifest_comparison.hpp"
@@ -84,7 +85,8 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   const std::string folder = name_within(root, document);
   const std::string prefix = folder == "." ? "" : folder + "/";
   files.merge(digests(document, document_files(document), prefix));
-  for (const auto& [file, digest] : sources_below(document, ".", {".bib", ".sty"})) {
+  for (const auto& [file, digest] :
+       sources_below(document, ".", {".bib", ".sty", "quotations.toml"})) {
     files[prefix + file.substr(2)] = digest;
   }
   files.merge(digests(document, images_of(document).files, prefix));
@@ -179,6 +181,7 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
   }
 
   // LaTeX looks into its output folder before all others.
+  write_statements(options.document, names, fs::path(options.build) / "statements.tex");
   sys::write_if_changed(fs::path(options.build) / "restyled.tex", restyled.latex);
   const TypesetOptions latex{.source_dir = options.document,
                              .main_file = options.main_file,

@@ -14,9 +14,10 @@ const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
     "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "href", "hspace", "hypertarget",
     "ifflag", "include", "includegraphics", "input", "label", "pageref", "parbox", "phantom",
-    "raisebox", "rawval", "ref", "tag", "textcolor", "url", "usepackage", "val", "vspace"};
+    "quoted", "quotedpage", "raisebox", "rawval", "ref", "statement", "tag", "textcolor", "url", "usepackage",
+    "val", "vspace"};
 const std::set<std::string_view> two_silent = {
-    "addtocounter", "addtolength", "crefrange", "fontsize", "rule", "setcounter", "setlength"};
+    "addtocounter", "addtolength", "claimcount", "crefrange", "fontsize", "rule", "setcounter", "setlength"};
 const std::set<std::string_view> three_silent = {"addcontentsline", "definecolor"};
 // clang-format on
 
@@ -39,8 +40,9 @@ class Reader {
         prose_{std::string(latex), std::vector<TexMode>(latex.size(), TexMode::text)} {}
 
   Prose read() {
-    if (const auto begin = latex_.find("\\begin{document}"); begin != std::string_view::npos)
+    if (const auto begin = latex_.find("\\begin{document}"); begin != std::string_view::npos) {
       blank_next(begin);
+    }
     while (const auto token = scanner_.next()) {
       std::fill_n(prose_.modes.begin() + position(token->text), token->text.size(), token->mode);
       read(*token);

@@ -169,6 +169,18 @@ std::vector<std::string> typed_numbers(std::string_view latex, const std::string
   return findings;
 }
 
+std::vector<std::string> typed_numbers_in(const std::vector<NamedText>& texts) {
+  std::vector<std::string> findings;
+  for (const NamedText& text : texts) {
+    for (const Typed& typed : typed_in(prose_of(text.latex))) {
+      findings.push_back(
+          fmt::format("{}: {} is typed in the {}: say it without the number, or compute it",
+                      text.place, typed.number, text.what));
+    }
+  }
+  return findings;
+}
+
 std::vector<std::string> typed_numbers_below(const std::filesystem::path& folder) {
   std::vector<std::string> findings;
   for (const std::string& file : document_files(folder)) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "literate/document/names.hpp"
+
 namespace literate {
 
 /// Finds numbers typed into the prose of a LaTeX text where a computed value ought to stand.
@@ -21,5 +23,9 @@ std::vector<std::string> typed_numbers(std::string_view latex, const std::string
 /// their names.
 /// Throws sys::OutputError if the folder or a file cannot be read.
 std::vector<std::string> typed_numbers_below(const std::filesystem::path& folder);
+
+/// The same of the program's own texts that reach the document: a number that is typed there is
+/// told with the line of the program that registered it. No mark allows it.
+std::vector<std::string> typed_numbers_in(const std::vector<NamedText>& texts);
 
 }  // namespace literate

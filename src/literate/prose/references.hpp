@@ -19,7 +19,7 @@ struct ReferenceReport {
 };
 
 /// Looks up each \val, \rawval, \ifflag, \tab, \fig, \excerpt and \claim of the *.tex files below a
-/// folder.
+/// folder, and holds its statements against the claims (statement_errors).
 /// Names in a branch of \ifflag that the document does not take need not be registered.
 ///
 /// Messages put source_label in front of the files' names. Throws sys::OutputError if the folder or

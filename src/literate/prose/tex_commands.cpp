@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/prose/tex_commands.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "literate/prose/tex_scanner.hpp"
@@ -67,6 +68,13 @@ std::string in_one_line(std::string_view group) {
 
 }  // namespace
 
+bool is_left_out(const std::vector<Branch>& branches, const std::map<std::string, bool>& flags) {
+  return std::ranges::any_of(branches, [&](const Branch& branch) {
+    const auto flag = flags.find(branch.flag);
+    return flag != flags.end() && flag->second != branch.is_yes;
+  });
+}
+
 std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names) {
   std::vector<TexCommand> commands;
   Conditionals conditionals;
@@ -75,13 +83,15 @@ std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::s
     conditionals.read(*token);
     if (token->kind != TexKind::command) continue;
     const std::string name(token->name);
-    const std::string_view in_brackets = group_at(scanner.rest(), '[', ']');
-    const std::string argument(argument_at(scanner.rest().substr(in_brackets.size())));
+    const std::string_view rest = scanner.rest();
+    const std::string_view in_brackets = group_at(rest, '[', ']');
+    const std::string argument(argument_at(rest.substr(in_brackets.size())));
     if (argument.empty() || argument.find('#') != std::string::npos) continue;
     if (names.contains(name)) {
       const auto [line, column] = place_in(text, token->text);
+      const auto end = static_cast<std::size_t>(rest.data() - text.data());
       commands.push_back(
-          {name, argument, in_one_line(in_brackets), line, column, conditionals.branches()});
+          {name, argument, in_one_line(in_brackets), line, column, conditionals.branches(), end});
     }
     if (name == "ifflag") conditionals.begin(argument);
   }

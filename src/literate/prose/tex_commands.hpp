@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,7 +25,11 @@ struct TexCommand {
   int line = 0;                  ///< from 1
   int column = 0;                ///< from 1, counted in characters
   std::vector<Branch> branches;  ///< of \ifflag around it, outermost first
+  std::size_t end = 0;           ///< the byte after the name, where the arguments begin
 };
+
+/// Whether one of the branches is not taken.
+bool is_left_out(const std::vector<Branch>& branches, const std::map<std::string, bool>& flags);
 
 /// Finds the uses of the named commands in a LaTeX text, in order.
 ///

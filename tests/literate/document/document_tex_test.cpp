@@ -6,6 +6,7 @@
 
 #include "literate/document/document.hpp"
 #include "literate/document/names.hpp"
+#include "literate/prose/statements.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"
@@ -21,15 +22,18 @@ namespace {
 
 const std::string here = "tests/literate/document/document_tex_test.cpp:";
 
+Criterion price_at_most(double limit) {
+  return Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "kr"),
+                            {LimitKind::stated, limit, "half of the last digit more"});
+}
+
+// A price that is as stated, or one that is not beside it.
 Claim claim_of_apples(Verdict found) {
-  return {.sentence = "An apple costs 2.6.",
-          .place = "market, stall 3",
-          .stated = Value(2.6, fixed(1), "kr"),
-          .computed = Value(2.612, fixed(3), "kr"),
-          .route = "weighing and adding up",
-          .tolerance = "half of the last digit stated",
-          .expected = Verdict::confirmed,
-          .found = found};
+  Claim claim{.route = "weighing and adding up",
+              .expected = Verdict::confirmed,
+              .criteria = {price_at_most(found == Verdict::refuted ? 2.5 : 2.65)}};
+  if (found == Verdict::partly) claim.criteria.push_back(price_at_most(2.5));
+  return claim;
 }
 
 Document document_with(Verdict found) {
@@ -48,10 +52,14 @@ std::vector<std::string> pages_with(Verdict found) {
   Document document = document_with(found);
   document.value("unused", Value(1, integer()));
   document.write(scratch / "generated");
-  sys::write_file_atomically(scratch / "text/main.tex",
-                             "\\documentclass{article}\\usepackage{literate,hyperref}\n"
-                             "\\begin{document}Apples \\claim{apples}.\\newpage More.\\newpage\n"
-                             "\\claimledger\\end{document}\n");
+  sys::write_file_atomically(
+      scratch / "text/main.tex",
+      "\\documentclass{article}\\usepackage{literate,hyperref}\n"
+      "\\begin{document}\\statement[market, stall~3]{apples}{An apple costs 2.6.}"
+      "Apples \\claim{apples}.\\newpage More.\\newpage\n"
+      "\\claimledger\\end{document}\n");
+  write_statements(scratch / "text", read_names(scratch / "generated/names.json"),
+                   scratch / "latex/statements.tex");
   typeset({.source_dir = scratch / "text",
            .main_file = "main.tex",
            .generated_dir = scratch / "generated",
@@ -70,7 +78,7 @@ std::vector<std::string> pages_with(Verdict found) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim_and_counts_the_verdicts) {
+BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim) {
   Document document = document_with(Verdict::confirmed);
   Claim pears = claim_of_apples(Verdict::refuted);
   pears.expected = Verdict::refuted;
@@ -78,30 +86,41 @@ BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim_and_counts_the_verdi
 
   const std::string text = claims_tex(document.registered());
 
-  BOOST_TEST(text.starts_with("\\LiterateLedgerSummary{2}{1}{0}{1}{0}{0}\n"), text);
   for (const char* part :
-       {"\\LiterateLedgerEntry{apples}", "{An apple costs 2.6.}", "{market, stall 3}",
-        "{weighing and adding up}", "{half of the last digit stated}", "{confirmed}{confirmed}",
-        "\\LiterateLedgerEntry{pears}", "{refuted}{refuted}", "document\\_tex\\_test.cpp:"}) {
+       {"\\LiterateLedgerEntry{apples}", "{weighing and adding up}", "{confirmed}{confirmed}",
+        "\\LiterateCriterion{price}{\\qty{2.61}{kr}}{at most \\qty{2.65}{kr}}"
+        "{stated: half of the last digit more}{holds}{}",
+        "\\LiterateLedgerEntry{pears}", "{refuted}{refuted}", "{fails}{}",
+        "document\\_tex\\_test.cpp:"}) {
     BOOST_TEST(holds(text, part), part);
   }
-  BOOST_TEST(holds(values_tex(document.registered()),
-                   "\\LiterateClaim{apples}{1}{confirmed}{\\qty{2.6}{kr}}"));
-  BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{pears}{2}{refuted}"));
+  BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{apples}{confirmed}\n"));
+  BOOST_TEST(holds(values_tex(document.registered()), "\\LiterateClaim{pears}{refuted}"));
+}
+
+BOOST_AUTO_TEST_CASE(the_ledger_prints_every_criterion_of_a_claim) {
+  const std::string text = claims_tex(document_with(Verdict::partly).registered());
+
+  BOOST_TEST(holds(text, "{at most \\qty{2.65}{kr}}{stated: half of the last digit more}{holds}{}"),
+             text);
+  BOOST_TEST(holds(text, "{at most \\qty{2.5}{kr}}{stated: half of the last digit more}{fails}{}"),
+             text);
 }
 
 BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
   const std::string special = R"(5 % of a_b & #1 {x} ~ ^ \ "<|>" ν² ≤)";
   Claim claim = claim_of_apples(Verdict::confirmed);
-  claim.sentence = claim.place = claim.route = claim.tolerance = special;
-  claim.stated = claim.computed = Value::text(special);
+  claim.route = special;
+  const Criterion criterion =
+      Criterion::at_most(special, Value(1, integer()).within(0), {LimitKind::stated, 1.0, special});
+  claim.criteria = {Criterion::in_each(special, special, {criterion})};
   Document document;
   document.claim("apples", claim);
 
   const std::string escaped =
-      R"({5 \% of a\_b \& \#1 \{x\} \textasciitilde{} \textasciicircum{} \textbackslash{} )";
+      R"(5 \% of a\_b \& \#1 \{x\} \textasciitilde{} \textasciicircum{} \textbackslash{} )";
   for (const auto& [text, n] :
-       {std::pair{claims_tex(document.registered()), 4}, {values_tex(document.registered()), 2}}) {
+       {std::pair{claims_tex(document.registered()), 4}, {values_tex(document.registered()), 0}}) {
     int found = 0;
     for (auto at = text.find(escaped); at != std::string::npos; at = text.find(escaped, at + 1)) {
       ++found;
@@ -120,11 +139,10 @@ BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_lin
 
   const std::vector<std::string> expected = {
       "check sum failed: the sum is right",
-      "claim apples is partly confirmed, not confirmed: An apple costs 2.6. Stated: 2.6 kr; "
-      "computed: 2.612 kr"};
+      "claim apples is partly confirmed, not confirmed: price: 2.61 kr (asked: at most 2.65 kr); "
+      "price: 2.61 kr (asked: at most 2.5 kr)"};
   BOOST_TEST(document.faults() == expected, per_element());
   BOOST_TEST(holds(values_tex(document.registered()), "2 statements are not as expected"));
-  BOOST_TEST(holds(claims_tex(document.registered()), "\\LiterateLedgerSummary{1}{0}{1}{0}{0}{1}"));
   const TemporaryFolder scratch;
   document.write(scratch / "out");
   BOOST_TEST(read_names(scratch / "out/names.json").faults == expected, per_element());
@@ -141,13 +159,9 @@ BOOST_AUTO_TEST_CASE(a_doubled_claim_is_a_logic_error_naming_both_places) {
 }
 
 BOOST_AUTO_TEST_CASE(a_claim_with_a_part_missing_is_a_logic_error_naming_its_place) {
-  const Value nothing = Value::text("");
   for (const auto& [part, drop] : std::vector<std::pair<std::string, void (*)(Claim&)>>{
-           {"sentence", [](Claim& claim) { claim.sentence.clear(); }},
-           {"place", [](Claim& claim) { claim.place.clear(); }},
-           {"computed value", [](Claim& claim) { claim.computed = Value::text(""); }},
            {"route", [](Claim& claim) { claim.route.clear(); }},
-           {"tolerance", [](Claim& claim) { claim.tolerance.clear(); }}}) {
+           {"criterion", [](Claim& claim) { claim.criteria.clear(); }}}) {
     Claim claim = claim_of_apples(Verdict::confirmed);
     drop(claim);
     Document document;
@@ -158,18 +172,35 @@ BOOST_AUTO_TEST_CASE(a_claim_with_a_part_missing_is_a_logic_error_naming_its_pla
     BOOST_TEST(message.starts_with(here), message);
     BOOST_TEST(holds(message, ": claim 'apples' has no " + part), message);
   }
-  Claim unstated = claim_of_apples(Verdict::confirmed);
-  unstated.stated = nothing;
-  BOOST_CHECK_NO_THROW(Document().claim("apples", unstated));
+}
+
+BOOST_AUTO_TEST_CASE(a_check_holds_if_all_of_its_criteria_do_and_tells_what_they_found) {
+  Document document;
+  document.check("cheap", {price_at_most(2.65)}, "apples are cheap");
+  document.check("very-cheap", {price_at_most(2.65), price_at_most(2.5)}, "apples are very cheap");
+  document.check("hardly-known",
+                 {Criterion::at_most("price", Value({2.612, 0.01}, fixed(2), "kr"),
+                                     {LimitKind::stated, 2.61, "the price of a pear"})},
+                 "apples cost no more than pears");
+
+  const std::vector<std::string> expected = {
+      "check very-cheap failed: apples are very cheap; price: 2.61 kr (asked: at most 2.65 kr); "
+      "price: 2.61 kr (asked: at most 2.5 kr)",
+      "check hardly-known failed: apples cost no more than pears; price: 2.61 kr (asked: at most "
+      "2.61 kr), undecided: an error of 0.01 kr reaches across the limit"};
+  BOOST_TEST(document.faults() == expected, per_element());
+  BOOST_CHECK_THROW(document.check("nothing", std::vector<Criterion>{}, "x"), std::logic_error);
 }
 
 BOOST_AUTO_TEST_CASE(the_document_shows_the_verdict_where_it_is_claimed_and_in_the_ledger) {
   const std::vector<std::string> pages = pages_with(Verdict::confirmed);
 
-  BOOST_TEST(holds(pages[0], "[C1 confirmed: stated 2.6 kr, computed 2.612 kr]"), pages[0]);
-  BOOST_TEST(holds(pages[2], "1 claim: 1 confirmed"), pages[2]);
-  BOOST_TEST(holds(pages[2], "An apple costs 2.6. (market, stall 3)"), pages[2]);
+  BOOST_TEST(holds(pages[0], "[C1 confirmed]"), pages[0]);
+  BOOST_TEST(holds(pages[2], "Statements of others: 1, of which 1 confirmed"), pages[2]);
+  BOOST_TEST(holds(pages[2], "An apple costs 2.6. (market, stall 3) confirmed."), pages[2]);
   BOOST_TEST(holds(pages[2], "test.cpp:"), pages[2]);
+  BOOST_TEST(holds(pages[2], "price: 2.61 kr; asked: at most 2.65 kr"), pages[2]);
+  BOOST_TEST(holds(pages[2], "(stated: half of the last digit more)."), pages[2]);
   for (const std::string& page : pages) BOOST_TEST(!holds(page, "Not to be trusted"), page);
 }
 
@@ -180,7 +211,7 @@ BOOST_AUTO_TEST_CASE(a_document_with_a_fault_says_so_on_every_page_and_in_the_le
     BOOST_TEST(holds(page, "Not to be trusted: a statement is not as expected"), page);
   }
   BOOST_TEST(holds(pages[2], "1 not as expected"), pages[2]);
-  BOOST_TEST(holds(pages[2], "Expected: confirmed."), pages[2]);
+  BOOST_TEST(holds(pages[2], "not confirmed as expected"), pages[2]);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

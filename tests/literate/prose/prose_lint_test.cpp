@@ -97,4 +97,18 @@ BOOST_AUTO_TEST_CASE(all_tex_files_below_a_folder_are_read) {
   BOOST_CHECK_THROW(typed_numbers_below(scratch / "none"), sys::OutputError);
 }
 
+BOOST_AUTO_TEST_CASE(a_result_typed_into_a_text_of_the_program_is_told_with_its_line) {
+  const std::vector<NamedText> texts = {
+      {"reason of claim 'widening'", "friction.cpp:12", "it widens by 6 \\%"},
+      {"route of claim 'widening'", "friction.cpp:12", "a quarter of $(c/a)^2$, by eq. (2)"},
+      {"heading of table 'wide'", "friction.cpp:40", "at 1.25 $a$"}};
+
+  BOOST_TEST(typed_numbers_in(texts) ==
+                 (std::vector<std::string>{"friction.cpp:12: 6 is typed in the reason of claim "
+                                           "'widening': say it without the number, or compute it",
+                                           "friction.cpp:40: 1.25 is typed in the heading of table "
+                                           "'wide': say it without the number, or compute it"}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

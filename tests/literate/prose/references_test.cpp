@@ -21,14 +21,16 @@ const Names names{.values = {"peak.pressure", "load"},
                   .tables = {"results"},
                   .figures = {"pressure"},
                   .excerpts = {"hertz"},
-                  .claims = {"load-is-peak"},
+                  .claims = {{"load-is-peak", {1, "load.cpp:3:1", "confirmed", "confirmed"}}},
                   .figure_places = {},
+                  .texts = {},
                   .faults = {},
                   .files = {}};
 
 ReferenceReport report_on(const std::string& text) {
   const TemporaryFolder scratch;
-  sys::write_file_atomically(scratch / "report/part/a.tex", text);
+  sys::write_file_atomically(scratch / "report/part/a.tex",
+                             text + "\n\\statement{load-is-peak}{The load is a peak.}\n");
   return check_references(scratch / "report", names);
 }
 
@@ -112,8 +114,9 @@ BOOST_AUTO_TEST_CASE(a_missing_folder_is_an_output_error) {
 
 BOOST_AUTO_TEST_CASE(a_document_in_a_folder_below_is_another_one) {
   const TemporaryFolder scratch;
-  sys::write_file_atomically(scratch / "report/report.tex",
-                             "\\documentclass{article}\\val{load}\n");
+  sys::write_file_atomically(
+      scratch / "report/report.tex",
+      "\\documentclass{article}\\val{load}\\statement{load-is-peak}{So it is.}\n");
   sys::write_file_atomically(scratch / "report/part/a.tex", "% \\documentclass{no}\n\\val{here}\n");
   sys::write_file_atomically(scratch / "report/other/main.tex",
                              "% what it is\n \\documentclass{article}\n\\val{there}\n");

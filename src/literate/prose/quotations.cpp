@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/quotations.hpp"
+
+#include <fmt/core.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <string_view>
+
+#include "literate/prose/source_label.hpp"
+#include "literate/text/latex.hpp"
+#include "literate/text/name.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+namespace literate {
+namespace {
+
+std::string place_of(const std::string& file, const toml::source_region& source) {
+  return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
+}
+
+[[noreturn]] void fail(const std::string& place, const std::string& message) {
+  throw sys::InputError(fmt::format("{}: {}", place, message));
+}
+
+Quotation quotation_of(const std::string& file, std::string_view id, const toml::node& node) {
+  Quotation quotation{
+      .id = std::string(id), .page = "", .words = "", .place = place_of(file, node.source())};
+  if (!is_key(id)) fail(quotation.place, fmt::format("'{}' is no key", id));
+  const toml::table* table = node.as_table();
+  if (table == nullptr) fail(quotation.place, fmt::format("'{}' is not a table", id));
+  for (const auto& [key, value] : *table) {
+    const std::string place = place_of(file, value.source());
+    if (key == "words" && value.is_string()) {
+      quotation.words = value.as_string()->get();
+    } else if (key == "page" && value.is_integer()) {
+      quotation.page = fmt::format("{}", value.as_integer()->get());
+    } else if (key == "page" && value.is_string()) {
+      quotation.page = value.as_string()->get();
+    } else {
+      fail(place,
+           fmt::format("'{}' of quotation '{}': a quotation has words, a text, and a page, a "
+                       "number or a text",
+                       key.str(), id));
+    }
+  }
+  if (quotation.words.empty())
+    fail(quotation.place, fmt::format("quotation '{}' has no words", id));
+  if (quotation.page.empty()) fail(quotation.place, fmt::format("quotation '{}' has no page", id));
+  return quotation;
+}
+
+bool is_space(char c) {
+  return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '\f';
+}
+
+/// A letter of the text without white space, with its line.
+struct Letter {
+  char c;
+  int line;
+  bool may_be_missing;  // a hyphen at the end of a line
+};
+
+std::vector<Letter> letters_of(std::string_view text) {
+  std::vector<Letter> letters;
+  int line = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!is_space(text[i])) {
+      const auto next = text.find_first_not_of(" \t\r", i + 1);
+      const bool ends_line = next == std::string_view::npos || text[next] == '\n';
+      letters.push_back({text[i], line, text[i] == '-' && ends_line});
+    }
+    if (text[i] == '\n') ++line;
+  }
+  return letters;
+}
+
+/// How many of the words' letters stand in the text from a place on, and where that ends.
+struct Match {
+  std::size_t n_letters = 0;
+  std::size_t end = 0;
+};
+
+Match match_at(const std::vector<Letter>& words, const std::vector<Letter>& text, std::size_t at) {
+  Match match{0, at};
+  while (match.n_letters < words.size() && match.end < text.size()) {
+    if (words[match.n_letters].c == text[match.end].c) {
+      ++match.n_letters;
+    } else if (!text[match.end].may_be_missing) {
+      break;
+    }
+    ++match.end;
+  }
+  return match;
+}
+
+std::string letters_from(const std::vector<Letter>& letters, std::size_t at, std::size_t n) {
+  std::string shown;
+  for (std::size_t i = at; i < std::min(letters.size(), at + n); ++i) shown += letters[i].c;
+  return shown;
+}
+
+/// The beginning of the words that holds this many letters.
+std::string beginning(const std::string& words, std::size_t n_letters) {
+  std::size_t end = 0;
+  for (; end < words.size() && n_letters > 0; ++end) n_letters -= is_space(words[end]) ? 0U : 1U;
+  return words.substr(0, end);
+}
+
+}  // namespace
+
+std::vector<Quotation> read_quotations(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "quotations.toml";
+  if (!std::filesystem::exists(path)) return {};
+  const std::string file = source_label(folder) + "/quotations.toml";
+  std::vector<Quotation> quotations;
+  try {
+    const toml::table table = toml::parse(sys::read_file(path));
+    for (const auto& [id, node] : table) quotations.push_back(quotation_of(file, id.str(), node));
+    // The library sorts the tables by name.
+    std::ranges::sort(quotations, {}, [&](const Quotation& quotation) {
+      return table.at(quotation.id).source().begin.line;
+    });
+  } catch (const toml::parse_error& error) {
+    fail(place_of(file, error.source()), std::string(error.description()));
+  }
+  return quotations;
+}
+
+std::vector<std::string> quotation_errors(const std::vector<Quotation>& quotations,
+                                          const std::filesystem::path& text_file) {
+  const std::vector<Letter> text = letters_of(sys::read_file(text_file));
+  std::vector<std::string> errors;
+  for (const Quotation& quotation : quotations) {
+    const std::vector<Letter> words = letters_of(quotation.words);
+    Match best;
+    for (std::size_t at = 0; at < text.size() && best.n_letters < words.size(); ++at) {
+      const Match match = match_at(words, text, at);
+      if (match.n_letters > best.n_letters) best = match;
+    }
+    if (best.n_letters == words.size()) continue;
+    constexpr std::size_t shown = 20;
+    const int line = best.end < text.size() ? text[best.end].line
+                     : text.empty()         ? 0
+                                            : text.back().line;
+    errors.push_back(fmt::format(
+        "{}: quotation '{}' differs after '{}': it goes on '{}', line {} of the text '{}'",
+        quotation.place, quotation.id, beginning(quotation.words, best.n_letters),
+        letters_from(words, best.n_letters, shown), line, letters_from(text, best.end, shown)));
+  }
+  return errors;
+}
+
+std::string quotations_tex(const std::vector<Quotation>& quotations) {
+  std::string text;
+  for (const Quotation& quotation : quotations) {
+    text += fmt::format("\\LiterateQuotation{{{}}}{{{}}}{{{}}}\n", quotation.id,
+                        escape_latex(quotation.page), escape_latex(quotation.words));
+  }
+  return text;
+}
+
+}  // namespace literate

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/statements.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/nearest_name.hpp"
+#include "literate/prose/quotations.hpp"
+#include "literate/prose/source_label.hpp"
+#include "literate/prose/tex_scanner.hpp"
+#include "system/files.hpp"
+
+namespace literate {
+namespace {
+
+constexpr const char* cited = "cited";
+constexpr const char* own = "own";
+
+/// Takes the next group off a text, over the ends of lines, without its delimiters.
+std::string take_group(std::string_view& text, char open, char close) {
+  const auto begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return {};
+  const std::string_view group = group_at(text.substr(begin), open, close);
+  if (group.empty()) return {};
+  text.remove_prefix(begin + group.size());
+  return std::string(group.substr(1, group.size() - 2));
+}
+
+/// The same text on one line.
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool is_space = c == ' ' || c == '\n' || c == '\r' || c == '\t';
+    if (!is_space) line += c;
+    if (is_space && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+
+/// LaTeX without its comments, which end with their line.
+std::string without_comments(std::string_view latex) {
+  std::string text;
+  TexScanner scanner(latex);
+  while (const auto token = scanner.next()) {
+    if (token->kind != TexKind::comment) text += token->text;
+  }
+  return text;
+}
+
+std::string text_of_place(const Statement& statement) {
+  return fmt::format("{}:{}:{}", statement.file, statement.line, statement.column);
+}
+
+}  // namespace
+
+std::vector<Statement> statements_below(const std::filesystem::path& folder) {
+  std::vector<Statement> statements;
+  for (const std::string& file : document_files(folder)) {
+    const std::string text = sys::read_file(folder / file);
+    for (const TexCommand& command : commands_in(text, {"statement"})) {
+      std::string_view rest = std::string_view(text).substr(command.end);
+      Statement statement{.id = "",
+                          .source = "",
+                          .sentence = "",
+                          .file = fmt::format("{}/{}", source_label(folder), file),
+                          .line = command.line,
+                          .column = command.column,
+                          .branches = command.branches};
+      statement.source = on_one_line(without_comments(take_group(rest, '[', ']')));
+      statement.id = take_group(rest, '{', '}');
+      statement.sentence = on_one_line(without_comments(take_group(rest, '{', '}')));
+      statements.push_back(std::move(statement));
+    }
+  }
+  return statements;
+}
+
+std::vector<std::string> statement_errors(const std::vector<Statement>& statements,
+                                          const Names& names) {
+  std::vector<std::string> errors;
+  std::set<std::string> known, stated_ids;
+  std::map<std::string, const Statement*> stated;
+  for (const auto& [id, claim] : names.claims) known.insert(id);
+  for (const Statement& statement : statements) stated_ids.insert(statement.id);
+  for (const Statement& statement : statements) {
+    if (is_left_out(statement.branches, names.flags)) continue;
+    const auto report = [&](const std::string& message) {
+      errors.push_back(fmt::format("{}: {}", text_of_place(statement), message));
+    };
+    if (!known.contains(statement.id)) {
+      report(fmt::format("unknown claim '{}'{}", statement.id, suggestion(statement.id, known)));
+    }
+    if (statement.sentence.empty()) {
+      report(fmt::format("statement '{}' has no sentence", statement.id));
+    }
+    const auto [first, is_new] = stated.try_emplace(statement.id, &statement);
+    if (!is_new) {
+      report(fmt::format("claim '{}' is stated twice, first at {}", statement.id,
+                         text_of_place(*first->second)));
+    }
+  }
+  for (const auto& [id, claim] : names.claims) {
+    if (stated.contains(id)) continue;
+    stated_ids.erase(id);
+    errors.push_back(fmt::format("{}: claim '{}' has no \\statement in the document{}", claim.place,
+                                 id, suggestion(id, stated_ids)));
+  }
+  return errors;
+}
+
+std::vector<std::string> unquoted_statements(const std::vector<Statement>& statements) {
+  std::vector<std::string> findings;
+  for (const Statement& statement : statements) {
+    const bool is_quoted = statement.sentence.find("\\quoted{") != std::string::npos;
+    const bool is_paraphrase = statement.source.find("paraphrase") != std::string::npos;
+    if (statement.source.empty() || is_quoted || is_paraphrase) continue;
+    findings.push_back(
+        fmt::format("{}: statement '{}' is neither a quotation nor says 'paraphrase' in its source",
+                    text_of_place(statement), statement.id));
+  }
+  return findings;
+}
+
+std::string statements_tex(const std::vector<Statement>& statements, const Names& names) {
+  std::map<std::string, const Statement*> by_id;
+  for (const Statement& statement : statements) {
+    if (!is_left_out(statement.branches, names.flags)) by_id[statement.id] = &statement;
+  }
+  std::vector<std::pair<int, std::string>> in_order;
+  for (const auto& [id, claim] : names.claims) in_order.emplace_back(claim.number, id);
+  std::ranges::sort(in_order);
+
+  std::string text;
+  std::map<std::string, std::map<std::string, int>> counts{{cited, {}}, {own, {}}};
+  for (const auto& [number, id] : in_order) {
+    const auto found = by_id.find(id);
+    if (found == by_id.end()) continue;
+    const Statement& statement = *found->second;
+    const NamedClaim& claim = names.claims.at(id);
+    const bool is_own = statement.source.empty();
+    auto& count = counts[is_own ? own : cited];
+    ++count["all"];
+    ++count[claim.found];
+    if (claim.found != claim.expected) ++count["unexpected"];
+    text +=
+        fmt::format("\\LiterateStatement{{{}}}{{{}{}}}{{{}}}{{{}}}{{{}}}\n", id, is_own ? 'R' : 'C',
+                    count["all"], is_own ? own : cited, statement.source, statement.sentence);
+  }
+  for (auto& [part, count] : counts) {
+    for (const char* verdict :
+         {"all", "confirmed", "partly confirmed", "refuted", "undecided", "unexpected"}) {
+      text += fmt::format("\\LiterateCount{{{}}}{{{}}}{{{}}}\n", part, verdict, count[verdict]);
+    }
+  }
+  return text;
+}
+
+void write_statements(const std::filesystem::path& document, const Names& names,
+                      const std::filesystem::path& file) {
+  std::filesystem::create_directories(file.parent_path());
+  sys::write_if_changed(file, quotations_tex(read_quotations(document)) +
+                                  statements_tex(statements_below(document), names));
+}
+
+}  // namespace literate
