@@ -7,7 +7,9 @@
 #   ONLY=id          mutants: this one alone
 #   NAME=name        figure: which
 #   TARGET=name      why: another target, or a file that is built
-#   STUDENT=id SEED=text   handout: that student's own; SEED also of handouts, check-variants and grade
+#   STUDENT=id SEED=text   handout: that student's own; SEED also of handouts, check-variants and grade;
+#                    SEED_FILE=file instead keeps it off the command line, which everybody on the machine can read
+#   UPDATE=1         handout: write to wrong_solutions.toml what the wrong solutions score, for review
 #   ROSTER=file      handouts, check-variants, grade: who the students are; J=n of them at a time
 #   SUBMISSIONS=dir  grade: what they handed in
 #   UNSAFE=1         grade: without bubblewrap
@@ -15,7 +17,7 @@
 #   V=1              show the commands
 
 # The scripts read the paths and CALLER from the environment, because make would split paths at spaces.
-export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SUBMISSIONS ROSTER J N UNSAFE
+export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SEED_FILE UPDATE SUBMISSIONS ROSTER J N UNSAFE
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "app/json_text.hpp"
 #include "app/output_file.hpp"
 #include "app/output_format.hpp"
+#include "app/picture.hpp"
 #include "block/analysis.hpp"
 #include "block/calculix_deck.hpp"
 #include "block/load_shapes.hpp"
@@ -45,11 +47,13 @@ struct BlockOptions {
     add_text(command, "--vtu", vtu_file, "FILE",
              "Write mesh, displacements, stresses for ParaView");
     output.add_to(command);
+    plot.add_to(command);
   }
 
   NumberOption width, height, order, refine;
   std::string case_file, load = "triangular", sides, ccx_file, vtu_file;
   OutputOptions output;
+  PlotOption plot;
 };
 
 elasticity::Load load_of(const std::string& shape, double peak, double half_width) {
@@ -172,11 +176,33 @@ std::string block_text(const Measures& measures, const block::SupportedBlock& su
                     seconds.elements, seconds.assembly, seconds.factorization, seconds.solution);
 }
 
+// u_z along the loaded side, z = 0, at the points of its elements.
+literate::Figure block_figure(const block::Solution& solution, const config::UnitSystem& units) {
+  const block::Mesh& mesh = solution.model().mesh();
+  const Eigen::VectorXd points = Eigen::VectorXd::LinSpaced(mesh.order() + 1, -1, 1);
+  std::map<double, double> displacements;
+  for (Eigen::Index e = 0; e < mesh.n_elements(); ++e) {
+    for (const block::PointState& state : solution.sample(e, points)) {
+      if (state.position.y() == 0) displacements[state.position.x()] = state.displacement.y();
+    }
+  }
+  std::vector<double> x, u;
+  for (const auto& [at, displacement] : displacements) {
+    x.push_back(at);
+    u.push_back(displacement);
+  }
+  return {.width_cm = 14,
+          .height_cm = 9,
+          .data = {{"surface", {{"x", x}, {"u_z", u}}}},
+          .texts = {{"unit", units.length}}};
+}
+
 ExitCode run(const BlockOptions& options) {
   const Problem problem = problem_of(options);
   const config::UnitSystem units = options.output.units(problem.from_file);
   require_folder_of("--ccx", options.ccx_file);
   require_folder_of("--vtu", options.vtu_file);
+  options.plot.require_drawable(options.output);
   const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,
                                  {problem.load}, problem.discretization);
   const block::SupportedBlock supported = analysis.on(problem.supports);
@@ -201,6 +227,7 @@ ExitCode run(const BlockOptions& options) {
       fmt::print("{}", block_text(measures, supported, seconds, units));
       break;
   }
+  if (options.plot.is_given()) options.plot.draw("block", block_figure(solution.fine(), units));
   return ExitCode::success;
 }
 

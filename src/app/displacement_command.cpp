@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "app/compared_load.hpp"
 #include "app/displacement_table.hpp"
 #include "app/output_format.hpp"
+#include "app/picture.hpp"
 #include "command_line/options.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
@@ -41,6 +43,7 @@ struct DisplacementOptions {
     add_choice(command, "--component", component, {"normal", "tangential"},
                "normal: u_z; tangential: u_x");
     output.add_to(command);
+    plot.add_to(command);
   }
 
   NumberOption young, poisson, peak_pressure, half_width, line_load, datum;
@@ -48,6 +51,7 @@ struct DisplacementOptions {
   std::string shape = "triangular";
   std::string component = "normal";
   OutputOptions output;
+  PlotOption plot;
 };
 
 using OptionalCase = std::optional<parameters::Case>;
@@ -111,7 +115,49 @@ LoadChoice choice_of(const DisplacementOptions& options, const OptionalCase& fro
 struct ComparedRows {
   std::vector<DisplacementRow> rows;
   DisplacementNotes notes;
+  std::vector<std::pair<double, double>> curve;  // of the displacement, if it is to be drawn
 };
+
+// The displacement from the first to the last of the points: in closed form, or else by quadrature.
+std::vector<std::pair<double, double>> curve_of(const ComparedLoad& compared,
+                                                const elasticity::SurfaceQuadrature& surface,
+                                                Component component,
+                                                const std::vector<double>& points) {
+  const bool is_normal = component == Component::normal;
+  const auto& closed = is_normal ? compared.normal_displacement : compared.tangential_displacement;
+  const auto [low, high] = std::minmax_element(points.begin(), points.end());
+  std::vector<std::pair<double, double>> curve;
+  constexpr int n = 400;
+  for (int i = 0; i <= n; ++i) {
+    const double x = *low + (*high - *low) * i / n;
+    if (x == 0 && !compared.load.forces.empty()) continue;  // infinite there
+    const double u = closed      ? closed(x)
+                     : is_normal ? surface.normal_displacement(x).value
+                                 : surface.tangential_displacement(x).value;
+    curve.emplace_back(x, u);
+  }
+  return curve;
+}
+
+literate::Figure displacement_figure(const ComparedRows& result, const std::string& component,
+                                     const config::UnitSystem& units) {
+  std::vector<double> x, u, curve_x, curve_u;
+  for (const DisplacementRow& row : result.rows) {
+    x.push_back(row.x);
+    u.push_back(row.displacement_quadrature.value);
+  }
+  for (const auto& [at, displacement] : result.curve) {
+    curve_x.push_back(at);
+    curve_u.push_back(displacement);
+  }
+  const bool has_closed_form = result.rows.front().displacement_closed_form.has_value();
+  return {.width_cm = 14,
+          .height_cm = 9,
+          .data = {{"points", {{"x", x}, {"u", u}}}, {"curve", {{"x", curve_x}, {"u", curve_u}}}},
+          .texts = {{"unit", units.length},
+                    {"component", component == "normal" ? "u_z" : "u_x"},
+                    {"line", has_closed_form ? "closed form" : "quadrature"}}};
+}
 
 ComparedRows rows_of(const DisplacementOptions& options, const OptionalCase& from_file) {
   const elasticity::Material material = material_of(options, from_file);
@@ -136,6 +182,9 @@ ComparedRows rows_of(const DisplacementOptions& options, const OptionalCase& fro
   result.notes = {.closed_form = is_tangential ? "Johnson 2.24a, 2.25a with the load's own integral"
                                                : compared.normal_source,
                   .seconds = elapsed.count()};
+  if (options.plot.is_given() && !points.empty()) {
+    result.curve = curve_of(compared, surface, component, points);
+  }
   return result;
 }
 
@@ -144,7 +193,9 @@ ExitCode run(const DisplacementOptions& options) {
   if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
   const config::UnitSystem units = options.output.units(from_file);
   require_used(options);
-  const auto [rows, notes] = rows_of(options, from_file);
+  options.plot.require_drawable(options.output);
+  const ComparedRows result = rows_of(options, from_file);
+  const std::vector<DisplacementRow>& rows = result.rows;
   switch (options.output.format()) {
     case OutputFormat::csv:
       fmt::print("{}", displacement_csv(rows));
@@ -153,8 +204,11 @@ ExitCode run(const DisplacementOptions& options) {
       fmt::print("{}", displacement_json(rows));
       break;
     case OutputFormat::table:
-      fmt::print("{}", displacement_text(rows, units, notes));
+      fmt::print("{}", displacement_text(rows, units, result.notes));
       break;
+  }
+  if (options.plot.is_given() && !rows.empty()) {
+    options.plot.draw("displacement", displacement_figure(result, options.component, units));
   }
   return ExitCode::success;
 }

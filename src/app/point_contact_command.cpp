@@ -6,6 +6,8 @@
 #include "app/commands.hpp"
 #include "app/output_file.hpp"
 #include "app/output_format.hpp"
+#include "app/picture.hpp"
+#include "app/point_contact_figure.hpp"
 #include "app/point_contact_options.hpp"
 #include "app/point_contact_output.hpp"
 #include "point_contact/solver/vtu.hpp"
@@ -20,11 +22,13 @@ struct PointContactCommandOptions {
              "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap");
     add_text(command, "--vtu", vtu_file, "FILE", "Write the same for ParaView");
     output.add_to(command);
+    plot.add_to(command);
   }
 
   PointContactOptions contact;
   std::string field_file, vtu_file;
   OutputOptions output;
+  PlotOption plot;
 };
 
 ExitCode run(const PointContactCommandOptions& options) {
@@ -35,6 +39,7 @@ ExitCode run(const PointContactCommandOptions& options) {
   const config::UnitSystem units = options.output.units(from_file);
   require_folder_of("--field", options.field_file);
   require_folder_of("--vtu", options.vtu_file);
+  options.plot.require_drawable(options.output);
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
   require_finite(input, solved);
@@ -60,6 +65,9 @@ ExitCode run(const PointContactCommandOptions& options) {
     case OutputFormat::table:
       fmt::print("{}", point_contact_text(input, solved, units));
       break;
+  }
+  if (options.plot.is_given()) {
+    options.plot.draw("point-contact", point_contact_figure(input, solved, units));
   }
   return ExitCode::success;
 }

@@ -16,7 +16,6 @@
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
 #include "point_contact/closed_forms/power_law.hpp"
 #include "point_contact/solver/fft_solver.hpp"
-#include "point_contact/solver/matrix_inversion.hpp"
 #include "point_contact/solver/memory.hpp"
 #include "system/require.hpp"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +14,7 @@
 #include "app/csv_columns.hpp"
 #include "app/json_text.hpp"
 #include "app/output_format.hpp"
+#include "app/picture.hpp"
 #include "command_line/number_text.hpp"
 #include "contact/mcewen.hpp"
 #include "contact/traction.hpp"
@@ -26,12 +29,14 @@ struct StressCommandOptions {
     add_text(command, "--points", points, "FILE", "Or a CSV file with the columns x,z");
     add_choice(command, "--body", body, {"1", "2"}, "Which of the two bodies");
     output.add_to(command);
+    plot.add_to(command);
   }
 
   ContactOptions contact;
   std::string x, z, points;
   std::string body = "1";
   OutputOptions output;
+  PlotOption plot;
 };
 
 struct Point {
@@ -127,12 +132,41 @@ std::string stress_text(const std::vector<Point>& points, double poisson,
   return text;
 }
 
+// Against the depth, in the order of x and z; a NaN parts the curves of one x from those of the
+// next.
+literate::Figure stress_figure(std::vector<Point> points, double poisson,
+                               const config::UnitSystem& units) {
+  std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+    return a.x < b.x || (a.x == b.x && a.z < b.z);
+  });
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> z, shear, von_mises, mcewen;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& point = points[i];
+    if (i > 0 && point.x != points[i - 1].x) {
+      for (std::vector<double>* column : {&z, &shear, &von_mises, &mcewen}) column->push_back(gap);
+    }
+    z.push_back(point.z);
+    shear.push_back(point.stress.max_shear());
+    von_mises.push_back(point.stress.von_mises(poisson));
+    mcewen.push_back(point.mcewen ? point.mcewen->max_shear() : gap);
+  }
+  literate::Figure figure{
+      .width_cm = 14,
+      .height_cm = 9,
+      .data = {{"points", {{"z", z}, {"max_shear", shear}, {"von_mises", von_mises}}}},
+      .texts = {{"length_unit", units.length}, {"stress_unit", units.stress}}};
+  if (points.front().mcewen) figure.data["mcewen"] = {{"z", z}, {"max_shear", mcewen}};
+  return figure;
+}
+
 ExitCode run(const StressCommandOptions& options) {
   std::optional<parameters::Case> from_file;
   if (!options.contact.case_file().empty()) {
     from_file = parameters::read_case(options.contact.case_file());
   }
   const config::UnitSystem units = options.output.units(from_file);
+  options.plot.require_drawable(options.output);
   std::vector<Point> points = points_of(options);
   const ContactInput input = options.contact.read(from_file);
   const bool is_second = options.body == "2";
@@ -154,6 +188,7 @@ ExitCode run(const StressCommandOptions& options) {
       fmt::print("{}", stress_text(points, poisson, units));
       break;
   }
+  if (options.plot.is_given()) options.plot.draw("stress", stress_figure(points, poisson, units));
   return ExitCode::success;
 }
 

@@ -67,6 +67,8 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.value("late.percent", Value(assignment.late.percent_per_day, exact()));
   document.value("late.days", Value(assignment.late.days, integer()));
   document.value("limit.compile", Value(assignment.limits.compile_seconds, integer(), "s"));
+  document.value("limit.compile-all",
+                 Value(assignment.limits.compile_all_seconds, integer(), "s"));
   document.value("limit.run", Value(assignment.limits.run_seconds, integer(), "s"));
   document.value("limit.all-runs", Value(assignment.limits.submission_seconds, integer(), "s"));
   document.value("limit.memory", Value(assignment.limits.memory_mb, integer(), "MB"));

@@ -71,7 +71,7 @@ std::vector<fs::path> secret_files(const std::string& source) {
   return files;
 }
 
-ExitCode prove(const Options& options, std::size_t n_jobs) {
+ExitCode prove(const Options& options, std::size_t n_jobs, bool updates_points) {
   const course::Assignment assignment = read_assignment(options);
   const course::Project project = course::read_project(assignment, options.source);
   const course::ProofInput input{.assignment = assignment,
@@ -84,7 +84,8 @@ ExitCode prove(const Options& options, std::size_t n_jobs) {
                                  .toolkit = options.toolkit,
                                  .secret_files = secret_files(options.source),
                                  .source = options.source,
-                                 .n_jobs = n_jobs};
+                                 .n_jobs = n_jobs,
+                                 .updates_points = updates_points};
   Stage stage("prove");
   const bool all_hold = course::prove(input, [&](const course::ProvedClaim& claim) {
     stage.done(claim.faults.empty() ? claim.says : "does not hold: " + claim.says);
@@ -173,8 +174,12 @@ void add_prove_command(CLI::App& program, ExitCode& exit_code) {
                 add_text(command, "--zip", options->zip, "FILE", "The same handout packed");
                 add_student(command, *options);
                 auto jobs = std::make_shared<NumberOption>(command, "--jobs", "How many at a time");
+                auto updates = std::make_shared<bool>(false);
+                add_switch(command, "--update", *updates,
+                           "Write what the wrong solutions score to their list, for review");
                 add_place(command, *options);
-                return [options, jobs] { return prove(*options, jobs_of(*jobs)); };
+                return
+                    [options, jobs, updates] { return prove(*options, jobs_of(*jobs), *updates); };
               });
 }
 

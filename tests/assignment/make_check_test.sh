@@ -14,6 +14,17 @@ fail() {
 "$program" solution --assignment "$source/report/assignment" --source "$source" --output "$work/project" >/dev/null
 cd "$work/project"
 
+# The points of each check and their sum, of which the instructor's solution has all.
+make >make.log 2>&1 || { cat make.log; fail 'the solution does not compile'; }
+make check >check.log 2>&1 || { cat check.log; fail 'the solution does not pass every public check'; }
+grep -qx $'2 of 2\tgradient-odd' check.log || { cat check.log; fail 'the points of a check are not shown'; }
+grep -qx 'sum: 37 of 37 points; hidden checks decide on the other 63' check.log || { cat check.log; fail 'the sum is not shown'; }
+
+# A project that was copied with its build folder builds.
+cp -a "$work/project" "$work/a copy"
+(cd "$work/a copy" && make >make.log 2>&1) || { cat "$work/a copy/make.log"; fail 'a copy with its build folder does not build'; }
+rm -rf "$work/a copy"
+
 # A line that was left over from the search for an error is told, and is no part of the answer.
 sed -i 's|^  const double nu = material.poisson;|  std::cout << "nu = " << material.poisson << std::endl;\n&|; 1i#include <iostream>' src/closed_form.cpp
 make >make.log 2>&1 || { cat make.log; fail 'the solution does not compile'; }

@@ -36,6 +36,21 @@ BOOST_AUTO_TEST_CASE(every_mistake_fits_into_the_solution_and_costs_points) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(new_points_change_nothing_else_in_the_list) {
+  const std::string text = sys::read_file(description.folder / "wrong_solutions.toml");
+  std::vector<double> points;
+  for (const auto& wrong : course::read_wrong_solutions(description, solution())) {
+    points.push_back(wrong.points);
+  }
+  BOOST_TEST(course::with_points(text, points) == text);
+
+  const std::string list =
+      "[[wrong]]\npoints = 1\nafter = \"\"\"\npoints = 2\n\"\"\"\n[[wrong]]\npoints = 3  # ?\n";
+  BOOST_TEST(
+      course::with_points(list, {4, 5.25}) ==
+      "[[wrong]]\npoints = 4\nafter = \"\"\"\npoints = 2\n\"\"\"\n[[wrong]]\npoints = 5.25\n");
+}
+
 BOOST_AUTO_TEST_CASE(public_checks_alone_give_40_points_at_most) {
   double of_public = 0;
   for (const course::Exercise& exercise : description.exercises) {

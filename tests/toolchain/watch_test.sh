@@ -9,13 +9,14 @@ fi
 
 # A fake command records that it was called, and fails on demand.
 root="$scratch/check out"
-mkdir -p "$root/src" "$root/report/sections" "$root/figures" "$scratch/cases"
+mkdir -p "$scratch/measured" "$root/src" "$root/report/sections" "$root/figures" "$scratch/cases"
 cat >"$scratch/build" <<'END'
-echo "build $1"
+echo "build $1 ${LITERATE_TOLERATES_OVERFULL:-}"
 if [ -e src/broken.cpp ]; then echo 'broken.cpp:1: error'; exit 1; fi
 END
 touch "$root/report/sections/a.tex" "$scratch/cases/my.toml"
 printf '%s\n' name=report "root=$root" "build=$root/build" "document=$root/report" "case=$scratch/cases/my.toml" \
+  "data=$scratch/measured/run 1.dat:$scratch/measured/fit.py" "output=$root/build/report" \
   sources=src "figures=$root/figures" >"$scratch/settings"
 status=- said=-
 log=$scratch/log
@@ -42,6 +43,7 @@ claim_built() { # claim_built TEXT N
 }
 
 claim_built 'it builds at once' 1
+claim 'overfull boxes are warnings while someone writes' "$(says 'build report 1')" = yes
 sleep 0.5 # until the folders are watched
 echo x >"$root/report/sections/a.tex"
 claim_built 'a save builds' 2
@@ -66,14 +68,20 @@ echo x >"$scratch/cases/my.toml"
 claim_built 'a case elsewhere is watched' 6
 echo x >"$scratch/cases/other.toml"
 claim_built 'its neighbours are not' 6
+echo x >"$scratch/measured/run 1.dat"
+claim_built 'data that the paper imports are watched, whatever their ending' 7
+echo x >"$scratch/measured/notes.dat"
+claim_built 'their neighbours are not' 7
+echo x >"$root/src/results.json"
+claim_built 'so is what another program wrote among the sources' 8
 
 touch "$root/src/broken.cpp"
 echo x >"$root/src/broken.cpp"
-claim_built 'a save that breaks the build builds' 7
+claim_built 'a save that breaks the build builds' 9
 claim 'the message is shown' "$(says 'broken.cpp:1: error')" = yes
 claim 'a failure is told' "$(says 'failed; waiting for the next save')" = yes
 rm "$root/src/broken.cpp"
-claim_built 'after a failure it goes on' 8
+claim_built 'after a failure it goes on' 10
 
 kill -INT "-$watch"
 status=0

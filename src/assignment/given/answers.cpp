@@ -27,8 +27,7 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
                                const course::Numbers& inputs, std::size_t count) {
   course::Numbers numbers = program(task, inputs);
   if (numbers.size() != count) {
-    throw NoAnswer("task " + task + ": " + std::to_string(numbers.size()) + " numbers where " +
-                   std::to_string(count) + " are due");
+    throw NoAnswer("task " + task + ": not as many numbers as are due, " + std::to_string(count));
   }
   if (std::none_of(numbers.begin(), numbers.end(), is_finite)) {
     throw NoAnswer("task " + task + ": no number is finite");
@@ -44,12 +43,9 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
 course::Numbers finite_answer(const course::Program& program, const std::string& task,
                               const course::Numbers& inputs, std::size_t count) {
   course::Numbers numbers = nonzero_answer(program, task, inputs, count);
-  const auto bad = std::find_if_not(numbers.begin(), numbers.end(), is_finite);
-  if (bad != numbers.end()) {
-    std::ostringstream fault;
-    fault << "task " << task << ": number " << bad - numbers.begin() + 1 << " of " << count
-          << " is not a finite number (" << *bad << ")";
-    throw NoAnswer(fault.str());
+  if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) {
+    throw NoAnswer("task " + task + ": one of the " + std::to_string(count) +
+                   " numbers is not finite");
   }
   return numbers;
 }

@@ -93,6 +93,7 @@ Limits read_limits(const Table& table) {
     if (table.has(key)) limit = integer(table, key, 1, most);
   };
   read("compile_seconds", limits.compile_seconds, day);
+  read("compile_all_seconds", limits.compile_all_seconds, day);
   read("run_seconds", limits.run_seconds, day);
   read("submission_seconds", limits.submission_seconds, day);
   read("memory_mb", limits.memory_mb, tebibyte_in_mb);

@@ -50,9 +50,10 @@ struct LatePolicy {
 
 /// What a submission may use at most.
 struct Limits {
-  int compile_seconds = 20;
-  int run_seconds = 5;           ///< of processor time, for one answer
-  int submission_seconds = 600;  ///< of processor time, for all answers together
+  int compile_seconds = 20;       ///< of processor time, for one file
+  int compile_all_seconds = 100;  ///< of processor time, for all files and the linker together
+  int run_seconds = 5;            ///< of processor time, for one answer
+  int submission_seconds = 600;   ///< of processor time, for all answers together
   int memory_mb = 1024;
   int processes = 32;
   int output_kb = 256;

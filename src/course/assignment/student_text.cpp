@@ -8,12 +8,20 @@
 namespace course {
 namespace {
 
-/// Whether a character may be shown: it is no control character but tab and line end, and neither
-/// U+FFFE nor U+FFFF, which XML does not take.
+/// Whether a character changes the direction in which the characters after it are shown, so that a
+/// text would look like another one.
+bool turns_text(char32_t code) {
+  return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x202A && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+/// Whether a character may be shown: it is no control character but tab and line end, ends no line
+/// but by these, does not turn the text, and is neither U+FFFE nor U+FFFF, which XML does not take.
 bool is_shown(char32_t code) {
   if (code == '\n' || code == '\t') return true;
   const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-  return !is_control && code != 0xFFFE && code != 0xFFFF;
+  const bool ends_line = code == 0x2028 || code == 0x2029;
+  return !is_control && !ends_line && !turns_text(code) && code != 0xFFFE && code != 0xFFFF;
 }
 
 }  // namespace

@@ -8,8 +8,9 @@
 
 namespace course {
 
-/// A text from a submission as it may be shown. Bytes that are not UTF-8 and control characters
-/// other than tab and line end become '?'; a text longer than `max_bytes` is cut and says so.
+/// A text from a submission as it may be shown. Bytes that are not UTF-8, control characters
+/// other than tab and line end and characters that turn the direction of a text become '?'; a text
+/// longer than `max_bytes` is cut and says so.
 std::string shown(std::string_view text, std::size_t max_bytes);
 
 /// The same in one line, for names: line ends and tabs become '?' as well.

@@ -73,6 +73,10 @@ class Compiler {
   /// Compiles a file of the project to `object`. Returns the compiler's message, empty if it
   /// worked.
   std::string compile(const std::string& file, const fs::path& object) const {
+    if (cpu_seconds_ > limits_.compile_all_seconds) {
+      return fmt::format("all files together take longer than {} s to compile",
+                         limits_.compile_all_seconds);
+    }
     const JobEnd end = run(arguments_for(file, true), object);
     if (has_worked(end)) return "";
     std::string excess = excess_of(end);
@@ -143,11 +147,14 @@ class Compiler {
     job.output = product;
     job.errors = errors();
     job.seconds = limits_.compile_seconds;
+    job.waiting_seconds =
+        5;  // a compiler that waits longer reads from something that gives it nothing
     job.memory_mb = limits_.memory_mb;
     job.processes = limits_.processes;
     job.file_kb = max_object_kb;
     job.scratch_mb = 2 * max_object_kb / 1024;
     const JobEnd end = sandbox_.run(job);
+    cpu_seconds_ += end.cpu_seconds;
     make_readable(product);
     return end;
   }
@@ -199,6 +206,7 @@ class Compiler {
   fs::path scratch_;
   Sandbox sandbox_;
   Readable given_, project_;
+  mutable double cpu_seconds_ = 0;  ///< of all compilations so far
 };
 
 /// The files of a submission as objects, with stubs for those that do not compile.

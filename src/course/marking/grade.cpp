@@ -57,10 +57,12 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
   graded.compile_errors = built.compile_errors;
   graded.link_error = built.link_error;
   ProgramRun run(assignment.limits, built, task.isolation);
-  graded.results = try_checks(assignment, task.checks, built, task.variant, run);
-  const bool has_program = built.link_error.empty();
-  write(assignment, graded,
-        has_program ? pictures_of(assignment, task, run) : std::vector<std::string>{}, output);
+  std::vector<std::string> pictures;
+  const auto draw = [&] {
+    if (built.link_error.empty()) pictures = pictures_of(assignment, task, run);
+  };
+  graded.results = try_checks(assignment, task.checks, built, task.variant, run, draw);
+  write(assignment, graded, pictures, output);
   return graded;
 }
 

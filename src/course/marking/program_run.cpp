@@ -25,13 +25,10 @@ Numbers parse_answer(std::string_view text) {
     double number = 0;
     const auto [stop, error] = std::from_chars(word.data(), end, number);
     if (error != std::errc{} || stop != end) {
-      throw ProgramFailure(fmt::format(
-          "the program's answer holds, as entry {}, something that is no decimal number",
-          numbers.size() + 1));
+      throw ProgramFailure("the program's answer holds something that is no decimal number");
     }
     if (!std::isfinite(number)) {
-      throw ProgramFailure(
-          fmt::format("number {} of the program's answer is infinite or NaN", numbers.size() + 1));
+      throw ProgramFailure("a number of the program's answer is infinite or NaN");
     }
     numbers.push_back(number);
     text.remove_prefix(word.size());

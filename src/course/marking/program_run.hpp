@@ -12,7 +12,8 @@
 namespace course {
 
 /// The numbers that a program printed, separated by white space. Throws ProgramFailure for
-/// anything but finite decimal numbers; the message repeats nothing of what the program printed.
+/// anything but finite decimal numbers; the message repeats nothing of what the program printed,
+/// not even how much it was.
 Numbers parse_answer(std::string_view text);
 
 /// A built submission as the checks see it. Each question is asked in two runs in the sandbox,

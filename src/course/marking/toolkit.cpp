@@ -16,6 +16,7 @@ std::vector<std::string> compile_flags(const std::string& project) {
   return {"-std=c++20",
           "-O2",
           "-w",
+          "-D__TIMESTAMP__=\"\"",  // the time when the grader wrote the file
           "-I",
           project + "/provided",
           "-I",

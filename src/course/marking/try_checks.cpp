@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "system/require.hpp"
@@ -53,21 +54,32 @@ std::string obstacle(const Exercise& exercise, const Built& built) {
 }  // namespace
 
 std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& checks,
-                                    const Built& built, const Variant& variant, ProgramRun& run) {
+                                    const Built& built, const Variant& variant, ProgramRun& run,
+                                    const std::function<void()>& after_public) {
   require_code(assignment, checks);
   const Program program = [&](const std::string& task, const Numbers& inputs) {
     return run.answer(task, inputs);
   };
-  std::vector<CheckResult> results;
-  for (const Exercise& exercise : assignment.exercises) {
-    const std::string why_not = obstacle(exercise, built);
-    for (const CheckEntry& entry : exercise.checks) {
-      const Outcome outcome =
-          why_not.empty() ? outcome_of(checks.at(entry.id), program, variant) : Outcome{0, why_not};
-      results.push_back({entry.id, points_of(outcome.share, entry.points), outcome.message});
+  std::map<std::string, CheckResult> results;
+  const auto try_all = [&](Visibility visibility) {
+    for (const Exercise& exercise : assignment.exercises) {
+      const std::string why_not = obstacle(exercise, built);
+      for (const CheckEntry& entry : exercise.checks) {
+        if (entry.visibility != visibility) continue;
+        const Outcome outcome = why_not.empty() ? outcome_of(checks.at(entry.id), program, variant)
+                                                : Outcome{0, why_not};
+        results[entry.id] = {entry.id, points_of(outcome.share, entry.points), outcome.message};
+      }
     }
+  };
+  try_all(Visibility::visible);
+  if (after_public) after_public();
+  try_all(Visibility::hidden);
+  std::vector<CheckResult> in_order;
+  for (const Exercise& exercise : assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) in_order.push_back(results.at(entry.id));
   }
-  return results;
+  return in_order;
 }
 
 double total(const std::vector<CheckResult>& results) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,14 @@ struct CheckResult {
   std::string message;
 };
 
-/// Tries every check of the assignment, in its order, on a program. Throws std::logic_error for a
-/// check that `checks` does not hold.
+/// Tries every check of the assignment on a program, and returns the results in the assignment's
+/// order. All public checks are tried first, then `after_public` is called, and the hidden checks
+/// come last: so whatever a student is shown of public checks and pictures was computed before the
+/// program heard a hidden question. Throws std::logic_error for a check that `checks` does not
+/// hold.
 std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& checks,
-                                    const Built& built, const Variant& variant, ProgramRun& run);
+                                    const Built& built, const Variant& variant, ProgramRun& run,
+                                    const std::function<void()>& after_public = {});
 
 /// The sum of the points, in hundredths.
 double total(const std::vector<CheckResult>& results);

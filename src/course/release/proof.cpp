@@ -96,6 +96,13 @@ ProvedClaim Prover::wrong_solutions() const {
   ProvedClaim claim{
       .says = fmt::format("each of {} wrong solutions scores what the list says", wrong_.size()),
       .faults = {}};
+  if (input_.updates_points) {
+    const fs::path list = input_.assignment.folder / "wrong_solutions.toml";
+    sys::write_file_atomically(list, with_points(sys::read_file(list), points));
+    claim.says = fmt::format("{} has what the {} wrong solutions score; review it", list.string(),
+                             wrong_.size());
+    return claim;
+  }
   for (std::size_t i = 0; i < wrong_.size(); ++i) {
     if (are_same_points(points[i], wrong_[i].points)) continue;
     claim.faults.push_back(fmt::format("wrong solution {} ({}) scores {}, the list says {}",

@@ -25,6 +25,9 @@ struct ProofInput {
   std::vector<std::filesystem::path> secret_files;  ///< sources of which no line may be given away
   std::filesystem::path source;                     ///< the checkout from which provided files come
   std::size_t n_jobs = 1;
+  /// Whether the points that the wrong solutions score are written to the list, for somebody to
+  /// review, instead of being compared with it.
+  bool updates_points = false;
 };
 
 /// A claim about a handout, and a line for each reason why it does not hold; without any it holds.

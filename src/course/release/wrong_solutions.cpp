@@ -7,6 +7,8 @@
 #include <set>
 
 #include "config/table.hpp"
+#include "course/release/comment_lines.hpp"
+#include "system/lines.hpp"
 
 namespace course {
 namespace {
@@ -62,6 +64,24 @@ std::vector<WrongSolution> read_wrong_solutions(const Assignment& assignment,
   }
   root.reject_unknown_keys();
   return list;
+}
+
+std::string with_points(std::string_view text, const std::vector<double>& points) {
+  std::string result;
+  std::size_t n_tables = 0;
+  bool is_inside_text = false;  // a text of several lines, which may hold anything
+  for (const LineWithEnd& line : lines_with_ends(text)) {
+    if (!is_inside_text && sys::stripped(line.text) == "[[wrong]]") ++n_tables;
+    const bool is_points = !is_inside_text && n_tables > 0 && line.text.starts_with("points = ");
+    if (is_points) {
+      result += fmt::format("points = {}", points.at(n_tables - 1));
+    } else {
+      result += line.text;
+    }
+    result += line.end;
+    if (n_occurrences(std::string(line.text), "\"\"\"") == 1) is_inside_text = !is_inside_text;
+  }
+  return result;
 }
 
 Files with_mistake(Files solution, const WrongSolution& wrong) {

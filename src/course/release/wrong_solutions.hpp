@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "course/assignment/assignment.hpp"
@@ -25,6 +26,10 @@ struct WrongSolution {
 /// «file:line:column: …», for instance if `before` does not stand exactly once in the solution.
 std::vector<WrongSolution> read_wrong_solutions(const Assignment& assignment,
                                                 const Files& solution);
+
+/// The text of wrong_solutions.toml with other points, one for each [[wrong]] in their order.
+/// Nothing else changes.
+std::string with_points(std::string_view text, const std::vector<double>& points);
 
 /// The solution with the mistake in it.
 Files with_mistake(Files solution, const WrongSolution& wrong);

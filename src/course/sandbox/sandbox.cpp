@@ -2,11 +2,15 @@
 #include "course/sandbox/sandbox.hpp"
 
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <system_error>
 
 #include "course/sandbox/child.hpp"
@@ -103,6 +107,38 @@ std::vector<std::string> within_limits(const Job& job) {
           fmt::format("--fsize={}", job.file_kb * 1024L)};
 }
 
+/// Removes what a user left in the folders and in the kernel's lists that all users share. Only for
+/// a user of whom nobody else has anything.
+void clear_traces_of(unsigned user) {
+  std::error_code ignored;
+  for (const char* shared : {"/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue"}) {
+    for (const auto& entry : fs::directory_iterator(shared, ignored)) {
+      struct stat status {};
+      if (::lstat(entry.path().c_str(), &status) == 0 && status.st_uid == user) {
+        fs::remove_all(entry.path(), ignored);
+      }
+    }
+  }
+  // Memory, semaphores and queues of System V, whose lists have a line each: its number is the
+  // second field, and the number of its owner stands in the column «uid».
+  for (const auto& [list, flag] :
+       {std::pair{"shm", "--shmem-id"}, {"sem", "--semaphore-id"}, {"msg", "--queue-id"}}) {
+    std::ifstream lines(fmt::format("/proc/sysvipc/{}", list));
+    std::string heading;
+    std::getline(lines, heading);
+    std::istringstream names(heading);
+    std::ptrdiff_t uid_column = 0;
+    for (std::string name; names >> name && name != "uid";) ++uid_column;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream stream(line);
+      const std::vector<std::string> fields(std::istream_iterator<std::string>(stream), {});
+      const auto column = static_cast<std::size_t>(uid_column);
+      if (fields.size() <= column || fields[column] != std::to_string(user)) continue;
+      sys::run({.program = "ipcrm", .arguments = {flag, fields[1]}});
+    }
+  }
+}
+
 }  // namespace
 
 void make_readable(const fs::path& path) {
@@ -183,10 +219,17 @@ std::vector<std::string> Sandbox::walls(const Job& job) const {
                  "/etc/ld.so.cache",
                  "--proc",
                  "/proc",
-                 "--dev",
-                 "/dev",
-                 "--remount-ro",
+                 "--perms",
+                 "0755",
+                 "--tmpfs",
                  "/dev"});
+  // No terminals, which a compiler would wait for, and no room that jobs share.
+  for (const char* device : {"/dev/null", "/dev/zero", "/dev/urandom"}) {
+    append(walls, {"--dev-bind", device, device});
+  }
+  append(walls, {"--symlink", "/proc/self/fd", "/dev/fd", "--symlink", "/proc/self/fd/0",
+                 "/dev/stdin", "--symlink", "/proc/self/fd/1", "/dev/stdout", "--symlink",
+                 "/proc/self/fd/2", "/dev/stderr", "--remount-ro", "/dev"});
   for (const auto& [path, place] : job.readable) {
     // bubblewrap would make the folders on the way readable to the superuser only.
     const std::string parent = fs::path(place).parent_path().string();
@@ -222,6 +265,12 @@ std::vector<std::string> Sandbox::command(const Job& job) const {
   return command;
 }
 
+// SOURCE_DATE_EPOCH is what a compiler takes for __DATE__ and __TIME__, which a message could tell.
+std::vector<std::string> Sandbox::environment() const {
+  return {"PATH=/usr/bin:/bin", "LC_ALL=C", "HOME=" + scratch(), "TMPDIR=" + scratch(),
+          "SOURCE_DATE_EPOCH=0"};
+}
+
 JobEnd Sandbox::run(const Job& job) const {
   const bool has_walls = isolation_ == Isolation::sandbox;
   if (!has_walls) prepare_scratch();
@@ -231,25 +280,26 @@ JobEnd Sandbox::run(const Job& job) const {
   make_way_for(job.output);
   make_way_for(job.errors);
   const auto begin = std::chrono::steady_clock::now();
-  const ChildEnd end = run_child({.command = command(job),
-                                  .environment = {"PATH=/usr/bin:/bin", "LC_ALL=C",
-                                                  "HOME=" + scratch(), "TMPDIR=" + scratch()},
-                                  .folder = has_walls            ? "/"
-                                            : job.folder.empty() ? scratch()
-                                                                 : job.folder,
-                                  .input = job.input,
-                                  .output = job.output,
-                                  .errors = job.errors,
-                                  .third = has_walls ? work_ / "filter" : "/dev/null",
-                                  .memory_mb = static_cast<std::size_t>(job.memory_mb),
-                                  .cpu_seconds = static_cast<double>(job.seconds),
-                                  .waiting_seconds = 2.0 * job.seconds,
-                                  .tasks = max_tasks});
+  const ChildEnd end = run_child(
+      {.command = command(job),
+       .environment = environment(),
+       .folder = has_walls            ? "/"
+                 : job.folder.empty() ? scratch()
+                                      : job.folder,
+       .input = job.input,
+       .output = job.output,
+       .errors = job.errors,
+       .third = has_walls ? work_ / "filter" : "/dev/null",
+       .memory_mb = static_cast<std::size_t>(job.memory_mb),
+       .cpu_seconds = static_cast<double>(job.seconds),
+       .waiting_seconds = job.waiting_seconds > 0 ? job.waiting_seconds : 2.0 * job.seconds,
+       .tasks = max_tasks});
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   make_own(job.output);
   make_own(job.errors);
   std::error_code ignored;
   if (!has_walls) fs::remove_all(scratch(), ignored);
+  if (!has_walls && is_root_) clear_traces_of(user_);
   return ending_of(end, job, time.count());
 }
 

@@ -27,6 +27,7 @@ struct Job {
   /// Of processor time, for all processes together, and twice that by the clock in which none of
   /// them wants a processor.
   int seconds = 5;
+  double waiting_seconds = 0;  ///< instead of that twice as much; 0: twice as much
   int memory_mb = 1024;  ///< of address space for each process, and of memory for all together
   int processes = 32;    ///< and threads
   int file_kb = 256;     ///< of each file and stream it writes
@@ -45,8 +46,8 @@ struct JobEnd {
 ///
 /// bubblewrap keeps them apart. If root starts them, they run as a user that only this process
 /// uses, so that the limit on processes counts each grading alone. With Isolation::none the limits
-/// hold, no process is left behind, and root's jobs cannot reach each other's folders; nothing else
-/// is kept apart.
+/// hold, no process is left behind, and root's jobs cannot reach each other's folders and leave
+/// neither files nor shared memory; nothing else is kept apart.
 class Sandbox {
  public:
   /// `work` is an existing folder for the sandbox's own files. Tries bubblewrap, and throws
@@ -67,6 +68,7 @@ class Sandbox {
   void probe() const;
   std::vector<std::string> command(const Job& job) const;
   std::vector<std::string> walls(const Job& job) const;
+  std::vector<std::string> environment() const;
   void prepare_scratch() const;
   void make_reachable() const;
 

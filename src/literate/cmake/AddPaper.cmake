@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src
-#   [FIGURES figures] [DATA file …] [ROOT folder])
+#   [FIGURES figures] [DATA file …] [ROOT folder] [ENGINE pdflatex|lualatex])
 # makes the targets of a paper, none of them part of `all`:
 #
 #   rod            the PDF, and manifest.json beside it
@@ -22,6 +22,7 @@
 # FIGURES    the folder with a gnuplot script for each figure, and style.gp
 # DATA       files that the program imports, and their scripts: a changed one computes the paper again
 # ROOT       the paper's repository, if not the folder of the CMake project
+# ENGINE     the LaTeX that typesets it, pdflatex by default
 #
 # All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
 # names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
@@ -104,7 +105,7 @@ endfunction()
 # The files that LaTeX reads of a document: without those of folders below that hold a document of their own.
 function(literate_document_files document result)
   set(patterns "")
-  foreach(ending IN ITEMS tex bib sty cls bst)
+  foreach(ending IN ITEMS tex bib sty cls bst png jpg jpeg pdf)
     list(APPEND patterns "${document}/*.${ending}")
   endforeach()
   file(GLOB_RECURSE files CONFIGURE_DEPENDS LIST_DIRECTORIES false ${patterns})
@@ -127,7 +128,7 @@ function(literate_document_files document result)
 endfunction()
 
 function(literate_add_paper)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT" "SOURCES;DATA")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT;ENGINE" "SOURCES;DATA")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "literate_add_paper: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -136,6 +137,11 @@ function(literate_add_paper)
       message(FATAL_ERROR "literate_add_paper: ${required} is missing")
     endif()
   endforeach()
+  if(NOT arg_ENGINE)
+    set(arg_ENGINE pdflatex)
+  elseif(NOT arg_ENGINE MATCHES "^(pdf|lua)latex$")
+    message(FATAL_ERROR "literate_add_paper: ENGINE ${arg_ENGINE} is neither pdflatex nor lualatex")
+  endif()
   if(NOT TARGET ${arg_PROGRAM})
     message(FATAL_ERROR "literate_add_paper: PROGRAM ${arg_PROGRAM} is no target; add_executable comes first")
   endif()
@@ -174,6 +180,7 @@ function(literate_add_paper)
 
   # What the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
+  list(JOIN data ":" joined_data)
   file(GENERATE OUTPUT "${settings}" CONTENT
 "name=${name}
 project=${PROJECT_NAME}
@@ -186,9 +193,11 @@ main=${arg_MAIN}
 case=${case}
 sources=${sources}
 figures=${figures}
+data=${joined_data}
 output=${output}
 repository=${repository}
 engine=${engine}
+latex=${arg_ENGINE}
 ")
 
   # The program leaves a file alone that would not change, and so does WriteDigest: whatever was computed or drawn anew,
@@ -223,7 +232,7 @@ engine=${engine}
     ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
       --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
       --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
-      --repository "${repository}")
+      --repository "${repository}" --engine ${arg_ENGINE})
   add_custom_command(
     OUTPUT "${output}/${name}.pdf" "${output}/manifest.json"
     COMMAND ${typeset}

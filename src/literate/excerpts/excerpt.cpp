@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "literate/excerpts/listing_language.hpp"
 #include "literate/text/latex.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -35,12 +36,13 @@ int last_line(const Excerpt& excerpt) {
 }
 
 void write_excerpt(const fs::path& folder, const Excerpt& excerpt) {
-  sys::write_file_atomically(folder / (excerpt.name + ".cpp"),
+  sys::write_file_atomically(folder / (excerpt.name + ".txt"),
                              without_common_indentation(excerpt.text));
   sys::write_file_atomically(
       folder / (excerpt.name + ".tex"),
-      fmt::format("\\LiterateListing{{{}}}{{{}}}{{{}}}{{{}}}\n", excerpt.name,
-                  escape_latex_path(excerpt.file), excerpt.first_line, last_line(excerpt)));
+      fmt::format("\\LiterateListing{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", excerpt.name,
+                  escape_latex_path(excerpt.file), excerpt.first_line, last_line(excerpt),
+                  listing_language(excerpt.file)));
 }
 
 }  // namespace literate

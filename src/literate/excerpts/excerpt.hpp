@@ -7,8 +7,8 @@
 namespace literate {
 
 /// Lines of a source file between two markers, each on a line of its own:
-/// «begin excerpt: name» and «end excerpt: name» after a comment sign, which is two slashes, # or
-/// %.
+/// «begin excerpt: name» and «end excerpt: name» after a comment sign: // # % -- ! ; or within
+/// /* */, <!-- --> or (* *).
 struct Excerpt {
   std::string name;
   std::string file;    ///< relative to the source root, with slashes
@@ -19,8 +19,8 @@ struct Excerpt {
 /// The number of the last line in its file.
 int last_line(const Excerpt& excerpt);
 
-/// Writes folder/name.cpp, the code with its common indentation removed, and folder/name.tex, the
-/// listing with its true line numbers.
+/// Writes folder/name.txt, the code with its common indentation removed, and folder/name.tex, the
+/// listing with its language and true line numbers.
 void write_excerpt(const std::filesystem::path& folder, const Excerpt& excerpt);
 
 }  // namespace literate

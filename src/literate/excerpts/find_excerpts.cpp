@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "literate/excerpts/paper_sources.hpp"
 #include "literate/text/characters.hpp"
@@ -66,16 +67,32 @@ class Finder {
   std::vector<Excerpt> excerpts_;
 };
 
-std::optional<Marker> Finder::marker_in(std::string_view line) const {
-  std::string_view rest = sys::stripped(line);
-  bool is_comment = false;
-  for (const std::string_view leader : {"//", "#", "%"}) {
-    if (!is_comment && rest.starts_with(leader)) {
-      is_comment = true;
-      rest = sys::stripped(rest.substr(leader.size()));
-    }
+/// The text of a line that is a comment in one of the languages that papers are computed in.
+std::optional<std::string_view> comment_in(std::string_view line) {
+  using Signs = std::pair<std::string_view, std::string_view>;  // before and after the comment
+  constexpr std::array<Signs, 9> signs{{{"//", ""},
+                                        {"/*", "*/"},
+                                        {"#", ""},
+                                        {"%", ""},
+                                        {"--", ""},
+                                        {"!", ""},
+                                        {";", ""},
+                                        {"<!--", "-->"},
+                                        {"(*", "*)"}}};
+  std::string_view text = sys::stripped(line);
+  for (const auto& [before, after] : signs) {
+    if (!text.starts_with(before)) continue;
+    text.remove_prefix(before.size());
+    if (!after.empty() && text.ends_with(after)) text.remove_suffix(after.size());
+    return sys::stripped(text);
   }
-  if (!is_comment) return {};
+  return {};
+}
+
+std::optional<Marker> Finder::marker_in(std::string_view line) const {
+  const auto comment = comment_in(line);
+  if (!comment) return {};
+  std::string_view rest = *comment;
   for (const std::string_view verb : {"begin", "end"}) {
     const std::string words = fmt::format("{} excerpt", verb);
     if (!rest.starts_with(words)) continue;
@@ -140,8 +157,20 @@ void Finder::require_printable(std::string_view line) const {
   }
 }
 
-bool is_source(const std::string& file) {
-  return file.ends_with(".cpp") || file.ends_with(".hpp");
+bool is_text(std::string_view bytes) {
+  return bytes.find('\0') == std::string_view::npos;
+}
+
+/// The files of a folder that belong to the paper, or the file itself if it is one.
+std::vector<std::string> files_of(const fs::path& source_root, const std::string& folder) {
+  if (fs::is_regular_file(source_root / folder)) return {folder};
+  if (!fs::is_directory(source_root / folder)) {
+    throw sys::SourceError(fmt::format("{}: there is no such folder to take excerpts from",
+                                       (source_root / folder).generic_string()));
+  }
+  std::vector<std::string> files = paper_sources(source_root / folder);
+  for (std::string& file : files) file = fmt::format("{}/{}", folder, file);
+  return files;
 }
 
 }  // namespace
@@ -156,14 +185,10 @@ std::vector<Excerpt> find_excerpts(const fs::path& source_root,
                                    const std::vector<std::string>& folders) {
   std::map<std::string, Excerpt> by_name;
   for (const std::string& folder : folders) {
-    if (!fs::is_directory(source_root / folder)) {
-      throw sys::SourceError(fmt::format("{}: there is no such folder to take excerpts from",
-                                         (source_root / folder).generic_string()));
-    }
-    for (const std::string& file : paper_sources(source_root / folder)) {
-      if (!is_source(file)) continue;
-      const std::string text = sys::read_file(source_root / folder / file);
-      for (Excerpt& excerpt : excerpts_of(text, fmt::format("{}/{}", folder, file))) {
+    for (const std::string& file : files_of(source_root, folder)) {
+      const std::string text = sys::read_file(source_root / file);
+      if (!is_text(text)) continue;
+      for (Excerpt& excerpt : excerpts_of(text, file)) {
         const auto [known, is_new] = by_name.try_emplace(excerpt.name, excerpt);
         if (!is_new) {
           throw sys::SourceError(fmt::format("{}:{}: excerpt '{}' is marked at {}:{} already",

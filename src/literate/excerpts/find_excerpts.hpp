@@ -15,8 +15,8 @@ namespace literate {
 /// for an excerpt without text, and for a character that latex_of has no mapping for.
 std::vector<Excerpt> excerpts_of(std::string_view text, const std::string& file);
 
-/// Finds the excerpts of all *.cpp and *.hpp files below the given folders of `source_root`, sorted
-/// by name. Throws sys::SourceError as excerpts_of does, and for a name that is marked in two files
+/// Finds the excerpts of all text files below the given folders of `source_root`, which may be files
+/// themselves, sorted by name. Throws sys::SourceError as excerpts_of does, and for a name that is marked in two files
 /// or a folder that does not exist.
 std::vector<Excerpt> find_excerpts(const std::filesystem::path& source_root,
                                    const std::vector<std::string>& folders);

@@ -79,8 +79,10 @@ std::string csv(const FigureData& data) {
 void write_prelude(std::ostream& script, const std::string& name, const Figure& figure) {
   script << "# What the program says about figure " << name << "; gnuplot " << name
          << ".gp draws it.\nset encoding utf8\n"
+         << "if (!exists('height_cm')) height_cm = exists('width_cm') ? width_cm * "
+         << floating_point(figure.height_cm) << " / " << floating_point(figure.width_cm) << " : "
+         << floating_point(figure.height_cm) << "\n"
          << "if (!exists('width_cm')) width_cm = " << floating_point(figure.width_cm) << "\n"
-         << "if (!exists('height_cm')) height_cm = " << floating_point(figure.height_cm) << "\n"
          << "set terminal cairolatex pdf size width_cm cm, height_cm cm\n"
          << "set output '" << name << ".tex'\n"
          << "set datafile separator comma\n";

@@ -2,6 +2,7 @@
 #include "literate/figures/gnuplot.hpp"
 
 #include <string_view>
+#include <vector>
 
 #include "system/files.hpp"
 
@@ -25,11 +26,15 @@ void fix_creation_date(const fs::path& file) {
 
 }  // namespace
 
-sys::ProcessResult run_gnuplot(const fs::path& folder, const std::string& name) {
+sys::ProcessResult run_gnuplot(const fs::path& folder, const std::string& name,
+                               const std::string& settings) {
+  std::vector<std::string> arguments{"--default-settings"};
+  if (!settings.empty()) arguments.insert(arguments.end(), {"-e", settings});
+  arguments.push_back(name + ".gp");
   // With default settings gnuplot does not read the user's ~/.gnuplot.
   sys::ProcessResult result =
       sys::run({.program = "gnuplot",
-                .arguments = {"--default-settings", name + ".gp"},
+                .arguments = arguments,
                 .working_directory = folder,
                 .environment = {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC"}, {"SOURCE_DATE_EPOCH", "0"}}});
   const fs::path pdf = folder / (name + ".pdf");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +9,8 @@
 #include "command_line/options.hpp"
 #include "literate/document/names.hpp"
 #include "literate/main/stages.hpp"
+#include "literate/prose/figure_widths.hpp"
+#include "literate/prose/images.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
@@ -27,7 +31,9 @@ void print(const std::vector<std::string>& lines) {
 
 ExitCode run(const CheckOptions& options) {
   const Names names = read_names(std::filesystem::path(options.generated) / "names.json");
-  const ReferenceReport references = check_references(options.document, names);
+  ReferenceReport references = check_references(options.document, names);
+  std::ranges::move(images_of(options.document).errors, std::back_inserter(references.errors));
+  std::ranges::move(figure_width_errors(options.document), std::back_inserter(references.errors));
   const std::vector<std::string> typed = typed_numbers_below(options.document);
   const Restyled restyled = restyled_values(options.document, names);
   print(references.errors);

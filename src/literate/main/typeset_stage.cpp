@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -12,11 +13,14 @@
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "literate/document/names.hpp"
+#include "literate/excerpts/find_excerpts.hpp"
 #include "literate/excerpts/paper_sources.hpp"
 #include "literate/figures/draw.hpp"
 #include "literate/main/platform.hpp"
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
+#include "literate/prose/figure_widths.hpp"
+#include "literate/prose/images.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/provenance/digest.hpp"
@@ -35,6 +39,8 @@ namespace {
 
 struct TypesetStageOptions {
   std::string document, main_file, generated, build, output;
+  std::string engine = "pdflatex";
+  bool tolerates_overfull = false;
   std::string digest, manifest, case_file, source = ".", repository, against;
 };
 
@@ -81,6 +87,10 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   for (const auto& [file, digest] : sources_below(document, ".", {".bib", ".sty"})) {
     files[prefix + file.substr(2)] = digest;
   }
+  files.merge(digests(document, images_of(document).files, prefix));
+  for (const Excerpt& excerpt : find_excerpts(root, paper.source_folders)) {
+    files[excerpt.file] = sys::sha256_of_file(root / excerpt.file);
+  }
   if (!options.case_file.empty()) {
     const fs::path file = fs::weakly_canonical(options.case_file);
     files[name_within(root, file)] = sys::sha256_of_file(file);
@@ -108,7 +118,8 @@ Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper,
                               {"libraries", libraries},
                               {"tools",
                                {{"gnuplot", sys::tool_version("gnuplot")},
-                                {"pdfTeX", sys::tool_version("pdflatex")}}}},
+                                {options.engine == "lualatex" ? "LuaTeX" : "pdfTeX",
+                                 sys::tool_version(options.engine)}}}},
                     .inputs = inputs_of(options, paper),
                     .outputs = digests(generated, made_files(names), "generated/"),
                     .numbers = numbers_in(generated / "names.json")};
@@ -137,6 +148,11 @@ ExitCode compare_with(const std::string& file, const Manifest& theirs, const Man
   return ExitCode::success;
 }
 
+// `watch` builds as any other build does, and says by a variable that its author is still writing.
+bool tolerates_overfull(const TypesetStageOptions& options) {
+  return options.tolerates_overfull || std::getenv("LITERATE_TOLERATES_OVERFULL") != nullptr;
+}
+
 ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
   // Report a manifest that cannot be read before the work begins.
   Manifest theirs;
@@ -150,7 +166,9 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
   if (!options.digest.empty()) {
     require_as_made(generated, options.digest, made_files(names));
   }
-  const ReferenceReport references = check_references(options.document, names);
+  ReferenceReport references = check_references(options.document, names);
+  std::ranges::move(images_of(options.document).errors, std::back_inserter(references.errors));
+  std::ranges::move(figure_width_errors(options.document), std::back_inserter(references.errors));
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);
   const Restyled restyled = restyled_values(options.document, names);
   for (const std::string& error : restyled.errors) complain(error, ExitCode::bad_input);
@@ -162,17 +180,32 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
 
   // LaTeX looks into its output folder before all others.
   sys::write_if_changed(fs::path(options.build) / "restyled.tex", restyled.latex);
-  typeset({.source_dir = options.document,
-           .main_file = options.main_file,
-           .generated_dir = options.generated,
-           .repository_dir = options.repository,
-           .build_dir = options.build,
-           .output_pdf = options.output});
+  const TypesetOptions latex{.source_dir = options.document,
+                             .main_file = options.main_file,
+                             .generated_dir = options.generated,
+                             .repository_dir = options.repository,
+                             .build_dir = options.build,
+                             .output_pdf = options.output,
+                             .engine = options.engine,
+                             .figures = names.figure_places,
+                             .scripts_label = fs::path(paper.figures_folder).filename().string(),
+                             .tolerates_overfull = tolerates_overfull(options)};
+  const Typeset done = typeset(latex);
   typesetting.done(fs::path(options.output).filename().string());
+  for (const std::string& warning : done.warnings) {
+    complain("warning: " + warning, ExitCode::success);
+  }
   const ExitCode verdict = command_line::answer_faults(names.faults);
   if (options.manifest.empty() && options.against.empty()) return verdict;
 
-  const Manifest ours = manifest_of(options, paper, repository, names);
+  if (!done.warnings.empty() && !options.manifest.empty()) {
+    // Without a manifest the build is not done: the next one that tolerates nothing will tell.
+    fs::remove(options.manifest);
+    return verdict;
+  }
+
+  Manifest ours = manifest_of(options, paper, repository, names);
+  ours.outputs.merge(digests(at_width_dir(latex), done.drawn));
   if (!options.manifest.empty()) {
     sys::write_if_changed(options.manifest, manifest_json(ours));
   }
@@ -197,6 +230,10 @@ void add_typeset_stage(CLI::App& program, ExitCode& exit_code, const Paper& pape
         add_required_text(command, "--build", options->build, "DIR",
                           "Folder for LaTeX's own files");
         add_required_text(command, "--output", options->output, "FILE", "The PDF");
+        add_choice(command, "--engine", options->engine, {"pdflatex", "lualatex"},
+                   "The LaTeX that typesets it");
+        add_switch(command, "--tolerate-overfull", options->tolerates_overfull,
+                   "Overfull boxes are warnings, as under `watch`");
         add_text(command, "--digest", options->digest, "FILE",
                  "SHA-256 of the generated files; refuse those that were changed since");
         add_text(command, "--manifest", options->manifest, "FILE",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -37,6 +38,30 @@ std::vector<std::string> uses(const GeneratedKind& kind, const std::string& name
   return places;
 }
 
+/// Names the figures and tables in the lines of a box that does not fit:
+/// «report/a.tex:12: in figure 'name': Overfull …».
+std::string with_name_of_box(const std::string& message, const std::filesystem::path& source_dir) {
+  static const sys::Pattern box(
+      R"(^([^\n]+\.tex):(\d+): (Overfull [^\n]*?(?:at lines? (\d+)(?:--(\d+))?)[^\n]*)$)");
+  const auto match = box.find_in(message);
+  if (!match) return message;
+  const std::vector<std::string_view>& parts = match->parts;
+  const std::string label = source_label(source_dir) + "/";
+  if (!parts[1].starts_with(label)) return message;
+  const std::filesystem::path file = source_dir / parts[1].substr(label.size());
+  if (!std::filesystem::is_regular_file(file)) return message;
+  const int first = std::stoi(std::string(parts[2]));
+  const int last = std::max(first, std::stoi(std::string(parts[5].empty() ? parts[4] : parts[5])));
+  std::vector<std::string> names;
+  for (const TexCommand& use : commands_in(sys::read_file(file), {"fig", "tab", "image"})) {
+    if (use.line < first || use.line > last) continue;
+    const char* const noun = use.name == "fig" ? "figure" : use.name == "tab" ? "table" : "picture";
+    names.push_back(fmt::format("{} '{}'", noun, use.argument));
+  }
+  if (names.empty()) return message;
+  return fmt::format("{}:{}: in {}: {}", parts[1], parts[2], fmt::join(names, ", "), parts[3]);
+}
+
 }  // namespace
 
 std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir) {
@@ -44,7 +69,7 @@ std::string with_place_of_use(const std::string& message, const std::filesystem:
   static const sys::Pattern generated(
       R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
   const auto match = generated.find_in(message);
-  if (!match) return message;
+  if (!match) return with_name_of_box(message, source_dir);
   const std::vector<std::string_view>& parts = match->parts;
   for (const GeneratedKind& kind : kinds) {
     if (parts[2] != kind.folder) continue;

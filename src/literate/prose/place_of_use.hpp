@@ -9,7 +9,8 @@ namespace literate {
 /// Rewrites a message of LaTeX («file:line: message») about a generated table, figure or excerpt so
 /// that it names the place at which the document uses that, where its author can mend it:
 /// «report/part.tex:12: in table 'name': message (tables/name.tex:3)». Returns other messages as
-/// they are. Throws sys::OutputError if the document cannot be read.
+/// they are, but names the figures and tables that stand in the lines of an overfull box:
+/// «report/part.tex:12: in figure 'name': Overfull …». Throws sys::OutputError if the document cannot be read.
 std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir);
 
 }  // namespace literate

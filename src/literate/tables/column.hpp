@@ -21,10 +21,12 @@ struct ColumnFormat {
 /// One column of a Table: its heading (LaTeX), how it prints numbers, and their unit (literal
 /// text).
 ///
-///     Column("$u_z$", significant(8), "in")         // ten to the power they share below the
-///     heading Column("FEA", fixed(3), "in").scaled(-6)      // in 10⁻⁶ in Column("$x$", fixed(2),
-///     "in").exact()         // parameters, which have no error Column("misfit", percent(1)) //
-///     ratios; (%) below the heading Column("nodes", integer()) Column::text("method")
+///     Column("$u_z$", significant(8), "in")     // the power of ten they share: below the heading
+///     Column("FEA", fixed(3), "in").scaled(-6)  // in 10⁻⁶ in
+///     Column("$x$", fixed(2), "in").exact()     // parameters, which have no error
+///     Column("misfit", percent(1))              // ratios; (%) below the heading
+///     Column("nodes", integer())
+///     Column::text("method")
 class Column {
  public:
   /// Throws std::invalid_argument for a unit that require_unit refuses, and for a percentage with a

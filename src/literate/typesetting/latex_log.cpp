@@ -59,14 +59,25 @@ class OpenFiles {
   std::vector<std::string> files_;
 };
 
+std::string_view digits_at(std::string_view text) {
+  const auto end = std::ranges::find_if_not(text, is_digit);
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
 /// The line number at the end of most warnings; empty if there is none.
 std::string_view line_number_in(std::string_view message) {
   for (const std::string_view words : {"input line ", "at lines ", "at line "}) {
     const auto at = message.rfind(words);
     if (at == std::string_view::npos) continue;
     const std::string_view rest = message.substr(at + words.size());
-    const auto end = std::ranges::find_if_not(rest, is_digit);
-    return rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+    const std::string_view first = digits_at(rest);
+    if (!rest.substr(first.size()).starts_with("--")) return first;
+    // A paragraph that began in a file which was read meanwhile: its lines are not those of this
+    // one.
+    const std::string_view last = digits_at(rest.substr(first.size() + 2));
+    const bool begins_later =
+        first.size() != last.size() ? first.size() > last.size() : first > last;
+    return begins_later ? last : first;
   }
   return {};
 }
@@ -86,6 +97,7 @@ bool is_defect(std::string_view line) {
   if (line.starts_with("Missing character: ") || is_overfull(line)) return true;
   if (!has("Warning: ")) return false;
   if (has("Reference `") || has("Citation `") || has("Citation '")) return has("undefined");
+  if (has("Float too large for page")) return true;
   return has("multiply defined") && has("Label `");
 }
 
@@ -130,6 +142,10 @@ std::vector<std::string> latex_defects(std::string_view log, std::string_view so
     }
   }
   return defects;
+}
+
+bool is_overfull_box(std::string_view defect) {
+  return defect.find("Overfull \\") != std::string_view::npos;
 }
 
 }  // namespace literate

@@ -13,8 +13,12 @@ namespace literate {
 std::vector<std::string> latex_errors(std::string_view log, std::string_view source_label);
 
 /// Finds what a finished document must not have: undefined references and citations, labels defined
-/// twice, missing characters, and boxes that are overfull by more than 0.1 pt. Each has its file
+/// twice, missing characters, floats that are too large for a page, and boxes that are overfull by
+/// more than 0.1 pt. Each has its file
 /// and line if the log names them. The log's lines must not be wrapped (max_print_line).
 std::vector<std::string> latex_defects(std::string_view log, std::string_view source_label);
+
+/// Whether a defect is a box that is overfull, which an author who is writing may leave for later.
+bool is_overfull_box(std::string_view defect);
 
 }  // namespace literate

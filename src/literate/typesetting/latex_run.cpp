@@ -16,6 +16,7 @@ std::map<std::string, std::string> latex_environment(const TypesetOptions& optio
   if (!options.repository_dir.empty()) {
     inputs += seen_from(options.source_dir, options.repository_dir) + ":";
   }
+  inputs += seen_from(options.source_dir, at_width_dir(options)) + ":";
   // TEXMFHOME, the folder of the user's own packages, is set to one that does not exist.
   return {{"SOURCE_DATE_EPOCH", fmt::format("{}", options.source_date_epoch)},
           {"FORCE_SOURCE_DATE", "1"},

@@ -18,8 +18,8 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view record_name = "preamble.sha256";
-constexpr std::string_view none = "-";
+constexpr std::string_view format_record = "preamble.sha256";
+constexpr std::string_view no_format = "-";
 
 /// Where the body begins, and the text of the main file up to there.
 struct Preamble {
@@ -38,12 +38,12 @@ std::optional<Preamble> preamble_of(const TypesetOptions& options) {
   return std::nullopt;
 }
 
-std::string line_of(std::string_view hash, std::string_view name) {
+std::string record_line(std::string_view hash, std::string_view name) {
   return fmt::format("{}  {}\n", hash, name);
 }
 
 std::string hash_of_file(const fs::path& file) {
-  return fs::is_regular_file(file) ? sys::sha256_of_file(file) : std::string(none);
+  return fs::is_regular_file(file) ? sys::sha256_of_file(file) : std::string(no_format);
 }
 
 /// The names of the TeX files right in a folder: one more could be read instead of another.
@@ -71,17 +71,17 @@ class Keeper {
         stem_(fs::path(options.main_file).filename().replace_extension().string()) {}
 
   PreambleFormat keep() const {
-    const std::string known = fs::is_regular_file(folder_ / record_name)
-                                  ? sys::read_file(folder_ / record_name)
+    const std::string known = fs::is_regular_file(folder_ / format_record)
+                                  ? sys::read_file(folder_ / format_record)
                                   : std::string();
     if (!known.empty() && known == record(files_named_in(known), has_format(known))) {
       return {folder_, has_format(known), false};
     }
     fs::create_directories(folder_);
-    fs::remove(folder_ / record_name);
+    fs::remove(folder_ / format_record);
     const bool is_usable = dump();
     // The record is written last, so that an interruption leaves none.
-    sys::write_file_atomically(folder_ / record_name, record(files_read(), is_usable));
+    sys::write_file_atomically(folder_ / format_record, record(files_read(), is_usable));
     return {folder_, is_usable, true};
   }
 
@@ -89,19 +89,20 @@ class Keeper {
   /// A line «SHA-256  name» for the format and for all that it depends on.
   std::string record(const std::set<std::string>& files, bool is_usable) const {
     std::string text =
-        line_of(is_usable ? hash_of_file(folder_ / "preamble.fmt") : std::string(none), "format") +
-        line_of(sys::sha256_of_text(keep_preamble_tex), "engine") +
-        line_of(fmt::format("{}", options_->source_date_epoch), "date") +
-        line_of(sys::sha256_of_text(preamble_.text), "preamble") +
-        line_of(tex_files_in(options_->source_dir), "document") +
-        line_of(tex_files_in(options_->generated_dir), "generated");
+        record_line(is_usable ? hash_of_file(folder_ / "preamble.fmt") : std::string(no_format),
+                    "format") +
+        record_line(sys::sha256_of_text(keep_preamble_tex), "engine") +
+        record_line(fmt::format("{}", options_->source_date_epoch), "date") +
+        record_line(sys::sha256_of_text(preamble_.text), "preamble") +
+        record_line(tex_files_in(options_->source_dir), "document") +
+        record_line(tex_files_in(options_->generated_dir), "generated");
     for (const std::string& file : files) {
-      text += line_of(hash_of_file(options_->source_dir / file), "file " + file);
+      text += record_line(hash_of_file(options_->source_dir / file), "file " + file);
     }
     return text;
   }
 
-  static bool has_format(const std::string& known) { return !known.starts_with(none); }
+  static bool has_format(const std::string& known) { return !known.starts_with(no_format); }
 
   static std::set<std::string> files_named_in(const std::string& known) {
     std::set<std::string> files;
@@ -148,7 +149,7 @@ class Keeper {
     const fs::path made = folder_ / (stem_ + ".fmt");
     if (result.exit_status != 0 || !fs::is_regular_file(made)) return false;
     for (const std::string& file : files_read()) {
-      if (file.starts_with(build + "/")) return false;
+      if (file.starts_with(build + "/" + stem_ + ".")) return false;
     }
     fs::rename(made, folder_ / "preamble.fmt");
     return true;

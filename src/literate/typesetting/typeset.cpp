@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 #include <vector>
 
+#include "literate/figures/draw_at_width.hpp"
 #include "literate/prose/place_of_use.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/typesetting/latex_log.hpp"
@@ -15,6 +17,7 @@
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
+#include "system/pattern.hpp"
 #include "system/process.hpp"
 
 namespace literate {
@@ -32,7 +35,7 @@ std::string last_lines(std::string_view output) {
 sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleFormat& preamble,
                                bool from_scratch) {
   std::vector<std::string> arguments{"-norc",
-                                     "-pdf",
+                                     options.engine == "lualatex" ? "-lualatex" : "-pdf",
                                      "-interaction=nonstopmode",
                                      "-halt-on-error",
                                      "-file-line-error",
@@ -47,10 +50,15 @@ sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleForm
   return sys::run({"latexmk", arguments, options.source_dir, environment});
 }
 
-/// All messages in one error, each with the place at which the document's author can mend it.
-sys::ToolError failure(std::vector<std::string> messages, const TypesetOptions& options) {
+/// Messages with the places at which the document's author can mend them.
+std::vector<std::string> placed(std::vector<std::string> messages, const TypesetOptions& options) {
   for (std::string& message : messages) message = with_place_of_use(message, options.source_dir);
-  return sys::ToolError(fmt::format("{}", fmt::join(messages, "\n")));
+  return messages;
+}
+
+/// All messages in one error.
+sys::ToolError failure(const std::vector<std::string>& messages, const TypesetOptions& options) {
+  return sys::ToolError(fmt::format("{}", fmt::join(placed(messages, options), "\n")));
 }
 
 /// Throws the errors in LaTeX's log, or the last lines of latexmk if there are none.
@@ -65,9 +73,30 @@ sys::ToolError failure(std::vector<std::string> messages, const TypesetOptions& 
   throw failure(errors, options);
 }
 
+/// The figures with a width that LaTeX told in its .aux files.
+std::set<FigureAtWidth> wanted_widths(const TypesetOptions& options) {
+  static const sys::Pattern told(R"(\\LiterateWidth\s*\{([^{}]+)\}\{(\d+)\})");
+  std::set<FigureAtWidth> figures;
+  for (const std::string& file : sys::files_below(options.build_dir)) {
+    if (!file.ends_with(".aux")) continue;
+    const std::string text = sys::read_file(options.build_dir / file);
+    for (const std::string_view line : sys::lines_of(text)) {
+      if (const auto found = told.match_all_of(line)) {
+        figures.insert({std::string(found->parts[1]), std::stoll(std::string(found->parts[2]))});
+      }
+    }
+  }
+  return figures;
+}
+
+std::size_t draw_wanted(const TypesetOptions& options) {
+  return draw_at_widths(options.generated_dir, at_width_dir(options), wanted_widths(options),
+                        options.figures, options.scripts_label);
+}
+
 }  // namespace
 
-void typeset(const TypesetOptions& options) {
+Typeset typeset(const TypesetOptions& options) {
   std::error_code error;
   fs::create_directories(options.build_dir, error);
   if (error) {
@@ -78,20 +107,41 @@ void typeset(const TypesetOptions& options) {
     throw sys::OutputError(
         fmt::format("there is no '{}'", (options.source_dir / options.main_file).string()));
   }
-  sys::find_tool("pdflatex");
-  const PreambleFormat preamble = keep_preamble(options);
+  sys::find_tool(options.engine);
+  const PreambleFormat preamble =
+      options.engine == "pdflatex" ? keep_preamble(options) : PreambleFormat{};
   // latexmk does not notice a new date, although the document prints it.
   const bool is_new_date = sys::write_if_changed(options.build_dir / "source_date_epoch",
                                                  fmt::format("{}\n", options.source_date_epoch));
-  const bool from_scratch =
-      is_new_date || preamble.is_new || !fs::exists(in_build_dir(options, ".log"));
-  const sys::ProcessResult result = run_latexmk(options, preamble, from_scratch);
-  if (result.exit_status != 0) fail(options, result.output);
+  bool from_scratch = is_new_date || preamble.is_new || !fs::exists(in_build_dir(options, ".log"));
 
-  const auto defects = latex_defects(sys::read_file(in_build_dir(options, ".log")),
-                                     source_label(options.source_dir));
+  // The widths of the run before are those of this one, but for what its author changed.
+  draw_wanted(options);
+  constexpr int most_runs = 5;  // a width that depends on its own figure might never settle
+  for (int n_runs = 1;; ++n_runs) {
+    const sys::ProcessResult result = run_latexmk(options, preamble, from_scratch);
+    if (result.exit_status != 0) fail(options, result.output);
+    if (draw_wanted(options) == 0) break;
+    if (n_runs == most_runs) {
+      throw sys::ToolError(fmt::format("{}: the widths of its figures do not settle",
+                                       (options.source_dir / options.main_file).string()));
+    }
+    from_scratch = true;
+  }
+
+  Typeset result{.drawn = keep_at_widths(at_width_dir(options), wanted_widths(options)),
+                 .warnings = {}};
+  std::vector<std::string> defects = latex_defects(sys::read_file(in_build_dir(options, ".log")),
+                                                   source_label(options.source_dir));
+  if (options.tolerates_overfull) {
+    const auto is_error = [](const std::string& defect) { return !is_overfull_box(defect); };
+    const auto tolerated = std::stable_partition(defects.begin(), defects.end(), is_error);
+    result.warnings = placed({tolerated, defects.end()}, options);
+    defects.erase(tolerated, defects.end());
+  }
   if (!defects.empty()) throw failure(defects, options);
   sys::write_if_changed(options.output_pdf, sys::read_file(in_build_dir(options, ".pdf")));
+  return result;
 }
 
 }  // namespace literate

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "literate/figures/draw.hpp"
+
 namespace literate {
 
 /// A LaTeX document and the folders of its parts.
@@ -16,6 +18,15 @@ struct TypesetOptions {
   std::filesystem::path build_dir;            ///< for LaTeX's own files; made if it is missing
   std::filesystem::path output_pdf;           ///< the finished document
   std::int64_t source_date_epoch = 0;         ///< the date that \today prints, in seconds
+  std::string engine = "pdflatex";            ///< or "lualatex"
+  FigurePlaces figures = {};                  ///< which may be drawn at other widths
+  std::string scripts_label = "figures";      ///< what messages call the folder of their scripts
+  bool tolerates_overfull = false;            ///< whether overfull boxes are warnings only
 };
+
+/// The folder of the figures that are drawn at a width of the document.
+inline std::filesystem::path at_width_dir(const TypesetOptions& options) {
+  return options.build_dir / "at-width";
+}
 
 }  // namespace literate

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "point_contact/solver/memory.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {

@@ -13,6 +13,22 @@ given() {
   fi
 }
 
+# SEED_FILE=file takes the place of SEED=text, which everybody on the machine can read on the command line of make.
+if [[ -n ${SEED_FILE:-} ]]; then
+  if [[ -n ${SEED:-} ]]; then
+    printf '%s: SEED and SEED_FILE exclude each other\n' "${0##*/}" >&2
+    exit 2
+  fi
+  seed_file=$(given "${0##*/}" SEED_FILE "$SEED_FILE") || exit 2
+  SEED=$(<"$seed_file")
+  export SEED
+  unset SEED_FILE
+  if [[ -z $SEED ]]; then
+    printf '%s: SEED_FILE: %q is empty\n' "${0##*/}" "$seed_file" >&2
+    exit 2
+  fi
+fi
+
 # keep_seed FILE: writes SEED to a file that only the user can read. On a command line everybody on the machine could
 # read it.
 keep_seed() {

@@ -183,6 +183,7 @@ BOOST_AUTO_TEST_CASE(the_student_is_the_name_without_its_ending) {
 
 BOOST_AUTO_TEST_CASE(shown_texts_are_utf8_without_control_characters) {
   BOOST_TEST(shown("a\x1b[31m\xff\xc3\xa4\n\xed\xa0\x80", 100) == "a?[31m?ä\n???");
+  BOOST_TEST(shown("a\u202Eb\u2066c\u200Fd\u2028e", 100) == "a?b?c?d?e");
   BOOST_TEST(shown("aää", 4) == "aä\n[… cut]");
   BOOST_TEST(shown_name("line\nend") == "line?end");
 }

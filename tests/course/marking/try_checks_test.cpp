@@ -103,12 +103,13 @@ BOOST_AUTO_TEST_CASE(answers_that_differ_from_run_to_run_are_none) {
 
 BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
   Assignment assignment = toy_grading::assignment();
+  assignment.limits.run_seconds = 5;
   assignment.limits.submission_seconds = 1;
 
   const Graded graded = grade(with("src/square.cpp",
                                    "#include <ctime>\n"
                                    "double square(double x) {\n"
-                                   "  const auto end = std::clock() + CLOCKS_PER_SEC / 4;\n"
+                                   "  const auto end = std::clock() + CLOCKS_PER_SEC * 2 / 5;\n"
                                    "  while (std::clock() < end) {}\n"
                                    "  return x * x;\n"
                                    "}\n"),
@@ -130,6 +131,60 @@ BOOST_AUTO_TEST_CASE(time_by_the_clock_is_not_counted_in_all) {
                               assignment);
 
   BOOST_TEST(total(graded.results) == 20);
+}
+
+BOOST_AUTO_TEST_CASE(no_message_of_the_compiler_tells_when_it_ran) {
+  for (const char* macro : {"__TIME__", "__DATE__", "__TIMESTAMP__"}) {
+    const Files files =
+        with("src/square.cpp", std::string("static_assert(false, ") + macro + ");\n");
+
+    const std::string message = grade(files).built.compile_errors.at("square");
+
+    const bool is_fixed = message.find("00:00:00") != message.npos ||
+                          message.find("Jan  1 1970") != message.npos ||
+                          message.find("assertion failed\n") != message.npos ||
+                          message.find("assertion failed: \n") != message.npos;
+    BOOST_TEST(is_fixed, macro << ": " << message);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_files_together_have_a_limit_to_compile) {
+  Assignment assignment = toy_grading::assignment();
+  assignment.limits.compile_all_seconds = 1;
+  Files files =
+      with("src/square.cpp", sys::read_file(std::filesystem::path(HALFSPACE_SOURCE_DIR) /
+                                            "tests/course/hostile/constexpr_bomb/src/square.cpp"));
+
+  const Graded graded = grade(files, assignment);
+
+  BOOST_TEST(graded.built.compile_errors.at("sum") ==
+             "all files together take longer than 1 s to compile");
+}
+
+BOOST_AUTO_TEST_CASE(hidden_questions_are_asked_when_all_public_answers_are_known) {
+  const Assignment assignment = toy_grading::assignment();
+  const TemporaryFolder folder;
+  const Built built = build(assignment, toy_grading::toolkit(), toy_grading::solution(),
+                            folder.path(), Isolation::sandbox);
+  ProgramRun run(assignment.limits, built, Isolation::sandbox);
+  std::vector<std::string> order;
+  Checks checks;
+  for (const Exercise& exercise : assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) {
+      checks[entry.id] = [&order, id = entry.id](const Program&, const Variant&) {
+        order.push_back(id);
+        return Outcome{1, ""};
+      };
+    }
+  }
+
+  const auto results = try_checks(assignment, checks, built, Variant{}, run,
+                                  [&] { order.emplace_back("pictures"); });
+
+  const std::vector<std::string> expected = {"square-growth", "sum-order", "pictures",
+                                             "square-values", "sum-values"};
+  BOOST_TEST(order == expected, boost::test_tools::per_element());
+  BOOST_TEST(results[1].id == "square-values");
 }
 
 BOOST_AUTO_TEST_CASE(a_programs_own_status_is_not_told) {

@@ -304,6 +304,27 @@ BOOST_AUTO_TEST_CASE(without_walls_limits_hold) {
   BOOST_TEST((run_freely(work, job).ending == Ending::too_much_output));
 }
 
+BOOST_AUTO_TEST_CASE(without_walls_a_job_of_root_leaves_neither_files_nor_shared_memory) {
+  if (::geteuid() != 0) return;  // another user's files are not told from the job's
+  const TemporaryFolder work;
+
+  run_freely(work, shell("mkdir /tmp/left-behind-98762 && echo x >/tmp/left-behind-98762/x; "
+                         "echo x >/dev/shm/left-behind-98762; ipcmk --shmem 98762 >/dev/null"));
+
+  BOOST_TEST(!fs::exists("/tmp/left-behind-98762"));
+  BOOST_TEST(!fs::exists("/dev/shm/left-behind-98762"));
+  BOOST_TEST(sys::read_file("/proc/sysvipc/shm").find(" 98762 ") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_job_has_no_terminal_and_no_room_that_others_share) {
+  const TemporaryFolder work;
+
+  const Ended ended = run(work, shell("ls /dev; echo x >/dev/null && head -c 3 /dev/zero | wc -c"));
+
+  BOOST_TEST(ended.output == "fd\nnull\nstderr\nstdin\nstdout\nurandom\nzero\n3\n");
+  BOOST_TEST(ended.errors == "");
+}
+
 BOOST_AUTO_TEST_CASE(without_walls_nothing_is_left_behind) {
   const TemporaryFolder work;
 

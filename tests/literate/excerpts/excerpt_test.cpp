@@ -15,9 +15,9 @@ BOOST_AUTO_TEST_CASE(the_listing_has_true_line_numbers_and_no_common_indentation
 
   write_excerpt(scratch.path(), {"x", "src/a_b.cpp", 7, "    if (a) {\n\n      b();\n    }\n"});
 
-  BOOST_TEST(sys::read_file(scratch / "x.cpp") == "if (a) {\n\n  b();\n}\n");
+  BOOST_TEST(sys::read_file(scratch / "x.txt") == "if (a) {\n\n  b();\n}\n");
   BOOST_TEST(sys::read_file(scratch / "x.tex") ==
-             "\\LiterateListing{x}{src/\\allowbreak{}a\\_b.cpp}{7}{10}\n");
+             "\\LiterateListing{x}{src/\\allowbreak{}a\\_b.cpp}{7}{10}{[20]C++}\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -31,6 +31,7 @@ class Paper {
     document.table(Table("t", {Column("$v$", fixed(3), "in").scaled(-6)})
                        .add_row({numerics::Estimate{-1.5e-6, 1e-12}}));
     document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
+    options.figures = document.figure_places();
     document.write(options.generated_dir,
                    {{"x", "src/a_b.cpp", 3, "// 2πx ≤ ∫ σν² → √, E* − 1\nreturn x;\n"}});
     sys::write_file_atomically(scratch_ / "figures/style.gp", "");
@@ -234,6 +235,108 @@ BOOST_AUTO_TEST_CASE(an_overfull_box_is_an_error_with_file_and_line) {
   BOOST_TEST(Paper("\\noindent\\mbox{\\rule{20cm}{1pt}}\n")
                  .error()
                  .starts_with("my report/main.tex:6: Overfull \\hbox ("));
+}
+
+BOOST_AUTO_TEST_CASE(an_overfull_box_is_a_warning_for_who_is_still_writing) {
+  Paper paper("\\noindent\\mbox{\\rule{20cm}{1pt}}\n");
+  paper.options.tolerates_overfull = true;
+
+  const Typeset done = typeset(paper.options);
+
+  BOOST_REQUIRE(done.warnings.size() == 1U);
+  BOOST_TEST(done.warnings.front().starts_with("my report/main.tex:6: Overfull \\hbox ("));
+  BOOST_TEST(fs::exists(paper.options.output_pdf));
+  paper.options.tolerates_overfull = false;
+  BOOST_CHECK_THROW(typeset(paper.options), sys::ToolError);
+}
+
+BOOST_AUTO_TEST_CASE(a_float_that_is_too_large_is_an_error_with_file_and_line) {
+  BOOST_TEST(Paper("Text.\n\\begin{figure}\n\\rule{1cm}{30cm}\n\\end{figure}\n")
+                 .error()
+                 .starts_with("my report/main.tex:9: LaTeX Warning: Float too large for page by "));
+}
+
+BOOST_AUTO_TEST_CASE(a_figure_is_drawn_at_each_width_that_the_document_wants) {
+  const Paper paper(
+      "\\begin{figure}\\fig[width=\\columnwidth]{f}\\end{figure}\n"
+      "\\begin{figure}\\fig[width=72.27pt*2]{f}\\end{figure}\n"
+      "\\begin{figure}\\fig{f}\\end{figure}\n"
+      "\\newbox\\drawn\\setbox\\drawn\\hbox{\\fig[width=72.27pt*2]{f}}\n"
+      "\\typeout{wide \\the\\wd\\drawn, high \\the\\ht\\drawn}\n");
+
+  const Typeset first = typeset(paper.options);
+  const std::string before = sys::sha256_of_file(paper.options.output_pdf);
+  const Typeset second = typeset(paper.options);
+
+  // \columnwidth is 345 pt, two inches are 144.54 pt.
+  const std::vector<std::string> drawn{"drawn/f-22609920/f.pdf", "drawn/f-22609920/f.tex",
+                                       "drawn/f-9472574/f.pdf", "drawn/f-9472574/f.tex"};
+  BOOST_TEST(first.drawn == drawn, boost::test_tools::per_element());
+  BOOST_TEST(second.drawn == drawn, boost::test_tools::per_element());
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) == before);
+  const std::string log = sys::read_file(paper.options.build_dir / "main.log");
+  BOOST_TEST(log.find("wide 144.54") != std::string::npos);
+  BOOST_TEST(log.find("high 115.4") != std::string::npos);  // 4/5 of it
+}
+
+BOOST_AUTO_TEST_CASE(a_width_that_is_no_longer_wanted_is_removed) {
+  const Paper paper("\\fig[width=3cm]{f}");
+  const std::string former = typeset(paper.options).drawn.front();
+  paper.write("\\fig[width=4cm]{f}");
+
+  const Typeset done = typeset(paper.options);
+
+  BOOST_TEST(done.drawn.size() == 2U);
+  BOOST_TEST(!fs::exists(at_width_dir(paper.options) / former));
+}
+
+BOOST_AUTO_TEST_CASE(a_width_that_cannot_be_drawn_is_refused_at_its_line) {
+  BOOST_TEST(Paper("\\fig[width=0.1\\columnwidth-1cm]{f}")
+                 .error()
+                 .starts_with("my report/main.tex:6: Package literate Error: figure 'f' cannot be "
+                              "6.04936pt wide."));
+  BOOST_TEST(Paper("\\fig[width=2\\paperwidth]{f}").error().find("cannot be 1228.") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_listing_of_every_language_is_typeset) {
+  Paper paper("");
+  std::string body;
+  std::vector<Excerpt> excerpts;
+  for (const std::string file :
+       {"a.cpp", "a.c",    "a.m",    "a.py",    "a.jl",           "a.R",      "a.f",
+        "a.f90", "a.f03",  "a.f08",  "a.java",  "a.hs",           "a.lua",    "a.pl",
+        "a.rb",  "a.sql",  "a.awk",  "a.gp",    "a.sh",           "a.tex",    "a.html",
+        "a.xml", "a.json", "a.toml", "a.cmake", "CMakeLists.txt", "Makefile", "notes"}) {
+    excerpts.push_back({"x" + std::to_string(excerpts.size()), file, 1, "if (a) end # 2\n"});
+    body += "\\excerpt{" + excerpts.back().name + "}\n";
+  }
+  Document().write(paper.options.generated_dir, excerpts);
+  paper.write(body);
+
+  typeset(paper.options);
+
+  BOOST_TEST(fs::exists(paper.options.output_pdf));
+}
+
+BOOST_AUTO_TEST_CASE(lualatex_typesets_the_same_document_with_the_same_bytes_each_time) {
+  const std::string body =
+      "\\val{load_1.a-b} \\begin{figure}\\fig{f}\\end{figure}\\today\\provenance";
+  Paper paper(body);
+  Paper other(body);
+  for (Paper* each : {&paper, &other}) {
+    each->options.engine = "lualatex";
+    const fs::path main = each->options.source_dir / "main.tex";
+    std::string text = sys::read_file(main);
+    text.erase(0, text.find('\n'));  // pdfTeX's own lines
+    sys::write_file_atomically(main, text);
+
+    typeset(each->options);
+  }
+
+  BOOST_TEST(sys::read_file(paper.options.build_dir / "main.log").starts_with("This is LuaHBTeX"));
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) ==
+             sys::sha256_of_file(other.options.output_pdf));
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_tool_or_file_is_told_by_name) {

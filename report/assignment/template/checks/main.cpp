@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/checks [PART]: tries the public checks on your functions and prints a line for each, either
-// for all or for those whose id begins with PART. The exit code is 1 if a check does not hold in
-// full.
+// build/checks [PART]: tries the public checks on your functions and prints the points of each,
+// either for all or for those whose id begins with PART. The exit code is 1 if a check does not
+// hold in full.
 #include <gsl/gsl_errno.h>
 
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -17,6 +20,21 @@
 #include "variant_of_this_handout.hpp"
 
 namespace {
+
+// The points of each public check.
+const std::map<std::string, double> points_of = {
+    // EACH PUBLIC CHECK: {"@check@", @points@},
+};
+
+// The points of each exercise, those of its hidden checks included.
+const double points_of_exercises[] = {
+    // EACH EXERCISE: @points@,
+};
+
+// Points in hundredths, as they are given.
+double in_hundredths(double points) {
+  return std::round(100 * points) / 100;
+}
 
 struct Exercise {
   std::string title;
@@ -42,17 +60,24 @@ Result result_of(const course::Check& check) {
   }
 }
 
-// Prints the outcome of the exercise's checks; true if they all hold.
-bool try_exercise(const Exercise& exercise, const std::string& wanted) {
-  bool all_hold = true;
+struct Points {
+  double reached = 0;
+  double possible = 0;
+};
+
+// Prints the outcome of the exercise's checks and returns their points.
+Points try_exercise(const Exercise& exercise, const std::string& wanted) {
+  Points sum;
   bool is_titled = false;
   for (const auto& [id, check] : assignment::guarded(exercise.public_checks())) {
     if (!id.starts_with(wanted)) continue;
     if (!std::exchange(is_titled, true)) std::cout << exercise.title << '\n';
     const auto [outcome, printed] = result_of(check);
     const auto& [share, message] = outcome;
-    all_hold = all_hold && share == 1;
-    std::cout << std::round(100 * share) << " %\t" << id;
+    const double possible = points_of.at(id);
+    const double reached = in_hundredths(share * possible);
+    sum = {sum.reached + reached, sum.possible + possible};
+    std::cout << reached << " of " << possible << "\t" << id;
     if (!message.empty()) std::cout << "\n\t" << message;
     if (!printed.empty()) {
       std::cout << "\n\tyour program printed \"" << printed
@@ -60,7 +85,7 @@ bool try_exercise(const Exercise& exercise, const std::string& wanted) {
     }
     std::cout << '\n';
   }
-  return all_hold;
+  return sum;
 }
 
 }  // namespace
@@ -68,9 +93,15 @@ bool try_exercise(const Exercise& exercise, const std::string& wanted) {
 int main(int argc, char** argv) {
   const std::string wanted = argc > 1 ? argv[1] : "";
   gsl_set_error_handler_off();  // as in build/assignment
-  bool all_hold = true;
+  Points sum;
   for (const Exercise& exercise : exercises) {
-    all_hold = try_exercise(exercise, wanted) && all_hold;
+    const Points points = try_exercise(exercise, wanted);
+    sum = {in_hundredths(sum.reached + points.reached), sum.possible + points.possible};
   }
-  return all_hold ? 0 : 1;
+  const double all =
+      std::accumulate(std::begin(points_of_exercises), std::end(points_of_exercises), 0.0);
+  std::cout << "sum: " << sum.reached << " of " << sum.possible << " points";
+  if (wanted.empty()) std::cout << "; hidden checks decide on the other " << all - sum.possible;
+  std::cout << '\n';
+  return sum.reached == sum.possible ? 0 : 1;
 }
