@@ -15,11 +15,9 @@
 namespace app {
 namespace {
 
-using contact::Profile;
-
 ChosenProfile wedge(const ProfileNumbers& numbers, double modulus, std::optional<double> load) {
   const double slope = numbers.number("--slope");
-  ChosenProfile chosen{Profile::wedge(slope), {}};
+  ChosenProfile chosen{contact::Profile::wedge(slope), {}};
   if (load) {
     chosen.closed_form = closed_form("wedge", contact::Wedge(modulus, slope, *load),
                                      std::numeric_limits<double>::infinity());
@@ -32,7 +30,7 @@ ChosenProfile rounded_punch(const ProfileNumbers& numbers, double modulus,
   const double flat = numbers.number("--flat");
   const double curvature =
       1 / sys::require_positive("edge-radius", numbers.number("--edge-radius"));
-  ChosenProfile chosen{Profile::rounded_punch(flat, curvature), {}};
+  ChosenProfile chosen{contact::Profile::rounded_punch(flat, curvature), {}};
   if (load) {
     const contact::RoundedPunch punch(modulus, flat, curvature, *load);
     chosen.closed_form = closed_form("rounded-punch", punch, punch.peak_pressure());
@@ -41,9 +39,9 @@ ChosenProfile rounded_punch(const ProfileNumbers& numbers, double modulus,
 }
 
 ChosenProfile power_law(const ProfileNumbers& numbers, double modulus, std::optional<double> load) {
-  const int n = numbers.integer("--power", 1, Profile::max_power);
+  const int n = numbers.integer("--power", 1, contact::Profile::max_power);
   const double coefficient = numbers.number("--coefficient");
-  ChosenProfile chosen{Profile::power_law(coefficient, n), {}};
+  ChosenProfile chosen{contact::Profile::power_law(coefficient, n), {}};
   if (load) {
     const contact::PowerLaw power(modulus, coefficient, n, *load);
     chosen.closed_form = closed_form("power", power, power.peak_pressure());

@@ -144,8 +144,4 @@ Typeset typeset(const TypesetOptions& options) {
   return result;
 }
 
-fs::path at_width_dir(const TypesetOptions& options) {
-  return options.build_dir / "at-width";
-}
-
 }  // namespace literate

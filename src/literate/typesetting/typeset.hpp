@@ -28,7 +28,4 @@ struct Typeset {
 /// sys::OutputError if the output or the build folder cannot be written.
 Typeset typeset(const TypesetOptions& options);
 
-/// The folder of the figures that are drawn at a width of the document.
-std::filesystem::path at_width_dir(const TypesetOptions& options);
-
 }  // namespace literate
