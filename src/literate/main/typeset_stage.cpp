@@ -28,6 +28,7 @@
 #include "literate/provenance/manifest.hpp"
 #include "literate/provenance/manifest_comparison.hpp"
 #include "literate/provenance/repository.hpp"
+#include "literate/typesetting/latex_run.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "system/files.hpp"
 #include "system/tool_version.hpp"

@@ -8,6 +8,7 @@
 #include "literate/document/names.hpp"
 #include "literate/figures/draw.hpp"
 #include "literate/prose/restyle.hpp"
+#include "literate/typesetting/latex_run.hpp"
 #include "literate/typesetting/preamble_format.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
