@@ -30,9 +30,9 @@ struct DocumentClass {
 TypesetOptions typeset_in(const DocumentClass& chosen, const fs::path& scratch,
                           const std::string& engine) {
   Document document;
-  document.value("load", Value::integer(3));
+  document.value("load", Value(3, integer()));
   document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
-  document.table("t", Table({Column::integer("n", "")}).add_row({12}));
+  document.table(Table("t", {Column("n", integer())}).add_row({12}));
   TypesetOptions options{.source_dir = scratch / "paper",
                          .main_file = "main.tex",
                          .generated_dir = scratch / "out/generated",
