@@ -27,10 +27,6 @@ std::map<std::string, std::string> latex_environment(const TypesetOptions& optio
           {"TEXINPUTS", inputs}};
 }
 
-fs::path at_width_dir(const TypesetOptions& options) {
-  return options.build_dir / "at-width";
-}
-
 fs::path in_build_dir(const TypesetOptions& options, const char* extension) {
   return options.build_dir / fs::path(options.main_file).filename().replace_extension(extension);
 }

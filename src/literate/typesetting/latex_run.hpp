@@ -18,9 +18,6 @@ std::string seen_from(const std::filesystem::path& source_dir, const std::filesy
 /// locale, no packages of the user's; and where the generated files are found.
 std::map<std::string, std::string> latex_environment(const TypesetOptions& options);
 
-/// The folder of the figures that are drawn at a width of the document.
-std::filesystem::path at_width_dir(const TypesetOptions& options);
-
 /// A file that LaTeX makes of the document, by its extension such as ".log".
 std::filesystem::path in_build_dir(const TypesetOptions& options, const char* extension);
 
