@@ -71,6 +71,18 @@ std::string with_terminal(const std::string& script, const std::string& ending,
   return text;
 }
 
+// A gnuplot script of the folder plots beside the program. It is no part of the program, since a
+// changed look must compile nothing.
+std::string plot_script(const std::string& name) {
+  const fs::path file = fs::read_symlink("/proc/self/exe").parent_path() / "plots" / (name + ".gp");
+  if (!fs::is_regular_file(file)) {
+    throw sys::ToolError(fmt::format(
+        "--plot: there is no {}, the script of the picture: run `make report` in the checkout",
+        file.string()));
+  }
+  return sys::read_file(file);
+}
+
 }  // namespace
 
 void PlotOption::add_to(CLI::App& command) {
@@ -105,8 +117,8 @@ void PlotOption::draw(const std::string& script, literate::Figure figure) const 
   const fs::path main_script = folder / (script + ".gp");
   sys::write_file_atomically(main_script,
                              with_terminal(sys::read_file(main_script), ending, script + ending));
-  sys::write_file_atomically(scratch.path() / "style.gp", plot_scripts().at("style"));
-  sys::write_file_atomically(folder / "script.gp", plot_scripts().at(script));
+  sys::write_file_atomically(scratch.path() / "style.gp", plot_script("style"));
+  sys::write_file_atomically(folder / "script.gp", plot_script(script));
 
   const sys::ProcessResult result = literate::run_gnuplot(folder, script);
   const fs::path drawn = folder / (script + ending);

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "app/output_format.hpp"
 #include "literate/figures/figure.hpp"
 
 namespace app {
-
-/// The gnuplot scripts of src/app/plots by name, and the report's style.gp as "style".
-const std::map<std::string, std::string>& plot_scripts();
 
 /// The flag --plot: where to draw what a command computed.
 class PlotOption {

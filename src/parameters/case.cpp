@@ -22,7 +22,7 @@ constexpr double greatest = 1e50;
 
 // Half-widths of the load to the datum and to the points: beyond, differences of displacements are
 // rounding.
-constexpr double farthest = 1e6;
+constexpr double farthest = 1e8;
 
 // Half-widths of the load across the block. A finer load makes elements so thin that the stiffness
 // is ill-conditioned.

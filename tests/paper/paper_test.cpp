@@ -128,6 +128,10 @@ BOOST_AUTO_TEST_CASE(other_shapes_materials_loads_and_points_do_too) {
   check_all_hold("a narrow load", with(steel_text, "0.42", "4.2e-4"));
   check_all_hold("a wide load", with(steel_text, "0.42", "42"));
   check_all_hold("a near datum", with(steel_text, "0.25, unit = \"m\"", "1.9, unit = \"mm\""));
+  check_all_hold("a datum at a point",
+                 with(steel_text, "0.25, unit = \"m\"", "1.47, unit = \"mm\""));
+  check_all_hold("points on the left up to zero",
+                 with(steel_text, "first = {value = 0.07", "first = {value = -1.4"));
   check_all_hold("a far datum", with(steel_text, "0.25, unit = \"m\"", "38, unit = \"km\""));
   check_all_hold("points on both sides", with(steel_text, "0.07", "-0.7"));
   check_all_hold("two points", with(steel_text, "count = 9", "count = 2"));

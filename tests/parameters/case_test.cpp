@@ -129,8 +129,8 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
 
 BOOST_AUTO_TEST_CASE(a_range_that_depends_on_another_key_names_both) {
   const std::string half_width = "half_space.load.half_width";
-  check_refused("datum = {value = 10,", "datum = {value = 10001,", half_width);
-  check_refused("step = {value = 0.005", "step = {value = 2000", half_width);
+  check_refused("datum = {value = 10,", "datum = {value = 1000001,", half_width);
+  check_refused("step = {value = 0.005", "step = {value = 200000", half_width);
   check_refused("width = {value = 2,", "width = {value = 20.1,", half_width);
   check_refused("height = {value = 1,", "height = {value = 20.1,", half_width);
 }
