@@ -148,7 +148,10 @@ BOOST_AUTO_TEST_CASE(a_report_in_other_units_has_no_trace_of_the_papers) {
   // Nothing of the figures and tables either: their labels and headings are generated.
   for (const std::string& file : sys::files_below(report.generated())) {
     if (!file.ends_with(".tex") || file.starts_with("excerpts/")) continue;
-    const std::string made = sys::read_file(report.generated() / file);
+    std::string made = sys::read_file(report.generated() / file);
+    for (const std::string letter = "\\varepsilon"; holds(made, letter);) {  // ε is no pound
+      made.erase(made.find(letter), letter.size());
+    }
     for (const char* unit : {"psi", "lbf", "{in}"}) BOOST_TEST(!holds(made, unit), file);
   }
 }

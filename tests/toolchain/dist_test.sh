@@ -14,13 +14,19 @@ cat >"$toy/build/release/halfspace" <<'END'
 END
 chmod +x "$toy/build/release/halfspace"
 
+mkdir -p "$toy/report/pictures"
+printf 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg==' | base64 -d \
+  >"$toy/report/pictures/rig.png"
+sed -i 's/\\begin{document}/\\usepackage{graphicx}&\\includegraphics{pictures\/rig.png}/' "$toy/report/report.tex"
+mkdir -p "$toy/build/report/latex" # where LaTeX tells what it read
+printf 'INPUT ./report.tex\nINPUT ./pictures/rig.png\n' >"$toy/build/report/latex/report.fls"
 toy_make dist
 claim 'the toy is packed' "$status" -eq 0
 claim 'it was typeset elsewhere' "$(says 'typeset elsewhere to the same text')" = yes
 claim 'it holds what LaTeX reads, and for readers the results with what describes them' \
   "$(tar -tzf "$archive" | grep -v '/$' | LC_ALL=C sort | tr '\n' ' ')" = \
   "$(printf './anc/%s ' CITATION.cff codecheck.yml generated/tables/t.csv manifest.json report.pdf \
-    ro-crate-metadata.json ruggiero2001.toml)./report.tex ./sections/a.tex ./tables/t.csv ./tables/t.tex "
+    ro-crate-metadata.json ruggiero2001.toml)./pictures/rig.png ./report.tex ./repository.tex ./sections/a.tex ./tables/t.csv ./tables/t.tex "
 claim 'its files belong to nobody and are as old as the report' \
   "$(tar -tvzf "$archive" --utc --full-time | grep -c ' 0/0 .* 2001-04-23 12:00:00 ')" -ge 5
 

@@ -25,6 +25,7 @@ set(share "share/${versioned}")
 install(DIRECTORY scripts latexml template DESTINATION "${share}")
 install(FILES page.css README.md DESTINATION "${share}")
 install(FILES document/literate.sty DESTINATION "${share}/document")
+install(FILES imports/results.schema.json DESTINATION "${share}/imports")
 install(FILES cmake/AddPaper.cmake cmake/CheckManifest.cmake cmake/WriteRepository.cmake cmake/WriteDigest.cmake
   cmake/paper.cpp.in cmake/literateConfig.cmake
   DESTINATION "${share}/cmake")

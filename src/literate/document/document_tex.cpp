@@ -87,13 +87,20 @@ std::string breakable_word(const std::string& printed) {
   return text;
 }
 
+/// The error bound as LaTeX, in the unit in which the value is printed; empty without one.
+std::string error_tex(const Value& value) {
+  if (!value.abs_error()) return {};
+  const Format format = scientific(2).rounded_up();
+  return value.is_percentage() ? Value(*value.abs_error(), format.in_percent()).latex()
+                               : Value(*value.abs_error(), format, value.unit()).latex();
+}
+
 }  // namespace
 
 std::string index_tex(const Registered& registered) {
   std::string text;
   for (const auto& [key, value] : registered.values) {
-    const std::string error =
-        value.abs_error() ? scientific(rounded_up_to_digits(*value.abs_error(), 2)) : "";
+    const std::string error = error_tex(value);
     text += fmt::format("\\LiterateIndexEntry{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", key,
                         escape_latex_path(key), error,
                         escape_latex_path(text_of(registered.places.at({"value", key}))),

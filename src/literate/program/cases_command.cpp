@@ -52,7 +52,8 @@ std::vector<std::string> keys_for(const CasesOptions& options, const std::vector
   if (!keys.empty()) return keys;
   std::set<std::string> all;
   for (const Case& one : cases) {
-    for (const auto& [key, value] : one.names.value("values", json::object()).items()) {
+    const json values = one.names.value("values", json::object());
+    for (const auto& [key, value] : values.items()) {
       if (value.contains("number")) all.insert(key);
     }
   }
@@ -102,9 +103,8 @@ command_line::ExitCode run(const CasesOptions& options) {
   }
   std::set<std::string> claims;
   for (const Case& one : cases) {
-    for (const auto& claim : one.names.value("claims", json::object()).items()) {
-      claims.insert(claim.key());
-    }
+    const json of_case = one.names.value("claims", json::object());
+    for (const auto& claim : of_case.items()) claims.insert(claim.key());
   }
   for (const std::string& id : claims) {
     add_row("claim " + id, [&](const Case& one) { return entry_of(one, "claims", id, "found"); });

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# cases_test.sh SOURCE PROGRAM: `literate cases` sets the results of several cases side by side.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
+literate=$2
+cd "$scratch" || exit 1
+
+# a_case NAME EXIT_CODE PRINTED VERDICT: names longer than what a string keeps in itself.
+a_case() {
+  mkdir -p "$1/generated"
+  echo "$2" >"$1/exit_code"
+  cat >"$1/generated/names.json" <<END
+{"values": {"deflection-of-the-free-end": {"number": 1.5, "printed": "$3"}, "title-of-this-case": {"printed": "a"}},
+ "claims": {"uniform-load-suffices": {"found": "$4"}}}
+END
+}
+a_case one 0 '1.5 mm' confirmed
+a_case two 1 '2.5 mm' refuted
+
+runs "$literate" cases one two --output cases.csv
+claim 'cases are compared without being told what' "$status" -eq 0
+claim 'the table has all numbers and all claims' "$(cat cases.csv)" = "case,one,two
+exit code,0,1
+deflection-of-the-free-end,1.5 mm,2.5 mm
+claim uniform-load-suffices,confirmed,refuted"
+
+runs "$literate" cases one two --keys title-of-this-case --output cases.csv
+claim 'a key that is asked for stands there' "$(sed -n 3p cases.csv)" = 'title-of-this-case,a,a'
+
+runs "$literate" cases one two --keys titel --output other.csv
+claim 'a key that no case has is refused with 2' "$status $(says "no case has a value 'titel'")" = '2 yes'
+claim 'and nothing is written' ! -e other.csv
+
+finish
