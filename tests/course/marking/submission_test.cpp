@@ -35,7 +35,7 @@ fs::path packed(const TemporaryFolder& folder, const std::string& name, const fs
 // A zip with a file src/square.cpp and a file src/sum.cpp, whose names are any bytes: a program of
 // Windows writes those of its own code page, and bsdtar would convert them.
 fs::path zip_of(const TemporaryFolder& folder, const std::string& before) {
-  const auto number = [](std::uint32_t value, int n_bytes) {
+  const auto number = [](std::uint64_t value, int n_bytes) {
     std::string bytes;
     for (int i = 0; i < n_bytes; ++i) bytes += static_cast<char>(value >> (8 * i));
     return bytes;
