@@ -90,7 +90,8 @@ Table Table::parse_file(const std::filesystem::path& path) {
   document->file = path.string();
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
-  if (!std::filesystem::is_regular_file(path) || !stream || !(text << stream.rdbuf())) {
+  const bool is_empty = stream && stream.peek() == std::ifstream::traits_type::eof();
+  if (!std::filesystem::is_regular_file(path) || !(is_empty || text << stream.rdbuf())) {
     throw Error(fmt::format("{}: cannot be read", document->file));
   }
   try {
