@@ -133,7 +133,13 @@ Solution Factorization::solve(const Loading& loading) const {
   constexpr double max_unbalanced = 1e-6;
   Eigen::VectorXd support_forces = -held_part(residual);
   const double unbalanced = (residual + support_forces).norm();
-  if (!(unbalanced <= max_unbalanced * scale)) {
+  if (!std::isfinite(unbalanced / scale)) {
+    throw FactorizationError(
+        "the solution is not a finite number: the sizes of the load, of the material's moduli or "
+        "of "
+        "the block are beyond the range of a double");
+  }
+  if (unbalanced > max_unbalanced * scale) {
     throw FactorizationError(fmt::format(
         "the solution leaves {:.2g} of the load unbalanced: the stiffness is too ill-conditioned",
         unbalanced / scale));

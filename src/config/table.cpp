@@ -35,7 +35,26 @@ std::string type_name(const toml::node& node) {
   }
 }
 
+std::string in_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    constexpr unsigned char first_printable = 0x20;
+    constexpr unsigned char del = 0x7f;
+    if (c == '\n') {
+      line += "\\n";
+    } else if (byte < first_printable || byte == del) {
+      line += fmt::format("\\x{:02x}", byte);
+    } else {
+      line += c;
+    }
+  }
+  return line;
+}
+
 }  // namespace
+
+Error::Error(const std::string& message) : InputError(in_one_line(message)) {}
 
 // One table of a file. All tables of a file share the document and the record of the keys that were
 // asked for.
@@ -71,7 +90,8 @@ Table Table::parse_file(const std::filesystem::path& path) {
   document->file = path.string();
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
-  if (!std::filesystem::is_regular_file(path) || !stream || !(text << stream.rdbuf())) {
+  const bool is_empty = stream && stream.peek() == std::ifstream::traits_type::eof();
+  if (!std::filesystem::is_regular_file(path) || !(is_empty || text << stream.rdbuf())) {
     throw Error(fmt::format("{}: cannot be read", document->file));
   }
   try {

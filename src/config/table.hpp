@@ -14,10 +14,11 @@
 
 namespace config {
 
-/// A case file with a mistake. what() is one line: «file:line:column: key: what is wrong».
+/// A case file with a mistake. what() is one line: «file:line:column: key: what is wrong». What the
+/// file or its name holds of line breaks and other control characters is written as \n or \x1b.
 class Error : public sys::InputError {
  public:
-  using InputError::InputError;
+  explicit Error(const std::string& message);
 };
 
 /// A table of a TOML file that is read strictly: a key that is missing, has the wrong type or unit,

@@ -29,8 +29,9 @@ FigureData sample(const block::Solution& solution, double left, double right, do
   std::vector<double> x, y, u_z;
   for (int j = 0; j <= n_along_z; ++j) {
     for (int i = 0; i <= n_along_x; ++i) {
-      const double at_x = left + (right - left) * i / n_along_x;
-      const double at_z = depth * j / n_along_z;
+      // Divide first: the last of each is then the end itself, and not beside it.
+      const double at_x = left + (right - left) * (static_cast<double>(i) / n_along_x);
+      const double at_z = depth * (static_cast<double>(j) / n_along_z);
       const Eigen::Vector2d u = solution.displacement(at_x, at_z);
       x.push_back(at_x + enlargement * u.x());
       y.push_back(-at_z - enlargement * u.y());
@@ -157,7 +158,7 @@ Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSyst
   std::vector<double> x, half_space, block_stated, block_fitted;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
-    x.push_back(h.farthest_point() * i / n);
+    x.push_back(h.farthest_point() * (static_cast<double>(i) / n));
     half_space.push_back(normal_displacement(h.material, h.load, x.back(), h.datum));
     block_stated.push_back(study.under_triangle().displacement_z(x.back(), 0).value);
     block_fitted.push_back(study.fit()->fit.solution.displacement_z(x.back(), 0).value);

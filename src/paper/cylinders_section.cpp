@@ -134,10 +134,14 @@ void register_residuals(literate::Document& document, const Solution& solution, 
       "eq. (1b) and equilibrium hold to rounding, and no pressure is a tension");
 }
 
+// The theory of half-spaces wants a contact that is small beside either body.
+double smaller_radius(const parameters::ContactCase& c) {
+  return 1 / std::max(std::abs(c.body1.radius.curvature()), std::abs(c.body2.radius.curvature()));
+}
+
 void claim_cylinders(literate::Document& document, const parameters::ContactCase& c,
                      const std::optional<PrintedData>& printed_data, const Solution& solution,
                      const Hertz& hertz) {
-  const double radius = 1 / c.cylinders.relative_curvature();
   const Estimate half_width = against(c, solution.half_width(), hertz.half_width());
   if (printed_data) {
     document.claim(
@@ -149,8 +153,8 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
                  "half-width over the elements' width",
                  Value(1 / solution.grid.spacing * half_width, significant(3)),
                  {LimitKind::convention, 1.0, "less could not be told from a contact at a point"}),
-             Criterion::at_most("half-width over the relative radius",
-                                Value(1 / radius * half_width, percent(1)),
+             Criterion::at_most("half-width over the smaller radius",
+                                Value(1 / smaller_radius(c) * half_width, percent(1)),
                                 {LimitKind::convention, 0.1,
                                  "the theory of half-spaces wants it well below one"})}});
   }
@@ -192,6 +196,17 @@ Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   return Value(closed_form(1 / body.radius.curvature()), significant(4), unit);
 }
 
+void describe_bodies(literate::Document& document, const parameters::ContactCase& c,
+                     const config::UnitSystem& units) {
+  document.value("cylinders.radius1", radius_of(c.body1, units.length));
+  document.value("cylinders.radius2", radius_of(c.body2, units.length));
+  const bool hollow = c.body1.radius.curvature() < 0 || c.body2.radius.curvature() < 0;
+  const bool plane = c.body1.radius.is_plane() || c.body2.radius.is_plane();
+  document.flag("cylinders.hollow", hollow);
+  document.flag("cylinders.plane", plane);
+  document.flag("cylinders.pair", !hollow && !plane);
+}
+
 }  // namespace
 
 void compute_cylinders(literate::Document& document, const parameters::ContactCase& c,
@@ -201,8 +216,7 @@ void compute_cylinders(literate::Document& document, const parameters::ContactCa
   const Solution solution = solve(c, hertz, c.n_nodes);
 
   document.value("cylinders.load", Value(c.line_load, exact(), units.line_load));
-  document.value("cylinders.radius1", radius_of(c.body1, units.length));
-  document.value("cylinders.radius2", radius_of(c.body2, units.length));
+  describe_bodies(document, c, units);
   const double radius = 1 / c.cylinders.relative_curvature();
   document.value("cylinders.relative-radius",
                  Value(radius, significant(4), units.length).within(rounded(c, radius)));
@@ -220,11 +234,12 @@ void compute_cylinders(literate::Document& document, const parameters::ContactCa
                  Value(a, significant(5), units.length).within(rounded(c, a)));
   document.value("cylinders.hertz.peak",
                  Value(p0, significant(6), units.stress).within(rounded(c, p0)));
+  const double smaller = smaller_radius(c);
   document.value("cylinders.half-width-over-radius",
-                 Value(a / radius, percent(1)).within(rounded(c, a / radius)));
+                 Value(a / smaller, percent(1)).within(rounded(c, a / smaller)));
   // The half-space theory wants a contact that is small beside the bodies (Johnson, ch. 4.1).
   constexpr double small = 0.1;
-  document.flag("cylinders.small", hertz.half_width() < small * radius);
+  document.flag("cylinders.small", a < small * smaller);
   const double peak_error = solution.peak_pressure() / hertz.peak_pressure() - 1;
   const double width_error = solution.half_width() / hertz.half_width() - 1;
   document.value("cylinders.peak-error",

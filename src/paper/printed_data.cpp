@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/table.hpp"
@@ -10,51 +11,118 @@
 namespace paper {
 namespace {
 
-PrintedFigure5 read_figure5(const config::Table& table, std::size_t n_points) {
-  PrintedFigure5 figure{table.text("source"),
-                        table.printed_numbers("x"),
-                        table.printed_numbers("fea_magnitude"),
-                        table.printed_numbers("fea_z"),
-                        table.printed_numbers("analytical"),
-                        table.printed_numbers("error")};
-  for (const char* key : {"x", "fea_magnitude", "fea_z", "analytical", "error"}) {
-    const std::size_t n = table.printed_numbers(key).size();
-    if (n != n_points) table.fail(key, fmt::format("{} numbers for {} points", n, n_points));
+// What print may hold: squares and quotients of such numbers are doubles.
+constexpr double least = 1e-50;
+constexpr double greatest = 1e50;
+
+enum class Sign { any, not_zero, positive };
+
+void require_in_range(const config::Table& table, const std::string& key,
+                      const config::PrintedNumber& number, Sign sign) {
+  const double size = std::abs(number.value());
+  if (size != 0 && !(size >= least && size <= greatest)) {
+    table.fail(key, fmt::format("{}: its magnitude must be from {} to {}", number.text(), least,
+                                greatest));
   }
+  if (sign == Sign::positive && !(number.value() > 0)) {
+    table.fail(key, fmt::format("{}: must be greater than 0", number.text()));
+  }
+  if (sign == Sign::not_zero && size == 0) {
+    table.fail(key, fmt::format("{}: must not be 0", number.text()));
+  }
+}
+
+std::vector<config::PrintedNumber> read_column(const config::Table& table, const std::string& key,
+                                               std::size_t n_points, Sign sign) {
+  std::vector<config::PrintedNumber> column = table.printed_numbers(key);
+  if (column.size() != n_points) {
+    table.fail(key, fmt::format("{} numbers for {} points", column.size(), n_points));
+  }
+  for (const config::PrintedNumber& number : column) require_in_range(table, key, number, sign);
+  return column;
+}
+
+// The report divides by the slopes between the last five points.
+void require_slopes(const config::Table& table, const std::string& key,
+                    const std::vector<config::PrintedNumber>& column) {
+  constexpr std::size_t n_last = 5;
+  for (std::size_t i = std::max(n_last, column.size()) - n_last + 1; i < column.size(); ++i) {
+    const double step = std::abs(column[i].value() - column[i - 1].value());
+    if (!(step > column[i].last_place() + column[i - 1].last_place())) {
+      table.fail(key, fmt::format("{} after {}: neighbours among the last {} must differ by more "
+                                  "than their last places",
+                                  column[i].text(), column[i - 1].text(), n_last));
+    }
+  }
+}
+
+PrintedFigure5 read_figure5(const config::Table& table, const std::vector<double>& points,
+                            const std::string& unit) {
+  PrintedFigure5 figure{table.text("source"),
+                        read_column(table, "x", points.size(), Sign::any),
+                        read_column(table, "fea_magnitude", points.size(), Sign::positive),
+                        read_column(table, "fea_z", points.size(), Sign::positive),
+                        read_column(table, "analytical", points.size(), Sign::positive),
+                        read_column(table, "error", points.size(), Sign::positive)};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (figure.x[i].agrees_with(points[i])) continue;
+    table.fail("x", fmt::format("{} {}: must be {:.12g} {}, which half_space.points has there",
+                                figure.x[i].text(), unit, points[i], unit));
+  }
+  require_slopes(table, "analytical", figure.analytical);
   return figure;
 }
 
-PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
-  PrintedTriDist printed{table.text("source"), table.printed_numbers("displacement"),
+PrintedTriDist read_tri_dist(const config::Table& table, const parameters::HalfSpaceCase& c,
+                             const std::string& unit) {
+  PrintedTriDist printed{table.text("source"),
+                         read_column(table, "displacement", c.points.size(), Sign::positive),
                          table.printed_number("step")};
-  if (printed.displacement.size() != n_points) {
-    table.fail("displacement",
-               fmt::format("{} numbers for {} points", printed.displacement.size(), n_points));
+  require_in_range(table, "step", printed.step, Sign::positive);
+  if (printed.step.value() > c.load.half_width()) {
+    table.fail("step", fmt::format("{0} {1}: must be at most half_space.load.half_width, {2:.6g} "
+                                   "{1}",
+                                   printed.step.text(), unit, c.load.half_width()));
   }
   return printed;
 }
 
-std::map<std::string, config::PrintedNumber> read_numbers(const config::Table& table) {
+// Reads numbers under any names, of which some are needed, because the report divides by them.
+std::map<std::string, config::PrintedNumber> read_numbers(const config::Table& table,
+                                                          const std::vector<std::string>& needed) {
   std::map<std::string, config::PrintedNumber> numbers;
-  for (const std::string& key : table.keys()) numbers.emplace(key, table.printed_number(key));
+  for (const std::string& key : table.keys()) {
+    require_in_range(table, key, numbers.emplace(key, table.printed_number(key)).first->second,
+                     Sign::any);
+  }
+  for (const std::string& key : needed) {
+    if (!table.has(key)) table.fail(key, "missing");
+    require_in_range(table, key, numbers.at(key), Sign::not_zero);
+  }
   return numbers;
 }
 
-// Reads numbers under any names, of which some are needed.
-std::map<std::string, config::PrintedNumber> read_numbers(const config::Table& table,
-                                                          const std::vector<std::string>& needed) {
-  for (const std::string& key : needed) {
-    if (!table.has(key)) table.fail(key, "missing");
+std::map<std::string, config::PrintedNumber> read_measures(const config::Table& table,
+                                                           std::size_t n_points) {
+  std::vector<std::string> needed = {"resultant_load_y", "max_disp_mag",    "max_disp_x",
+                                     "max_disp_y",       "max_stress_prin", "max_stress_vm",
+                                     "max_stress_xx",    "max_stress_xy",   "max_stress_yy",
+                                     "max_stress_zz",    "strain_energy"};
+  for (std::size_t i = 1; i <= n_points; ++i) needed.push_back(fmt::format("measure{}", i));
+  std::map<std::string, config::PrintedNumber> measures = read_numbers(table, needed);
+  const config::PrintedNumber& xx = measures.at("max_stress_xx");
+  const config::PrintedNumber& yy = measures.at("max_stress_yy");
+  if (!(std::abs(xx.value() + yy.value()) > xx.last_place() + yy.last_place())) {
+    table.fail("max_stress_xx", fmt::format("{}: must not be the opposite of max_stress_yy, {}",
+                                            xx.text(), yy.text()));
   }
-  return read_numbers(table);
+  return measures;
 }
 
-PrintedAppendix2 read_appendix2(const config::Table& table) {
+PrintedAppendix2 read_appendix2(const config::Table& table, std::size_t n_points) {
   return {
-      table.text("source"),
-      read_numbers(table.table("measures"), {"resultant_load_y", "max_disp_x", "max_stress_vm",
-                                             "max_stress_zz", "strain_energy"}),
-      read_numbers(table.table("convergence")),
+      table.text("source"), read_measures(table.table("measures"), n_points),
+      read_numbers(table.table("convergence"), {"max_stress_prin", "max_stress_xy"}),
       read_numbers(table.table("mass_properties"),
                    {"mass", "centre_y", "ixx_about_origin", "iyy_about_origin", "izz_about_origin",
                     "ixx_about_centre", "iyy_about_centre", "izz_about_centre"})};
@@ -65,7 +133,7 @@ PrintedContactM read_contact_m(const config::Table& table) {
                           table.printed_number("n_nodes"), table.printed_number("zero_node")};
   const double n_nodes = printed.n_nodes.value();
   const double zero_node = printed.zero_node.value();
-  if (!(printed.spacing.value() > 0)) table.fail("spacing", "must be greater than 0");
+  require_in_range(table, "spacing", printed.spacing, Sign::positive);
   if (n_nodes != std::round(n_nodes) || n_nodes < 4 || n_nodes > 1000) {
     table.fail("n_nodes", fmt::format("{}: must be a whole number from 4 to 1000", n_nodes));
   }
@@ -87,10 +155,10 @@ std::optional<PrintedData> read_printed(const parameters::Case& from_file) {
                                     table.text("units"), units.name));
   }
   table.text("units");
-  const std::size_t n_points = from_file.half_space.points.size();
-  PrintedData printed{read_figure5(table.table("figure5"), n_points),
-                      read_tri_dist(table.table("tri_dist"), n_points),
-                      read_appendix2(table.table("appendix2")),
+  const parameters::HalfSpaceCase& half_space = from_file.half_space;
+  PrintedData printed{read_figure5(table.table("figure5"), half_space.points, units.length),
+                      read_tri_dist(table.table("tri_dist"), half_space, units.length),
+                      read_appendix2(table.table("appendix2"), half_space.points.size()),
                       read_contact_m(table.table("contact_m"))};
   table.reject_unknown_keys();
   return printed;

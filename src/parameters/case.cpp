@@ -24,6 +24,9 @@ constexpr double greatest = 1e50;
 // rounding.
 constexpr double farthest = 1e8;
 
+// A sum of two curvatures of unlike signs loses digits; a smaller part of them is mostly rounding.
+constexpr double least_curvature = 1e-9;
+
 // Half-widths of the load across the block. A finer load makes elements so thin that the stiffness
 // is ill-conditioned.
 constexpr double widest_block = 2000;
@@ -91,13 +94,18 @@ HalfSpaceCase read_half_space(const config::Table& table, const config::UnitSyst
   return {material, triangle, datum, points};
 }
 
+std::string shown(const contact::Radius& radius, const config::UnitSystem& units) {
+  if (radius.is_plane()) return "\"plane\"";
+  return fmt::format("{:.12g} {}", 1 / radius.curvature(), units.length);
+}
+
 CylinderCase read_body(const config::Table& table, const config::UnitSystem& units) {
   const elasticity::Material material = read_material(table.table("material"), units);
   if (table.is_text("radius", "plane")) {
     table.text("radius");
     return {material, contact::Radius::of_plane()};
   }
-  const double radius = table.quantity("radius", config::Dimension::length, units);
+  const double radius = in_range(table, "radius", config::Dimension::length, units);
   return {material,
           table.at("radius", [&] { return contact::Radius::of_cylinder("radius", radius); })};
 }
@@ -105,9 +113,19 @@ CylinderCase read_body(const config::Table& table, const config::UnitSystem& uni
 ContactCase read_contact(const config::Table& table, const config::UnitSystem& units) {
   const CylinderCase body1 = read_body(table.table("body1"), units);
   const CylinderCase body2 = read_body(table.table("body2"), units);
-  const auto cylinders = table.at("body2", [&] {
-    return contact::CylinderPair(body1.material, body1.radius, body2.material, body2.radius);
-  });
+  const double curvature = body1.radius.curvature() + body2.radius.curvature();
+  if (!(curvature > least_curvature * (std::abs(body1.radius.curvature()) +
+                                       std::abs(body2.radius.curvature())))) {
+    table.table("body2").fail(
+        "radius",
+        fmt::format("{} with contact.body1.radius {}: {}", shown(body2.radius, units),
+                    shown(body1.radius, units),
+                    curvature > 0 ? "a hollow must be wider than the cylinder in it by more than "
+                                    "rounding, a part of 1e-9"
+                                  : "1/radius1 + 1/radius2 must be greater than 0: at most one "
+                                    "hollow, wider than the cylinder in it, and one plane"));
+  }
+  const contact::CylinderPair cylinders(body1.material, body1.radius, body2.material, body2.radius);
   const long n_nodes = integer_in(table, "nodes", contact::min_nodes, contact::max_nodes);
   const double line_load = positive(table, "load", config::Dimension::line_load, units);
   const double datum = positive(table, "datum", config::Dimension::length, units);
@@ -115,8 +133,10 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
       contact::grid_around(contact::Hertz(cylinders, line_load).half_width(), n_nodes);
   const double end = grid.x(grid.n_nodes - 1);
   if (datum <= end) {
-    table.fail("datum", fmt::format("{0} {1}: must be beyond the grid, which ends at {2} {1}",
-                                    datum, units.length, end));
+    table.fail("datum",
+               fmt::format("{0} {1}: must be greater than {2:.6g} {1}, where the grid ends that "
+                           "contact.load, nodes, body1 and body2 make",
+                           datum, units.length, end));
   }
   return {body1, body2, cylinders, line_load, datum, n_nodes};
 }
@@ -135,8 +155,9 @@ BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space
                                    positive(table, "height", config::Dimension::length, units));
   if (half_space.load.half_width() >= rectangle.right()) {
     table.fail("width",
-               fmt::format("{} {}: must hold the load, which is {} {} wide", rectangle.width(),
-                           units.length, 2 * half_space.load.half_width(), units.length));
+               fmt::format("{0} {1}: must be greater than {2:.6g} {1}, twice "
+                           "half_space.load.half_width",
+                           rectangle.width(), units.length, 2 * half_space.load.half_width()));
   }
   const double widest = widest_block * half_space.load.half_width();
   for (const auto& [key, size] :
@@ -147,11 +168,11 @@ BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space
                                   size, units.length, widest, widest_block));
     }
   }
-  for (const double x : half_space.points) {
-    if (x < rectangle.left() || x > rectangle.right()) {
-      table.fail("width", fmt::format("{} {}: must hold the point x = {} {}", rectangle.width(),
-                                      units.length, x, units.length));
-    }
+  if (half_space.farthest_point() > rectangle.right()) {
+    table.fail("width",
+               fmt::format("{0} {1}: must be at least {2:.6g} {1}, twice the farthest of "
+                           "half_space.points",
+                           rectangle.width(), units.length, 2 * half_space.farthest_point()));
   }
   block::Discretization discretization;
   discretization.order = static_cast<int>(integer_in(table, "order", 2, 10));
@@ -169,6 +190,9 @@ double HalfSpaceCase::farthest_point() const {
 Case read_case(const std::filesystem::path& file) {
   const config::Table root = config::Table::parse_file(file);
   const std::string title = root.text("title");
+  if (title.find_first_not_of(' ') == std::string::npos) {
+    root.fail("title", "must name the case, not be empty");
+  }
   const config::UnitSystem units =
       root.at("units", [&] { return config::unit_system(root.text("units")); });
   const HalfSpaceCase half_space = read_half_space(root.table("half_space"), units);

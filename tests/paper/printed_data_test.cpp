@@ -65,6 +65,38 @@ BOOST_AUTO_TEST_CASE(keys_that_are_missing_or_unknown_are_refused) {
                 "printed.tri_dist.stop: unknown key");
 }
 
+BOOST_AUTO_TEST_CASE(every_measure_that_the_report_uses_is_asked_for) {
+  for (const std::string name :
+       {"max_disp_mag", "max_disp_y", "max_stress_prin", "max_stress_xy", "measure7"}) {
+    const std::string key = "\n" + name + " = ";
+    const auto begin = papers_text.find(key) + 1;
+    const auto end = papers_text.find('\n', begin);
+    check_refused(papers_text.substr(begin, end + 1 - begin), "",
+                  "printed.appendix2.measures." + name + ": missing");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_the_report_divides_by_are_not_zero) {
+  const std::string measures = "printed.appendix2.measures.";
+  check_refused("resultant_load_y = \"-1.600000e+01\"", "resultant_load_y = \"0\"",
+                measures + "resultant_load_y: 0: must not be 0");
+  check_refused(
+      "max_stress_xx = \"-9.787585e+02\"", "max_stress_xx = \"9.927550e+02\"",
+      measures + "max_stress_xx: 9.927550e+02: must not be the opposite of max_stress_yy");
+  check_refused("\"2.584342E-07\"", "\"0\"", "printed.figure5.error: 0: must be greater than 0");
+  check_refused("\"1.023796E-06\"", "\"1.044296E-06\"",
+                "printed.figure5.analytical: 1.044296E-06 after 1.044296E-06: ");
+}
+
+BOOST_AUTO_TEST_CASE(numbers_in_print_have_a_range) {
+  check_refused("strain_energy = \"1.212280e-05\"", "strain_energy = \"1e-60\"",
+                "strain_energy: 1e-60: its magnitude must be from 1e-50 to 1e+50");
+  check_refused("\"0.050\"]", "\"0.060\"]",
+                "printed.figure5.x: 0.060 in: must be 0.05 in, which half_space.points has there");
+  check_refused("step = \"1e-7\"", "step = \"0.011\"",
+                "must be at most half_space.load.half_width, 0.01 in");
+}
+
 BOOST_AUTO_TEST_CASE(counts_of_contact_m_out_of_range_are_refused) {
   check_refused("n_nodes = \"37\"", "n_nodes = \"3\"", "printed.contact_m.n_nodes: 3");
   check_refused("zero_node = \"9\"", "zero_node = \"37\"", "printed.contact_m.zero_node: 37");

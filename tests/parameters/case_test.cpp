@@ -114,9 +114,10 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
   check_refused("datum = {value = 1,", "datum = {value = 0.01,", "contact.datum");
   check_refused("nodes = 91", "nodes = 2", "contact.nodes");
   check_refused("radius = {value = 1,", "radius = {value = 0,", "contact.body1.radius");
-  check_refused("radius = {value = 3,", "radius = {value = -1,", "contact.body2");
+  check_refused("radius = {value = 3,", "radius = {value = 1e60,", "contact.body2.radius");
   check_refused("value = 10, unit", "value = nan, unit", "half_space.datum.value");
-  check_refused("nodes = 91", "nodes = 99999999", "contact.nodes: 99999999: must be from 5 to 16777216");
+  check_refused("nodes = 91", "nodes = 99999999",
+                "contact.nodes: 99999999: must be from 5 to 16777216");
   check_refused("order = 7", "order = 11", "block.order");
   check_refused("order = 7", "order = 4294967303", "block.order");  // 2³² + 7
   check_refused("refine = 1", "refine = 7", "block.refine: 7: must be from 0 to 6");
@@ -133,6 +134,21 @@ BOOST_AUTO_TEST_CASE(a_range_that_depends_on_another_key_names_both) {
   check_refused("step = {value = 0.005", "step = {value = 200000", half_width);
   check_refused("width = {value = 2,", "width = {value = 20.1,", half_width);
   check_refused("height = {value = 1,", "height = {value = 20.1,", half_width);
+  check_refused("width = {value = 2,", "width = {value = 0.02,",
+                "block.width: 0.02 in: must be greater than 0.02 in, twice " + half_width);
+  check_refused("width = {value = 2,", "width = {value = 0.09,",
+                "0.09 in: must be at least 0.1 in, twice the farthest of half_space.points");
+  check_refused("datum = {value = 1,", "datum = {value = 0.01,", "contact.load, nodes, body1");
+  for (const char* radius : {"-1", "-0.5", "-1.0000000001"}) {
+    check_refused(
+        "radius = {value = 3,", "radius = {value = " + std::string(radius) + ",",
+        "contact.body2.radius: " + std::string(radius) + " in with contact.body1.radius 1 in: ");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_title_that_says_nothing_is_refused) {
+  check_refused("title = \"Ruggiero (2001)\"", "title = \"\"", ":5:9: title: must name the case");
+  check_refused("title = \"Ruggiero (2001)\"", "title = \"  \"", "title: must name the case");
 }
 
 BOOST_AUTO_TEST_CASE(units_and_keys_are_checked) {

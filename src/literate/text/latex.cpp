@@ -57,6 +57,19 @@ std::string escape_latex(std::string_view text) {
   return escaped;
 }
 
+std::string_view first_unprintable(std::string_view text) {
+  constexpr unsigned char first_printable = 0x20;
+  constexpr unsigned char del = 0x7f;
+  while (!text.empty()) {
+    const std::string_view character = sys::first_character(text).bytes;
+    const auto byte = static_cast<unsigned char>(character.front());
+    const bool is_printable = byte < del ? byte >= first_printable : !latex_of(character).empty();
+    if (!is_printable) return character;
+    text.remove_prefix(character.size());
+  }
+  return {};
+}
+
 std::string escape_bookmark(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped += escape_ascii(c);

@@ -10,6 +10,10 @@ namespace literate {
 /// that latex_of does not know stay as they are, and control characters become spaces.
 std::string escape_latex(std::string_view text);
 
+/// The first character of plain UTF-8 text that is not printed as it is: one beyond ASCII that
+/// latex_of does not know, a byte that is no UTF-8, or a control character. Empty if there is none.
+std::string_view first_unprintable(std::string_view text);
+
 /// Escapes plain text for a PDF bookmark: characters beyond ASCII stay as they are.
 std::string escape_bookmark(std::string_view text);
 

@@ -18,6 +18,15 @@ BOOST_AUTO_TEST_CASE(text_for_latex_shows_every_character) {
   BOOST_TEST(escape_latex("語\xFF") == "語\xFF");
 }
 
+BOOST_AUTO_TEST_CASE(the_first_character_that_latex_cannot_print_is_found) {
+  BOOST_TEST(first_unprintable("").empty());
+  BOOST_TEST(first_unprintable("Größe ~ #1 \\x ≤ 2 µm").empty());
+  BOOST_TEST(first_unprintable("ab😀c語") == "😀");
+  BOOST_TEST(first_unprintable("ä\nb") == "\n");
+  BOOST_TEST(first_unprintable("\x7F") == "\x7F");
+  BOOST_TEST(first_unprintable("a\xFF") == "\xFF");
+}
+
 BOOST_AUTO_TEST_CASE(a_bookmark_keeps_what_is_beyond_ascii) {
   BOOST_TEST(escape_bookmark("ν_x 語") == "ν\\_x 語");
 }
