@@ -155,7 +155,8 @@ json texts_json(const Registered& registered) {
     add("check", check.id, "statement", escape_latex(check.statement));
   }
   for (const auto& [name, table] : registered.tables) {
-    for (const Column& column : table.columns()) add("table", name, "heading", column.format().heading);
+    for (const Column& column : table.columns())
+      add("table", name, "heading", column.format().heading);
   }
   return texts;
 }
@@ -191,6 +192,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["texts"] = texts_json(registered);
   names["faults"] = faults(registered);
   names["files"] = files;
+  if (!registered.case_sha256.empty()) names["case_sha256"] = registered.case_sha256;
   return names.dump(2) + "\n";
 }
 
@@ -207,7 +209,8 @@ Names read_names(const std::filesystem::path& file) {
             .figure_places = places_in(names.at("figures")),
             .texts = texts_in(names.at("texts")),
             .faults = names.at("faults").get<std::vector<std::string>>(),
-            .files = names.at("files").get<std::vector<std::string>>()};
+            .files = names.at("files").get<std::vector<std::string>>(),
+            .case_sha256 = names.value("case_sha256", "")};
   } catch (const std::exception& error) {
     throw sys::OutputError(
         fmt::format("'{}' is not a list of names: {}", file.string(), error.what()));
