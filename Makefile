@@ -28,11 +28,14 @@ export LC_ALL := C
 # Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report reports html figures figure check-report test test-all faults mutants bench peers verify dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report halfspace reports html figures figure check-report test test-all faults mutants bench peers verify dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
 	@bash src/toolchain/build report
+
+halfspace: ## the command line of the mechanics, build/release/halfspace
+	@bash src/toolchain/build halfspace
 
 reports: ## the report of each case in CASES, side by side: build/reports/cases.csv
 	@bash src/toolchain/build reports

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `halfspace check`, and a program that is older than the sources it is to quote.
+// `halfspace-report check`, and a program that is older than the sources it is to quote.
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <string>
