@@ -28,7 +28,7 @@ export LC_ALL := C
 # Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report halfspace reports html figures figure check-report test test-all faults mutants bench peers verify dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report halfspace reports html figures figure check-report test test-all faults mutants bench peers verify fresh dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
@@ -72,6 +72,9 @@ peers: ## what an author's edits cost here and with knitr (first make setup STAG
 
 verify: ## makes the report again elsewhere and asks for the same bytes
 	@bash src/toolchain/build verify
+
+fresh: ## the README's two commands on the smallest Debian, made by mmdebstrap (as root; takes long)
+	@bash src/toolchain/build fresh
 
 dist: ## the document as arXiv and journals take it, build/dist/report.tar.gz
 	@bash src/toolchain/build dist

@@ -67,7 +67,8 @@ void register_block(literate::Document& document, const parameters::HalfSpaceCas
       {Criterion::at_most("largest change, over the displacement in the middle",
                           Value(largest_error, scientific(1).rounded_up()).within(0),
                           {LimitKind::convention, 2e-4, "far less than what is read from them"})},
-      "refinement changes the displacements of the block by little");
+      "refinement changes the displacements of the block by little; a higher block.order or "
+      "block.refine leaves less");
 }
 
 // Where the load jumps and in clamped corners the stress is infinite, so that each mesh has another

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "config/table.hpp"
+#include "contact/hertz.hpp"
 
 namespace paper {
 namespace {
@@ -128,17 +129,29 @@ PrintedAppendix2 read_appendix2(const config::Table& table, std::size_t n_points
                     "ixx_about_centre", "iyy_about_centre", "izz_about_centre"})};
 }
 
-PrintedContactM read_contact_m(const config::Table& table) {
+PrintedContactM read_contact_m(const config::Table& table, const parameters::ContactCase& c,
+                               const std::string& unit) {
   PrintedContactM printed{table.text("source"), table.printed_number("spacing"),
                           table.printed_number("n_nodes"), table.printed_number("zero_node")};
   const double n_nodes = printed.n_nodes.value();
   const double zero_node = printed.zero_node.value();
   require_in_range(table, "spacing", printed.spacing, Sign::positive);
-  if (n_nodes != std::round(n_nodes) || n_nodes < 4 || n_nodes > 1000) {
-    table.fail("n_nodes", fmt::format("{}: must be a whole number from 4 to 1000", n_nodes));
+  if (n_nodes != std::round(n_nodes) || n_nodes < 5 || n_nodes > 1000) {
+    table.fail("n_nodes", fmt::format("{}: must be a whole number from 5 to 1000", n_nodes));
   }
   if (zero_node != std::round(zero_node) || zero_node < 3 || zero_node >= n_nodes) {
     table.fail("zero_node", fmt::format("{}: must be a whole number from 3 to n_nodes", zero_node));
+  }
+  // The listed program's last node but one is the edge of the contact under 2P.
+  const double twice = contact::Hertz(c.cylinders, 2 * c.line_load).half_width();
+  const double least_spacing = twice / (n_nodes - 2);
+  const double most_spacing = twice / (n_nodes - 4);
+  if (!(printed.spacing.value() >= least_spacing && printed.spacing.value() <= most_spacing)) {
+    table.fail("spacing", fmt::format("{0} {1}: must be from {2:.4g} to {3:.4g} {1}, so that "
+                                      "n_nodes nodes just hold the contact under twice "
+                                      "contact.load; leave [printed] out of a case with other "
+                                      "cylinders than the paper's",
+                                      printed.spacing.text(), unit, least_spacing, most_spacing));
   }
   return printed;
 }
@@ -159,7 +172,7 @@ std::optional<PrintedData> read_printed(const parameters::Case& from_file) {
   PrintedData printed{read_figure5(table.table("figure5"), half_space.points, units.length),
                       read_tri_dist(table.table("tri_dist"), half_space, units.length),
                       read_appendix2(table.table("appendix2"), half_space.points.size()),
-                      read_contact_m(table.table("contact_m"))};
+                      read_contact_m(table.table("contact_m"), from_file.contact, units.length)};
   table.reject_unknown_keys();
   return printed;
 }

@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(of_the_papers_own_case_everything_is_said) {
   check_report(papers_text,
                {"Two cylinders in contact, solved with", "Two cylinders of radii",
                 "of the smaller radius, so that taking the bodies for half-spaces is justified",
-                "The datum was chosen where", "8 The finite block", "held fast at its bottom",
+                "The datum was chosen where", "5 The finite block", "Here it is analysed again",
                 "does not change: between bodies of like material"},
                {"counts as a cylinder", "of this case differ", "The paper puts its datum"});
 }
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(of_the_papers_own_case_everything_is_said) {
 BOOST_AUTO_TEST_CASE(without_a_block_nothing_is_said_of_one) {
   check_report(without_table(papers_text, "block", "printed"),
                {"What the paper prints is used for comparison.", "Figure 5 is Fig. 4 of the paper"},
-               {"The finite block", "held fast at its bottom", "recovers that load",
+               {"The finite block", "Here it is analysed", "recovers that load",
                 "is read from the printed mass properties"});
 }
 
@@ -71,11 +71,11 @@ BOOST_AUTO_TEST_CASE(a_cylinder_on_a_plane_with_a_block_and_a_datum_of_the_users
       with(unprinted, "datum = {value = 10, unit", "datum = {value = 0.05, unit");
 
   check_report(with(datum_at_point, "radius = {value = 3, unit = \"in\"}", "radius = \"plane\""),
-               {"A cylinder on a plane, solved with", "A cylinder and a plane, in the order of",
+               {"A cylinder on a plane, solved with", "A cylinder and a plane, R",
                 "The plane counts as a cylinder of infinite radius", "of the cylinder’s radius, so",
                 "The paper puts its datum where", "At x = 0.05 in, the datum of this case",
                 "That of this case is 2 in wide", "holds no results that the paper prints"},
-               {"Two cylinders", "two cylinders", "The datum was chosen", "prints the summary",
+               {"Two cylinders", "two cylinders of", "The datum was chosen", "prints the summary",
                 "Two like cylinders in contact", "not the paper’s own"});
 }
 
@@ -84,6 +84,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_in_a_hollow_that_is_nearly_as_wide) {
   text = with(text, "radius = {value = 1, unit = \"in\"}", "radius = {value = 25, unit = \"mm\"}");
   text = with(text, "radius = {value = 3, unit = \"in\"}", "radius = {value = -26, unit = \"mm\"}");
   text = with(text, "datum = {value = 1, unit", "datum = {value = 5, unit");
+  text = with(text, "load = {value = 2500,", "load = {value = 12000,");
   text = with(text, "first = {value = 0,", "first = {value = -0.05,");  // points that end at 0
 
   check_report(text,
@@ -96,6 +97,7 @@ BOOST_AUTO_TEST_CASE(two_materials_in_other_units) {
   std::string text = with_material(unprinted, "body2", "10e6", "0.33");
   text = with(text, "units = \"in-lbf\"", "units = \"m-N\"");
   text = with(text, "poisson = 0.30", "poisson = 0.499");  // the half-space and its block
+  text = with(text, "order = 7", "order = 9");
 
   check_report(
       text,

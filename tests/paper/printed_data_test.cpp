@@ -101,6 +101,10 @@ BOOST_AUTO_TEST_CASE(counts_of_contact_m_out_of_range_are_refused) {
   check_refused("n_nodes = \"37\"", "n_nodes = \"3\"", "printed.contact_m.n_nodes: 3");
   check_refused("zero_node = \"9\"", "zero_node = \"37\"", "printed.contact_m.zero_node: 37");
   check_refused("spacing = \"0.0005\"", "spacing = \"0\"", "printed.contact_m.spacing");
+  for (const char* load : {"2500e-6", "1000", "5000"}) {
+    check_refused("value = 2500,", "value = " + std::string(load) + ",",
+                  "so that n_nodes nodes just hold the contact under twice contact.load");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(other_units_than_the_cases_are_refused) {
