@@ -11,7 +11,7 @@ import re
 import shutil
 import signal
 import subprocess
-import time
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -55,8 +55,7 @@ class Outcome:
     """How a make ended."""
 
     status: int
-    errors: str
-    seconds: float
+    errors: str  # on standard error; or, if there is nothing, what it printed, as of a compiler
 
     def lines(self):
         """What it said on standard error, without warnings and make's own words."""
@@ -75,14 +74,17 @@ def environment(**added):
 
 def start(*arguments, env=None):
     """Starts a make in a process group of its own."""
-    return subprocess.Popen(
+    printed = tempfile.TemporaryFile("w+", errors="replace")
+    process = subprocess.Popen(
         ["make", *arguments], cwd=ROOT, env=env or environment(), text=True, errors="replace",
-        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
+        stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.PIPE,
+        start_new_session=True)
+    process.printed = printed
+    return process
 
 
 def end(process):
     """Waits for a make; one that hangs is killed with its group, and has the status None."""
-    begin = time.monotonic()
     try:
         _, errors = process.communicate(timeout=LIMIT)
         status = process.returncode
@@ -90,7 +92,12 @@ def end(process):
         os.killpg(process.pid, signal.SIGKILL)
         _, errors = process.communicate()
         status = None
-    return Outcome(status, errors, time.monotonic() - begin)
+    outcome = Outcome(status, errors)
+    if status != 0 and not outcome.said():
+        process.printed.seek(0)
+        outcome = Outcome(status, process.printed.read())
+    process.printed.close()
+    return outcome
 
 
 def make(*arguments, env=None):
