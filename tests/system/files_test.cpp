@@ -48,6 +48,21 @@ BOOST_AUTO_TEST_CASE(errors_name_the_file) {
   BOOST_CHECK_THROW(sha256_of_file(missing), OutputError);
   BOOST_CHECK_THROW(files_below(missing), OutputError);
   BOOST_CHECK_THROW(write_file_atomically(scratch / "file/below", ""), OutputError);
+  BOOST_TEST(message_of<OutputError>([&] { read_file(missing); }) ==
+             "cannot read '" + missing + "': No such file or directory");
+}
+
+BOOST_AUTO_TEST_CASE(a_full_disk_is_told_with_the_file_and_leaves_what_was_there) {
+  const TemporaryFolder scratch;
+  const fs::path file = scratch / "file";
+  write_file_atomically(file, "old");
+  fs::create_symlink("/dev/full", scratch / "file.new");
+
+  BOOST_TEST(message_of<OutputError>([&] { write_file_atomically(file, "new"); }) ==
+             "cannot write '" + file.string() + "': No space left on device");
+
+  BOOST_TEST(read_file(file) == "old");
+  BOOST_TEST(!fs::is_symlink(scratch / "file.new"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

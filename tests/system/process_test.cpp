@@ -42,4 +42,46 @@ BOOST_AUTO_TEST_CASE(what_cannot_start_is_a_tool_error_naming_it) {
              }) == "cannot start sh: No such file or directory");
 }
 
+BOOST_AUTO_TEST_CASE(how_a_child_ended_is_told_in_words) {
+  BOOST_TEST(end_of({3, ""}) == "status 3");
+  BOOST_TEST(end_of(run({.program = "sh", .arguments = {"-c", "kill -9 $$"}})) ==
+             "signal 9 (Killed)");
+  BOOST_TEST(end_of({255, ""}) == "status 255");
+}
+
+BOOST_AUTO_TEST_CASE(a_child_beyond_its_limit_is_ended_with_all_that_it_started) {
+  const TemporaryFolder scratch;
+  const Command command{.program = "sh",
+                        .arguments = {"-c", "(sleep 1.6; touch late) & sleep 60; :"},
+                        .working_directory = scratch.path(),
+                        .limit = {"figure 'f'", 1}};
+
+  BOOST_TEST(message_of<ToolError>([&] { run(command); }) ==
+             "figure 'f': sh has not ended after 1 s and was stopped; TIMEOUT=seconds allows more, "
+             "TIMEOUT= any time");
+
+  run({.program = "sleep", .arguments = {"1"}});
+  BOOST_TEST(!std::filesystem::exists(scratch / "late"));
+}
+
+BOOST_AUTO_TEST_CASE(a_variable_takes_the_place_of_the_limit_or_lifts_it) {
+  const Command command{
+      .program = "sh", .arguments = {"-c", "sleep 1.3; exit 4"}, .limit = {"a figure", 1}};
+  const auto with = [&](const char* seconds) {
+    ::setenv("LITERATE_TIMEOUT", seconds, 1);
+    const std::string message =
+        message_of<Error>([&] { BOOST_TEST(run(command).exit_status == 4); });
+    ::unsetenv("LITERATE_TIMEOUT");
+    return message;
+  };
+
+  BOOST_TEST(with("30") == "(no error)");
+  BOOST_TEST(with("") == "(no error)");
+  BOOST_TEST(with("0") == "(no error)");
+  for (const char* wrong : {"soon", "-1", "1.5", "99999999999999999999"}) {
+    BOOST_TEST(with(wrong) ==
+               std::string("TIMEOUT: '") + wrong + "' is not a number of seconds, 0 to 10000000");
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -90,4 +90,25 @@ BOOST_AUTO_TEST_CASE(an_output_folder_that_cannot_be_written_is_named) {
              "cannot write to the output folder '" + (scratch / "file").string() + "'");
 }
 
+BOOST_AUTO_TEST_CASE(what_a_killed_run_published_is_removed_by_the_next_that_does_not_make_it) {
+  const TemporaryFolder scratch;
+  const fs::path out = scratch / "out";
+  {
+    Staging staging(out);
+    write_file_atomically(staging.path() / "a", "of the first run");
+    staging.publish({});
+  }
+  BOOST_TEST(!fs::exists(scratch / "out.publishing"));
+  // The second was killed after it had moved b, and before the list of its own files was there.
+  write_file_atomically(out / "b", "of the second run");
+  write_file_atomically(scratch / "out.publishing", "b\nc\n");
+  Staging staging(out);
+  write_file_atomically(staging.path() / "a", "of the third run");
+
+  staging.publish({"a"});
+
+  BOOST_TEST(files_below(out) == std::vector<std::string>{"a"}, boost::test_tools::per_element());
+  BOOST_TEST(!fs::exists(scratch / "out.publishing"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -64,6 +64,7 @@ engine=${PROJECT_SOURCE_DIR}/src/literate
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/repository/repository.tex" CONTENT "")
 add_custom_target(ask_for_commit COMMAND "${CMAKE_COMMAND}" -E true)
 add_custom_target(halfspace-report DEPENDS ask_for_commit)
+add_custom_target(report_linked)
 add_custom_command(OUTPUT "${to}/generated/names.json" "${to}/generated.sha256"
   COMMAND "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" "${to}/generated"
   COMMAND "${PROJECT_SOURCE_DIR}/digest" "${to}/generated"

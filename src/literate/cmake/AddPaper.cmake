@@ -216,6 +216,7 @@ latex=${arg_ENGINE}
     DEPENDS ${arg_PROGRAM} "${engine}/cmake/WriteLinked.cmake"
     COMMENT "linked program"
     VERBATIM)
+  add_custom_target(${name}_linked DEPENDS "${linked}")
 
   # The program leaves a file alone that would not change: whatever was computed or drawn anew, the document is typeset
   # again only if something it reads is different. (Ninja's `restat` remembers the run.)

@@ -6,6 +6,8 @@
 
 #include "message_of.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
+#include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(script_check_test)
 
@@ -35,6 +37,43 @@ BOOST_AUTO_TEST_CASE(what_only_looks_like_such_a_command_is_left_alone) {
         "set key outside right", "loads = 2"}) {
     BOOST_TEST(refusal_of(command) == "(no error)", command);
   }
+}
+
+namespace {
+
+/// What is said of a figure whose drawing has these bytes.
+std::string refusal_of_drawing(const std::string& pdf, const std::string& tex,
+                               const sys::ProcessResult& result = {}) {
+  const TemporaryFolder scratch;
+  sys::write_file_atomically(scratch / "f.gp", "");
+  sys::write_file_atomically(scratch / "f.pdf", pdf);
+  sys::write_file_atomically(scratch / "f.tex", tex);
+  return message_of<sys::ToolError>([&] {
+    require_drawn_well({"f", scratch.path(), "figures", "src/a.cpp:3"}, result);
+  });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(half_a_drawing_is_refused_although_gnuplot_said_nothing) {
+  const std::string pdf = "%PDF-1.5\n…\n%%EOF\n";
+  const std::string tex = "\\begingroup\n\\endgroup\n";
+
+  BOOST_TEST(refusal_of_drawing(pdf, tex) == "(no error)");
+  for (const std::string half : {"%PDF-1.5\n…", "…\n%%EOF\n"}) {
+    BOOST_TEST(refusal_of_drawing(half, tex).starts_with(
+        "figures/f.gp: gnuplot ended without an error, but f.pdf is not whole"));
+  }
+  BOOST_TEST(refusal_of_drawing(pdf, "\\begingroup\n").find("f.tex is not whole") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_gnuplot_that_fails_without_a_word_is_told_by_its_status_or_signal) {
+  BOOST_TEST(refusal_of_drawing("", "", {3, ""}) ==
+             "figures/f.gp: gnuplot ended with status 3 and said nothing (figure 'f' is registered "
+             "at src/a.cpp:3)");
+  BOOST_TEST(refusal_of_drawing("", "", {137, ""}).find("signal 9 (Killed)") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

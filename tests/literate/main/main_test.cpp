@@ -205,4 +205,59 @@ BOOST_AUTO_TEST_CASE(the_version_names_the_paper_and_its_commit) {
   BOOST_TEST(literate::version_text(paper) == "rod 1.2.0 (commit unknown)");
 }
 
+BOOST_AUTO_TEST_CASE(a_case_that_is_saved_while_it_is_computed_from_is_computed_again) {
+  const Workplace place;
+  int n_runs = 0;
+
+  const Answer answer =
+      place.compute([&](literate::Document& document, const literate::Inputs& inputs) {
+        const std::string read = sys::read_file(inputs.case_file);
+        if (++n_runs == 1) sys::write_file_atomically(inputs.case_file, "E = 31\n");
+        document.value("sum", literate::Value::text(read.empty() ? "old" : "new"));
+      });
+
+  BOOST_TEST(answer.exit_code == 0);
+  BOOST_TEST(n_runs == 2);
+  BOOST_TEST(answer.errors.find("was saved while it was computed from") != std::string::npos);
+  const auto names = literate::read_names(place.path("generated/names.json"));
+  BOOST_TEST(names.case_sha256 == sys::sha256_of_text("E = 31\n"));
+  BOOST_TEST(sys::read_file(place.path("generated/values.tex")).find("new") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_that_never_rests_is_bad_input) {
+  const Workplace place;
+  int n_runs = 0;
+
+  const Answer answer = place.compute([&](literate::Document&, const literate::Inputs& inputs) {
+    sys::write_file_atomically(inputs.case_file, std::to_string(++n_runs));
+  });
+
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(answer.errors.find("was saved 5 times while it was computed from") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_record_names_the_case_and_the_program_and_is_there_only_when_all_is_done) {
+  const Workplace place;
+  const auto compute = [&](const literate::Compute& what) {
+    return place.run({"compute", "--case", place.path("case.toml"), "--source", place.path(),
+                      "--output", place.path("generated"), "--record", place.path("state")},
+                     what);
+  };
+
+  BOOST_TEST(compute(register_sum).exit_code == 0);
+  const std::string record = sys::read_file(place.path("state"));
+  BOOST_TEST(record.find(sys::sha256_of_text("") + "  " + place.path("case.toml")) !=
+             std::string::npos);
+  BOOST_TEST(record.find("literate_tests\n") != std::string::npos);
+  BOOST_TEST(record.ends_with("# done\n"));
+
+  const Answer failed = compute([](literate::Document&, const literate::Inputs&) {
+    throw sys::ComputationError("no digit is sure");
+  });
+  BOOST_TEST(failed.exit_code == 1);
+  BOOST_TEST(!fs::exists(place.path("state")));
+  BOOST_TEST(sys::read_file(place.path("state.unfinished")) == "failed\n");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

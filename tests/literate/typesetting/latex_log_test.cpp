@@ -95,4 +95,12 @@ BOOST_AUTO_TEST_CASE(an_undefined_citation_is_a_defect) {
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(errors_of_the_engine_itself_are_recognised) {
+  BOOST_TEST(
+      latex_errors("(./main.tex\n!pdfTeX error: pdflatex (file x.pdf): cannot find image\n",
+                   "report") == (Lines{"!pdfTeX error: pdflatex (file x.pdf): cannot find image"}),
+      boost::test_tools::per_element());
+  BOOST_TEST(latex_errors("!!! no error\n", "report").empty());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

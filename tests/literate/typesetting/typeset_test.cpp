@@ -100,7 +100,8 @@ BOOST_AUTO_TEST_CASE(restyled_values_reach_text_formulas_captions_and_bookmarks)
   typeset(paper.options);
 
   const std::string bookmarks = sys::read_file(paper.options.build_dir / "main.out");
-  BOOST_TEST(bookmarks.find("\\0001\\000.\\0006\\000e\\000-\\0006") != std::string::npos, bookmarks);
+  BOOST_TEST(bookmarks.find("\\0001\\000.\\0006\\000e\\000-\\0006") != std::string::npos,
+             bookmarks);
   const std::string contents = sys::read_file(paper.options.build_dir / "main.toc");
   BOOST_TEST(contents.find("\\val [digits=2]{load_1.a-b}") != std::string::npos, contents);
 }
@@ -350,6 +351,48 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_or_file_is_told_by_name) {
   BOOST_TEST(message == "pdflatex is not installed; 'make setup' installs it");
   paper.options.main_file = "none.tex";
   BOOST_CHECK_THROW(typeset(paper.options), sys::OutputError);
+}
+
+BOOST_AUTO_TEST_CASE(what_latex_left_is_begun_anew_if_a_run_was_interrupted_or_a_file_damaged) {
+  const Paper paper(full_body);
+  typeset(paper.options);
+  const std::string pdf = sys::sha256_of_file(paper.options.output_pdf);
+
+  for (const std::string file :
+       {"main.aux", "main.toc", "main.out", "main.fdb_latexmk", "main.pdf", "as-left.sha256"}) {
+    const std::string text = sys::read_file(paper.options.build_dir / file);
+    sys::write_file_atomically(paper.options.build_dir / file, text.substr(0, text.size() / 2));
+    fs::remove(paper.options.output_pdf);
+
+    typeset(paper.options);
+
+    BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) == pdf, file);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_error_whose_cause_is_what_an_earlier_run_left_is_not_told) {
+  const Paper paper("\\newcommand\\once{1}\\tableofcontents\\section{\\protect\\once}");
+  typeset(paper.options);
+
+  // The heading in the .toc knows a macro that is gone.
+  paper.write("\\tableofcontents\\section{2}");
+
+  BOOST_TEST(paper.error() == "(no error)");
+}
+
+BOOST_AUTO_TEST_CASE(after_an_error_was_mended_the_document_is_that_of_a_first_run) {
+  const Paper fresh(full_body);
+  typeset(fresh.options);
+  const Paper paper(full_body);
+  typeset(paper.options);
+
+  paper.write("\\section{x}\\nonsense");
+  BOOST_TEST(paper.error().find("main.tex:6: Undefined control sequence") != std::string::npos);
+  paper.write(full_body);
+  typeset(paper.options);
+
+  BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) ==
+             sys::sha256_of_file(fresh.options.output_pdf));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
