@@ -204,7 +204,7 @@ std::string contact_text(const ContactInput& input, const SolvedContact& solved,
   text += fmt::format("{} of {} nodes in contact, {:.6g} {} apart; {}, {} elements",
                       s.n_in_contact(), s.grid.n_nodes, s.grid.spacing, units.length, input.method,
                       contact::name_of(s.element));
-  if (s.work.solves > 0) text += fmt::format(", contact found in {} steps", s.work.solves);
+  if (s.work.solves > 0) text += fmt::format(", steps to find the contact: {}", s.work.solves);
   if (s.work.iterations > 0) text += fmt::format(", {} iterations", s.work.iterations);
   text += fmt::format(
       "\nresiduals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} {}\n",

@@ -28,7 +28,8 @@ contact::ProgressReport progress_line() {
     const double seconds = seconds_since(start);
     if (seconds < shown + 1) return;
     shown = seconds;
-    fmt::print(stderr, "halfspace: {} nodes, contact revised {} times, {} iterations, {:.0f} s\n",
+    fmt::print(stderr,
+               "halfspace: {} nodes, revisions of the contact: {}, iterations: {}, {:.0f} s\n",
                progress.n_nodes, progress.revisions, progress.iterations, seconds);
   };
 }

@@ -24,8 +24,8 @@ class LoadSearch {
 
   double load() const { return std::exp(log_load_); }
 
-  // Takes δ at load(), moves load() towards the root, and returns by what part of the load it
-  // moved.
+  // Takes δ at load(), moves load() towards the root, and returns the relative change of
+  // the load.
   double improve(double approach) {
     const double value = std::log(approach - least_gap_);
     if (has_previous_ && log_load_ != previous_log_load_ && value != previous_value_) {
@@ -44,23 +44,23 @@ class LoadSearch {
   bool has_previous_ = false;
   double previous_value_ = 0;
   double previous_log_load_ = 0;
-  double slope_ = 1;  // until two points are known: δ is P times a logarithm, which hardly changes
+  double slope_ = 1;  // d ln δ/d ln P at first: δ is P times a logarithm, which varies slowly
 };
 
-// The load is first looked for on a grid of at most so many nodes, where a solve takes a
+// The load is first searched for on a grid of at most this many nodes, where a solve takes a
 // millisecond. Its discretisation, of second order in the spacing, leaves the load within 1e-8 of
-// that on a finer grid if contact fills the grid, and within 3e-4 if it takes a thirtieth of it; to
-// settle it further than 1e-6 would seldom save a solve.
+// that on a finer grid if contact fills the grid, and within 3e-4 if it takes a thirtieth of it;
+// converging beyond 1e-6 here would seldom save a solve on the fine grid.
 constexpr Eigen::Index n_coarse_nodes = 512;
 constexpr double settled_on_coarse = 1e-6;
 
-// The secant rule needs about ten solves from the first guess; a search that has taken sixty does
-// not settle.
+// The secant rule needs about ten solves from the first guess; one that needs sixty will not
+// converge.
 constexpr int max_coarse_solves = 60;
 
 // From there three or four solves reach rounding, since each error of the secant rule is of the
-// order of the product of the two before. What still moves the load after eight is the tolerance of
-// the method itself.
+// order of the product of the previous two. What still moves the load after eight is the tolerance
+// of the method itself.
 constexpr double settled = 1e-12;
 constexpr int max_fine_solves = 8;
 

@@ -13,18 +13,17 @@
 namespace contact {
 namespace {
 
-// The domain that is named in the message is so much wider than the contact.
+// The message suggests a domain that is this many times as wide as the contact.
 constexpr double margin = 1.1;
 
-// The domain is doubled until the contact ends inside it. A contact that fills the domain before
-// takes at least a quarter of the doubled one, which is 32 of these spacings from the centre: so
-// its edge is known to three per cent of its reach, less than the margin. That edge alone is asked
-// for, and the pressure need not be right beyond its place.
+// The domain is doubled until the contact ends inside it. A contact that filled the previous domain
+// reaches at least a quarter of the doubled width, 32 of these spacings, from the centre: its edge
+// is known to one spacing, three per cent, which is within the margin. Only the edge is needed, so
+// the pressure itself may be inaccurate.
 constexpr Eigen::Index n_trial_nodes = 128;
 constexpr double trial_tolerance = 1e-3;
 
-// From any width that a double can hold, so many doublings leave every length that means something
-// behind.
+// Enough doublings to exceed any meaningful length.
 constexpr int max_doublings = 60;
 
 // Returns the width of a domain about the same centre in which the contact has free ends, or
@@ -60,10 +59,10 @@ void require_free_ends(const Problem& problem, const Eigen::VectorXd& pressure, 
   if (grid.is_one_sided) both_sides.grid = grid_of_width(grid.end() - grid.begin(), grid.n_nodes);
   const std::optional<double> needed = domain_needed(both_sides, line_load);
   if (!needed) {
-    throw sys::InvalidQuantity(
-        "domain", grid.end() - grid.begin(),
-        fmt::format("wider than the profile is given, from x = {} to {}: contact reaches its end",
-                    problem.profile.begin(), problem.profile.end()));
+    throw sys::InvalidQuantity("domain", grid.end() - grid.begin(),
+                               fmt::format("wider than the profile, which is given only from x = "
+                                           "{} to {}: contact reaches its end",
+                                           problem.profile.begin(), problem.profile.end()));
   }
   // The end nodes lie half a spacing inside the domain, and must be free.
   const auto n = static_cast<double>(grid.is_one_sided ? 2 * grid.n_nodes - 1 : grid.n_nodes);

@@ -9,7 +9,7 @@ namespace contact {
 
 /// Throws InvalidQuantity if contact reaches an end of the grid, which then hides part of it: the
 /// pressures (in any unit) are > 0 there. It says what domain the load needs, found on a coarse
-/// grid, or that the profile is not given so far.
+/// grid, or that the profile is not given that far out.
 void require_free_ends(const Problem& problem, const Eigen::VectorXd& pressure, double line_load);
 
 }  // namespace contact

@@ -76,13 +76,16 @@ double largest_estimate(const Comparisons& comparisons) {
   return largest;
 }
 
-// Points from 1e-4 to 1e4 half-widths, thirteen a decade; the kink at x = a is one of them.
+constexpr int nearest_decade = -4;
+constexpr int farthest_decade = 4;
+
+// Points over these decades of half-widths, thirteen a decade; the kink at x = a is one of them.
 std::vector<double> wide_points(double half_width) {
   std::vector<double> points;
   constexpr int n_a_decade = 13;
-  constexpr int n_decades = 8;
-  for (int i = 0; i <= n_a_decade * n_decades; ++i) {
-    points.push_back(half_width * std::pow(10.0, -4 + i / static_cast<double>(n_a_decade)));
+  for (int i = 0; i <= n_a_decade * (farthest_decade - nearest_decade); ++i) {
+    points.push_back(half_width *
+                     std::pow(10.0, nearest_decade + i / static_cast<double>(n_a_decade)));
   }
   return points;
 }
@@ -231,6 +234,8 @@ void compute_quadrature(literate::Document& document, const parameters::HalfSpac
   const Comparisons wide_gradients = compare_gradients(c, points);
   const Comparisons wide_displacements = compare_displacements(c, points);
   document.value("quadrature.n-points", Value(std::ssize(points), integer()));
+  document.value("quadrature.nearest", Value(std::pow(10.0, nearest_decade), exact()));
+  document.value("quadrature.farthest", Value(std::pow(10.0, farthest_decade), exact()));
   document.value("quadrature.gradient.difference",
                  Value(largest_difference(wide_gradients) * a / unit, scientific(1).rounded_up()));
   document.value("quadrature.gradient.estimate",

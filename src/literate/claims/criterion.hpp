@@ -14,10 +14,10 @@ namespace literate {
 enum class LimitKind {
   derived,     ///< it follows from theory; the reason holds the formula
   printed,     ///< it follows from the digits that a source prints
-  rounding,    ///< it is what rounding leaves of a computation that would otherwise be exact
+  rounding,    ///< it is the rounding error of a computation that is otherwise exact
   stated,      ///< the statement itself gives it
   convention,  ///< a reader could choose another one; the reason says why this one was chosen
-  regression,  ///< it is what was found before, with a margin
+  regression,  ///< it is a previous result with a margin, to catch regressions
 };
 
 /// derived, from printed digits, rounding, stated, convention or regression band.
@@ -59,7 +59,7 @@ enum class Outcome {
 /// Names an outcome: «holds», «holds in part», «fails» or «undecided».
 std::string_view name_of(Outcome outcome);
 
-/// A text for messages and the same as LaTeX.
+/// A phrase as plain text, for messages, and as LaTeX.
 struct Phrase {
   std::string plain;
   std::string latex;
@@ -88,8 +88,9 @@ class Criterion {
   static Criterion agrees_relatively(std::string name, Value computed, Value stated,
                                      Limit tolerance);
 
-  /// Every one of several cases, such as «points»: holds if all hold, fails if none does. All must
-  /// have the same condition and reason; what is printed is how many hold, and the worst case.
+  /// One criterion a case, where `cases` names them, such as «points». Holds if all do, fails if
+  /// none does, and else holds in part. All must have the same condition and reason; what is
+  /// printed is how many hold, and the worst case.
   static Criterion in_each(std::string name, std::string cases, const std::vector<Criterion>& each);
 
   Outcome outcome() const { return outcome_; }
@@ -109,7 +110,7 @@ class Criterion {
   /// The kind of the limit and its reason.
   std::string reason() const;
 
-  /// Why it cannot be decided; empty unless undecided.
+  /// What is missing for a decision; empty unless undecided.
   const std::string& missing() const { return missing_; }
 
   /// The quantity that was tested.

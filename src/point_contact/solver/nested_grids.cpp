@@ -38,7 +38,7 @@ class LevelSolver {
     double previous = std::numeric_limits<double>::infinity();
     for (int without_gain = 0;;) {
       find_contact(tolerance);
-      // The gaps were added up step by step: now anew.
+      // The gaps were updated step by step; computing them anew drops the rounding that added up.
       update_gap();
       gradients_.start(state_);
       const double error = gradients_.error();
@@ -47,7 +47,7 @@ class LevelSolver {
       if (!std::isfinite(error) || (error > previous / 2 && ++without_gain > patience)) {
         throw sys::InvalidQuantity(
             "tolerance", tolerance,
-            fmt::format("at least {:.1e}, which rounding leaves of the pressure of {} nodes", error,
+            fmt::format("at least {:.1e}, the rounding error of the pressure at {} nodes", error,
                         state_.phi.size()));
       }
       previous = error;
@@ -65,8 +65,8 @@ class LevelSolver {
     state_.in_contact = state_.in_contact || state_.gap.array() < 0;
   }
 
-  // A guess that misses all contact: the node of the least gap, and under a given approach all that
-  // would penetrate.
+  // A guess without contact starts from the node of the least gap, and under a given approach from
+  // every node that would penetrate.
   void touch_at_least_gap() {
     Index least = 0;
     gaps_.minCoeff(&least);
@@ -94,8 +94,8 @@ class LevelSolver {
   }
 
   // begin excerpt: contact-of-points
-  // Steps of the conjugate gradients and revisions of the contact take turns: a fifth of the error
-  // is enough to see most of the nodes that are wrong.
+  // Steps of the conjugate gradients and revisions of the contact take turns: reducing the error
+  // to a fifth shows most of the nodes that are on the wrong side.
   void find_contact(double tolerance) {
     constexpr double enough_to_look = 0.2;
     constexpr int max_steps = 500;
@@ -109,7 +109,7 @@ class LevelSolver {
           gradients_.step();
         }
         settled = revise(search, tolerance);
-        // Where rounding keeps the steps from it, the caller sees what is left.
+        // If rounding stops the convergence, the caller checks the error that is left.
         if (settled && !(gradients_.error() <= wanted)) return;
       }
       if (settled) return;
@@ -152,7 +152,8 @@ class LevelSolver {
   int revisions_ = 0;
 };
 
-// The same domain with half the nodes each way, and again, down to a few, the coarsest first.
+// The grids of the same domain with half the nodes each way, a quarter, down to a few; the coarsest
+// first.
 std::vector<Grid> nested_grids(const Grid& finest) {
   constexpr Index few = 32;
   std::vector<Grid> grids{finest};

@@ -41,7 +41,7 @@ void ProjectedCg::start(ContactState& state) {
   state_ = &state;
   const ContactMask& in_contact = state.in_contact;
   if (control_ == Control::load) {
-    // What the preconditioner makes of a uniform gap, to keep Σφ with.
+    // The preconditioned uniform gap, of which a multiple is later subtracted to keep Σφ constant.
     for_rows([&](Index from, Index to) {
       for (Index i = from; i < to; ++i) product_[i] = in_contact[i] ? 1 : 0;
     });
@@ -92,8 +92,8 @@ void ProjectedCg::step() {
   ++work_.products;
 }
 
-// z = M r with the residual r = −gap in contact, then Σz = 0, for which δ and with it all gaps
-// change by a constant; (r, z).
+// z = M r with the residual r = −gap in contact, shifted so that Σz = 0, which changes δ and every
+// gap by a constant. Keeps (r, z) as well.
 void ProjectedCg::precondition_gap() {
   VectorXd& gap = state_->gap;
   const ContactMask& in_contact = state_->in_contact;
