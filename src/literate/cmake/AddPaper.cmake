@@ -244,15 +244,13 @@ latex=${arg_ENGINE}
   # The manifest names every source, so this runs after each change of the program. LaTeX itself does nothing then,
   # unless a result or the prose is another one.
   literate_document_files("${document}" files)
-  set(typeset
-    ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
-      --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
-      --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
-      --repository "${repository}" --engine ${arg_ENGINE} --record "${state}/typeset")
   # The PDF is no output that Ninja knows, because Ninja deletes those of a command that is interrupted.
   add_custom_command(
     OUTPUT "${state}/typeset"
-    COMMAND ${typeset}
+    COMMAND ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
+      --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
+      --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
+      --repository "${repository}" --engine ${arg_ENGINE} --record "${state}/typeset"
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
     DEPENDS ${arg_PROGRAM} "${digest}" "${case}" "${repository}/repository.json" ${files}
@@ -287,10 +285,6 @@ latex=${arg_ENGINE}
   add_custom_target(${name}-check
     COMMAND bash "${scripts}/check" "${settings}"
     DEPENDS "${digest}" USES_TERMINAL VERBATIM)
-  # What verify runs for a MANIFEST, which it lays there.
-  add_custom_target(${name}-compare
-    COMMAND ${typeset} --against "${output}/theirs.json"
-    DEPENDS "${state}/typeset" USES_TERMINAL VERBATIM)
   foreach(stage IN ITEMS verify dist)
     add_custom_target(${name}-${stage}
       COMMAND bash "${scripts}/${stage}" "${settings}"

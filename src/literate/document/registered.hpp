@@ -43,7 +43,7 @@ std::vector<Check> failed_checks(const Registered& registered);
 std::map<std::string, std::string> figure_places(const Registered& registered);
 
 /// What keeps the document from being trusted: a line for each check that failed, and for each
-/// claim whose verdict is not the expected one.
+/// claim whose verdict is not the expected one. It begins with «file:line» of its registration.
 std::vector<std::string> faults(const Registered& registered);
 
 }  // namespace literate
