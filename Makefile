@@ -15,10 +15,11 @@
 #   SUBMISSIONS=dir  grade: what they handed in
 #   UNSAFE=1         grade: without bubblewrap
 #   N=300            check-variants: how many
+#   TIMEOUT=seconds  how long gnuplot or LaTeX may take before they are stopped; TIMEOUT= for any time
 #   V=1              show the commands
 
 # The scripts read the paths and CALLER from the environment, because make would split paths at spaces.
-export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SEED_FILE UPDATE SUBMISSIONS ROSTER J N UNSAFE
+export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SEED_FILE UPDATE SUBMISSIONS ROSTER J N UNSAFE TIMEOUT
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.
@@ -27,11 +28,14 @@ export LC_ALL := C
 # Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report reports html figures figure check-report test test-all mutants bench peers verify fresh dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report halfspace reports html figures figure check-report test test-all faults mutants bench peers verify fresh dist why watch handout handouts check-variants grade gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
 	@bash src/toolchain/build report
+
+halfspace: ## the command line of the mechanics, build/release/halfspace
+	@bash src/toolchain/build halfspace
 
 reports: ## the report of each case in CASES, side by side: build/reports/cases.csv
 	@bash src/toolchain/build reports
@@ -53,6 +57,9 @@ test: ## the everyday tests, which take a few minutes
 
 test-all: ## every test, also those that take minutes each; continuous integration runs this
 	@bash src/toolchain/build test-all
+
+faults: ## breaks and interrupts the making of the report in every way known, and has the next make recover
+	@bash src/toolchain/build faults
 
 mutants: ## plants faults, each of which must turn a test or the report red
 	@bash src/toolchain/build mutants
@@ -103,7 +110,7 @@ setup: ## install the Debian packages that are missing
 	@sh src/toolchain/setup $(STAGES)
 
 clean: ## remove everything built
-	@rm -rf build
+	@bash src/toolchain/build clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile

@@ -16,12 +16,9 @@ void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_point_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_stress_command(CLI::App& program, ExitCode& exit_code);
 
-/// Adds compute, draw, typeset, check and describe: what makes the report.
-void add_report_stages(CLI::App& program, ExitCode& exit_code);
-
 /// All subcommands, in the order in which the help lists them.
 inline const std::vector<AddCommand> all_commands{
     add_displacement_command,  add_block_command,  add_contact_command,
-    add_point_contact_command, add_stress_command, add_report_stages};
+    add_point_contact_command, add_stress_command};
 
 }  // namespace app

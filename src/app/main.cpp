@@ -8,6 +8,8 @@ int main(int argc, char** argv) {
       {.name = "halfspace",
        .description = "Surface displacements and contact of elastic half-spaces: Ruggiero (2001) "
                       "rebuilt from its equations.",
-       .version = literate::version_text(literate::this_paper())},
+       .version = literate::version_text({.project = "halfspace",
+                                          .version = HALFSPACE_VERSION,
+                                          .repository = "generated/report/repository"})},
       app::all_commands, argc, argv);
 }

@@ -3,12 +3,22 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
 
 #include "system/error.hpp"
 #include "system/spawn.hpp"
@@ -27,13 +37,78 @@ std::vector<std::string> merged_environment(const std::map<std::string, std::str
   return environment;
 }
 
-std::string read_to_end(int descriptor) {
-  std::string text;
-  std::array<char, 4096> buffer;
+using Clock = std::chrono::steady_clock;
+
+/// When a program that begins now has to be ended; none for no limit.
+std::optional<Clock::time_point> deadline(const TimeLimit& limit) {
+  if (limit.seconds == 0) return std::nullopt;
+  int seconds = limit.seconds;
+  if (const char* variable = std::getenv("LITERATE_TIMEOUT")) {
+    const std::string_view text = variable;
+    seconds = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    const bool is_number = error == std::errc() && end == text.data() + text.size();
+    if (!text.empty() && (!is_number || seconds < 0 || seconds > 10'000'000)) {
+      throw InputError(
+          fmt::format("TIMEOUT: '{}' is not a number of seconds, 0 to 10000000", text));
+    }
+    if (seconds == 0) return std::nullopt;
+  }
+  return Clock::now() + std::chrono::seconds(seconds);
+}
+
+/// Waits until something can be read; returns whether that was before the deadline.
+bool is_readable_before(int descriptor, std::optional<Clock::time_point> deadline) {
   for (;;) {
+    int wait_ms = -1;
+    if (deadline) {
+      const auto left =
+          std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - Clock::now()).count();
+      wait_ms = static_cast<int>(std::clamp<long>(left + 1, 0, 1'000'000'000));
+    }
+    pollfd waited{.fd = descriptor, .events = POLLIN, .revents = 0};
+    const int n_ready = ::poll(&waited, 1, wait_ms);
+    if (n_ready > 0 || (n_ready < 0 && errno != EINTR)) return true;
+    if (deadline && Clock::now() >= *deadline) return false;
+  }
+}
+
+/// Appends all that is written until the last writer closes; returns whether that was in time.
+bool read_to_end(int descriptor, std::optional<Clock::time_point> deadline, std::string& text) {
+  std::array<char, 4096> buffer;
+  while (is_readable_before(descriptor, deadline)) {
     const ssize_t n_read = ::read(descriptor, buffer.data(), buffer.size());
     if (n_read > 0) text.append(buffer.data(), static_cast<std::size_t>(n_read));
-    if (n_read == 0 || (n_read < 0 && errno != EINTR)) return text;
+    if (n_read == 0 || (n_read < 0 && errno != EINTR)) return true;
+  }
+  return false;
+}
+
+/// The parent of each process, by the fourth field of its «stat»: the second may hold anything.
+std::multimap<pid_t, pid_t> children_by_parent() {
+  std::multimap<pid_t, pid_t> children;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator("/proc", error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != name.npos) continue;
+    std::ifstream stream(entry.path() / "stat");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const auto bracket = text.rfind(") ");
+    if (bracket == text.npos) continue;
+    children.emplace(static_cast<pid_t>(std::atol(text.c_str() + bracket + 4)),
+                     static_cast<pid_t>(std::atol(name.c_str())));
+  }
+  return children;
+}
+
+/// Ends a child and all that it started, which would otherwise go on writing.
+void end_with_descendants(pid_t child) {
+  const std::multimap<pid_t, pid_t> children = children_by_parent();
+  std::vector<pid_t> ended{child};
+  for (std::size_t i = 0; i < ended.size(); ++i) {
+    ::kill(ended[i], SIGKILL);
+    const auto [begin, end] = children.equal_range(ended[i]);
+    for (auto entry = begin; entry != end; ++entry) ended.push_back(entry->second);
   }
 }
 
@@ -58,7 +133,14 @@ fs::path find_tool(std::string_view program) {
   throw ToolError(fmt::format("{} is not installed; 'make setup' installs it", program));
 }
 
+std::string end_of(const ProcessResult& result) {
+  const int signal = result.exit_status - 128;
+  if (signal <= 0 || signal >= NSIG) return fmt::format("status {}", result.exit_status);
+  return fmt::format("signal {} ({})", signal, ::strsignal(signal));
+}
+
 ProcessResult run(const Command& command) {
+  const auto until = deadline(command.limit);
   const fs::path program = find_tool(command.program);
   Pipe pipe = open_pipe();
   FileActions actions;
@@ -77,8 +159,17 @@ ProcessResult run(const Command& command) {
 
   pipe.writing.close();
   ProcessResult result;
-  result.output = read_to_end(pipe.reading.number());
+  const auto begin = Clock::now();
+  const bool is_in_time = read_to_end(pipe.reading.number(), until, result.output);
+  if (!is_in_time) end_with_descendants(child);
   result.exit_status = wait_for(child);
+  if (!is_in_time) {
+    throw ToolError(fmt::format(
+        "{}: {} has not ended after {} s and was stopped; TIMEOUT=seconds allows more, TIMEOUT= "
+        "any time",
+        command.limit.what, command.program,
+        std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin).count()));
+  }
   return result;
 }
 

@@ -9,6 +9,12 @@
 
 namespace sys {
 
+/// How long a program may take before it is ended.
+struct TimeLimit {
+  std::string what = {};  ///< begins the message: «figure 'x'», «LaTeX on report.tex»
+  int seconds = 0;        ///< 0 for no limit
+};
+
 /// A program to run as a child, without a shell and with an empty standard input.
 struct Command {
   std::string program;
@@ -16,6 +22,7 @@ struct Command {
   std::filesystem::path working_directory = ".";
   /// Variables that are added to this program's own or replace them.
   std::map<std::string, std::string> environment = {};
+  TimeLimit limit = {};
 };
 
 struct ProcessResult {
@@ -23,12 +30,17 @@ struct ProcessResult {
   std::string output;   ///< standard output and standard error, interleaved
 };
 
+/// How a child ended, for messages: «status 3», «signal 9 (Killed)».
+std::string end_of(const ProcessResult& result);
+
 /// Finds a program in the folders of PATH; throws ToolError that names it and `make setup` if it is
 /// in none of them.
 std::filesystem::path find_tool(std::string_view program);
 
 /// Runs a child until it ends; several threads may do so at the same time. Throws ToolError if it
-/// cannot start. The caller has to look at its exit status.
+/// cannot start, or has not ended within its limit; then it is ended, with all that it started. The
+/// variable LITERATE_TIMEOUT, a number of seconds, takes the place of every limit, and lifts it if
+/// it is empty or 0; anything else is an InputError. The caller has to look at the exit status.
 ProcessResult run(const Command& command);
 
 }  // namespace sys

@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 
 namespace sys {
 namespace fs = std::filesystem;
@@ -74,6 +76,18 @@ std::vector<std::string> Staging::files() const {
 
 void Staging::publish(const std::vector<std::string>& former_files) {
   const std::vector<std::string> made = files();
+  // A run that is killed in here leaves files that no later run would know for its own; the list
+  // tells the next one.
+  fs::path list = output_dir_;
+  list += ".publishing";
+  std::vector<std::string> former = former_files;
+  const std::string unfinished = fs::is_regular_file(list) ? read_file(list) : std::string();
+  for (const std::string_view file : lines_of(unfinished)) former.emplace_back(file);
+  std::string own;
+  for (const std::vector<std::string>* part : {&made, &std::as_const(former)}) {
+    for (const std::string& file : *part) own += file + "\n";
+  }
+  write_file_atomically(list, own);
   try {
     // Find all that changes before changing anything.
     std::vector<std::string> changed;
@@ -87,13 +101,14 @@ void Staging::publish(const std::vector<std::string>& former_files) {
       fs::create_directories((output_dir_ / file).parent_path());
       fs::rename(path_ / file, output_dir_ / file);
     }
-    for (const std::string& file : former_files) {
+    for (const std::string& file : former) {
       if (is_below(file) && !std::ranges::binary_search(made, file)) fs::remove(output_dir_ / file);
     }
+    fs::remove(list);
   } catch (const fs::filesystem_error& error) {
+    const fs::path& file = error.path2().empty() ? error.path1() : error.path2();
     throw OutputError(fmt::format("cannot write to the output folder '{}': {}: {}",
-                                  output_dir_.string(), error.path2().string(),
-                                  error.code().message()));
+                                  output_dir_.string(), file.string(), error.code().message()));
   }
 }
 

@@ -26,7 +26,8 @@ class Staging {
   std::vector<std::string> files() const;
 
   /// Moves the files to the output folder by renaming, except those whose content is the same
-  /// there, and removes those of `former_files` that were not made again. Throws OutputError.
+  /// there, and removes those of `former_files` that were not made again. What a run left here that
+  /// was killed meanwhile counts as former files of the next. Throws OutputError.
   void publish(const std::vector<std::string>& former_files);
 
  private:

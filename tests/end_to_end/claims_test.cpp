@@ -19,8 +19,14 @@ std::string altered_case() {
 }
 
 const std::string fault_line =
-    "halfspace: claim largest-magnitude is confirmed, not refuted: largest of the magnitudes in "
+    ": claim largest-magnitude is confirmed, not refuted: largest of the magnitudes in "
     "Fig. 5: 1.594640e-6 in (asked: at most 1.594647e-6 in)\n";
+
+// It begins with the line that registered the claim.
+bool is_fault_line(const std::string& errors) {
+  return errors.starts_with("halfspace: src/paper/results_section.cpp:") &&
+         errors.ends_with(fault_line) && std::ranges::count(errors, '\n') == 1;
+}
 
 struct AlteredReport {
   TemporaryFolder folder;
@@ -68,7 +74,7 @@ BOOST_AUTO_TEST_CASE(an_altered_print_is_typeset_stamped_on_every_page_and_exits
   BOOST_TEST(computed.status == 0);
   BOOST_TEST(computed.errors == "");
   BOOST_TEST(typeset.status == 1);
-  BOOST_TEST(typeset.errors == fault_line);
+  BOOST_TEST(is_fault_line(typeset.errors), typeset.errors);
   const Words pages = report.pages();
   BOOST_TEST(pages.size() > 30U);
   for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -84,7 +90,7 @@ BOOST_AUTO_TEST_CASE(without_deferring_the_files_are_written_and_the_verdict_is_
   const Outcome computed = report.compute();
 
   BOOST_TEST(computed.status == 1);
-  BOOST_TEST(computed.errors == fault_line);
+  BOOST_TEST(is_fault_line(computed.errors), computed.errors);
   BOOST_TEST(fs::exists(report.generated / "names.json"));
   BOOST_TEST(fs::exists(report.generated / "claims.tex"));
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# describe_test.sh PROGRAM SOURCE_DIR: `halfspace describe`, whose two files are held against their specifications.
+# describe_test.sh PROGRAM SOURCE_DIR: `halfspace-report describe`, whose two files are held against their specifications.
 program=$1
 shift
 # shellcheck source=tests/toolchain/shell_test.sh

@@ -16,7 +16,7 @@ trap 'rm -rf -- "$scratch"' EXIT
 # page FOLDER: FOLDER/page.html from FOLDER/generated, by the settings that the build would write.
 page() {
   printf '%s\n' name=page project=halfspace "root=$source_dir" "build=$1" "program=$program" \
-    "document=$source_dir/report" main=report.tex case= sources=src "output=$1" "engine=$source_dir/src/literate" \
+    "document=$source_dir/report" main=report.tex case= sources=src "output=$1" "repository=$1" "engine=$source_dir/src/literate" \
     >"$1/page.settings"
   bash "$source_dir/src/literate/scripts/html" "$1/page.settings"
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Starts the built program as a shell would, with its output and its errors apart.
+// Starts a built program as a shell would, with its output and its errors apart.
 #pragma once
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,13 @@ struct Outcome {
   std::string errors;
 };
 
+/// The program that knows the command: one makes the report, the other is the mechanics' own.
+inline std::string program_of(const Words& words) {
+  static const std::set<std::string> stages = {"compute",    "draw",    "typeset", "check",
+                                               "statements", "restyle", "describe"};
+  return !words.empty() && stages.contains(words.front()) ? REPORT_PROGRAM : HALFSPACE_PROGRAM;
+}
+
 inline Outcome run_program(const Words& words, const Surroundings& surroundings = {}) {
   const TemporaryFolder scratch;
   const std::string input = scratch.write("input", surroundings.input).string();
@@ -41,7 +49,7 @@ inline Outcome run_program(const Words& words, const Surroundings& surroundings 
   Words arguments{"-c",   R"(umask "$1"; i=$2 o=$3 e=$4; shift 4; exec "$@" <"$i" >"$o" 2>"$e")",
                   "sh",   surroundings.umask,
                   input,  output,
-                  errors, HALFSPACE_PROGRAM};
+                  errors, program_of(words)};
   arguments.insert(arguments.end(), words.begin(), words.end());
   const auto result = sys::run({.program = "sh",
                                 .arguments = arguments,
@@ -68,7 +76,7 @@ inline Words drawing(const std::filesystem::path& generated) {
 /// `parts`; of bad input there is exactly one line.
 inline void check_refused(int status, const Words& words, const Words& parts,
                           const Surroundings& surroundings = {}) {
-  std::string command = "halfspace";
+  std::string command = program_of(words);
   for (const std::string& word : words) command += " '" + word + "'";
   BOOST_TEST_CONTEXT(command) {
     const Outcome outcome = run_program(words, surroundings);

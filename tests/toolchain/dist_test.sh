@@ -7,12 +7,12 @@
 archive=$toy/build/dist/report.tar.gz
 echo 'cp "$1" "$2/tables/t.csv"' >>"$toy/compute"
 mkdir -p "$toy/build/release"
-# halfspace describe --folder FOLDER …
-cat >"$toy/build/release/halfspace" <<'END'
+# halfspace-report describe --folder FOLDER …
+cat >"$toy/build/release/halfspace-report" <<'END'
 #!/bin/sh
 [ "$1 $2" = 'describe --folder' ] && ls "$3" >"$3/codecheck.yml" && ls "$3" >"$3/ro-crate-metadata.json"
 END
-chmod +x "$toy/build/release/halfspace"
+chmod +x "$toy/build/release/halfspace-report"
 
 mkdir -p "$toy/report/pictures"
 printf 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg==' | base64 -d \

@@ -32,7 +32,7 @@ done
 runs make report CASE='no such.toml'
 claim 'a case that does not exist stops make' "$status" -ne 0
 claim 'the case is named' "$(says 'there is no file no such.toml')" = yes
-claim 'nothing was started' ! -e build
+claim 'nothing was started' ! -e build/release
 
 runs make report CASE="$scratch/cases/none.toml"
 claim 'a missing case with a whole path is named' "$(says "there is no file $scratch/cases/none.toml")" = yes

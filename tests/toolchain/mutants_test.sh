@@ -25,11 +25,11 @@ cmake_minimum_required(VERSION 3.25)
 project(small LANGUAGES NONE)
 enable_testing()
 add_test(NAME unit/a/data COMMAND grep -q "one = 1" "${CMAKE_SOURCE_DIR}/src/a/data.txt")
-file(WRITE "${CMAKE_BINARY_DIR}/halfspace" "#!/bin/sh
+file(WRITE "${CMAKE_BINARY_DIR}/halfspace-report" "#!/bin/sh
 test $(grep -c 'two = 2' '${CMAKE_SOURCE_DIR}/src/a/data.txt') = 2 || { echo 'halfspace: claim twos is refuted'; exit 1; }
 ")
-file(CHMOD "${CMAKE_BINARY_DIR}/halfspace" PERMISSIONS OWNER_READ OWNER_EXECUTE)
-add_custom_target(halfspace)
+file(CHMOD "${CMAKE_BINARY_DIR}/halfspace-report" PERMISSIONS OWNER_READ OWNER_EXECUTE)
+add_custom_target(halfspace-report)
 END
 
 # fault ID BEFORE AFTER [LINE]: an entry of the list.

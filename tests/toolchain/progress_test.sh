@@ -8,7 +8,7 @@ cat >>"$toy/CMakeLists.txt" <<'END_OF_LISTS'
 add_custom_command(OUTPUT part1 COMMAND "${CMAKE_COMMAND}" -E touch part1 COMMENT "Building part 1")
 add_custom_command(OUTPUT part2 COMMAND "${CMAKE_COMMAND}" -E touch part2 DEPENDS part1 COMMENT "Linking part 2")
 add_custom_target(parts DEPENDS part2)
-add_dependencies(halfspace parts)
+add_dependencies(halfspace-report parts)
 END_OF_LISTS
 
 # on_terminal COMMAND: runs it as a terminal would.

@@ -28,13 +28,18 @@ mkdir -p "$2/tables"
 tr -d '\n' <"$1" >"$2/tables/t.tex"
 echo '{"values": {}}' >"$2/names.json"
 END
+# digest FOLDER
+cat >"$toy/digest" <<'END'
+#!/bin/sh
+cd "$1" && find . -type f -printf '%P\0' | sort -z | xargs -0 sha256sum >../generated.sha256
+END
 # typeset DOCUMENT OUTPUT
 cat >"$toy/typeset" <<'END'
 #!/bin/sh
 cd "$1" && TEXINPUTS=".:$2/generated:" SOURCE_DATE_EPOCH=0 pdflatex -interaction=batchmode \
   -output-directory="$2" report.tex >"$2/said" && echo '  "date": "2001-04-23T12:00:00Z"' >"$2/manifest.json"
 END
-chmod +x "$toy/compute" "$toy/typeset"
+chmod +x "$toy/compute" "$toy/digest" "$toy/typeset"
 
 cat >"$toy/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
@@ -47,7 +52,7 @@ file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/report.settings" CONTENT
 project=halfspace
 root=${PROJECT_SOURCE_DIR}
 build=${PROJECT_BINARY_DIR}
-program=${PROJECT_BINARY_DIR}/halfspace
+program=${PROJECT_BINARY_DIR}/halfspace-report
 document=${PROJECT_SOURCE_DIR}/report
 main=report.tex
 case=${report_CASE}
@@ -58,11 +63,10 @@ engine=${PROJECT_SOURCE_DIR}/src/literate
 ")
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/repository/repository.tex" CONTENT "")
 add_custom_target(ask_for_commit COMMAND "${CMAKE_COMMAND}" -E true)
-add_custom_target(halfspace DEPENDS ask_for_commit)
+add_custom_target(halfspace-report DEPENDS ask_for_commit)
 add_custom_command(OUTPUT "${to}/generated/names.json" "${to}/generated.sha256"
   COMMAND "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" "${to}/generated"
-  COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${to}/generated" "-DOUTPUT=${to}/generated.sha256"
-    -P "${PROJECT_SOURCE_DIR}/src/literate/cmake/WriteDigest.cmake"
+  COMMAND "${PROJECT_SOURCE_DIR}/digest" "${to}/generated"
   DEPENDS "${PROJECT_SOURCE_DIR}/compute" "${report_CASE}" COMMENT "compute" USES_TERMINAL VERBATIM)
 add_custom_target(report-figures DEPENDS "${to}/generated.sha256")
 add_custom_command(OUTPUT "${to}/report.pdf" "${to}/manifest.json"
@@ -70,6 +74,7 @@ add_custom_command(OUTPUT "${to}/report.pdf" "${to}/manifest.json"
   DEPENDS "${to}/generated.sha256" report/report.tex report/sections/a.tex
   COMMENT "typeset" USES_TERMINAL VERBATIM)
 add_custom_target(report DEPENDS "${to}/report.pdf")
+add_custom_target(report-made DEPENDS "${to}/report.pdf")
 END
 
 # toy_make ARGUMENT…: runs make in the toy checkout.

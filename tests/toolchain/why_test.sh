@@ -7,7 +7,7 @@
 
 toy_make why
 claim 'before the first build that is the reason' "$(says 'nothing has been built yet')" = yes
-claim 'asking builds nothing' ! -e "$toy/build"
+claim 'asking builds nothing' ! -e "$toy/build/release"
 
 toy_make report
 claim 'the toy is built' "$status" -eq 0
@@ -51,10 +51,10 @@ claim 'an unknown target is named' "$(says 'TARGET: there is no target or file n
 # Generated files are watched too
 echo forged >"$toy/build/report/generated/tables/t.tex"
 toy_make why
-claim 'a file changed by hand is named' "$said" = 'build/report/generated/tables/t.tex was changed by hand'
+claim 'a file changed by hand is named' "$said" = 'build/report/generated/tables/t.tex was changed by hand or damaged'
 toy_make report
 claim 'it is made again, and it says so' \
-  "$(says 'build/report/generated/tables/t.tex was changed by hand; it is made again')" = yes
+  "$(says 'build/report/generated/tables/t.tex: changed by hand or damaged; made again')" = yes
 claim 'nothing of it is left' "$(cat "$toy/build/report/generated/tables/t.tex")" = 'E = 30'
 toy_make report
 claim 'once is enough' "$(says 'by hand')" = no

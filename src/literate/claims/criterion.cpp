@@ -171,6 +171,11 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
                             relative(number_of(rounded_up_to_digits(off + unsure, 1))), stated);
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
   criterion.decide(off, unsure, true, Value(0, exact().in_percent()));
+  if (criterion.outcome_ == Outcome::undecided) {
+    // The error, which says why, stands behind it.
+    criterion.found_ = phrase("{}, {} from {}", criterion.quantity_,
+                              relative(number_of(rounded_to_digits(off, 2))), stated);
+  }
   return criterion;
 }
 

@@ -178,7 +178,7 @@ function(literate_add_paper)
   set(scripts "${engine}/scripts")
   set(generated "${output}/generated")
   set(digest "${output}/generated.sha256")
-  set(computed "${output}/computed")
+  set(state "${output}/state") # a record for each stage that is done
   set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
   set(repository "${PROJECT_BINARY_DIR}/generated/${name}/repository")
 
@@ -207,13 +207,23 @@ engine=${engine}
 latex=${arg_ENGINE}
 ")
 
-  # The program leaves a file alone that would not change, and so does WriteDigest: whatever was computed or drawn anew,
-  # the document is typeset again only if something it reads is different. (Ninja's `restat` remembers the run.)
+  # By its SHA-256 a damaged program is known: an empty one would be run by the shell, which finds no fault.
+  set(linked "${PROJECT_BINARY_DIR}/${name}.linked")
   add_custom_command(
-    OUTPUT "${generated}/names.json" "${computed}"
+    OUTPUT "${linked}"
+    COMMAND "${CMAKE_COMMAND}" "-DFILE=$<TARGET_FILE:${arg_PROGRAM}>" "-DOUTPUT=${linked}"
+      -P "${engine}/cmake/WriteLinked.cmake"
+    DEPENDS ${arg_PROGRAM} "${engine}/cmake/WriteLinked.cmake"
+    COMMENT "linked program"
+    VERBATIM)
+
+  # The program leaves a file alone that would not change: whatever was computed or drawn anew, the document is typeset
+  # again only if something it reads is different. (Ninja's `restat` remembers the run.)
+  add_custom_command(
+    OUTPUT "${generated}/names.json" "${state}/compute"
     COMMAND ${arg_PROGRAM} compute --case "${case}" --output "${generated}" --source "${root}" --defer-verdict
-    COMMAND "${CMAKE_COMMAND}" -E touch "${computed}"
-    DEPENDS ${arg_PROGRAM} "${case}" ${data}
+      --record "${state}/compute"
+    DEPENDS ${arg_PROGRAM} "${linked}" "${case}" ${data}
     COMMENT "compute"
     USES_TERMINAL
     VERBATIM)
@@ -222,11 +232,10 @@ latex=${arg_ENGINE}
   # that the change does not concern are left as they are.
   file(GLOB figure_scripts CONFIGURE_DEPENDS "${figures}/*.gp")
   add_custom_command(
-    OUTPUT "${digest}"
-    COMMAND ${arg_PROGRAM} draw --generated "${generated}" --scripts "${figures}"
-    COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${generated}" "-DOUTPUT=${digest}"
-      -P "${engine}/cmake/WriteDigest.cmake"
-    DEPENDS ${arg_PROGRAM} "${computed}" ${figure_scripts} "${engine}/cmake/WriteDigest.cmake"
+    OUTPUT "${digest}" "${state}/draw"
+    COMMAND ${arg_PROGRAM} draw --generated "${generated}" --scripts "${figures}" --digest "${digest}"
+      --record "${state}/draw"
+    DEPENDS ${arg_PROGRAM} "${state}/compute" ${figure_scripts}
     COMMENT "draw"
     USES_TERMINAL
     VERBATIM)
@@ -235,21 +244,27 @@ latex=${arg_ENGINE}
   # The manifest names every source, so this runs after each change of the program. LaTeX itself does nothing then,
   # unless a result or the prose is another one.
   literate_document_files("${document}" files)
-  set(typeset
-    ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
+  # The PDF is no output that Ninja knows, because Ninja deletes those of a command that is interrupted.
+  add_custom_command(
+    OUTPUT "${state}/typeset"
+    COMMAND ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
       --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
       --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
-      --repository "${repository}" --engine ${arg_ENGINE})
-  add_custom_command(
-    OUTPUT "${output}/${name}.pdf" "${output}/manifest.json"
-    COMMAND ${typeset}
+      --repository "${repository}" --engine ${arg_ENGINE} --record "${state}/typeset"
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
     DEPENDS ${arg_PROGRAM} "${digest}" "${case}" "${repository}/repository.json" ${files}
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)
-  add_custom_target(${name} DEPENDS "${output}/${name}.pdf")
+  add_custom_target(${name}-made DEPENDS "${state}/typeset")
+  # Whoever asks for the paper gets the last look too.
+  add_custom_target(${name}
+    COMMAND bash "${scripts}/look" "${settings}" --tell
+    DEPENDS "${state}/typeset"
+    COMMENT "look"
+    USES_TERMINAL
+    VERBATIM)
 
   add_custom_target(${name}-figure
     COMMAND bash "${scripts}/figure" "${settings}"
@@ -270,14 +285,10 @@ latex=${arg_ENGINE}
   add_custom_target(${name}-check
     COMMAND bash "${scripts}/check" "${settings}"
     DEPENDS "${digest}" USES_TERMINAL VERBATIM)
-  # What verify runs for a MANIFEST, which it lays there.
-  add_custom_target(${name}-compare
-    COMMAND ${typeset} --against "${output}/theirs.json"
-    DEPENDS "${output}/${name}.pdf" USES_TERMINAL VERBATIM)
   foreach(stage IN ITEMS verify dist)
     add_custom_target(${name}-${stage}
       COMMAND bash "${scripts}/${stage}" "${settings}"
-      DEPENDS "${output}/${name}.pdf" USES_TERMINAL VERBATIM)
+      DEPENDS "${state}/typeset" USES_TERMINAL VERBATIM)
   endforeach()
   add_custom_target(${name}-reports
     COMMAND bash "${scripts}/reports" "${settings}"

@@ -26,7 +26,7 @@ install(DIRECTORY scripts latexml template DESTINATION "${share}")
 install(FILES page.css README.md DESTINATION "${share}")
 install(FILES document/literate.sty DESTINATION "${share}/document")
 install(FILES imports/results.schema.json DESTINATION "${share}/imports")
-install(FILES cmake/AddPaper.cmake cmake/CheckManifest.cmake cmake/WriteRepository.cmake cmake/WriteDigest.cmake
+install(FILES cmake/AddPaper.cmake cmake/CheckManifest.cmake cmake/WriteRepository.cmake cmake/WriteLinked.cmake
   cmake/paper.cpp.in cmake/literateConfig.cmake
   DESTINATION "${share}/cmake")
 install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")

@@ -56,6 +56,9 @@ class Document {
   void attach(const AttachedFile& file) { registered_.attachments.add(file); }
   const Attachments& attachments() const { return registered_.attachments; }
 
+  /// Tells which case all this was computed from, by the SHA-256 of the bytes that were read.
+  void computed_from(const std::string& case_sha256) { registered_.case_sha256 = case_sha256; }
+
   /// Adds all that another document registered, after what this one has, so that parts of a
   /// document can be computed at the same time. Throws std::logic_error if both registered the same
   /// key.

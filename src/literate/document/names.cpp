@@ -14,6 +14,7 @@ namespace literate {
 namespace {
 
 using nlohmann::json;
+using Places = std::map<std::string, std::string>;
 
 json value_json(const Value& value, const SourcePlace& place) {
   json entry{{"printed", value.printed()}, {"place", text_of(place)}};
@@ -107,14 +108,23 @@ json keys_json(const Map& map) {
   return keys;
 }
 
+/// Where each of a kind was registered, «file:line» by its name.
+json places_json(const Registered& registered, std::string_view kind) {
+  json places = json::object();
+  for (const auto& [name, place] : registered.places) {
+    if (name.first == kind) places[name.second] = text_of(place);
+  }
+  return places;
+}
+
 std::set<std::string> keys_of(const json& entries) {
   std::set<std::string> keys;
   for (const auto& entry : entries.items()) keys.insert(entry.key());
   return keys;
 }
 
-std::map<std::string, std::string> places_in(const json& entries) {
-  std::map<std::string, std::string> places;
+Places places_in(const json& entries) {
+  Places places;
   for (const auto& entry : entries.items()) places[entry.key()] = entry.value().at("place");
   return places;
 }
@@ -155,7 +165,8 @@ json texts_json(const Registered& registered) {
     add("check", check.id, "statement", escape_latex(check.statement));
   }
   for (const auto& [name, table] : registered.tables) {
-    for (const Column& column : table.columns()) add("table", name, "heading", column.format().heading);
+    for (const Column& column : table.columns())
+      add("table", name, "heading", column.format().heading);
   }
   return texts;
 }
@@ -180,6 +191,8 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   }
   names["flags"] = registered.flags;
   names["tables"] = keys_json(registered.tables);
+  names["places"] = {{"flags", places_json(registered, "flag")},
+                     {"tables", places_json(registered, "table")}};
   names["figures"] = json::object();
   for (const auto& [name, place] : figure_places(registered)) {
     names["figures"][name] = {{"place", place}};
@@ -191,6 +204,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["texts"] = texts_json(registered);
   names["faults"] = faults(registered);
   names["files"] = files;
+  if (!registered.case_sha256.empty()) names["case_sha256"] = registered.case_sha256;
   return names.dump(2) + "\n";
 }
 
@@ -205,9 +219,13 @@ Names read_names(const std::filesystem::path& file) {
             .excerpts = keys_of(names.at("excerpts")),
             .claims = claims_in(names.at("claims")),
             .figure_places = places_in(names.at("figures")),
+            .value_places = places_in(names.at("values")),
+            .flag_places = names.at("places").at("flags").get<Places>(),
+            .table_places = names.at("places").at("tables").get<Places>(),
             .texts = texts_in(names.at("texts")),
             .faults = names.at("faults").get<std::vector<std::string>>(),
-            .files = names.at("files").get<std::vector<std::string>>()};
+            .files = names.at("files").get<std::vector<std::string>>(),
+            .case_sha256 = names.value("case_sha256", "")};
   } catch (const std::exception& error) {
     throw sys::OutputError(
         fmt::format("'{}' is not a list of names: {}", file.string(), error.what()));

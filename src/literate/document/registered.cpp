@@ -24,15 +24,20 @@ std::map<std::string, std::string> figure_places(const Registered& registered) {
 }
 
 std::vector<std::string> faults(const Registered& registered) {
+  const auto place_of = [&](const char* kind, const std::string& name) {
+    return text_of(registered.places.at({kind, name}));
+  };
   std::vector<std::string> faults;
   for (const Check& check : failed_checks(registered)) {
-    faults.push_back(fmt::format("check {} failed: {}{}{}", check.id, check.statement,
-                                 check.found.empty() ? "" : "; ", check.found));
+    faults.push_back(fmt::format("{}: check {} failed: {}{}{}", place_of("check", check.id),
+                                 check.id, check.statement, check.found.empty() ? "" : "; ",
+                                 check.found));
   }
   for (const auto& [id, claim] : registered.claims) {
     if (claim.found() == claim.expected) continue;
-    faults.push_back(fmt::format("claim {} is {}, not {}: {}", id, name_of(claim.found()),
-                                 name_of(claim.expected), text_of(claim.criteria)));
+    faults.push_back(fmt::format("{}: claim {} is {}, not {}: {}", place_of("claim", id), id,
+                                 name_of(claim.found()), name_of(claim.expected),
+                                 text_of(claim.criteria)));
   }
   return faults;
 }

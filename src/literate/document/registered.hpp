@@ -32,6 +32,7 @@ struct Registered {
   std::vector<Check> checks;                          ///< in the order of registration
   std::vector<std::pair<std::string, Claim>> claims;  ///< by id, in the order of registration
   Attachments attachments;                            ///< files that values came from
+  std::string case_sha256;                            ///< of the case as it was read; may be empty
   std::map<std::pair<std::string, std::string>, SourcePlace> places;  ///< by kind and name
 };
 
@@ -42,7 +43,7 @@ std::vector<Check> failed_checks(const Registered& registered);
 std::map<std::string, std::string> figure_places(const Registered& registered);
 
 /// What keeps the document from being trusted: a line for each check that failed, and for each
-/// claim whose verdict is not the expected one.
+/// claim whose verdict is not the expected one. It begins with «file:line» of its registration.
 std::vector<std::string> faults(const Registered& registered);
 
 }  // namespace literate

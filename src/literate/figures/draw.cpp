@@ -71,6 +71,17 @@ fs::path failed_figures(const fs::path& generated) {
   return fs::absolute(generated / "").lexically_normal().parent_path().string() + ".failed";
 }
 
+/// Whether the files of a record, below the folder of its figure, have its digests.
+bool are_as_recorded(const std::string& record, const fs::path& folder) {
+  return std::ranges::all_of(sys::lines_of(record), [&](std::string_view line) {
+    const auto blank = line.find("  ");
+    if (blank == std::string_view::npos) return false;
+    const fs::path file = folder / line.substr(blank + 2);
+    return line.ends_with("gnuplot --version") ||
+           (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, blank));
+  });
+}
+
 /// Draws one figure in a folder of its own, and keeps what it was drawn from.
 class Drawing {
  public:
@@ -90,10 +101,12 @@ class Drawing {
     }
   }
 
-  /// Whether the drawing that is there was made from this.
+  /// Whether the drawing that is there was made from this, and lies beside a copy of it.
   bool is_up_to_date() const {
     const fs::path record = computed_ / record_name;
-    return fs::is_regular_file(record) && sys::read_file(record) == inputs_ + outputs_in(computed_);
+    return fs::is_regular_file(record) &&
+           sys::read_file(record) == inputs_ + outputs_in(computed_) &&
+           are_as_recorded(inputs_, computed_);
   }
 
   void draw(const fs::path& staging) const {
@@ -220,18 +233,8 @@ std::vector<std::string> drawn_files(const FigurePlaces& figures) {
 void require_drawn(const fs::path& generated, const FigurePlaces& figures) {
   for (const auto& [name, place] : figures) {
     const fs::path folder = generated / "figures" / name;
-    const auto is_as_drawn = [&](std::string_view line) {
-      const auto blank = line.find("  ");
-      if (blank == std::string_view::npos) return false;
-      const fs::path file = folder / line.substr(blank + 2);
-      return line.ends_with("gnuplot --version") ||
-             (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, blank));
-    };
     const fs::path record = folder / record_name;
-    if (fs::is_regular_file(record)) {
-      const std::string text = sys::read_file(record);
-      if (std::ranges::all_of(sys::lines_of(text), is_as_drawn)) continue;
-    }
+    if (fs::is_regular_file(record) && are_as_recorded(sys::read_file(record), folder)) continue;
     throw sys::OutputError(fmt::format(
         "figure '{}' in '{}' is not drawn from the data that are there; `draw` comes before this",
         name, generated.string()));

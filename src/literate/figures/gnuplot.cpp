@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/figures/gnuplot.hpp"
 
+#include <fmt/core.h>
+
 #include <string_view>
 #include <vector>
 
@@ -9,6 +11,8 @@
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr int figure_seconds = 300;  // the slowest seen took 3
 
 /// Overwrites the creation date of a PDF with a fixed one of the same length, because cairo 1.16
 /// writes the present second; later versions obey SOURCE_DATE_EPOCH.
@@ -36,7 +40,8 @@ sys::ProcessResult run_gnuplot(const fs::path& folder, const std::string& name,
       sys::run({.program = "gnuplot",
                 .arguments = arguments,
                 .working_directory = folder,
-                .environment = {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC"}, {"SOURCE_DATE_EPOCH", "0"}}});
+                .environment = {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC"}, {"SOURCE_DATE_EPOCH", "0"}},
+                .limit = {fmt::format("figure '{}'", name), figure_seconds}});
   const fs::path pdf = folder / (name + ".pdf");
   if (fs::is_regular_file(pdf)) fix_creation_date(pdf);
   return result;

@@ -81,6 +81,17 @@ std::string one_line(std::string_view text) {
   return result;
 }
 
+/// Refuses half a file, which gnuplot leaves when it is ended or the disk is full, sometimes with
+/// status 0.
+void require_whole(const ScriptRun& run, const std::string& script, const std::string& extension,
+                   std::string_view begins, std::string_view ends) {
+  const std::string text = sys::read_file(run.folder / (run.name + extension));
+  if (text.starts_with(begins) && sys::stripped(text).ends_with(ends)) return;
+  throw sys::ToolError(fmt::format(
+      "{}: gnuplot ended without an error, but {} is not whole: it does not end with {} ({})",
+      script, run.name + extension, ends, registration(run)));
+}
+
 }  // namespace
 
 void require_draws_only(std::string_view script, const std::string& file) {
@@ -107,9 +118,9 @@ void require_drawn_well(const ScriptRun& run, const sys::ProcessResult& result) 
   const std::string script = fmt::format("{}/{}.gp", run.label, run.name);
   if (result.exit_status != 0) {
     const std::string said = one_line(result.output);
-    throw sys::ToolError(fmt::format("{}: gnuplot ended with status {}{}{} ({})", script,
-                                     result.exit_status, said.empty() ? "" : ": ", said,
-                                     registration(run)));
+    throw sys::ToolError(fmt::format("{}: gnuplot ended with {}{}{} ({})", script,
+                                     sys::end_of(result), said.empty() ? " and said nothing" : ": ",
+                                     said, registration(run)));
   }
   for (const std::string extension : {".tex", ".pdf"}) {
     const fs::path drawing = run.folder / (run.name + extension);
@@ -117,6 +128,8 @@ void require_drawn_well(const ScriptRun& run, const sys::ProcessResult& result) 
     throw sys::ToolError(fmt::format("{}: gnuplot drew nothing: {} is missing or empty ({})",
                                      script, drawing.filename().string(), registration(run)));
   }
+  require_whole(run, script, ".pdf", "%PDF-", "%%EOF");
+  require_whole(run, script, ".tex", "", "\\endgroup");
   const std::vector<std::string> own = {run.name + ".gp", run.name + ".pdf", run.name + ".tex",
                                         "script.gp"};
   for (const std::string& file : sys::files_below(run.folder)) {

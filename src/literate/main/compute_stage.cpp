@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <vector>
 
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "literate/excerpts/find_excerpts.hpp"
+#include "literate/main/stage_record.hpp"
 #include "literate/main/stages.hpp"
+#include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/staging.hpp"
 
@@ -23,6 +27,7 @@ struct ComputeOptions {
   std::string case_file;
   std::string output;
   std::string source = ".";
+  std::string record;
   bool defers_verdict = false;
 };
 
@@ -37,6 +42,52 @@ void require_writable(const fs::path& output) {
   for (const fs::path& made : missing) fs::remove(made, ignored);
 }
 
+// What a file was when it was read: its bytes, and what changes with each writing to it and with
+// each other file that takes its place.
+struct FileAsRead {
+  explicit FileAsRead(const fs::path& file) : digest(sys::sha256_of_file(file)) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return;
+    change = {status.st_dev, status.st_ino, status.st_ctim.tv_sec, status.st_ctim.tv_nsec};
+  }
+  bool operator==(const FileAsRead&) const = default;
+
+  std::string digest;
+  std::tuple<dev_t, ino_t, time_t, long> change;
+};
+
+// The computation reads its case more than once, so it is repeated if the case was saved meanwhile.
+Document computed(const Inputs& inputs, const Compute& compute) {
+  constexpr int most_runs = 5;
+  for (int n_runs = 0; n_runs < most_runs; ++n_runs) {
+    const FileAsRead before(inputs.case_file);
+    Document document;
+    compute(document, inputs);
+    if (FileAsRead(inputs.case_file) == before) {
+      document.computed_from(before.digest);
+      return document;
+    }
+    command_line::complain(
+        fmt::format("warning: '{}' was saved while it was computed from; it is computed again",
+                    inputs.case_file.string()),
+        ExitCode::success);
+  }
+  throw sys::InputError(fmt::format("'{}' was saved {} times while it was computed from",
+                                    inputs.case_file.string(), most_runs));
+}
+
+// All that a later look holds the results against. Data from outside the checkout are known by
+// their names alone and left to the time stamps.
+FileDigests files_read(const ComputeOptions& options, const Document& document) {
+  FileDigests files = this_program();
+  files[fs::absolute(options.case_file).string()] = document.registered().case_sha256;
+  const fs::path root = fs::weakly_canonical(options.source);
+  for (const auto& [name, digest] : document.attachments().digests()) {
+    if (fs::is_regular_file(root / name)) files[(root / name).string()] = digest;
+  }
+  return files;
+}
+
 ExitCode run(const ComputeOptions& options, const Paper& paper, const Compute& compute) {
   const command_line::Stage computing("compute");
   sys::read_file(options.case_file);  // one that cannot be read is told before all else
@@ -45,9 +96,10 @@ ExitCode run(const ComputeOptions& options, const Paper& paper, const Compute& c
                       .excerpts = find_excerpts(options.source, paper.source_folders)};
   require_compiled(inputs.excerpts, paper.excerpts);
   require_writable(options.output);
-  Document document;
-  compute(document, inputs);
+  StageRecord record(options.record);
+  const Document document = computed(inputs, compute);
   document.write(options.output, inputs.excerpts);
+  record.done(files_read(options, document));
   computing.done(fmt::format("{} values, {} tables, {} figures, {} checks, {} claims",
                              document.values().size(), document.tables().size(),
                              document.figures().size(), document.checks().size(),
@@ -71,6 +123,8 @@ void add_compute_stage(CLI::App& program, ExitCode& exit_code, const Paper& pape
         add_required_text(command, "--output", options->output, "DIR", "Folder to write to");
         add_text(command, "--source", options->source, "DIR",
                  "The checkout, for the excerpts of its sources");
+        add_text(command, "--record", options->record, "FILE",
+                 "Write what was read, with its SHA-256, when all is done");
         add_switch(command, "--defer-verdict", options->defers_verdict,
                    "Leave it to `typeset` to tell what does not hold, and to exit 1");
         return [options, &paper, &compute] { return run(*options, paper, compute); };

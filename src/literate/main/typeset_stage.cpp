@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "literate/excerpts/paper_sources.hpp"
 #include "literate/figures/draw.hpp"
 #include "literate/main/platform.hpp"
+#include "literate/main/stage_record.hpp"
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/figure_widths.hpp"
@@ -30,6 +32,7 @@
 #include "literate/provenance/repository.hpp"
 #include "literate/typesetting/latex_run.hpp"
 #include "literate/typesetting/typeset.hpp"
+#include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/tool_version.hpp"
 
@@ -43,7 +46,7 @@ struct TypesetStageOptions {
   std::string document, main_file, generated, build, output;
   std::string engine = "pdflatex";
   bool tolerates_overfull = false;
-  std::string digest, manifest, case_file, source = ".", repository, against;
+  std::string digest, manifest, case_file, source = ".", repository, against, record;
 };
 
 // The digests of all files below `folder` of the checkout whose names end in one of these.
@@ -74,7 +77,8 @@ std::vector<std::string> made_files(const Names& names) {
 
 // The digests of everything that the document is made from. A case from outside the checkout is
 // listed by its name alone.
-Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper) {
+Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper,
+                          const Names& names) {
   const fs::path root = fs::weakly_canonical(options.source);
   Manifest::Texts files;
   for (const std::string& folder : paper.source_folders) {
@@ -96,13 +100,16 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   }
   if (!options.case_file.empty()) {
     const fs::path file = fs::weakly_canonical(options.case_file);
-    files[name_within(root, file)] = sys::sha256_of_file(file);
+    // A second reading could find another case than the computation did.
+    files[name_within(root, file)] =
+        names.case_sha256.empty() ? sys::sha256_of_file(file) : names.case_sha256;
   }
   return files;
 }
 
 Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper,
-                     const Repository& repository, const Names& names) {
+                     const Repository& repository, const Names& names,
+                     const Manifest::Texts& inputs) {
   const fs::path generated = options.generated;
   const fs::path pdf = options.output;
   Manifest::Texts libraries = engine_libraries();
@@ -123,7 +130,7 @@ Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper,
                                {{"gnuplot", sys::tool_version("gnuplot")},
                                 {options.engine == "lualatex" ? "LuaTeX" : "pdfTeX",
                                  sys::tool_version(options.engine)}}}},
-                    .inputs = inputs_of(options, paper),
+                    .inputs = inputs,
                     .outputs = digests(generated, made_files(names), "generated/"),
                     .numbers = numbers_in(generated / "names.json")};
   manifest.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
@@ -156,19 +163,63 @@ bool tolerates_overfull(const TypesetStageOptions& options) {
   return options.tolerates_overfull || std::getenv("LITERATE_TOLERATES_OVERFULL") != nullptr;
 }
 
-ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
-  // Report a manifest that cannot be read before the work begins.
-  Manifest theirs;
-  if (!options.against.empty()) theirs = read_manifest(options.against, paper.project);
+// The digests of what LaTeX reads from the document's own folder.
+FileDigests prose_of(const TypesetStageOptions& options) {
+  const fs::path document = fs::weakly_canonical(options.document);
+  const std::string prefix = document.string() + "/";
+  FileDigests files = digests(document, document_files(document), prefix);
+  files.merge(digests(document, images_of(document).files, prefix));
+  for (const std::string& file : paper_sources(document)) {
+    const bool is_read =
+        file.find('/') == file.npos &&
+        (file.ends_with(".bib") || file.ends_with(".sty") || file.ends_with(".cls") ||
+         file.ends_with(".bst") || file == "quotations.toml");
+    if (is_read) files[prefix + file] = sys::sha256_of_file(document / file);
+  }
+  return files;
+}
+
+// What a later look holds the announced files against.
+FileDigests files_announced(const TypesetStageOptions& options, const TypesetOptions& latex,
+                            FileDigests files) {
+  for (const fs::path& file : {fs::path(options.output), fs::path(options.manifest),
+                               fs::path(options.digest), in_build_dir(latex, ".pdf")}) {
+    if (!file.empty()) files[fs::absolute(file).string()] = sys::sha256_of_file(file);
+  }
+  if (!options.repository.empty()) {
+    const fs::path file = fs::absolute(options.repository) / "repository.json";
+    files[file.string()] = sys::sha256_of_file(file);
+  }
+  return files;
+}
+
+void warn_of_unknown_commit(const TypesetStageOptions& options, const Repository& repository) {
+  if (options.repository.empty() || repository.commit != "unknown") return;
+  complain(
+      fmt::format("warning: the commit of '{}' is unknown, since it is no git repository with a "
+                  "commit; the document cannot tell which sources it was made from",
+                  options.source),
+      ExitCode::success);
+}
+
+// Typesets once. Returns nothing if the document was saved meanwhile, so that the PDF may be of
+// neither text.
+std::optional<ExitCode> typeset_once(const TypesetStageOptions& options, const Paper& paper,
+                                     const Manifest& theirs) {
   Repository repository;
   if (!options.repository.empty()) repository = read_repository(options.repository);
 
   const command_line::Stage typesetting("typeset");
+  StageRecord record(options.record);
   const fs::path generated = options.generated;
   const Names names = read_names(generated / "names.json");
   if (!options.digest.empty()) {
     require_as_made(generated, options.digest, made_files(names));
   }
+  const bool is_recorded = !options.manifest.empty() || !options.against.empty();
+  const FileDigests prose = prose_of(options);
+  const Manifest::Texts inputs = is_recorded ? inputs_of(options, paper, names) : Manifest::Texts{};
+
   ReferenceReport references = check_references(options.document, names);
   std::ranges::move(images_of(options.document).errors, std::back_inserter(references.errors));
   std::ranges::move(figure_width_errors(options.document), std::back_inserter(references.errors));
@@ -180,6 +231,7 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
   for (const std::string& name : references.unused) {
     complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
   }
+  warn_of_unknown_commit(options, repository);
 
   // LaTeX looks into its output folder before all others.
   write_statements(options.document, names, fs::path(options.build) / "statements.tex");
@@ -195,12 +247,13 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
                              .scripts_label = fs::path(paper.figures_folder).filename().string(),
                              .tolerates_overfull = tolerates_overfull(options)};
   const Typeset done = typeset(latex);
+  if (prose_of(options) != prose) return std::nullopt;
   typesetting.done(fs::path(options.output).filename().string());
   for (const std::string& warning : done.warnings) {
     complain("warning: " + warning, ExitCode::success);
   }
   const ExitCode verdict = command_line::answer_faults(names.faults);
-  if (options.manifest.empty() && options.against.empty()) return verdict;
+  if (!is_recorded) return verdict;
 
   if (!done.warnings.empty() && !options.manifest.empty()) {
     // Without a manifest the build is not done: the next one that tolerates nothing will tell.
@@ -208,13 +261,31 @@ ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
     return verdict;
   }
 
-  Manifest ours = manifest_of(options, paper, repository, names);
+  Manifest ours = manifest_of(options, paper, repository, names, inputs);
   ours.outputs.merge(digests(at_width_dir(latex), done.drawn));
   if (!options.manifest.empty()) {
     sys::write_if_changed(options.manifest, manifest_json(ours));
   }
-  if (verdict != ExitCode::success || options.against.empty()) return verdict;
+  // A document that is not to be trusted is told of each time, so it is never done.
+  if (verdict != ExitCode::success) return verdict;
+  record.done(files_announced(options, latex, prose));
+  if (options.against.empty()) return verdict;
   return compare_with(options.against, theirs, ours);
+}
+
+ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
+  // Report a manifest that cannot be read before the work begins.
+  Manifest theirs;
+  if (!options.against.empty()) theirs = read_manifest(options.against, paper.project);
+  constexpr int most_runs = 5;
+  for (int n_runs = 0; n_runs < most_runs; ++n_runs) {
+    if (const auto answer = typeset_once(options, paper, theirs)) return *answer;
+    complain(fmt::format("warning: '{}' was saved while it was typeset; it is typeset again",
+                         options.document),
+             ExitCode::success);
+  }
+  throw sys::InputError(
+      fmt::format("'{}' was saved {} times while it was typeset", options.document, most_runs));
 }
 
 }  // namespace
@@ -248,6 +319,8 @@ void add_typeset_stage(CLI::App& program, ExitCode& exit_code, const Paper& pape
                  "Folder with the state of the repository, for the manifest and \\papercommit");
         add_text(command, "--against", options->against, "FILE",
                  "Compare with the manifest of the same document made elsewhere");
+        add_text(command, "--record", options->record, "FILE",
+                 "Write what was read and made, with its SHA-256, when all is done");
         return [options, &paper] { return run(*options, paper); };
       });
 }

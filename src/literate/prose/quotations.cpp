@@ -24,9 +24,13 @@ std::string place_of(const std::string& file, const toml::source_region& source)
   throw sys::InputError(fmt::format("{}: {}", place, message));
 }
 
-Quotation quotation_of(const std::string& file, std::string_view id, const toml::node& node) {
+/// A quotation stands where its words do; of a table whose header gives the key, the library knows
+/// no other place.
+Quotation quotation_of(const std::string& file, const toml::key& key_of_it,
+                       const toml::node& node) {
+  const std::string_view id = key_of_it.str();
   Quotation quotation{
-      .id = std::string(id), .page = "", .words = "", .place = place_of(file, node.source())};
+      .id = std::string(id), .page = "", .words = "", .place = place_of(file, key_of_it.source())};
   if (!is_key(id)) fail(quotation.place, fmt::format("'{}' is no key", id));
   const toml::table* table = node.as_table();
   if (table == nullptr) fail(quotation.place, fmt::format("'{}' is not a table", id));
@@ -34,6 +38,7 @@ Quotation quotation_of(const std::string& file, std::string_view id, const toml:
     const std::string place = place_of(file, value.source());
     if (key == "words" && value.is_string()) {
       quotation.words = value.as_string()->get();
+      quotation.place = place;
     } else if (key == "page" && value.is_integer()) {
       quotation.page = fmt::format("{}", value.as_integer()->get());
     } else if (key == "page" && value.is_string()) {
@@ -58,6 +63,7 @@ bool is_space(char c) {
 /// A letter of the text without white space, with its line.
 struct Letter {
   char c;
+  std::size_t at;  // its byte in the text
   int line;
   bool may_be_missing;  // a hyphen at the end of a line
 };
@@ -69,7 +75,7 @@ std::vector<Letter> letters_of(std::string_view text) {
     if (!is_space(text[i])) {
       const auto next = text.find_first_not_of(" \t\r", i + 1);
       const bool ends_line = next == std::string_view::npos || text[next] == '\n';
-      letters.push_back({text[i], line, text[i] == '-' && ends_line});
+      letters.push_back({text[i], i, line, text[i] == '-' && ends_line});
     }
     if (text[i] == '\n') ++line;
   }
@@ -95,16 +101,39 @@ Match match_at(const std::vector<Letter>& words, const std::vector<Letter>& text
   return match;
 }
 
-std::string letters_from(const std::vector<Letter>& letters, std::size_t at, std::size_t n) {
+/// The words of a text from the one on that holds the letter with this number; at its end nothing.
+std::string words_from(const std::string& text, const std::vector<Letter>& letters,
+                       std::size_t at) {
+  constexpr int most_words = 4;
+  if (at == letters.size()) return "";
+  std::size_t begin = letters[at].at;
+  while (begin > 0 && !is_space(text[begin - 1])) --begin;
   std::string shown;
-  for (std::size_t i = at; i < std::min(letters.size(), at + n); ++i) shown += letters[i].c;
-  return shown;
+  int n_words = 0;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    if (!is_space(text[i])) {
+      shown += text[i];
+    } else if (shown.back() != ' ') {
+      if (++n_words == most_words) break;
+      shown += ' ';
+    }
+  }
+  return shown.substr(0, shown.find_last_not_of(' ') + 1);
 }
 
-/// The beginning of the words that holds this many letters.
-std::string beginning(const std::string& words, std::size_t n_letters) {
-  std::size_t end = 0;
-  for (; end < words.size() && n_letters > 0; ++end) n_letters -= is_space(words[end]) ? 0U : 1U;
+/// How many letters stand before the letter with this number in its word.
+std::size_t n_letters_before_in_word(const std::vector<Letter>& letters, std::size_t at) {
+  std::size_t n = 0;
+  while (n < at && letters[at - n - 1].at + 1 == letters[at - n].at) ++n;
+  return n;
+}
+
+/// The whole words before the letter with this number.
+std::string words_before(const std::string& words, const std::vector<Letter>& letters,
+                         std::size_t at) {
+  std::size_t end = letters[at].at;
+  while (end > 0 && !is_space(words[end - 1])) --end;
+  while (end > 0 && is_space(words[end - 1])) --end;
   return words.substr(0, end);
 }
 
@@ -117,10 +146,10 @@ std::vector<Quotation> read_quotations(const std::filesystem::path& folder) {
   std::vector<Quotation> quotations;
   try {
     const toml::table table = toml::parse(sys::read_file(path));
-    for (const auto& [id, node] : table) quotations.push_back(quotation_of(file, id.str(), node));
+    for (const auto& [id, node] : table) quotations.push_back(quotation_of(file, id, node));
     // The library sorts the tables by name.
     std::ranges::sort(quotations, {}, [&](const Quotation& quotation) {
-      return table.at(quotation.id).source().begin.line;
+      return table.find(quotation.id)->first.source().begin.line;
     });
   } catch (const toml::parse_error& error) {
     fail(place_of(file, error.source()), std::string(error.description()));
@@ -130,7 +159,8 @@ std::vector<Quotation> read_quotations(const std::filesystem::path& folder) {
 
 std::vector<std::string> quotation_errors(const std::vector<Quotation>& quotations,
                                           const std::filesystem::path& text_file) {
-  const std::vector<Letter> text = letters_of(sys::read_file(text_file));
+  const std::string whole = sys::read_file(text_file);
+  const std::vector<Letter> text = letters_of(whole);
   std::vector<std::string> errors;
   for (const Quotation& quotation : quotations) {
     const std::vector<Letter> words = letters_of(quotation.words);
@@ -140,14 +170,14 @@ std::vector<std::string> quotation_errors(const std::vector<Quotation>& quotatio
       if (match.n_letters > best.n_letters) best = match;
     }
     if (best.n_letters == words.size()) continue;
-    constexpr std::size_t shown = 20;
     const int line = best.end < text.size() ? text[best.end].line
                      : text.empty()         ? 0
                                             : text.back().line;
     errors.push_back(fmt::format(
         "{}: quotation '{}' differs after '{}': it goes on '{}', line {} of the text '{}'",
-        quotation.place, quotation.id, beginning(quotation.words, best.n_letters),
-        letters_from(words, best.n_letters, shown), line, letters_from(text, best.end, shown)));
+        quotation.place, quotation.id, words_before(quotation.words, words, best.n_letters),
+        words_from(quotation.words, words, best.n_letters), line,
+        words_from(whole, text, best.end - n_letters_before_in_word(words, best.n_letters))));
   }
   return errors;
 }

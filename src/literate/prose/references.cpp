@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <map>
 #include <set>
 
 #include "literate/prose/document_files.hpp"
@@ -23,6 +24,7 @@ struct ReferenceKind {
   const char* command;
   const char* noun;
   const std::set<std::string>& names;
+  const std::map<std::string, std::string>& places;  ///< where each was registered
 };
 
 /// Whether a text prints the ledger, in which all claims stand.
@@ -37,20 +39,27 @@ bool prints_ledger(std::string_view text) {
 }  // namespace
 
 ReferenceReport check_references(const std::filesystem::path& source_dir, const Names& names) {
-  std::set<std::string> flags, claims;
+  std::set<std::string> flags, claims, quotations;
+  std::map<std::string, std::string> claim_places, quotation_places, excerpt_places;
   for (const auto& [flag, is_set] : names.flags) flags.insert(flag);
-  for (const auto& [id, claim] : names.claims) claims.insert(id);
-  std::set<std::string> quotations;
-  for (const Quotation& quotation : read_quotations(source_dir)) quotations.insert(quotation.id);
-  const std::array<ReferenceKind, 9> kinds{{{"val", "value", names.values},
-                                            {"rawval", "value", names.values},
-                                            {"ifflag", "flag", flags},
-                                            {"tab", "table", names.tables},
-                                            {"fig", "figure", names.figures},
-                                            {"excerpt", "excerpt", names.excerpts},
-                                            {"claim", "claim", claims},
-                                            {"quoted", "quotation", quotations},
-                                            {"quotedpage", "quotation", quotations}}};
+  for (const auto& [id, claim] : names.claims) {
+    claims.insert(id);
+    claim_places[id] = claim.place;
+  }
+  for (const Quotation& quotation : read_quotations(source_dir)) {
+    quotations.insert(quotation.id);
+    quotation_places[quotation.id] = quotation.place;
+  }
+  const std::array<ReferenceKind, 9> kinds{
+      {{"val", "value", names.values, names.value_places},
+       {"rawval", "value", names.values, names.value_places},
+       {"ifflag", "flag", flags, names.flag_places},
+       {"tab", "table", names.tables, names.table_places},
+       {"fig", "figure", names.figures, names.figure_places},
+       {"excerpt", "excerpt", names.excerpts, excerpt_places},
+       {"claim", "claim", claims, claim_places},
+       {"quoted", "quotation", quotations, quotation_places},
+       {"quotedpage", "quotation", quotations, quotation_places}}};
   std::set<std::string> commands;
   for (const ReferenceKind& kind : kinds) commands.insert(kind.command);
 
@@ -79,7 +88,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     if (kind.command == std::string_view("quotedpage")) continue;  // as \quoted
     for (const std::string& name : kind.names) {
       if (!used.contains({kind.noun, name})) {
-        report.unused.push_back(fmt::format("{} '{}'", kind.noun, name));
+        report.unused.push_back(fmt::format("{}: {} '{}'", kind.places.at(name), kind.noun, name));
       }
     }
   }

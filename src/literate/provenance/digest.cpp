@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -11,6 +12,14 @@
 
 namespace literate {
 namespace fs = std::filesystem;
+
+std::string digest_of(const fs::path& folder) {
+  std::string text;
+  for (const std::string& file : sys::files_below(folder)) {
+    text += fmt::format("{}  {}\n", sys::sha256_of_file(folder / file), file);
+  }
+  return text;
+}
 
 void require_as_made(const fs::path& folder, const fs::path& digest_file,
                      const std::vector<std::string>& made) {
@@ -22,6 +31,7 @@ void require_as_made(const fs::path& folder, const fs::path& digest_file,
                     (folder / file).string()));
   }
 
+  std::set<std::string> named;
   const std::string digest = sys::read_file(digest_file);
   for (const std::string_view line : sys::lines_of(digest)) {
     const auto end = line.find("  ");
@@ -29,9 +39,15 @@ void require_as_made(const fs::path& folder, const fs::path& digest_file,
       throw sys::OutputError(fmt::format("'{}' is not a list of digests", digest_file.string()));
     }
     const fs::path file = folder / line.substr(end + 2);
+    named.emplace(line.substr(end + 2));
     if (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, end)) continue;
     throw sys::OutputError(fmt::format(
         "'{}' was changed after it was made; 'make report' makes it again", file.string()));
+  }
+  for (const std::string& file : made) {
+    if (named.contains(file)) continue;
+    throw sys::OutputError(fmt::format("'{}' does not name '{}'; 'make report' makes both again",
+                                       digest_file.string(), (folder / file).string()));
   }
 }
 

@@ -31,6 +31,12 @@ bool is_error(std::string_view line) {
   return false;
 }
 
+/// Whether a log line is an error that names no file: «! message», «!pdfTeX error: …».
+bool is_bare_error(std::string_view line) {
+  return line.starts_with("! ") || line.starts_with("!pdfTeX error") ||
+         line.starts_with("!LuaTeX error");
+}
+
 /// Follows which file LaTeX is reading, by the parentheses in its log.
 class OpenFiles {
  public:
@@ -117,7 +123,7 @@ std::vector<std::string> latex_errors(std::string_view log, std::string_view sou
     } else if (is_error(line) && !is_end) {
       errors.push_back(labelled(line, source_label));
       wants_place = true;
-    } else if (line.starts_with("! ") && !is_end) {
+    } else if (is_bare_error(line) && !is_end) {
       errors.emplace_back(line);
       wants_place = true;
     }

@@ -145,7 +145,8 @@ class Keeper {
                       "keep_preamble.tex \\csname @@input\\endcsname \"{}\"",
                       preamble_.body_line, options_->main_file)},
          options_->source_dir,
-         environment});
+         environment,
+         sys::TimeLimit{fmt::format("LaTeX on the preamble of {}", options_->main_file), 300}});
     const fs::path made = folder_ / (stem_ + ".fmt");
     if (result.exit_status != 0 || !fs::is_regular_file(made)) return false;
     for (const std::string& file : files_read()) {

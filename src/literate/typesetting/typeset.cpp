@@ -11,6 +11,7 @@
 #include "literate/figures/draw_at_width.hpp"
 #include "literate/prose/place_of_use.hpp"
 #include "literate/prose/source_label.hpp"
+#include "literate/typesetting/latex_folder.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "literate/typesetting/latex_run.hpp"
 #include "literate/typesetting/preamble_format.hpp"
@@ -24,6 +25,8 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr int latex_seconds = 600;  // for all passes; the slowest seen took 20
+
 /// The last lines of what latexmk printed, for failures that are not in LaTeX's log.
 std::string last_lines(std::string_view output) {
   const auto lines = sys::lines_of(output);
@@ -32,8 +35,15 @@ std::string last_lines(std::string_view output) {
       "{}", fmt::join(lines.end() - static_cast<std::ptrdiff_t>(n_shown), lines.end(), "\n"));
 }
 
+/// Whether latexmk and what it runs made a whole PDF.
+bool is_whole(const fs::path& pdf) {
+  if (!fs::is_regular_file(pdf)) return false;
+  const std::string text = sys::read_file(pdf);
+  return text.starts_with("%PDF-") && sys::stripped(text).ends_with("%%EOF");
+}
+
 sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleFormat& preamble,
-                               bool from_scratch) {
+                               bool is_new) {
   std::vector<std::string> arguments{"-norc",
                                      options.engine == "lualatex" ? "-lualatex" : "-pdf",
                                      "-interaction=nonstopmode",
@@ -45,9 +55,10 @@ sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleForm
     environment["TEXFORMATS"] = seen_from(options.source_dir, preamble.folder) + ":";
     arguments.emplace_back("-pdflatex=pdflatex -fmt=preamble %O %S");
   }
-  if (from_scratch) arguments.emplace_back("-g");
+  if (is_new) arguments.emplace_back("-g");
   arguments.push_back(options.main_file);
-  return sys::run({"latexmk", arguments, options.source_dir, environment});
+  return sys::run({"latexmk", arguments, options.source_dir, environment,
+                   sys::TimeLimit{fmt::format("LaTeX on {}", options.main_file), latex_seconds}});
 }
 
 /// Messages with the places at which the document's author can mend them.
@@ -94,6 +105,28 @@ std::size_t draw_wanted(const TypesetOptions& options) {
                         options.figures, options.scripts_label);
 }
 
+/// Runs LaTeX until each figure is drawn at the width that the document has for it.
+void run_until_settled(const TypesetOptions& options, const PreambleFormat& preamble, bool is_new) {
+  // The widths of the run before are those of this one, but for what its author changed.
+  draw_wanted(options);
+  constexpr int most_runs = 5;  // a width that depends on its own figure might never settle
+  for (int n_runs = 1;; ++n_runs) {
+    const sys::ProcessResult result = run_latexmk(options, preamble, is_new);
+    if (result.exit_status != 0) fail(options, result.output);
+    if (!is_whole(in_build_dir(options, ".pdf"))) {
+      throw sys::ToolError(
+          fmt::format("LaTeX on {} ended without an error, but '{}' is not a whole PDF",
+                      options.main_file, in_build_dir(options, ".pdf").string()));
+    }
+    if (draw_wanted(options) == 0) break;
+    if (n_runs == most_runs) {
+      throw sys::ToolError(fmt::format("{}: the widths of its figures do not settle",
+                                       (options.source_dir / options.main_file).string()));
+    }
+    is_new = true;
+  }
+}
+
 }  // namespace
 
 Typeset typeset(const TypesetOptions& options) {
@@ -113,21 +146,22 @@ Typeset typeset(const TypesetOptions& options) {
   // latexmk does not notice a new date, although the document prints it.
   const bool is_new_date = sys::write_if_changed(options.build_dir / "source_date_epoch",
                                                  fmt::format("{}\n", options.source_date_epoch));
-  bool from_scratch = is_new_date || preamble.is_new || !fs::exists(in_build_dir(options, ".log"));
+  const bool is_new = is_new_date || preamble.is_new;
 
-  // The widths of the run before are those of this one, but for what its author changed.
-  draw_wanted(options);
-  constexpr int most_runs = 5;  // a width that depends on its own figure might never settle
-  for (int n_runs = 1;; ++n_runs) {
-    const sys::ProcessResult result = run_latexmk(options, preamble, from_scratch);
-    if (result.exit_status != 0) fail(options, result.output);
-    if (draw_wanted(options) == 0) break;
-    if (n_runs == most_runs) {
-      throw sys::ToolError(fmt::format("{}: the widths of its figures do not settle",
-                                       (options.source_dir / options.main_file).string()));
-    }
-    from_scratch = true;
+  // Begin from what the last run left only if it ended well, and once from nothing before an error
+  // is told, since what is left may be the cause of it.
+  const LatexFolder folder(options);
+  const bool is_from_nothing = !folder.is_as_left();
+  if (is_from_nothing) folder.clear();
+  folder.begin();
+  try {
+    run_until_settled(options, preamble, is_new);
+  } catch (const sys::ToolError&) {
+    if (is_from_nothing) throw;
+    folder.clear();
+    run_until_settled(options, preamble, true);
   }
+  folder.keep();
 
   Typeset result{.drawn = keep_at_widths(at_width_dir(options), wanted_widths(options)),
                  .warnings = {}};

@@ -4,16 +4,33 @@ cmake_path(SET HALFSPACE_ROOT NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../..")
 string(REGEX REPLACE "/$" "" HALFSPACE_ROOT "${HALFSPACE_ROOT}")
 
 # add_precompiled_headers(): what nearly every file includes, read once instead of 200 times; a third of the time to
-# compile. Files include what they use all the same, and CMAKE_DISABLE_PRECOMPILE_HEADERS (preset tidy) proves it.
+# compile. Files include what they use all the same, and CMAKE_DISABLE_PRECOMPILE_HEADERS (preset tidy) proves it. What
+# computes has Eigen among them; what handles text is not optimised (compile_without_optimising), and so has its own.
 function(add_precompiled_headers)
-  add_library(precompiled STATIC "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/precompiled.cpp")
-  target_precompile_headers(precompiled PRIVATE
-    <Eigen/Core> <fmt/core.h>
+  set(everywhere
+    <fmt/core.h>
     <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map> <memory> <numbers> <optional> <set>
     <stdexcept> <string> <utility> <vector>)
-  target_link_libraries(precompiled PUBLIC Eigen3::Eigen fmt::fmt PRIVATE project_warnings)
+  foreach(target IN ITEMS precompiled precompiled_text)
+    add_library(${target} STATIC "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/precompiled.cpp")
+    target_link_libraries(${target} PUBLIC Eigen3::Eigen fmt::fmt PRIVATE project_warnings)
+    add_sanitizers(${target})
+  endforeach()
+  target_precompile_headers(precompiled PRIVATE <Eigen/Core> ${everywhere})
+  target_precompile_headers(precompiled_text PRIVATE ${everywhere})
   target_compile_options(precompiled PRIVATE $<$<CONFIG:Release>:-O1>)
-  add_sanitizers(precompiled)
+  target_compile_options(precompiled_text PRIVATE $<$<CONFIG:Release>:-O0>)
+endfunction()
+
+# compile_without_optimising(target): for programs and libraries that handle text or put computations together.
+# Optimising them would take the compiler longer than it would ever save: unoptimised, they compile in two thirds of the
+# time, and the report is computed a tenth more slowly.
+function(compile_without_optimising target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
+  if(HALFSPACE_EVERYTHING)
+    target_link_libraries(${target} PRIVATE precompiled_text project_warnings)
+    target_precompile_headers(${target} REUSE_FROM precompiled_text)
+  endif()
 endfunction()
 
 # export_headers(target folder [header …]): whoever links the target can include "folder/name.hpp", with the headers
@@ -42,7 +59,7 @@ endfunction()
 # PRIVATE_LINK …): the library of one folder of src. LINK and PRIVATE_LINK are the architecture: the
 # headers of other folders are found through them only. HEADERS: those that are exported, if not all of the folder.
 # ROOMS: the folders within, in their order; each uses only those before it (tests/toolchain/architecture_test.cpp).
-# NO_HEAVY_COMPUTING: optimising it fully would take the compiler longer than it would ever save. The presets release,
+# NO_HEAVY_COMPUTING: see compile_without_optimising. The presets release,
 # bench and sanitize compile up to eight files of a folder as one (CMAKE_UNITY_BUILD), which takes half of the time;
 # dev and tidy compile each file by itself and so prove that each includes what it uses.
 #
@@ -72,11 +89,10 @@ function(add_folder_library name)
       endif()
     endforeach()
   endforeach()
-  if(arg_NO_HEAVY_COMPUTING)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  endif()
   add_sanitizers(${target})
-  if(HALFSPACE_EVERYTHING)
+  if(arg_NO_HEAVY_COMPUTING)
+    compile_without_optimising(${target})
+  elseif(HALFSPACE_EVERYTHING)
     target_link_libraries(${target} PRIVATE precompiled project_warnings)
     target_precompile_headers(${target} REUSE_FROM precompiled)
   endif()

@@ -105,6 +105,8 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
   BOOST_TEST(is(agrees(15.9, 0.001), Outcome::fails));
   BOOST_TEST(is(agrees(15.99, 0.03), Outcome::undecided));
   BOOST_TEST(agrees(15.99, 0.001).computed() == "resultant: 15.99 lbf/in, 0.06 % from 16 lbf/in");
+  BOOST_TEST(agrees(15.982, 0.03).computed() == "resultant: 16.0 lbf/in, 0.11 % from 16 lbf/in");
+  BOOST_TEST(agrees(15.982, 0.03).missing() == "an error of 0.2 % reaches across the limit");
   BOOST_TEST(agrees(15.99, 0.001).condition().plain == "within 0.2 % of 16 lbf/in");
   BOOST_CHECK_THROW(Criterion::agrees_relatively("x", Value({1, 0}, fixed(1)),
                                                  Value({0.01, 0.02}, fixed(2)), limit_of(0.1)),

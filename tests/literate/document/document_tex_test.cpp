@@ -42,6 +42,15 @@ Document document_with(Verdict found) {
   return document;
 }
 
+// The faults without the lines of this file, where each begins.
+std::vector<std::string> without_lines(std::vector<std::string> faults) {
+  for (std::string& fault : faults) {
+    BOOST_TEST(fault.starts_with(here), fault);
+    fault.erase(0, fault.find(": ") + 2);
+  }
+  return faults;
+}
+
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -130,7 +139,7 @@ BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_line) {
+BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_line_with_its_place) {
   BOOST_TEST(document_with(Verdict::confirmed).faults() == std::vector<std::string>{},
              per_element());
 
@@ -141,11 +150,11 @@ BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_lin
       "check sum failed: the sum is right",
       "claim apples is partly confirmed, not confirmed: price: 2.61 kr (asked: at most 2.65 kr); "
       "price: 2.61 kr (asked: at most 2.5 kr)"};
-  BOOST_TEST(document.faults() == expected, per_element());
+  BOOST_TEST(without_lines(document.faults()) == expected, per_element());
   BOOST_TEST(holds(values_tex(document.registered()), "2 statements are not as expected"));
   const TemporaryFolder scratch;
   document.write(scratch / "out");
-  BOOST_TEST(read_names(scratch / "out/names.json").faults == expected, per_element());
+  BOOST_TEST(read_names(scratch / "out/names.json").faults == document.faults(), per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_doubled_claim_is_a_logic_error_naming_both_places) {
@@ -188,7 +197,7 @@ BOOST_AUTO_TEST_CASE(a_check_holds_if_all_of_its_criteria_do_and_tells_what_they
       "price: 2.61 kr (asked: at most 2.5 kr)",
       "check hardly-known failed: apples cost no more than pears; price: 2.61 kr (asked: at most "
       "2.61 kr), undecided: an error of 0.01 kr reaches across the limit"};
-  BOOST_TEST(document.faults() == expected, per_element());
+  BOOST_TEST(without_lines(document.faults()) == expected, per_element());
   BOOST_CHECK_THROW(document.check("nothing", std::vector<Criterion>{}, "x"), std::logic_error);
 }
 

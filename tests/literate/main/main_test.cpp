@@ -137,7 +137,9 @@ BOOST_AUTO_TEST_CASE(a_check_that_fails_is_told_and_ends_with_one) {
   });
 
   BOOST_TEST(answer.exit_code == 1);
-  BOOST_TEST(answer.errors == "toy: check balance failed: The forces balance.\n");
+  BOOST_TEST(answer.errors.starts_with("toy: tests/literate/main/main_test.cpp:"), answer.errors);
+  BOOST_TEST(answer.errors.ends_with(": check balance failed: The forces balance.\n"),
+             answer.errors);
 }
 
 BOOST_AUTO_TEST_CASE(each_kind_of_error_has_its_exit_code_and_one_line) {
@@ -182,7 +184,8 @@ BOOST_AUTO_TEST_CASE(check_fails_prose_that_leaves_a_value_out) {
   const Answer answer = place.check(register_sum);
 
   BOOST_TEST(answer.exit_code == 1);
-  BOOST_TEST(answer.errors == "toy: value 'sum' is registered and not used\n");
+  BOOST_TEST(answer.errors.starts_with("toy: tests/literate/main/main_test.cpp:"), answer.errors);
+  BOOST_TEST(answer.errors.ends_with(": value 'sum' is registered and not used\n"), answer.errors);
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_bad_input) {

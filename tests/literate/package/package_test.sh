@@ -8,16 +8,20 @@ cd "$scratch" || exit 1
 unset MAKEFLAGS MFLAGS MAKELEVEL CALLER CASE CASES J KEYS NAME TARGET V MANIFEST GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
 jobs=$(nproc)
 
-# The engine alone is configured by its own packages, built and installed.
-runs cmake -S "$source_dir/src/literate" -B engine -G Ninja -DBUILD_TESTING=OFF "-DCMAKE_INSTALL_PREFIX=$scratch/usr local" \
-  -DCMAKE_CXX_FLAGS_RELEASE=-O0
-claim 'the engine is configured by itself' "$status" -eq 0
+# example NAME: what the manual tells its readers to run or to write.
+example() {
+  python3 -B "$source_dir/tests/literate/manual/manual.py" "$source_dir/src/literate/README.md" "$1" | sed 's/ *#.*//'
+}
+
+# The engine alone is configured by its own packages, built and installed, by the manual's commands, but in other folders and
+# by a compiler in a hurry.
+export CMAKE_BUILD_PARALLEL_LEVEL=$jobs
+example 'Install: sh' | sed -e "s|src/literate|'$source_dir/src/literate'|" -e 's|build/engine|engine|g' \
+  -e "s|~/.local|'$scratch/usr local'|" -e 's|-DBUILD_TESTING=OFF|& -DCMAKE_CXX_FLAGS_RELEASE=-O0|' >install.sh
+runs bash -e install.sh
+claim 'the engine is configured by itself, built and installed' "$status" -eq 0
 asked=$(sed -n 's/^\(GSL\|FFTW3\|SECCOMP\|pugixml\|Eigen3\|benchmark\)_.*=.*/\1/p' engine/CMakeCache.txt)
 claim "no other folder's packages are looked for" -z "$asked"
-runs cmake --build engine -j "$jobs"
-claim 'it is built' "$status" -eq 0
-runs cmake --install engine
-claim 'it is installed' "$status" -eq 0
 claim 'no header names a folder of this machine' -z "$(grep -rl "$source_dir" 'usr local/include' 'usr local/share')"
 
 # paper FOLDER WHERE-FROM: a new paper that gets the engine by these lines of CMake, and has targets of its own.
@@ -38,13 +42,16 @@ builds() {
   cd "$scratch" || exit 1
 }
 
-paper 'installed paper' 'find_package(literate REQUIRED)'
+# way N: the N-th of the manual's three, from this checkout.
+way() {
+  example 'Install: cmake' | sed -e "s|GIT_REPOSITORY … GIT_TAG …|SOURCE_DIR \"$source_dir\"|" \
+    -e "s|add_subdirectory(halfspace)|add_subdirectory(\"$source_dir\" engine)|" | awk -v RS= "NR == $1"
+}
+paper 'installed paper' "$(way 1)"
 builds 'installed paper'
-paper 'fetched paper' "include(FetchContent)
-FetchContent_Declare(halfspace SOURCE_DIR \"$source_dir\")
-FetchContent_MakeAvailable(halfspace)"
+paper 'fetched paper' "$(way 2)"
 builds 'fetched paper'
-paper 'added paper' "add_subdirectory(\"$source_dir\" engine)"
+paper 'added paper' "$(way 3)"
 builds 'added paper'
 
 for other in 'fetched paper' 'added paper'; do
@@ -71,6 +78,11 @@ runs ninja -C build rod-why
 claim 'there is nothing to do' "$(says 'nothing to do')" = yes
 runs ninja -C build rod-verify
 claim 'it is made again elsewhere with the same bytes' "$(says 'the same bytes: ')" = yes
+cp build/rod/manifest.json theirs.json
+runs make verify MANIFEST=theirs.json
+claim 'it is compared with a manifest, by the name that was given' "$(says "files have the bytes that 'theirs.json' tells of")" = yes
+claim 'nothing is said of how it is built' "$(says ninja)" = no
+rm theirs.json
 runs ninja -C build pendulum_test
 runs ctest --test-dir build
 claim 'its test passes' "$status" -eq 0
@@ -94,6 +106,9 @@ runs ninja -C build rod
 claim 'an unknown name stops the paper' "$status" -ne 0
 claim 'it is told with its place and the nearest name' \
   "$(says "rod: paper/note.tex:1:4: unknown value 'anglee', did you mean 'angle'?")" = yes
+runs make
+claim 'with make it is the last that is said' "$(grep -v '^make: ' <<<"$said" | tail -n 1)" = \
+  "rod: paper/note.tex:1:4: unknown value 'anglee', did you mean 'angle'?"
 rm paper/note.tex
 sed -i 's/sum += 1 /sum += 1.0 /' src/pendulum.cpp
 runs build/rod_program compute --case case.toml --source . --output generated

@@ -55,21 +55,24 @@ BOOST_AUTO_TEST_CASE(white_space_and_hyphens_at_the_ends_of_lines_do_not_count) 
 
 BOOST_AUTO_TEST_CASE(a_quotation_that_differs_is_told_with_both_places_and_what_follows) {
   const std::vector<std::string> expected = {
-      "report/quotations.toml:1:1: quotation 'steel' differs after 'steel is': it goes on "
-      "'5%dearer', line 2 of the text 'cheaper.non-ferrousm'"};
+      "report/quotations.toml:3:9: quotation 'steel' differs after 'steel is': it goes on "
+      "'5 % dearer', line 2 of the text 'cheaper. Copper and other'",
+      "report/quotations.toml:7:9: quotation 'copper' differs after 'non-ferrous': it goes on "
+      "'metals', line 3 of the text 'metal'"};
 
-  BOOST_TEST(Place(two).errors("Yes,\nsteel is cheaper.\nnon-ferrous metals") == expected,
-             per_element());
+  BOOST_TEST(
+      Place(two).errors("Yes,\nsteel is cheaper. Copper\nand other non-ferrous metal") == expected,
+      per_element());
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_quotation_is_an_error_with_its_place) {
   for (const auto& [toml, part] : std::vector<std::pair<std::string, std::string>>{
-           {"[steel]\npage = 8\n", "report/quotations.toml:1:1: quotation 'steel' has no words"},
+           {"[steel]\npage = 8\n", "report/quotations.toml:1:2: quotation 'steel' has no words"},
            {"[steel]\nwords = \"x\"\n",
-            "report/quotations.toml:1:1: quotation 'steel' has no page"},
+            "report/quotations.toml:2:9: quotation 'steel' has no page"},
            {"[steel]\nword = \"x\"\n", "report/quotations.toml:2:8: 'word' of quotation 'steel'"},
            {"[steel]\npage = 8.5\n", "report/quotations.toml:2:8: 'page' of quotation 'steel'"},
-           {"steel = 8\n", "report/quotations.toml:1:9: 'steel' is not a table"},
+           {"steel = 8\n", "report/quotations.toml:1:1: 'steel' is not a table"},
            {"[steel\n", "report/quotations.toml:1:"},
            {"[\"a b\"]\n", "'a b' is no key"}}) {
     const std::string message = Place(toml).message();

@@ -22,7 +22,10 @@ const Names names{.values = {"peak.pressure", "load"},
                   .figures = {"pressure"},
                   .excerpts = {"hertz"},
                   .claims = {{"load-is-peak", {1, "load.cpp:3:1", "confirmed", "confirmed"}}},
-                  .figure_places = {},
+                  .figure_places = {{"pressure", "a.cpp:5"}},
+                  .value_places = {{"peak.pressure", "a.cpp:1"}, {"load", "a.cpp:2"}},
+                  .flag_places = {{"converged", "a.cpp:3"}, {"diverged", "a.cpp:4"}},
+                  .table_places = {{"results", "a.cpp:6"}},
                   .texts = {},
                   .faults = {},
                   .files = {}};
@@ -63,8 +66,8 @@ BOOST_AUTO_TEST_CASE(bare_digits_are_a_use_of_their_value) {
   BOOST_TEST(report.errors ==
                  (Lines{"report/part/a.tex:1:28: unknown value 'lode', did you mean 'load'?"}),
              boost::test_tools::per_element());
-  BOOST_TEST(std::ranges::count(report.unused, "value 'load'") == 0);
-  BOOST_TEST(std::ranges::count(report.unused, "value 'peak.pressure'") == 1);
+  BOOST_TEST(std::ranges::count(report.unused, "a.cpp:2: value 'load'") == 0);
+  BOOST_TEST(std::ranges::count(report.unused, "a.cpp:1: value 'peak.pressure'") == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_branch_that_is_not_taken_may_use_what_is_not_registered) {
@@ -80,16 +83,17 @@ BOOST_AUTO_TEST_CASE(a_branch_that_is_not_taken_may_use_what_is_not_registered) 
   BOOST_TEST(report_on("\\ifflag{diverged}{\\val{c}} \\val{e} {\\val{f}}").errors.size() == 2U);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_registered_and_not_used_is_listed) {
+BOOST_AUTO_TEST_CASE(what_is_registered_and_not_used_is_listed_with_its_place) {
   BOOST_TEST(report_on("\\val{load}").unused ==
-                 (Lines{"value 'peak.pressure'", "flag 'converged'", "flag 'diverged'",
-                        "table 'results'", "figure 'pressure'", "claim 'load-is-peak'"}),
+                 (Lines{"a.cpp:1: value 'peak.pressure'", "a.cpp:3: flag 'converged'",
+                        "a.cpp:4: flag 'diverged'", "a.cpp:6: table 'results'",
+                        "a.cpp:5: figure 'pressure'", "load.cpp:3:1: claim 'load-is-peak'"}),
              boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(the_ledger_uses_every_claim) {
   const auto is_unused = [](const std::string& text) {
-    return std::ranges::count(report_on(text).unused, "claim 'load-is-peak'") == 1;
+    return std::ranges::count(report_on(text).unused, "load.cpp:3:1: claim 'load-is-peak'") == 1;
   };
 
   BOOST_TEST(!is_unused("x \\claimledger\n"));

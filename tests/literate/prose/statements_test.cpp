@@ -16,6 +16,7 @@ namespace {
 Names names_with(const std::map<std::string, NamedClaim>& claims) {
   Names names;
   names.flags = {{"printed", false}};
+  names.flag_places = {{"printed", "fruit.cpp:3"}};
   names.claims = claims;
   return names;
 }
