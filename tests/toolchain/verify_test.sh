@@ -62,7 +62,7 @@ done
 echo "$deep" >"$toy/one.json"
 toy_make verify MANIFEST=one.json
 claim 'JSON that is nested too deeply ends with 2' "$status" -eq 2
-claim 'that is told in a line' "$(says 'one.json is no JSON object')" = yes
+claim 'that is told in a line' "$(says 'one.json is no')" = yes
 echo '{"project": "other; [project", "outputs": {}}' >"$toy/one.json"
 toy_make verify MANIFEST=one.json
 claim "another project's manifest is told" "$(says 'one.json is not a manifest of halfspace')" = yes
