@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "system/require.hpp"
@@ -23,11 +24,19 @@ void require_valid(const Problem& problem) {
         "domain", grid.end() - grid.begin(),
         fmt::format("within the profile's points, from {} to {}", profile.begin(), profile.end()));
   }
+  double largest = 0;
   for (Eigen::Index i = 0; i < grid.n_nodes; ++i) {
     const double gap = profile.gap(grid.x(i));
+    largest = std::max(largest, std::abs(gap));
     if (std::abs(gap) < largest_length) continue;
     throw sys::InvalidQuantity(fmt::format("gap at x = {}", grid.x(i)), gap,
                                fmt::format("less than {}", largest_length));
+  }
+  // Methods that iterate square lengths, which must not become zero by it.
+  constexpr double least_length = 1e-130;
+  if (largest > 0 && largest < least_length) {
+    throw sys::InvalidQuantity("largest gap on the grid", largest,
+                               fmt::format("0 or at least {}", least_length));
   }
 }
 

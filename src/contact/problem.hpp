@@ -23,7 +23,8 @@ struct Problem {
 inline constexpr double largest_length = 1e100;
 
 /// Throws InvalidQuantity unless E* > 0, the grid lies within a measured profile, the profile of a
-/// one-sided grid is symmetric, and all gaps are less than largest_length.
+/// one-sided grid is symmetric, all gaps are less than largest_length, and the largest of them is 0
+/// or at least 1e-130, so that its square is no rounded zero.
 void require_valid(const Problem& problem);
 
 }  // namespace contact

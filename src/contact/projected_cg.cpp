@@ -87,7 +87,7 @@ void ProjectedCg::solve(VectorXd& phi, const ContactMask& in_contact, double tol
     if (!std::isfinite(error_) || (error_ > previous / 2 && ++n_stalled > max_stalled)) {
       throw sys::InvalidQuantity(
           "tolerance", tolerance,
-          fmt::format("at least {:.1e}, which rounding leaves of the pressure of {} nodes", error_,
+          fmt::format("at least {:.1e}, the rounding error of the pressure at {} nodes", error_,
                       phi.size()));
     }
     previous = error_;

@@ -238,7 +238,7 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
   const Estimate lost = magnitude(body1 - body2);
   // What `lost` shows when it is printed.
   constexpr double visible = 1e-4;
-  document.value("friction.visible", Value(visible, percent(2)).within(0));
+  document.value("friction.visible", Value(visible, literate::exact()));
   document.flag("friction.nearly-cancels", lost.value + lost.abs_error < visible);
   document.claim(
       "friction-small-loss",

@@ -140,7 +140,8 @@ BOOST_AUTO_TEST_CASE(a_measured_profile_may_be_used_to_its_last_point) {
   const auto too_much = refusal_of(problem, everywhere(problem), 3 * load);
   BOOST_REQUIRE(too_much.has_value());
   BOOST_TEST(too_much->quantity == "domain");
-  BOOST_TEST(too_much->allowed.find("wider than the profile is given, from x = -0.12 to 0.12") !=
+  BOOST_TEST(too_much->allowed.find(
+                 "wider than the profile, which is given only from x = -0.12 to 0.12") !=
              std::string::npos);
 }
 

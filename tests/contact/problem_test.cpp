@@ -47,6 +47,12 @@ BOOST_AUTO_TEST_CASE(the_modulus_must_be_positive_and_finite) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(gaps_whose_squares_are_no_doubles_are_refused) {
+  BOOST_CHECK_NO_THROW(require_valid({Profile::wedge(0.1), 1, grid_of_width(1e-120, 41)}));
+  BOOST_CHECK_EXCEPTION(require_valid({Profile::wedge(0.1), 1, grid_of_width(1e-140, 41)}),
+                        InvalidQuantity, names("largest gap on the grid"));
+}
+
 BOOST_AUTO_TEST_CASE(nodes_must_lie_within_a_measured_profile) {
   // Of the domain 3 wide about 0.5 the end nodes lie c/2 inside: exactly the profile's ends count.
   BOOST_CHECK_NO_THROW(require_valid({measured, 1, grid_of_width(3, 41, 0.5)}));

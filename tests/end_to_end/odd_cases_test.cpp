@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(two_bodies_that_are_nearly_incompressible) {
   const std::string first = with_material(unprinted, "body1", "30e6", "0.4999999");
 
   check_report(with_material(without_table(first, "block", ""), "body2", "30e6", "0.49999"),
-               {"changes by less than 0.01 %: the materials differ, but hardly in"},
+               {"the materials differ, but hardly in"},
                {"0.00 %: the materials differ", "do not cancel."});
 }
 

@@ -15,8 +15,18 @@ cd "$scratch/check out" || exit 1
 
 runs make help
 claim 'help succeeds' "$status" -eq 0
-for target in report reports html figures figure check-report test test-all mutants bench verify dist why watch tidy format setup clean help; do
+for target in report reports html figures figure check-report test test-all mutants bench verify fresh dist why watch tidy format setup clean help; do
   claim "help tells what $target does" "$(says "make $target ")" = yes
+done
+
+# Names that CMake or Ninja would take for something else, such as a[bc].toml for a pattern
+for name in 'a;b' 'a\b' 'a|b' 'a?b' 'a[bc]' 'a
+b' 'a '; do
+  printf 'title = "x"\n' >"$scratch/$name"
+  runs env CASE="$scratch/$name" bash "$source_dir/src/toolchain/build" report
+  claim "the name '$name' is refused" "$status" -eq 2
+  claim "that is told in one line" "$(printf '%s\n' "$said" | wc -l)" -eq 1
+  claim "which says where and what to do" "$(says 'CASE: ')$(says 'rename it')" = yesyes
 done
 
 runs make report CASE='no such.toml'

@@ -38,6 +38,16 @@ for what in pwd 'date +%Z' 'locale decimal_point' umask 'basename "$HOME"'; do
   claim "the file is named for '$what', with its line" "$(says 'generated/tables/t.tex differs: line 2')" = yes
 done
 
+mkdir "$scratch/without locales"
+printf '#!/bin/sh\nexit 1\n' >"$scratch/without locales/localedef"
+chmod +x "$scratch/without locales/localedef"
+path=$PATH
+PATH="$scratch/without locales:$PATH"
+toy_make verify
+PATH=$path
+claim 'without a decimal comma nothing is verified' "$status" -ne 0
+claim 'it is said what to install' "$(says 'localedef needs the Debian package locales')" = yes
+
 toy_make verify MANIFEST=none.json
 claim 'a manifest that is not there ends with 2' "$status" -eq 2
 claim 'it is named' "$(says 'MANIFEST: there is no file none.json')" = yes
@@ -45,6 +55,14 @@ echo 'no json' >"$toy/one.json"
 toy_make verify MANIFEST=one.json
 claim 'no JSON ends with 2' "$status" -eq 2
 claim 'it is told' "$(says 'one.json is no JSON object')" = yes
+i=0
+while [ "$i" -lt 15 ]; do
+  deep="[${deep:-}${deep:-}" i=$((i + 1))
+done
+echo "$deep" >"$toy/one.json"
+toy_make verify MANIFEST=one.json
+claim 'JSON that is nested too deeply ends with 2' "$status" -eq 2
+claim 'that is told in a line' "$(says 'one.json is no')" = yes
 echo '{"project": "other; [project", "outputs": {}}' >"$toy/one.json"
 toy_make verify MANIFEST=one.json
 claim "another project's manifest is told" "$(says 'one.json is not a manifest of halfspace')" = yes

@@ -4,6 +4,7 @@ course=$1
 shift
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/../../toolchain/shell_test.sh"
+need_walls
 
 submissions="$scratch/sub missions"
 mkdir "$submissions" "$scratch/one" "$scratch/two"

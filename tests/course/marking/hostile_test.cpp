@@ -17,11 +17,12 @@
 #include "course/assignment/student.hpp"
 #include "course/marking/grade.hpp"
 #include "course/toy_grading.hpp"
+#include "course/walls.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
 #include "system/process.hpp"
 
-BOOST_AUTO_TEST_SUITE(hostile_test)
+BOOST_AUTO_TEST_SUITE(hostile_test, *boost::unit_test::fixture(&need_walls))
 
 using namespace course;
 namespace fs = std::filesystem;

@@ -7,10 +7,11 @@
 #include "course/marking/grade.hpp"
 #include "course/marking/results.hpp"
 #include "course/toy_grading.hpp"
+#include "course/walls.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
 
-BOOST_AUTO_TEST_SUITE(results_test)
+BOOST_AUTO_TEST_SUITE(results_test, *boost::unit_test::fixture(&need_walls))
 
 using namespace course;
 

@@ -8,10 +8,11 @@
 #include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
 #include "course/toy_grading.hpp"
+#include "course/walls.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
 
-BOOST_AUTO_TEST_SUITE(submission_test)
+BOOST_AUTO_TEST_SUITE(submission_test, *boost::unit_test::fixture(&need_walls))
 
 using namespace course;
 namespace fs = std::filesystem;

@@ -12,11 +12,12 @@
 #include "course/release/wrong_solutions.hpp"
 #include "course/sandbox/sandbox.hpp"
 #include "course/toy.hpp"
+#include "course/walls.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(proof_test)
+BOOST_AUTO_TEST_SUITE(proof_test, *boost::unit_test::fixture(&need_walls))
 
 namespace fs = std::filesystem;
 

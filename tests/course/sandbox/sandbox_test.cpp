@@ -18,11 +18,12 @@
 #include "course/sandbox/descendants.hpp"
 #include "course/sandbox/job_user.hpp"
 #include "course/sandbox/scratch_folder.hpp"
+#include "course/walls.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(sandbox_test)
+BOOST_AUTO_TEST_SUITE(sandbox_test, *boost::unit_test::fixture(&need_walls))
 
 using namespace course;
 namespace fs = std::filesystem;

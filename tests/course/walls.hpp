@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a suite of tests does where bubblewrap cannot work: in a chroot, or in a container that
+// forbids namespaces.
+#pragma once
+
+#include <boost/test/unit_test.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "course/sandbox/sandbox.hpp"
+#include "system/error.hpp"
+#include "temporary_folder.hpp"
+
+/// What keeps this machine from running jobs in walls; empty if nothing does.
+inline std::string missing_walls() {
+  const TemporaryFolder work;
+  try {
+    const course::Sandbox tried(course::Isolation::sandbox, work.path());
+    return "";
+  } catch (const sys::ToolError& e) {
+    const std::string why = e.what();
+    return why.substr(0, why.find("; --unsafe"));
+  }
+}
+
+/// Ends the program as skipped, with one line that says why, if there can be no walls here and CI
+/// is not "true": continuous integration must have them. A fixture of a whole suite, which CTest
+/// runs as a program of its own: BOOST_AUTO_TEST_SUITE(x_test,
+/// *boost::unit_test::fixture(&need_walls)).
+inline void need_walls() {
+  const char* ci = std::getenv("CI");
+  if (ci != nullptr && std::string(ci) == "true") return;
+  const std::string missing = missing_walls();
+  if (missing.empty()) return;
+  constexpr int skipped = 77;
+  std::printf("skipped: what runs submissions in walls was not tested: %s\n", missing.c_str());
+  std::fflush(stdout);
+  std::_Exit(skipped);
+}
