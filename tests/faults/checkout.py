@@ -60,11 +60,13 @@ class Outcome:
     def lines(self):
         """What it said on standard error, without warnings and make's own words."""
         lines = [line.strip() for line in self.errors.splitlines()]
-        return [line for line in lines if line and not line.startswith("make: ***") and ": warning: " not in line]
+        others = ("make: ***", "configure ", "compile ", "compute ", "draw ", "typeset ")
+        return [line for line in lines if line and not line.startswith(others) and ": warning: " not in line]
 
     def said(self):
         """The line that tells the cause."""
-        return self.lines()[0] if self.lines() else ""
+        lines = [line for line in self.lines() if not line.endswith("; made again")] or self.lines()
+        return lines[0] if lines else ""
 
 
 def environment(**added):

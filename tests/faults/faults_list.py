@@ -32,6 +32,8 @@ class Fault:
     is_other: bool = False
     # Whether the PDF must be the same although what it is made from was touched.
     is_same_pdf: bool = False
+    # What it has to say although it succeeds.
+    warns: str = ""
     target: str = "report"
     # Something to do while the make runs; it gets the process.
     during: Callable | None = None

@@ -53,7 +53,7 @@ def latex(title, script, said, **more):
         add_line(SECOND, "% typesets")
         return fake("pdflatex", f'if [[ $* == *--version* || $* == *-ini* ]]; then exec "$REAL" "$@"; fi\n{script}') | \
             more.get("variables", {})
-    return Fault(title, begin, mend=lambda: restore(SECOND), said=said, may_pass=more.get("may_pass", False))
+    return Fault(title, begin, mend=lambda: restore(SECOND), said=said, may_pass=more.get("may_pass", False), is_same_pdf=True)
 
 
 def tools():
@@ -80,9 +80,10 @@ def tools():
     yield latex("pdflatex says !pdfTeX error",
                 'printf "%s\\n" "!pdfTeX error: pdflatex (file x.pdf): cannot read" >"' + str(ROOT) +
                 '/build/report/latex/report.log"; exit 1', r"pdfTeX error.*x\.pdf")
-    yield latex("pdflatex fails once", 'f=/tmp/failed-once-$PPID-' + '$(stat -c %i "' + str(ROOT) + '/build/lock"); '
-                'if [[ ! -e /tmp/fault-once-$(basename "$0" )-' + str(os.getpid()) + ' ]]; then : >/tmp/fault-once-$(basename "$0")-' +
-                str(os.getpid()) + '; exit 1; fi; exec "$REAL" "$@"', tex, may_pass=True)
+    yield latex("pdflatex fails once", 'f=$(dirname "$0")/failed; if [[ ! -e $f ]]; then : >"$f"; exit 1; fi; exec "$REAL" "$@"', tex,
+                may_pass=True)
+    yield Fault("the checkout is no repository", lambda: renamed(".git", ".no-git"), mend=lambda: renamed(".no-git", ".git"),
+                warns="warning: the commit of .* is unknown", is_same_pdf=True)
     for tool in ["gnuplot", "latexmk", "pdflatex", "ninja", "cmake", "g++"]:
         yield Fault(f"{tool} is not in PATH", lambda tool=tool: without(tool), said=tool.replace("+", r"\+"), may_pass=False)
     yield Fault("git is not in PATH", lambda: without("git"), said="git", may_pass=False)
@@ -92,6 +93,11 @@ def tools():
     yield Fault("a manifest of 200000 brackets", brackets, mend=lambda: (ROOT / "odd.json").unlink(), said=r"odd\.json", may_pass=False,
                 target="verify MANIFEST=odd.json")
     yield Fault("the build folder is a file", build_is_a_file, mend=build_is_a_folder, said="build", may_pass=False)
+
+
+def renamed(old, new):
+    (ROOT / old).rename(ROOT / new)
+    return {}
 
 
 def brackets():

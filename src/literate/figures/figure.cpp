@@ -7,11 +7,11 @@
 #include <cmath>
 #include <locale>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "literate/values/decimal.hpp"
-#include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/pattern.hpp"
 
@@ -137,10 +137,13 @@ void write_figure(const fs::path& folder, const std::string& name, const Figure&
     script.flush();
     if (script) return;
   } catch (const std::ios_base::failure&) {
-    // Told below, as for a file that was opened and could not be written.
+    // The stream does not tell why, and takes half a write for a failure. So it is written once more.
   } catch (const fs::filesystem_error&) {
   }
-  throw sys::OutputError(fmt::format("cannot write '{}'", file.string()));
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  write_prelude(text, name, figure);
+  sys::write_file_atomically(file, text.str());
 }
 
 }  // namespace literate
