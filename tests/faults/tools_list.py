@@ -58,7 +58,7 @@ def latex(title, script, said, **more):
 
 def tools():
     figure = r"surface-gradient"
-    yield gnuplot("gnuplot fails without a word", "exit 3", figure + r".*status 3", is_fast=True)
+    yield gnuplot("gnuplot fails without a word", "exit 3", figure + r".*status 3")
     yield gnuplot("gnuplot is killed", "kill -9 $$", figure + r".*signal 9")
     yield gnuplot("gnuplot does nothing and succeeds", "exit 0", figure)
     for ending in ["pdf", "tex"]:
