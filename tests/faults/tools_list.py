@@ -158,5 +158,4 @@ SECOND_SAID = []
 
 
 def at_once():
-    yield Fault("two makes at once", lambda: add_line("report/ruggiero2001.toml", "# computes"),
-                mend=lambda: restore("report/ruggiero2001.toml"), during=second_make, is_other=True, is_fast=True)
+    yield Fault("two makes at once", lambda: add_line(SECOND, "% typesets"), mend=lambda: restore(SECOND), during=second_make, is_same_pdf=True, is_fast=True)
