@@ -168,7 +168,7 @@ ProcessResult run(const Command& command) {
         "{}: {} has not ended after {} s and was stopped; TIMEOUT=seconds allows more, TIMEOUT= "
         "any time",
         command.limit.what, command.program,
-        std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin).count()));
+        std::chrono::round<std::chrono::seconds>(Clock::now() - begin).count()));
   }
   return result;
 }

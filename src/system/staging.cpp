@@ -31,15 +31,36 @@ void require_writable(const fs::path& output_dir) {
   }
 }
 
+// While the marker is written, it has the second name.
+bool is_marker(const fs::path& file) {
+  return file.filename() == marker || file.filename() == std::string(marker) + ".new";
+}
+
+bool is_marked(const fs::path& folder) {
+  const fs::directory_iterator entries(folder);
+  return fs::is_empty(folder) || std::any_of(begin(entries), end(entries),
+                                             [](const auto& entry) { return is_marker(entry); });
+}
+
+// Removes the marker last, so that a run that is killed in here leaves a folder that is known.
+void remove_marked(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!is_marker(entry)) files.push_back(entry);
+  }
+  for (const fs::path& file : files) fs::remove_all(file);
+  fs::remove_all(folder);
+}
+
 void remove_stale(const fs::path& folder) {
   if (!fs::exists(fs::symlink_status(folder))) return;
   const bool is_folder = fs::is_directory(fs::symlink_status(folder));
-  if (!is_folder || !(fs::is_empty(folder) || fs::exists(folder / marker))) {
+  if (!is_folder || !is_marked(folder)) {
     throw OutputError(
         fmt::format("'{}' is needed as a staging folder but holds something else; move it away",
                     folder.string()));
   }
-  fs::remove_all(folder);
+  remove_marked(folder);
 }
 
 bool is_below(const fs::path& file) {
@@ -64,8 +85,11 @@ Staging::Staging(const fs::path& output_dir)
 }
 
 Staging::~Staging() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  try {
+    remove_marked(path_);
+  } catch (const fs::filesystem_error&) {
+    // What is left is removed by the next run.
+  }
 }
 
 std::vector<std::string> Staging::files() const {

@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(gnuplot_that_is_missing_or_refuses_a_figure_leaves_all_figu
   check_undrawn();
 
   tools.fake("gnuplot", "[ \"$1\" = --version ] || kill -9 $$\n");
-  check_tool_failed(draw, {"figures/contact-geometry.gp: gnuplot ended with status"},
+  check_tool_failed(draw, {"figures/contact-geometry.gp: gnuplot ended with signal"},
                     tools.surroundings());
   check_undrawn();
   tools.fake("gnuplot", "exit 0\n");

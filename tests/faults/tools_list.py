@@ -58,7 +58,7 @@ def latex(title, script, said, **more):
 
 def tools():
     figure = r"surface-gradient"
-    yield gnuplot("gnuplot fails without a word", "exit 3", figure + r".*status 3", is_fast=True)
+    yield gnuplot("gnuplot fails without a word", "exit 3", figure + r".*status 3")
     yield gnuplot("gnuplot is killed", "kill -9 $$", figure + r".*signal 9")
     yield gnuplot("gnuplot does nothing and succeeds", "exit 0", figure)
     for ending in ["pdf", "tex"]:
@@ -158,5 +158,4 @@ SECOND_SAID = []
 
 
 def at_once():
-    yield Fault("two makes at once", lambda: add_line("report/ruggiero2001.toml", "# computes"),
-                mend=lambda: restore("report/ruggiero2001.toml"), during=second_make, is_other=True, is_fast=True)
+    yield Fault("two makes at once", lambda: add_line(SECOND, "% typesets"), mend=lambda: restore(SECOND), during=second_make, is_same_pdf=True, is_fast=True)

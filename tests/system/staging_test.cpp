@@ -111,4 +111,13 @@ BOOST_AUTO_TEST_CASE(what_a_killed_run_published_is_removed_by_the_next_that_doe
   BOOST_TEST(!fs::exists(scratch / "out.publishing"));
 }
 
+BOOST_AUTO_TEST_CASE(a_folder_that_was_left_while_its_marker_was_written_is_known) {
+  const TemporaryFolder scratch;
+  write_file_atomically(scratch / "out.part/.literate-staging.new", "");
+
+  const Staging staging(scratch / "out");
+
+  BOOST_TEST(staging.files().empty());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

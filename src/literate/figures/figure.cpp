@@ -137,7 +137,8 @@ void write_figure(const fs::path& folder, const std::string& name, const Figure&
     script.flush();
     if (script) return;
   } catch (const std::ios_base::failure&) {
-    // The stream does not tell why, and takes half a write for a failure. So it is written once more.
+    // The stream does not tell why, and takes half a write for a failure. So it is written once
+    // more.
   } catch (const fs::filesystem_error&) {
   }
   std::ostringstream text;

@@ -37,6 +37,11 @@ bool is_bare_error(std::string_view line) {
          line.starts_with("!LuaTeX error");
 }
 
+/// Whether a log line reads «file:line: Emergency stop.»
+bool is_emergency_stop(std::string_view line) {
+  return is_error(line) && line.ends_with(": Emergency stop.");
+}
+
 /// Follows which file LaTeX is reading, by the parentheses in its log.
 class OpenFiles {
  public:
@@ -120,6 +125,11 @@ std::vector<std::string> latex_errors(std::string_view log, std::string_view sou
     if (line.starts_with("l.") && wants_place) {
       errors.back().append("\n  ").append(line);
       wants_place = false;
+    } else if (wants_place && errors.back().starts_with("! ") && is_emergency_stop(line)) {
+      // TeX tells where it stopped only after what stopped it, such as a file that is not there.
+      const std::string place =
+          labelled(line.substr(0, line.find(": Emergency stop") + 2), source_label);
+      errors.back().replace(0, 2, place);
     } else if (is_error(line) && !is_end) {
       errors.push_back(labelled(line, source_label));
       wants_place = true;

@@ -72,8 +72,7 @@ BOOST_AUTO_TEST_CASE(a_gnuplot_that_fails_without_a_word_is_told_by_its_status_o
   BOOST_TEST(refusal_of_drawing("", "", {3, ""}) ==
              "figures/f.gp: gnuplot ended with status 3 and said nothing (figure 'f' is registered "
              "at src/a.cpp:3)");
-  BOOST_TEST(refusal_of_drawing("", "", {137, ""}).find("signal 9 (Killed)") !=
-             std::string::npos);
+  BOOST_TEST(refusal_of_drawing("", "", {137, ""}).find("signal 9 (Killed)") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

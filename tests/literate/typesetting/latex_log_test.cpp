@@ -103,4 +103,15 @@ BOOST_AUTO_TEST_CASE(errors_of_the_engine_itself_are_recognised) {
   BOOST_TEST(latex_errors("!!! no error\n", "report").empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_file_that_is_not_there_is_told_where_it_is_asked_for) {
+  const auto errors = latex_errors(
+      "(./main.tex\n! LaTeX Error: File `no.sty' not found.\n\nType X to quit.\n"
+      "./main.tex:9: Emergency stop.\n<read *>\n\nl.9 \\usepackage{lmodern}\n",
+      "report");
+
+  BOOST_TEST(errors == (Lines{"report/main.tex:9: LaTeX Error: File `no.sty' not found.\n"
+                              "  l.9 \\usepackage{lmodern}"}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_SUITE_END()
