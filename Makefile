@@ -19,7 +19,11 @@
 #   V=1              show the commands
 
 # The scripts read the paths and CALLER from the environment, because make would split paths at spaces.
-export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SEED_FILE UPDATE SUBMISSIONS ROSTER J N UNSAFE TIMEOUT
+export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SEED_FILE UPDATE SUBMISSIONS ROSTER J N UNSAFE
+# An exported variable that nobody has set would be empty, and an empty TIMEOUT lifts all limits.
+ifneq ($(origin TIMEOUT),undefined)
+export TIMEOUT
+endif
 export CALLER := $(value PWD)
 
 # Messages, number formats and sorting are the same for everyone.

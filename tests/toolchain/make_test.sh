@@ -48,6 +48,15 @@ claim 'a figure without a name is refused' "$(says 'NAME: give the name of a fig
 runs make figure NAME=none
 claim 'a figure without a script is named' "$(says 'NAME: there is no script figures/none.gp')" = yes
 
+# An exported variable without a value would be empty, and TIMEOUT= lifts the limits of all tools.
+printf 'include Makefile\nshown:\n\t@env | grep ^TIMEOUT || echo unset\n' >shown.mk
+unset TIMEOUT
+runs make -f shown.mk shown
+claim 'without TIMEOUT the limits of the tools stay' "$said" = unset
+runs make -f shown.mk shown TIMEOUT=
+claim 'TIMEOUT= reaches the scripts' "$said" = TIMEOUT=
+rm shown.mk
+
 runs bash "$scratch/check out/src/toolchain/build" nonsense
 claim 'an unknown target is named' "$(says 'unknown target nonsense')" = yes
 
