@@ -50,6 +50,7 @@ BOOST_AUTO_TEST_CASE(how_a_child_ended_is_told_in_words) {
 }
 
 BOOST_AUTO_TEST_CASE(a_child_beyond_its_limit_is_ended_with_all_that_it_started) {
+  ::unsetenv("LITERATE_TIMEOUT");  // of whoever runs the tests
   const TemporaryFolder scratch;
   const Command command{.program = "sh",
                         .arguments = {"-c", "(sleep 1.6; touch late) & sleep 60; :"},
