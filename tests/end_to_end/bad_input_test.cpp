@@ -228,9 +228,9 @@ BOOST_AUTO_TEST_CASE(values_of_a_case_out_of_range_are_refused_at_their_place) {
 BOOST_AUTO_TEST_CASE(what_the_commands_can_solve_may_be_too_much_for_the_report) {
   const TemporaryFolder folder;
   check_report_case(changed_case(folder, "nodes = 91", "nodes = 1002"),
-                    {place_of("91"), "contact.nodes", "at most 1001 for the report"});
+                    {place_of("91"), "contact.nodes", "from 7 to 401 for the report"});
   check_report_case(changed_case(folder, "refine = 1", "refine = 4"),
-                    {place_of("1\n\n# What"), "block.refine", "at most 3 for the report"});
+                    {place_of("1\n\n# What"), "block.refine", "from 0 to 3 for the report"});
 }
 
 BOOST_AUTO_TEST_CASE(missing_unknown_and_doubled_keys_of_a_case_are_refused_at_their_place) {

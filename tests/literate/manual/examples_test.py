@@ -59,8 +59,9 @@ def restyled_prints(text):
 
 with tempfile.TemporaryDirectory() as scratch:
     paper = pathlib.Path(scratch) / "mypaper"
-    status, said = runs(*re.sub("^literate", str(literate), manual.example("literate: sh").split("\n")[0]).split(" "),
-                        folder=scratch)
+    words = manual.example("literate: sh").split("\n")[0].split(" ")
+    claim("the manual's first command is of literate", words[0] == "literate")
+    status, said = runs(literate, *words[1:], folder=scratch)
     claim("the manual's first command writes a paper", status == 0 and paper.is_dir(), said)
     template, used_by_prose = filled((here / "manual.tex.in").read_text(), manual, "%")
     write_paper(paper, template)
