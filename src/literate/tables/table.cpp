@@ -53,7 +53,7 @@ std::string header(const Columns& columns) {
   return text;
 }
 
-std::string place_of(const std::source_location& location) {
+std::string code_place(const std::source_location& location) {
   return fmt::format("{}:{}", location.file_name(), location.line());
 }
 
@@ -69,12 +69,12 @@ Table::Table(std::string name, std::vector<Column> columns, Location location)
     : name_(std::move(name)), columns_(std::move(columns)), location_(location) {
   if (!columns_.empty()) return;
   throw std::invalid_argument(
-      fmt::format("{}: table '{}' has no column", place_of(location), name_));
+      fmt::format("{}: table '{}' has no column", code_place(location), name_));
 }
 
 Table& Table::add_row(std::vector<Cell> cells, Location location) {
-  const std::string row = fmt::format("{}: table '{}' (begun at {}), row {}", place_of(location),
-                                      name_, place_of(location_), rows_.size() + 1);
+  const std::string row = fmt::format("{}: table '{}' (begun at {}), row {}", code_place(location),
+                                      name_, code_place(location_), rows_.size() + 1);
   if (cells.size() != columns_.size()) {
     throw std::invalid_argument(
         fmt::format("{}: {} cells for {} columns", row, cells.size(), columns_.size()));
@@ -118,12 +118,12 @@ void Table::require_complete() const {
   for (const std::string& mark : used) {
     if (explained.contains(mark)) continue;
     throw std::invalid_argument(fmt::format("{}: table '{}': no note explains the mark '{}'",
-                                            place_of(location_), name_, mark));
+                                            code_place(location_), name_, mark));
   }
   for (const std::string& mark : explained) {
     if (used.contains(mark)) continue;
     throw std::invalid_argument(fmt::format("{}: table '{}': no cell has the mark '{}' of a note",
-                                            place_of(location_), name_, mark));
+                                            code_place(location_), name_, mark));
   }
 }
 
