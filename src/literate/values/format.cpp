@@ -220,13 +220,19 @@ RoundedNumber with_uncertainty(const Format& format, Estimate estimate) {
   return {rounded_to_place(estimate.value, error.place), style, true, error.digits};
 }
 
+/// A bound is true with any digits, so that none has to be earned; finer than the second digit of
+/// the error it says nothing more.
 RoundedNumber bound_above(const Format& format, Estimate estimate) {
+  constexpr int n_digits_of_error = 2;
   const double bound = estimate.value + estimate.abs_error;
   if (bound < 0) throw std::invalid_argument("a bound to be printed is negative");
-  const int lowest = format.notation() == Notation::fixed
-                         ? -format.digits() - (format.is_percentage() ? 2 : 0)
-                         : rounded_up_to_digits(bound, format.digits()).place;
-  const Decimal digits = rounded_up_to_place(bound, earned_place(estimate.abs_error, lowest));
+  int lowest = format.notation() == Notation::fixed
+                   ? -format.digits() - (format.is_percentage() ? 2 : 0)
+                   : rounded_up_to_digits(bound, format.digits()).place;
+  if (estimate.abs_error > 0) {
+    lowest = std::max(lowest, rounded_to_digits(estimate.abs_error, n_digits_of_error).place);
+  }
+  const Decimal digits = rounded_up_to_place(bound, lowest);
   return {digits, Style::plain, true, ""};
 }
 

@@ -30,7 +30,8 @@ class Format {
   Format in_percent() const;
 
   /// The same format, rounding up: for bounds that a sentence states. A number with an error prints
-  /// no less than their sum. Refuses negative numbers.
+  /// no less than their sum, with any digits down to the second of the error: as a bound each of
+  /// them is true. Refuses negative sums.
   Format rounded_up() const;
 
   Notation notation() const { return notation_; }
