@@ -125,8 +125,7 @@ Criterion Criterion::at_most(std::string name, Value quantity, Limit limit) {
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.found_ =
-      found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_most);
+  criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_most);
   criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_);
   return criterion;
 }
@@ -136,8 +135,7 @@ Criterion Criterion::at_least(std::string name, Value quantity, Limit limit) {
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.found_ =
-      found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_least);
+  criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_least);
   criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_);
   return criterion;
 }

@@ -93,8 +93,8 @@ class Criterion {
   /// What the quantity is called, such as «largest misfit».
   const std::string& name() const { return name_; }
 
-  /// The quantity that was tested, such as «0.074 %», or what it is at most if that is less than its
-  /// error; of an agreement also how far it is from what is stated. What is printed lies on the
+  /// The quantity that was tested, such as «0.074 %», or what it is at most if that is less than
+  /// its error; of an agreement also how far it is from what is stated. What is printed lies on the
   /// same side of the limit as what was tested.
   const Phrase& found() const { return found_; }
 

@@ -151,9 +151,9 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
   BOOST_TEST(is(node(26), Outcome::fails));
   BOOST_TEST(node(9).condition().plain == "equal to 9");
   BOOST_TEST(node(26).computed() == "node: 26");
-  const Criterion share = Criterion::agrees("share", Value(0.50001, fixed(2)).within(0),
-                                            Value(0.5, fixed(2)).within(0),
-                                            {LimitKind::printed, 0.0, "the same digits"});
+  const Criterion share =
+      Criterion::agrees("share", Value(0.50001, fixed(2)).within(0), Value(0.5, fixed(2)).within(0),
+                        {LimitKind::printed, 0.0, "the same digits"});
   BOOST_TEST(is(share, Outcome::fails));
   BOOST_TEST(share.computed() == "share: 0.50, 1.0e-5 from 0.50");
 }

@@ -123,8 +123,9 @@ BOOST_AUTO_TEST_CASE(a_printed_bound_is_never_below_number_and_error) {
     const double limit = std::pow(10, exponent(random));
     const std::string printed = at_most(Value({value, error}, scientific(1)), limit);
     const bool is_upper = printed.starts_with("at most");
-    BOOST_TEST((is_upper ? number_in(printed) >= value + error : number_in(printed) <= value - error),
-               value << " with " << error << " is printed " << printed);
+    BOOST_TEST(
+        (is_upper ? number_in(printed) >= value + error : number_in(printed) <= value - error),
+        value << " with " << error << " is printed " << printed);
     if (value + error <= limit) BOOST_TEST(number_in(printed) <= limit);
   }
 }
