@@ -4,23 +4,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
+#include "literate/claims/found.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
 
 namespace literate {
 namespace {
-
-/// The double nearest to a decimal number.
-double number_of(const Decimal& decimal) {
-  const std::string text = scientific(decimal);
-  double number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
 
 double require_abs_error(const std::string& name, const Value& quantity) {
   if (!quantity.number()) throw std::invalid_argument(name + ": a criterion tests a number");
@@ -36,18 +28,27 @@ Value limit_like(double limit, const Value& quantity) {
                                   : Value(limit, exact(), quantity.unit());
 }
 
-/// A relative difference in per cent, or as a number where that would be mostly zeros.
-Value relative(double difference) {
+/// A relative difference in per cent, unless that would be mostly zeros.
+Format relative(const Format& format, double difference) {
   constexpr double least_percentage = 1e-5;
-  return difference < least_percentage ? Value(difference, exact())
-                                       : Value(difference, exact().in_percent());
+  return difference < least_percentage ? format : format.in_percent();
 }
 
-/// Words that are the same in LaTeX, and values among them: «within {} of {}».
-template <typename... Values>
-Phrase phrase(std::string_view words, const Values&... values) {
-  return {fmt::format(fmt::runtime(words), values.printed()...),
-          fmt::format(fmt::runtime(words), values.latex()...)};
+/// A relative difference without its error.
+Value relative(double difference) {
+  return {difference, relative(exact(), difference)};
+}
+
+/// How far two quantities are apart, in their unit.
+Value difference_of(const Value& computed, const Value& stated, double abs_error) {
+  const double difference = std::abs(*computed.number() - *stated.number());
+  if (computed.format()->notation() == Notation::integer && abs_error == 0) {
+    return Value(difference, exact(), computed.unit()).within(0);
+  }
+  constexpr int n_digits = 2;
+  const Format format = significant(n_digits);
+  return {numerics::Estimate{difference, abs_error},
+          computed.is_percentage() ? format.in_percent() : format, computed.unit()};
 }
 
 }  // namespace
@@ -98,7 +99,6 @@ std::string_view name_of(Outcome outcome) {
 Criterion::Criterion(std::string name, Value quantity, Limit limit)
     : name_(std::move(name)), quantity_(std::move(quantity)), limit_(std::move(limit)) {
   if (name_.empty()) throw std::invalid_argument("a criterion names what it tests");
-  found_ = phrase("{}", quantity_);
 }
 
 /// Compares the interval of the tested number with that of the limit; both are printed as `like`
@@ -114,7 +114,7 @@ void Criterion::decide(double tested, double error, bool is_upper_limit, const V
     outcome_ = Outcome::fails;
   } else {
     outcome_ = Outcome::undecided;
-    const double printed = number_of(rounded_up_to_digits(unsure, 1));
+    const double printed = number_of(rounded_up_to_digits(unsure, 2));
     missing_ =
         fmt::format("an error of {} reaches across the limit", limit_like(printed, like).printed());
   }
@@ -125,6 +125,7 @@ Criterion Criterion::at_most(std::string name, Value quantity, Limit limit) {
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
+  criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_most);
   criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_);
   return criterion;
 }
@@ -134,18 +135,26 @@ Criterion Criterion::at_least(std::string name, Value quantity, Limit limit) {
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
+  criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_least);
   criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_);
   return criterion;
 }
 
 Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance) {
   const double error = require_abs_error(name, computed) + require_abs_error(name, stated);
-  const double difference = std::abs(*computed.number() - *stated.number());
+  const Value difference = difference_of(computed, stated, error);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
-  const Value limit = limit_like(criterion.limit_.number(), criterion.quantity_);
-  criterion.condition_ = criterion.limit_.number() == 0 ? phrase("equal to {}", stated)
-                                                        : phrase("within {} of {}", limit, stated);
-  criterion.decide(difference, error, true, criterion.quantity_);
+  const double tolerated = criterion.limit_.number();
+  const Value& quantity = criterion.quantity_;
+  criterion.condition_ = tolerated == 0
+                             ? phrase("equal to {}", stated)
+                             : phrase("within {} of {}", limit_like(tolerated, quantity), stated);
+  // Whether counts are equal can be seen; of other numbers the printed digits may be the same.
+  const bool is_seen = tolerated == 0 && difference.format()->notation() == Notation::exact;
+  criterion.found_ = is_seen ? phrase("{}", quantity)
+                             : phrase("{}, {} from {}", quantity,
+                                      found_phrase(difference, tolerated, Side::at_most), stated);
+  criterion.decide(*difference.number(), error, true, quantity);
   return criterion;
 }
 
@@ -163,18 +172,18 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
       (error + std::abs(c / s) * error_of_stated) / (std::abs(s) - error_of_stated);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
   const double off = std::abs(c / s - 1);
-  // A difference that is lost in its error is told by what it is at most.
+  constexpr int n_digits = 2;
+  const Value difference(numerics::Estimate{off, unsure},
+                         relative(significant(n_digits), off + unsure));
   criterion.found_ =
-      off > unsure ? phrase("{}, {} from {}", criterion.quantity_,
-                            Value({off, unsure}, significant(2).in_percent()), stated)
-                   : phrase("{}, at most {} from {}", criterion.quantity_,
-                            relative(number_of(rounded_up_to_digits(off + unsure, 1))), stated);
+      phrase("{}, {} from {}", criterion.quantity_,
+             found_phrase(difference, criterion.limit_.number(), Side::at_most), stated);
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
   criterion.decide(off, unsure, true, Value(0, exact().in_percent()));
   if (criterion.outcome_ == Outcome::undecided) {
     // The error, which says why, stands behind it.
     criterion.found_ = phrase("{}, {} from {}", criterion.quantity_,
-                              relative(number_of(rounded_to_digits(off, 2))), stated);
+                              relative(number_of(rounded_to_digits(off, n_digits))), stated);
   }
   return criterion;
 }
@@ -198,8 +207,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
 
   Criterion criterion(std::move(name), Value(n_holding, integer()).within(0), first.limit_);
   const std::string counted = fmt::format("{} of {} {}", n_holding, n, cases);
-  criterion.found_ = {fmt::format("{}, at worst {}", counted, worst.found_.plain),
-                      fmt::format("{}, at worst {}", escape_latex(counted), worst.found_.latex)};
+  criterion.found_ = phrase("{}; worst: {}", Phrase{counted, escape_latex(counted)}, worst.found_);
   criterion.condition_ = first.condition_;
   criterion.excess_ = worst.excess_;
   if (n_undecided > 0) {

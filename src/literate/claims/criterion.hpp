@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "literate/claims/phrase.hpp"
 #include "literate/values/value.hpp"
 #include "numerics/estimate.hpp"
 
@@ -59,12 +60,6 @@ enum class Outcome {
 /// Names an outcome: «holds», «holds in part», «fails» or «undecided».
 std::string_view name_of(Outcome outcome);
 
-/// A phrase as plain text, for messages, and as LaTeX.
-struct Phrase {
-  std::string plain;
-  std::string latex;
-};
-
 /// A condition on a computed quantity that decides a claim: quantity, relation, limit.
 ///
 /// One object prints the quantity, prints the limit and decides, so that what the reader sees is
@@ -98,7 +93,9 @@ class Criterion {
   /// What the quantity is called, such as «largest misfit».
   const std::string& name() const { return name_; }
 
-  /// The quantity as it was tested, such as «0.074 %».
+  /// The quantity that was tested, such as «0.074 %», or what it is at most if that is less than
+  /// its error; of an agreement also how far it is from what is stated. What is printed lies on the
+  /// same side of the limit as what was tested.
   const Phrase& found() const { return found_; }
 
   /// The relation and the limit as they were tested, such as «at most 0.1 %».

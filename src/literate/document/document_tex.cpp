@@ -87,12 +87,15 @@ std::string breakable_word(const std::string& printed) {
   return text;
 }
 
-/// The error bound as LaTeX, in the unit in which the value is printed; empty without one.
+/// What is known of the error, as LaTeX, in the unit in which the value is printed; empty for
+/// nothing.
 std::string error_tex(const Value& value) {
   if (!value.abs_error()) return {};
+  if (*value.abs_error() == 0) return "exact";
   const Format format = scientific(2).rounded_up();
-  return value.is_percentage() ? Value(*value.abs_error(), format.in_percent()).latex()
-                               : Value(*value.abs_error(), format, value.unit()).latex();
+  const Value bound = value.is_percentage() ? Value(*value.abs_error(), format.in_percent())
+                                            : Value(*value.abs_error(), format, value.unit());
+  return "error $\\le$ " + bound.latex();
 }
 
 }  // namespace

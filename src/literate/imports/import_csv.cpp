@@ -35,14 +35,14 @@ ImportedColumn column_of(const std::string& field) {
   return column;
 }
 
-std::vector<Fields> fields_of(const std::string& file, const CsvRow& heading) {
+std::vector<Fields> fields_of(const CsvSource& source, const CsvRow& heading) {
   std::vector<Fields> columns;
   for (std::size_t i = 0; i < heading.fields.size(); ++i) {
     if (heading.fields[i] != "abs_error") {
       columns.push_back({i});
     } else if (columns.empty() || columns.back().abs_error) {
-      throw ImportError(fmt::format("{}:{}:{}: abs_error has no column of numbers to its left",
-                                    file, heading.line, i + 1));
+      throw ImportError(fmt::format("{}: abs_error has no column of numbers to its left",
+                                    source.at(heading.line, i + 1)));
     } else {
       columns.back().abs_error = i;
     }
@@ -51,11 +51,11 @@ std::vector<Fields> fields_of(const std::string& file, const CsvRow& heading) {
 }
 
 /// Takes headings and units from the file where the caller has given none.
-void complete(std::vector<ImportedColumn>& columns, const std::string& file, const CsvRow& heading,
+void complete(std::vector<ImportedColumn>& columns, const CsvSource& source, const CsvRow& heading,
               const std::vector<Fields>& fields) {
   const bool are_given = !columns.empty();
   if (are_given && columns.size() != fields.size()) {
-    throw ImportError(fmt::format("{}:{}: {} columns, where {} are described", file, heading.line,
+    throw ImportError(fmt::format("{}: {} columns, where {} are described", source.at(heading.line),
                                   fields.size(), columns.size()));
   }
   columns.resize(fields.size());
@@ -63,13 +63,14 @@ void complete(std::vector<ImportedColumn>& columns, const std::string& file, con
     const ImportedColumn from_file = column_of(heading.fields[fields[i].number]);
     if (columns[i].heading.empty()) columns[i].heading = from_file.heading;
     if (columns[i].unit.empty()) columns[i].unit = from_file.unit;
+    columns[i].at = source.at(heading.line, fields[i].number + 1);
   }
 }
 
-ImportedCell cell_of(const std::string& file, const CsvRow& row, const Fields& fields,
+ImportedCell cell_of(const CsvSource& source, const CsvRow& row, const Fields& fields,
                      bool is_text) {
   const std::string& text = row.fields[fields.number];
-  ImportedCell cell{.at = fmt::format("{}:{}:{}", file, row.line, fields.number + 1)};
+  ImportedCell cell{.at = source.at(row.line, fields.number + 1)};
   if (text.empty()) return cell;
   const auto number = written_number(text);
   if (number && !is_text) {
@@ -80,8 +81,9 @@ ImportedCell cell_of(const std::string& file, const CsvRow& row, const Fields& f
   if (!fields.abs_error || row.fields[*fields.abs_error].empty()) return cell;
   const auto error = written_number(row.fields[*fields.abs_error]);
   if (!error) {
-    throw ImportError(fmt::format("{}:{}:{}: abs_error '{}' is not a number", file, row.line,
-                                  *fields.abs_error + 1, row.fields[*fields.abs_error]));
+    throw ImportError(fmt::format("{}: abs_error '{}' is not a number",
+                                  source.at(row.line, *fields.abs_error + 1),
+                                  row.fields[*fields.abs_error]));
   }
   cell.abs_error = error->number;
   return cell;
@@ -93,14 +95,21 @@ bool holds_a_number(const std::vector<CsvRow>& rows, std::size_t field) {
   });
 }
 
+NumbersAndScript read_files(const fs::path& file, const fs::path& script, const fs::path& root,
+                            const std::string& table) {
+  try {
+    return with_script(file, read_numbers(file), script, root);
+  } catch (const ImportError& error) {
+    throw ImportError(fmt::format("{}, for table '{}'", error.what(), table));
+  }
+}
+
 }  // namespace
 
 void import_csv(Document& document, const std::string& name, const fs::path& file_path,
                 const fs::path& script, std::vector<ImportedColumn> columns,
                 const ImportOptions& options) {
   const std::string file = file_path.string();
-  const std::string text = read_numbers(file_path);
-  const NumbersAndScript sources = with_script(file_path, text, script, options.root);
   const std::string key = options.prefix + name;
   if (!is_file_name(key)) {
     throw ImportError(
@@ -111,10 +120,14 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
                                   text_of(document.registered().places.at({"table", key}))));
   }
 
-  const std::vector<CsvRow> rows = csv_rows(file, text);
-  if (rows.empty()) throw ImportError(fmt::format("{}:1: there is no line of headings", file));
-  const std::vector<Fields> fields = fields_of(file, rows.front());
-  complete(columns, file, rows.front(), fields);
+  const NumbersAndScript sources = read_files(file_path, script, options.root, key);
+  const CsvSource source{file, key};
+  const std::vector<CsvRow> rows = csv_rows(source, sources.numbers.text);
+  if (rows.empty()) {
+    throw ImportError(fmt::format("{}: there is no line of headings", source.at(1)));
+  }
+  const std::vector<Fields> fields = fields_of(source, rows.front());
+  complete(columns, source, rows.front(), fields);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool keeps_digits = columns[i].format == NumberFormat::as_written;
     if (keeps_digits && !holds_a_number(rows, fields[i].number))
@@ -126,10 +139,10 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
     cells.emplace_back();
     for (std::size_t i = 0; i < columns.size(); ++i) {
       cells.back().push_back(
-          cell_of(file, *row, fields[i], columns[i].format == NumberFormat::text));
+          cell_of(source, *row, fields[i], columns[i].format == NumberFormat::text));
     }
   }
-  Table table = table_of(key, columns, cells, fmt::format("{}:{}", file, rows.front().line));
+  Table table = table_of(key, columns, cells, source.at(rows.front().line));
 
   document.attach(sources.numbers);
   document.attach(sources.script);

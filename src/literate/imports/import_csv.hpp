@@ -21,9 +21,9 @@ namespace literate {
 /// number is one of texts.
 ///
 /// File and script are attached to the document and are the table's source place. Throws
-/// ImportError, «file:line:column: what is wrong» where column counts fields: for what csv_rows and
-/// table_of refuse, a name that is malformed or registered already, an abs_error without a column
-/// to its left, and a count of `columns` that is not the file's.
+/// ImportError, «file:line:column: table 'name': what is wrong» where column counts fields: for
+/// what csv_rows and table_of refuse, a name that is malformed or registered already, an abs_error
+/// without a column to its left, and a count of `columns` that is not the file's.
 void import_csv(Document& document, const std::string& name, const std::filesystem::path& file,
                 const std::filesystem::path& script, std::vector<ImportedColumn> columns = {},
                 const ImportOptions& options = {});

@@ -138,11 +138,14 @@ std::optional<WrittenNumber> written_number(std::string_view text) {
 Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,
                const Rows& rows, const std::string& at) {
   if (columns.empty()) throw ImportError(at + ": a table needs a column");
+  std::string place = at;
   try {
     std::vector<Column> printed;
     for (std::size_t i = 0; i < columns.size(); ++i) {
+      place = columns[i].at.empty() ? at : columns[i].at;
       printed.push_back(column_of(columns[i], has_exponents(rows, i)));
     }
+    place = at;
     Table table(name, printed);
     for (const auto& row : rows) {
       std::vector<Cell> cells;
@@ -151,7 +154,7 @@ Table table_of(const std::string& name, const std::vector<ImportedColumn>& colum
     }
     return table;
   } catch (const std::invalid_argument& error) {
-    throw ImportError(fmt::format("{}: {}", at, error.what()));
+    throw ImportError(fmt::format("{}: {}", place, error.what()));
   }
 }
 

@@ -27,6 +27,7 @@ struct ImportedColumn {
   NumberFormat format = NumberFormat::as_written;
   int digits = 0;
   int exponent = 0;
+  std::string at = {};  ///< where it is described, for messages; filled in by what reads the file
 };
 
 /// A number as a file writes it.
@@ -52,7 +53,8 @@ struct ImportedCell {
 /// Throws ImportError naming the cell for a number or an error bound that is not finite, an error
 /// bound that is negative, a number printed with more digits than its error supports, a text in a
 /// column of numbers, a number in a column of texts, and a fraction in a column of whole numbers;
-/// naming `at`, which is where the table begins, for a column that cannot be printed.
+/// naming the column's place, or `at`, which is where the table begins, for a column that cannot be
+/// printed.
 Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,
                const std::vector<std::vector<ImportedCell>>& rows, const std::string& at);
 

@@ -100,8 +100,11 @@ std::string ColumnWriter::cell(std::size_t row) const {
   const std::string mark =
       cell.mark.empty() ? "" : fmt::format("\\LiterateMark{{{}}}", escape_latex(cell.mark));
   if (!cell.is_number) return cell.text + mark;
-  return fmt::format("\\LiterateCell{{{}}}{{{}}}{{{}}}{}", table_format(width_), cell.text,
-                     aligned_number(cell.text, width_), mark);
+  const std::string aligned = aligned_number(cell.text, width_, mark);
+  const std::string format = table_format(width_);
+  return mark.empty() ? fmt::format("\\LiterateCell{{{}}}{{{}}}{{{}}}", format, cell.text, aligned)
+                      : fmt::format("\\LiterateMarkedCell{{{}}}{{{}}}{{{}}}{{{}}}", format,
+                                    cell.text, aligned, mark);
 }
 
 std::string ColumnWriter::heading() const {

@@ -34,7 +34,8 @@ class ColumnWriter {
   std::string unit() const;
 
   /// One cell. A number is \LiterateCell{format}{number}{mathematics}: the widest number of the
-  /// column as siunitx's table-format, the number itself, and the number padded to that width.
+  /// column as siunitx's table-format, the number itself, and the number padded to that width. With
+  /// a mark it is \LiterateMarkedCell, which has the mark besides.
   std::string cell(std::size_t row) const;
 
  private:

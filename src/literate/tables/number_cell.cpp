@@ -104,16 +104,19 @@ std::string table_format(const NumberWidth& width) {
   return format;
 }
 
-std::string aligned_number(std::string_view number, const NumberWidth& column) {
+std::string aligned_number(std::string_view number, const NumberWidth& column,
+                           std::string_view mark) {
   const Parts parts = parts_of(number);
+  const bool has_exponent = !parts.exponent.empty();
   std::string text = blank_digits(parts.whole.size(), column.n_whole);
   if (column.negative && !parts.negative) text += blank("-");
   text += (parts.negative ? "-" : "") + grouped(parts.whole, false);
-
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true);
+  text += parts.uncertainty;
+  if (!has_exponent) text += mark;
+
   if (parts.decimals.empty() && column.n_decimals > 0) text += blank(".");
   text += blank_digits(parts.decimals.size(), column.n_decimals);
-  text += parts.uncertainty;
   if (parts.uncertainty.size() < column.n_uncertainty) {
     // Parentheses are as wide as those that the others have.
     const bool has_none = parts.uncertainty.empty();
@@ -122,7 +125,7 @@ std::string aligned_number(std::string_view number, const NumberWidth& column) {
         std::string(column.n_uncertainty - parts.uncertainty.size() - (has_none ? 2 : 0), '0'));
   }
 
-  if (!parts.exponent.empty()) return text + power_of_ten(parts, column);
+  if (has_exponent) return text + power_of_ten(parts, column) + std::string(mark);
   if (column.n_exponent == 0) return text;
   Parts wide;
   const std::string digits(column.n_exponent, '0');

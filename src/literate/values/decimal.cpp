@@ -75,13 +75,6 @@ Decimal rounded_to_high_place(double value, int place) {
   return number;
 }
 
-double number_of(const Decimal& number) {
-  const std::string text = scientific(number);
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 }  // namespace
 
 Decimal rounded_to_place(double value, int place) {
@@ -118,6 +111,13 @@ Decimal shortest(double value) {
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
                                  std::chars_format::scientific);
   return parse(std::signbit(value), {buffer.data(), end.ptr});
+}
+
+double number_of(const Decimal& number) {
+  const std::string text = scientific(number);
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 bool is_zero(const Decimal& number) {

@@ -30,6 +30,9 @@ Decimal rounded_up_to_digits(double value, int n_digits);
 /// Returns the fewest digits that read back as the same double.
 Decimal shortest(double value);
 
+/// The double nearest to a decimal number.
+double number_of(const Decimal& number);
+
 bool is_zero(const Decimal& number);
 
 /// The power of ten of the first digit; of zero, that of its last place.

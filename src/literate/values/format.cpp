@@ -163,6 +163,8 @@ void require_earned(double number, int place, double abs_error, std::string_view
 std::string RoundedNumber::text(int exponent) const {
   Decimal shifted = digits;
   shifted.place -= exponent;
+  // Zero has no power of ten, unless it says how much is known of it.
+  if (is_zero(shifted) && !has_unknown_zeros) shifted.place = std::min(shifted.place, 0);
   const bool pads_zeros = has_unknown_zeros && shifted.place > 0;
   std::string text;
   if (style == Style::with_exponent || pads_zeros) {
@@ -176,22 +178,38 @@ std::string RoundedNumber::text(int exponent) const {
   return text;
 }
 
+namespace {
+
+using Style = RoundedNumber::Style;
+
+RoundedNumber with_uncertainty(Estimate estimate) {
+  const Decimal error = rounded_up_to_digits(estimate.abs_error, 2);
+  return {rounded_to_place(estimate.value, error.place), Style::automatic, true, error.digits};
+}
+
+/// Whether a number is known not to be zero, although it is rounded to it.
+bool is_lost_by_rounding(const Decimal& digits, Estimate estimate) {
+  return is_zero(digits) && std::abs(estimate.value) > estimate.abs_error;
+}
+
+}  // namespace
+
 RoundedNumber rounded_at(double number, std::optional<double> abs_error, int place) {
   if (abs_error) require_error_bound(*abs_error);
   const Estimate estimate{number, abs_error.value_or(0)};
   const Decimal digits = rounded_to_place(number, earned_place(estimate.abs_error, place));
-  RoundedNumber rounded{digits, RoundedNumber::Style::plain, estimate.abs_error > 0, ""};
+  RoundedNumber rounded{digits, Style::plain, estimate.abs_error > 0, ""};
   if (!is_zero(digits) || number == 0) return rounded;
   if (const auto first = first_digits(estimate)) {
     rounded.digits = *first;
-    rounded.style = RoundedNumber::Style::automatic;
+    rounded.style = Style::automatic;
+  } else if (is_lost_by_rounding(digits, estimate)) {
+    return with_uncertainty(estimate);
   }
   return rounded;
 }
 
 namespace {
-
-using Style = RoundedNumber::Style;
 
 RoundedNumber exactly(const Format& format, Estimate estimate) {
   if (estimate.abs_error > 0) {
@@ -214,19 +232,19 @@ RoundedNumber exactly(const Format& format, Estimate estimate) {
   return {digits, Style::plain, false, ""};
 }
 
-RoundedNumber with_uncertainty(const Format& format, Estimate estimate) {
-  const Decimal error = rounded_up_to_digits(estimate.abs_error, 2);
-  const Style style = format.is_percentage() ? Style::plain : Style::automatic;
-  return {rounded_to_place(estimate.value, error.place), style, true, error.digits};
-}
-
+/// A bound is true with any digits, so that none has to be earned; finer than the second digit of
+/// the error it says nothing more.
 RoundedNumber bound_above(const Format& format, Estimate estimate) {
+  constexpr int n_digits_of_error = 2;
   const double bound = estimate.value + estimate.abs_error;
   if (bound < 0) throw std::invalid_argument("a bound to be printed is negative");
-  const int lowest = format.notation() == Notation::fixed
-                         ? -format.digits() - (format.is_percentage() ? 2 : 0)
-                         : rounded_up_to_digits(bound, format.digits()).place;
-  const Decimal digits = rounded_up_to_place(bound, earned_place(estimate.abs_error, lowest));
+  int lowest = format.notation() == Notation::fixed
+                   ? -format.digits() - (format.is_percentage() ? 2 : 0)
+                   : rounded_up_to_digits(bound, format.digits()).place;
+  if (estimate.abs_error > 0) {
+    lowest = std::max(lowest, rounded_to_digits(estimate.abs_error, n_digits_of_error).place);
+  }
+  const Decimal digits = rounded_up_to_place(bound, lowest);
   return {digits, Style::plain, true, ""};
 }
 
@@ -240,6 +258,7 @@ RoundedNumber to_nearest(const Format& format, Estimate estimate, std::optional<
           ? supported_digits(estimate, format.digits())
           : rounded_to_place(estimate.value, earned_place(estimate.abs_error,
                                                           lowest_place(estimate, format.digits())));
+  if (is_lost_by_rounding(digits, estimate)) return with_uncertainty(estimate);
   return {digits, Style::automatic, estimate.abs_error > 0, ""};
 }
 
@@ -263,8 +282,7 @@ RoundedNumber rounded(const Format& format, double number, std::optional<double>
   if (notation == Notation::exact || notation == Notation::integer) {
     result = exactly(format, estimate);
   } else if (notation == Notation::uncertain) {
-    result =
-        estimate.abs_error == 0 ? exactly(format, estimate) : with_uncertainty(format, estimate);
+    result = estimate.abs_error == 0 ? exactly(format, estimate) : with_uncertainty(estimate);
   } else {
     result = format.rounds_up() ? bound_above(format, estimate)
                                 : to_nearest(format, estimate, abs_error);
@@ -273,7 +291,8 @@ RoundedNumber rounded(const Format& format, double number, std::optional<double>
     // Style::automatic is what a number too small for its decimals has.
     if (notation != Notation::fixed) result.style = Style::plain;
     if (notation == Notation::scientific) result.style = Style::with_exponent;
-    result.has_unknown_zeros = notation != Notation::exact;
+    const bool is_exact_zero = number == 0 && estimate.abs_error == 0;
+    result.has_unknown_zeros = notation != Notation::exact && !is_exact_zero;
   } else if (notation == Notation::scientific) {
     result.style = Style::with_exponent;
   } else if (format.rounds_up() && notation == Notation::significant) {

@@ -23,14 +23,16 @@ Notation notation_of(std::string_view name);
 /// All round half to even from the exact binary value. A number that comes with its error prints
 /// no digit whose place is less than the error, and so perhaps fewer than the format names. A
 /// number that fixed() would print as zero, though it is not, prints its first digits instead: two
-/// of them, or as many as its error supports.
+/// of them, or as many as its error supports. One that is greater than its error, although the
+/// error supports none of its digits, prints as uncertain() does: -0.0047(18).
 class Format {
  public:
   /// The same format for a ratio that is printed in per cent: 0.125 as 12.5 %.
   Format in_percent() const;
 
   /// The same format, rounding up: for bounds that a sentence states. A number with an error prints
-  /// no less than their sum. Refuses negative numbers.
+  /// no less than their sum, with any digits down to the second of the error: as a bound each of
+  /// them is true. Refuses negative sums.
   Format rounded_up() const;
 
   Notation notation() const { return notation_; }

@@ -52,7 +52,16 @@ Value Value::within(double abs_error) const {
         "'{}' {}", printed_,
         number_ ? "has an error bound already" : "is text and can have no error bound"));
   }
-  require_earned(*number_, last_place_, abs_error, printed_);
+  if (format_->rounds_up()) {
+    const Value bound(*number_, abs_error, *format_, unit_);
+    if (bound.printed_ != printed_) {
+      throw std::invalid_argument(
+          fmt::format("{} is printed as '{}', but with an error of {} it is at most {}", *number_,
+                      printed_, abs_error, bound.printed_));
+    }
+  } else {
+    require_earned(*number_, last_place_, abs_error, printed_);
+  }
   Value value = *this;
   value.abs_error_ = abs_error;
   return value;

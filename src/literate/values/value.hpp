@@ -34,7 +34,8 @@ class Value {
 
   /// Returns the same value with a bound on its error, in the unit of number(), which for a
   /// percentage is the ratio. Throws std::invalid_argument, naming number, printed text and bound,
-  /// if the last printed place is less than the bound. Also throws it for text, for a value that
+  /// if the last printed place is less than the bound, or, of a number that is rounded up, if number
+  /// and bound together are more than what is printed. Also throws it for text, for a value that
   /// has a bound already, and for a bound that is negative or not finite.
   Value within(double abs_error) const;
 

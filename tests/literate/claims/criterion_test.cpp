@@ -92,6 +92,9 @@ BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
   BOOST_TEST(is(agrees(0.3000025, 0), Outcome::fails));
   BOOST_TEST(is(agrees(0.3000005, 5e-7), Outcome::undecided));
   BOOST_TEST(agrees(0.3000005, 0).condition().plain == "within 1e-6 of 0.3");
+  // 0.300001 within 1e-6 of 0.3 would leave open whether it holds.
+  BOOST_TEST(agrees(0.3000008, 0).computed() == "ratio: 0.300001, 8e-7 from 0.3");
+  BOOST_TEST(agrees(0.300000012, 0).computed() == "ratio: 0.300000, at most 1.2e-7 from 0.3");
 }
 
 BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
@@ -106,7 +109,7 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
   BOOST_TEST(is(agrees(15.99, 0.03), Outcome::undecided));
   BOOST_TEST(agrees(15.99, 0.001).computed() == "resultant: 15.99 lbf/in, 0.06 % from 16 lbf/in");
   BOOST_TEST(agrees(15.982, 0.03).computed() == "resultant: 16.0 lbf/in, 0.11 % from 16 lbf/in");
-  BOOST_TEST(agrees(15.982, 0.03).missing() == "an error of 0.2 % reaches across the limit");
+  BOOST_TEST(agrees(15.982, 0.03).missing() == "an error of 0.19 % reaches across the limit");
   BOOST_TEST(agrees(15.99, 0.001).condition().plain == "within 0.2 % of 16 lbf/in");
   BOOST_CHECK_THROW(Criterion::agrees_relatively("x", Value({1, 0}, fixed(1)),
                                                  Value({0.01, 0.02}, fixed(2)), limit_of(0.1)),
@@ -123,7 +126,7 @@ BOOST_AUTO_TEST_CASE(cases_are_counted_and_one_that_is_undecided_keeps_all_of_th
   BOOST_TEST(is(in_each({0.1, 2, 0.3}, 0), Outcome::holds_in_part));
   BOOST_TEST(is(in_each({3, 2, 4}, 0), Outcome::fails));
   BOOST_TEST(is(in_each({0.1, 2, 0.99}, 0.02), Outcome::undecided));
-  BOOST_TEST(in_each({0.1, 2, 0.3}, 0).computed() == "misfit: 2 of 3 points, at worst 200.000 %");
+  BOOST_TEST(in_each({0.1, 2, 0.3}, 0).computed() == "misfit: 2 of 3 points; worst: 200.000 %");
   BOOST_TEST(in_each({0.1, 2, 0.3}, 0).condition().plain == "at most 100 %");
 }
 
@@ -133,7 +136,7 @@ BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_i
                                         Value(2, exact(), "in").within(0),
                                         {LimitKind::rounding, limit, "theory"});
   };
-  BOOST_TEST(step(2, 1e-9).computed() == "step: 2.00 in, at most 5e-13 from 2 in");
+  BOOST_TEST(step(2, 1e-9).computed() == "step: 2.00 in, at most 5.0e-13 from 2 in");
   BOOST_TEST(step(2, 1e-9).condition().plain == "within 1e-9 of 2 in");
   BOOST_TEST(step(2.2, 0.2).computed() == "step: 2.20 in, 10 % from 2 in");
 }
@@ -147,6 +150,12 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
   BOOST_TEST(is(node(9), Outcome::holds));
   BOOST_TEST(is(node(26), Outcome::fails));
   BOOST_TEST(node(9).condition().plain == "equal to 9");
+  BOOST_TEST(node(26).computed() == "node: 26");
+  const Criterion share =
+      Criterion::agrees("share", Value(0.50001, fixed(2)).within(0), Value(0.5, fixed(2)).within(0),
+                        {LimitKind::printed, 0.0, "the same digits"});
+  BOOST_TEST(is(share, Outcome::fails));
+  BOOST_TEST(share.computed() == "share: 0.50, 1.0e-5 from 0.50");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_printed_as_latex_has_the_same_numbers) {

@@ -35,8 +35,12 @@ class Checkout {
   }
 
   std::string error(const std::string& csv, std::vector<ImportedColumn> columns = {}) const {
-    const std::string message = message_of<ImportError>([&] { import(csv, std::move(columns)); });
-    return message.starts_with(path() + ":") ? message.substr(path().size() + 1) : message;
+    std::string message = message_of<ImportError>([&] { import(csv, std::move(columns)); });
+    // Every message names the table, behind the place.
+    const std::string table = "table 'points': ";
+    const auto at = message.find(table);
+    if (!message.starts_with(path() + ":") || at == std::string::npos) return message;
+    return message.erase(at, table.size()).substr(path().size() + 1);
   }
 
  private:
@@ -114,16 +118,30 @@ BOOST_AUTO_TEST_CASE(lines_that_do_not_fit_are_told) {
   const Checkout checkout;
 
   BOOST_TEST(checkout.error("") == "1: there is no line of headings");
-  BOOST_TEST(checkout.error("x,y\n1,2\n\n1\n") == "4: 1 fields, where the first line has 2");
-  BOOST_TEST(checkout.error("x\n\"1\n") == "2: a quote is not closed");
-  BOOST_TEST(checkout.error(std::string("x\n1\0\n", 5)) == "2: the line holds a zero byte");
+  BOOST_TEST(checkout.error("x,y\n1,2\n\n1\n") == "4:2: 1 fields, where the first line has 2");
+  BOOST_TEST(checkout.error("x,y\n1,2,3\n") == "2:3: 3 fields, where the first line has 2");
+  BOOST_TEST(checkout.error("x\n\"1\n") == "2:1: a quote is not closed");
+  BOOST_TEST(checkout.error("x,y\n1,\"2\n") == "2:2: a quote is not closed");
+  BOOST_TEST(checkout.error(std::string("x\n1\0\n", 5)) == "2:1: the line holds a zero byte");
+  BOOST_TEST(checkout.error(std::string("x,y\n1,2\0\n", 9)) == "2:2: the line holds a zero byte");
   BOOST_TEST(checkout.error("abs_error,x\n1,2\n") ==
              "1:1: abs_error has no column of numbers to its left");
   BOOST_TEST(checkout.error("x,abs_error,abs_error\n1,2,3\n") ==
              "1:3: abs_error has no column of numbers to its left");
   BOOST_TEST(checkout.error("x,y\n1,2\n", {{.heading = "x"}}) ==
              "1: 2 columns, where 1 are described");
-  BOOST_TEST(checkout.error("x (\\mm)\n1\n") == "1: unit '\\mm' cannot be printed");
+  BOOST_TEST(checkout.error("x (\\mm)\n1\n") == "1:1: unit '\\mm' cannot be printed");
+  BOOST_TEST(checkout.error("# a note\nx,y (\\mm)\n1,2\n") == "2:2: unit '\\mm' cannot be printed");
+}
+
+BOOST_AUTO_TEST_CASE(a_message_names_file_line_column_and_the_table_that_was_registered) {
+  const Checkout checkout;
+
+  const std::string message =
+      message_of<ImportError>([&] { checkout.import("x (in),y\n1,2\n3,four\n5,6\n"); });
+
+  BOOST_TEST(message ==
+             checkout.path() + ":3:2: table 'points': 'four' is not a number, as column 'y' holds");
 }
 
 BOOST_AUTO_TEST_CASE(names_are_checked_as_everywhere) {
@@ -147,9 +165,9 @@ BOOST_AUTO_TEST_CASE(a_file_or_script_that_cannot_be_read_is_named) {
         [&] { import_csv(document, "t", folder / "t.csv", folder / "run.py"); });
   };
 
-  BOOST_TEST(error() == (folder / "t.csv").string() + ": the file cannot be read");
+  BOOST_TEST(error() == (folder / "t.csv").string() + ": the file cannot be read, for table 't'");
   sys::write_file_atomically(folder / "t.csv", "x\n");
-  BOOST_TEST(error().ends_with("run.py' cannot be read"));
+  BOOST_TEST(error().ends_with("run.py' cannot be read, for table 't'"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -69,4 +69,17 @@ BOOST_AUTO_TEST_CASE(cells_of_a_column_are_equally_wide) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_mark_stands_beside_the_last_digit_and_not_behind_the_blanks) {
+  const auto marked = [](const std::string& number, const std::vector<std::string>& others) {
+    std::vector<std::string> all = others;
+    all.push_back(number);
+    return aligned_number(number, of_all(all), "*");
+  };
+  BOOST_TEST(marked("1.5", {"1.2345"}) == "1.5*\\hphantom{000}");
+  BOOST_TEST(marked("3", {"1.25"}) == "3*\\hphantom{.}\\hphantom{00}");
+  BOOST_TEST(marked("0.12(34)", {"1.2345"}) == "0.12(34)*\\hphantom{00}");
+  BOOST_TEST(marked("1.5e-6", {"2.5e-12"}) == "1.5\\times10^{-6\\hphantom{0}}*");
+  BOOST_TEST(marked("7", {"2.5e-12"}).starts_with("7*\\hphantom{"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

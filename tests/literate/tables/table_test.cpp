@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(notes_stand_below_and_explain_the_marks_of_cells) {
   table.require_complete();
 
   BOOST_TEST(has(table.latex(), "\\LiterateNoted{%\n\\begin{tabular}{c}"));
-  BOOST_TEST(has(table.latex(), "{1.5}\\LiterateMark{a} \\\\"));
+  BOOST_TEST(has(table.latex(), "{1.5}{1.5\\LiterateMark{a}}{\\LiterateMark{a}} \\\\"));
   BOOST_TEST(
       has(table.latex(), "  \\LiterateNote{a}{by\nhand}\n  \\LiterateNote{}{All in SI.}\n}"));
   BOOST_TEST(table.csv() == "\"$x$\"\n1.5\n# row 1, column 1: a\n# a: by hand\n# All in SI.\n");

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "literate/claims/phrase.hpp"
+#include "literate/values/value.hpp"
+
+namespace literate {
+
+/// Which side of its limit a number has to be on.
+enum class Side { at_most, at_least };
+
+/// What a criterion found, as a reader can hold it against the limit.
+///
+/// Prints the quantity to the nearest number, with the digits of its format that its error
+/// supports. A format that rounds up, which is for sentences that state a bound, prints two digits
+/// at least. A quantity that is less than its error in magnitude is told by what it is at most, or
+/// at least: number and error together, rounded away from the number to two digits. Where the
+/// rounded number would lie on the other side of the limit than the number itself, more digits are
+/// printed, and the error in parentheses where it does not support them.
+///
+/// Throws std::invalid_argument for a quantity without a number or without an error.
+Phrase found_phrase(const Value& quantity, double limit, Side side);
+
+}  // namespace literate
