@@ -4,27 +4,28 @@
 factor = factor_of(largest)
 set cbrange [0:factor * largest]
 set size ratio -1
-set xtics autofreq
+set xtics tick_step(right)
+set ytics tick_step(height)
 unset grid
 unset key
 set style fill solid 1 border
 set multiplot
 
-set lmargin at screen 0.11
-set rmargin at screen 0.47
+set lmargin at screen 0.09
+set rmargin at screen 0.49
 unset colorbox
 set xlabel sprintf('$x$ (%s)', unit)
 set ylabel sprintf('$-z$ (%s)', unit)
 plot whole using "x":"y":(factor * column("u_z")) with filledcurves closed lc palette lw 0.3
 
 set colorbox
-set cbtics autofreq
+set cbtics tick_step(factor * largest)
 set cblabel sprintf('$u_z$ (%s)', unit_of(largest, unit)) offset 1.6,0
 set xtics 4 * half_width
 set ytics 4 * half_width
 set xrange [-4.6 * half_width:4.6 * half_width]
 set yrange [-5 * half_width:0.5 * half_width]
-set lmargin at screen 0.58
+set lmargin at screen 0.59
 set rmargin at screen 0.87
 set ylabel ''
 plot close_up using "x":"y":(factor * column("u_z")) with filledcurves closed lc palette lw 0.3

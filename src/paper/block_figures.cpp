@@ -65,11 +65,14 @@ Figure contours(const parameters::HalfSpaceCase& half_space,
   const double a = half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
   return {.width_cm = 15,
-          .height_cm = 6.2,
+          .height_cm = 5,
           .data = {{"whole",
                     sample(solution, r.left(), r.right(), r.height(), 0.08 * r.height() / largest)},
                    {"close_up", sample(solution, -4 * a, 4 * a, 4 * a, 0.8 * a / largest)}},
-          .numbers = {{"half_width", a}, {"largest", largest}},
+          .numbers = {{"half_width", a},
+                      {"largest", largest},
+                      {"right", r.right()},
+                      {"height", r.height()}},
           .texts = {{"unit", units.length}}};
 }
 

@@ -256,10 +256,10 @@ void compute_cylinders(literate::Document& document, const parameters::ContactCa
   const double width_error = solution.half_width() / hertz.half_width() - 1;
   document.value("cylinders.peak-error",
                  Value(Estimate{std::abs(peak_error), pressure_error(solution) + rounded(c, 1)},
-                       scientific(1).rounded_up()));
+                       scientific(2)));
   document.value("cylinders.width-error",
                  Value(Estimate{std::abs(width_error), half_width_error(solution) + rounded(c, 1)},
-                       scientific(1).rounded_up()));
+                       scientific(2)));
   document.value("cylinders.approach",
                  Value(against(c, solution.approach(c.datum), hertz.approach(c.datum)),
                        significant(4), units.length));

@@ -33,6 +33,7 @@ using literate::LimitKind;
 using literate::percent;
 using literate::scientific;
 using literate::significant;
+using literate::uncertain;
 using literate::Value;
 using numerics::Estimate;
 
@@ -89,15 +90,13 @@ void tabulate_measures(literate::Document& document, const config::UnitSystem& u
                        const std::vector<MeasureEstimate>& fitted) {
   const auto& printed = printed_data.appendix2.measures;
   const auto stated = study.under_triangle().measures(study.measure_options());
-  // The error of a computed measure is a bound itself.
   literate::Table table("appendix2",
                         {Column::text("measure"), Column("value", scientific(7)).under("printed"),
                          Column("conv., \\%", fixed(1)).under("printed"),
                          Column("value", scientific(4)).under("triangle"),
                          Column("off, \\%", fixed(2)).under("triangle"),
                          Column("value", scientific(4)).under("fitted"),
-                         Column("error, \\%", scientific(1).rounded_up()).under("fitted").exact(),
-                         Column("off, \\%", fixed(2)).under("fitted")});
+                         Column("off, \\%", uncertain()).under("fitted")});
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const auto found = printed.find(fitted[i].name);
     if (found == printed.end() || found->second.value() == 0) continue;
@@ -106,11 +105,8 @@ void tabulate_measures(literate::Document& document, const config::UnitSystem& u
         converged == printed_data.appendix2.convergence.end() ? Cell() : quoted(converged->second);
     const auto [stated_value, stated_off] = computed_cells(stated[i], found->second);
     const auto [fitted_value, fitted_off] = computed_cells(fitted[i], found->second);
-    const Estimate& value = fitted[i].value;
-    const Cell error =
-        has_limit(fitted[i]) ? Cell(100 * value.abs_error / std::abs(value.value)) : Cell("–");
     table.add_row({Cell::latex("\\code{" + escaped(fitted[i].name) + "}"), quoted(found->second),
-                   convergence, stated_value, stated_off, fitted_value, error, fitted_off});
+                   convergence, stated_value, stated_off, fitted_value, fitted_off});
   }
   table.note(
       "A dash: the stress is infinite where the load jumps and in clamped corners, and no mesh "
@@ -130,7 +126,7 @@ void tabulate_measures(literate::Document& document, const config::UnitSystem& u
                                                         {"max_stress_vm", "von-mises"},
                                                         {"max_stress_zz", "stress-zz"}};
   for (const auto& [measure, key] : predicted) {
-    document.value("fit.predicts." + key, Value(magnitude(off(measure)), percent(2).rounded_up()));
+    document.value("fit.predicts." + key, Value(magnitude(off(measure)), percent(2)));
   }
   document.value("fit.regular-tension",
                  Value(value_of("max_stress_prin_regular"), significant(1), units.stress));
@@ -187,8 +183,8 @@ void register_fit(literate::Document& document, const parameters::HalfSpaceCase&
   }
   document.value("fit.triangle.least", Value(least, percent(0)));
   document.value("fit.triangle.most", Value(most, percent(0)));
-  document.value("fit.misfit", Value(Estimate{fit.fit.max_misfit, study.misfit_error()},
-                                     percent(2).rounded_up()));
+  document.value("fit.misfit",
+                 Value(Estimate{fit.fit.max_misfit, study.misfit_error()}, percent(2)));
 }
 
 // A number of a fitted load's solution, as wrong as the fit on the coarser mesh has it otherwise.
@@ -206,8 +202,8 @@ void tabulate_candidates(literate::Document& document, const PrintedData& printe
                         {Column::text("load"), Column::text("sides"),
                          Column("largest, \\%", fixed(2)).under("misfit"),
                          Column("rms, \\%", fixed(2)).under("misfit"),
-                         Column("resultant, \\%", fixed(1)).under("off the printed"),
-                         Column("energy, \\%", fixed(1)).under("off the printed")});
+                         Column("resultant, \\%", fixed(2)).under("off the printed"),
+                         Column("energy, \\%", fixed(2)).under("off the printed")});
   Estimate best_other{HUGE_VAL, 0};
   for (const Candidate& candidate : study.candidates()) {
     const Estimate force =

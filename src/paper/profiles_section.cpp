@@ -244,10 +244,10 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
   literate::Table table("profiles", {Column::text("profile"), Column("peak$/p_0$", fixed(4)),
                                      Column("peak", scientific(1)).under("error of"),
                                      Column("half-width", scientific(1)).under("error of"),
-                                     Column("$p$, inside", scientific(1)).under("error of"),
-                                     Column("order", fixed(1)).under("error of"),
-                                     Column("$p$, away", scientific(1)).under("error of"),
-                                     Column("order", fixed(1)).under("error of")});
+                                     Column("error", scientific(1)).under("$p$, inside"),
+                                     Column("order", fixed(1)).under("$p$, inside"),
+                                     Column("error", scientific(1)).under("$p$, away"),
+                                     Column("order", fixed(1)).under("$p$, away")});
   const double p0 = hertz.peak_pressure();
   const double a = hertz.half_width();
   literate::Figure figure{.width_cm = 14, .height_cm = 9};

@@ -186,8 +186,7 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
                  Value({exact.depth.value / a, exact.depth.abs_error / a}, uncertain()));
   document.value("stresses.shear-error",
                  Value(Estimate{shear_error, shear_bound}, scientific(1).rounded_up()));
-  document.value("stresses.depth-error",
-                 Value(Estimate{depth_error, depth_bound}, scientific(1).rounded_up()));
+  document.value("stresses.depth-error", Value(Estimate{depth_error, depth_bound}, scientific(1)));
   const double square = std::pow(solution.grid.spacing / a, 2);
   document.claim(
       "mcewen",

@@ -109,8 +109,9 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
   const Parts parts = parts_of(number);
   const bool has_exponent = !parts.exponent.empty();
   std::string text = blank_digits(parts.whole.size(), column.n_whole);
-  if (column.negative && !parts.negative) text += blank("-");
-  text += (parts.negative ? "-" : "") + grouped(parts.whole, false);
+  // In braces the sign belongs to the number; behind a blank it would be an operator, with spaces.
+  if (column.negative) text += parts.negative ? "{-}" : blank("-");
+  text += grouped(parts.whole, false);
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true);
   text += parts.uncertainty;
   if (!has_exponent) text += mark;

@@ -42,7 +42,7 @@ def text_of(file):
 sty = text_of("src/literate/document/literate.sty")
 defined = set(re.findall(r"\\(?:newcommand|DeclareRobustCommand|def)\*?\{?\\([A-Za-z]+)(?![A-Za-z@])", sty))
 macros = {name for name in defined if not name.startswith("Literate")}
-macros |= {"LiterateCitedName", "LiterateOwnName"}  # which a document may redefine
+macros |= {"LiterateCitedName", "LiterateOwnName", "LiterateListingPlacement"}  # which a document may redefine
 of_latex = {"begin", "caption", "cite", "columnwidth", "documentclass", "degree", "ifdim", "includegraphics", "infty",
             "label", "rule", "theta", "usepackage"}
 latex = set(re.findall(r"\\([A-Za-z]+)", everything.replace(r"\\", "\\")))

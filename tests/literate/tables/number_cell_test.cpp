@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(thin_spaces_group_from_five_digits_on_away_from_the_point) 
   };
   BOOST_TEST(alone("1234.5678") == "1234.5678");
   BOOST_TEST(alone("12345.67891") == "12\\,345.678\\,91");
-  BOOST_TEST(alone("-1234567e-10") == "-1\\,234\\,567\\times10^{-10}");
+  BOOST_TEST(alone("-1234567e-10") == "{-}1\\,234\\,567\\times10^{-10}");
 }
 
 BOOST_AUTO_TEST_CASE(cells_of_a_column_are_equally_wide) {
@@ -67,6 +67,11 @@ BOOST_AUTO_TEST_CASE(cells_of_a_column_are_equally_wide) {
       BOOST_TEST(count("^") == 1);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_sign_behind_a_blank_is_no_operator) {
+  BOOST_TEST(aligned_number("-9", of_all({"-9", "-37"})) == "\\hphantom{0}{-}9");
+  BOOST_TEST(aligned_number("9", of_all({"-9", "-37"})) == "\\hphantom{0}\\hphantom{-}9");
 }
 
 BOOST_AUTO_TEST_CASE(a_mark_stands_beside_the_last_digit_and_not_behind_the_blanks) {

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(the_table_format_holds_the_widest_number) {
 
   BOOST_TEST(has(latex, "{ccc}"));
   BOOST_TEST(has(latex,
-                 "  \\LiterateCell{-3.2}{-1.00}{\\hphantom{00}-1.00} & "
+                 "  \\LiterateCell{-3.2}{-1.00}{\\hphantom{00}{-}1.00} & "
                  "\\LiterateCell{-1.2e-2}{1.50e-6}{\\hphantom{-}1.50\\times10^{-6\\hphantom{0}}} & "
                  "\\LiterateCell{4}{12}{\\hphantom{00}12} \\\\\n"));
   BOOST_TEST(has(latex, "{-3.2}{123.46}{\\hphantom{-}123.46} & "));
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_common_exponent_is_that_of_the_largest_magnitude) {
   BOOST_TEST(has(latex, "(\\qty{e4}{psi})"));
   BOOST_TEST(has(latex,
                  "  \\LiterateCell{-1.2}{0.01}{\\hphantom{-}0.01} \\\\\n"
-                 "  \\LiterateCell{-1.2}{-1.00}{-1.00} \\\\\n"
+                 "  \\LiterateCell{-1.2}{-1.00}{{-}1.00} \\\\\n"
                  "  \\LiterateCell{-1.2}{0.00}{\\hphantom{-}0.00} \\\\\n"));
 }
 
