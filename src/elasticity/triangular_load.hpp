@@ -33,8 +33,8 @@ class TriangularLoad {
 /// Accuracy: 1e-13 relative for |x|/a from 0 to 1e9, measured against 33-digit arithmetic.
 double normal_gradient(const Material& material, const TriangularLoad& load, double x);
 
-/// u_z of a half-space's surface under a triangular load, with C such that u_z(datum) = 0. This is
-/// eq. (3) of the paper:
+/// u_z of a half-space's surface under a triangular load, with C such that u_z(datum) = 0.
+/// This is eq. (3) of the paper:
 ///
 ///   u_z = −(1−ν²)/(2πE) (p₀/a) [(x+a)² ln((x+a)/a)² + (x−a)² ln((x−a)/a)² − 2x² ln(x/a)²] + C.
 ///

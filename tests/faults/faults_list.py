@@ -79,7 +79,7 @@ DAMAGED = [
     "build/release/CMakeFiles/cmake.verify_globs", "build/release/generated/report/repository/repository.json",
     "build/release/generated/report/repository/repository.tex", "build/lock",
 ]
-FAST_DAMAGE = {("report.pdf", flipped), ("manifest.json", emptied), ("generated.sha256", emptied)}
+FAST_DAMAGE = {("report.pdf", flipped), ("generated.sha256", emptied)}
 
 
 def damages():
@@ -238,7 +238,7 @@ def moments():
     def recompute():
         return add_line(case, "# computes")
     state = "build/report/state/"
-    yield Fault("the case is saved while it is computed from", recompute, mend=lambda: restore(case), is_other=True, is_fast=True,
+    yield Fault("the case is saved while it is computed from", recompute, mend=lambda: restore(case), is_other=True,
                 during=while_file(state + "compute.unfinished", lambda: replace(case, "nodes = 91", "nodes = 93")))
     yield Fault("the case is saved while figures are drawn", recompute, mend=lambda: restore(case), is_other=True,
                 during=while_file(state + "draw.unfinished", lambda: replace(case, "nodes = 91", "nodes = 93")))
