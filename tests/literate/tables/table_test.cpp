@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(the_table_format_holds_the_widest_number) {
                  "\\LiterateCell{4}{12}{\\hphantom{00}12} \\\\\n"));
   BOOST_TEST(has(latex, "{-3.2}{123.46}{\\hphantom{-}123.46} & "));
   BOOST_TEST(has(latex,
-                 "{-1.2e-2}{-2.39e-12}{-2.39\\times10^{-12}} & "
+                 "{-1.2e-2}{-2.39e-12}{{-}2.39\\times10^{-12}} & "
                  "\\LiterateCell{4}{1200}{1200} \\\\\n"));
 }
 
