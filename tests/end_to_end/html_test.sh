@@ -12,6 +12,9 @@ for stage in html html-test; do
 done
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
+export TMPDIR=$scratch/temporary
+mkdir "$TMPDIR"
+touch "$TMPDIR/of-another-program"
 
 # page FOLDER: FOLDER/page.html from FOLDER/generated, by the settings that the build would write.
 page() {
@@ -34,4 +37,5 @@ mkdir "$scratch/again"
 cp -R "$scratch/generated" "$scratch/again"
 page "$scratch/again"
 cmp "$scratch/page.html" "$scratch/again/page.html"
+[[ -e $TMPDIR/of-another-program ]] || { echo 'a temporary file of another program was removed'; exit 1; }
 echo 'no errors'
