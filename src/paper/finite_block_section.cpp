@@ -282,7 +282,7 @@ void tabulate_shares(literate::Document& document, const parameters::HalfSpaceCa
   document.value("shares.datum", Value(datum, scientific(3), unit));
   document.value("shares.first.load", Value(magnitude(first_load), scientific(3), unit));
   document.value("shares.last.load", Value(magnitude(last_load), scientific(3), unit));
-  document.value("shares.last.body", Value(magnitude(last_body), scientific(3).rounded_up(), unit));
+  document.value("shares.last.body", Value(magnitude(last_body), scientific(2).rounded_up(), unit));
   document.check(
       "shares-add-up",
       {Criterion::at_most(
