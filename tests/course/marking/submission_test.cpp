@@ -38,7 +38,7 @@ fs::path packed(const TemporaryFolder& folder, const std::string& name, const fs
 fs::path zip_of(const TemporaryFolder& folder, const std::string& before) {
   const auto number = [](std::uint64_t value, int n_bytes) {
     std::string bytes;
-    for (int i = 0; i < n_bytes; ++i) bytes += static_cast<char>(value >> (8 * i));
+    for (int i = 0; i < n_bytes; ++i, value >>= 8) bytes += static_cast<char>(value);
     return bytes;
   };
   std::string entries, directory;
