@@ -15,12 +15,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 
 #include "system/error.hpp"
+#include "system/proc_file.hpp"
 #include "system/spawn.hpp"
 
 namespace sys {
@@ -91,8 +90,7 @@ std::multimap<pid_t, pid_t> children_by_parent() {
   for (const auto& entry : fs::directory_iterator("/proc", error)) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != name.npos) continue;
-    std::ifstream stream(entry.path() / "stat");
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string text = read_proc_file(entry.path() / "stat");
     const auto bracket = text.rfind(") ");
     if (bracket == text.npos) continue;
     children.emplace(static_cast<pid_t>(std::atol(text.c_str() + bracket + 4)),

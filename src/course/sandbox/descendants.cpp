@@ -6,24 +6,16 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
 #include <system_error>
 
+#include "system/proc_file.hpp"
+
 namespace course {
 namespace fs = std::filesystem;
 namespace {
-
-/// The text of a file of /proc, empty if its process has ended. (If the process ends while the
-/// file is read, getline stops there, whereas stream iterators would throw.)
-std::string text_of(const std::string& file) {
-  std::ifstream stream(file);
-  std::string text;
-  std::getline(stream, text, '\0');
-  return text;
-}
 
 /// The numbers among the names in a folder of /proc.
 std::vector<pid_t> numbers_in(const std::string& folder) {
@@ -40,7 +32,7 @@ std::vector<pid_t> numbers_in(const std::string& folder) {
 /// The fields of /proc/ID/stat of a process or thread from the third on. The second is a name,
 /// which may hold anything.
 std::vector<std::string> statistics_of(pid_t process) {
-  const std::string text = text_of(fmt::format("/proc/{}/stat", process));
+  const std::string text = sys::read_proc_file(fmt::format("/proc/{}/stat", process));
   const auto end_of_name = text.rfind(')');
   if (end_of_name == text.npos) return {};
   std::istringstream rest(text.substr(end_of_name + 1));
@@ -63,7 +55,7 @@ std::vector<pid_t> descendants(pid_t process) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::string tasks = fmt::format("/proc/{}/task", found[i]);
     for (const pid_t task : numbers_in(tasks)) {
-      std::istringstream children(text_of(fmt::format("{}/{}/children", tasks, task)));
+      std::istringstream children(sys::read_proc_file(fmt::format("{}/{}/children", tasks, task)));
       for (pid_t child = 0; children >> child;) found.push_back(child);
     }
   }

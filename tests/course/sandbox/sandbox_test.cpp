@@ -10,7 +10,6 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <string>
 #include <thread>
 
@@ -21,6 +20,7 @@
 #include "course/walls.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/proc_file.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sandbox_test, *boost::unit_test::fixture(&need_walls))
@@ -82,8 +82,7 @@ bool is_sleeping(const std::string& seconds) {
   std::string command = "sleep " + seconds + " ";
   std::ranges::replace(command, ' ', '\0');
   for (const auto& entry : fs::directory_iterator("/proc")) {
-    std::ifstream stream(entry.path() / "cmdline", std::ios::binary);
-    if (std::string(std::istreambuf_iterator<char>(stream), {}) == command) return true;
+    if (sys::read_proc_file(entry.path() / "cmdline") == command) return true;
   }
   return false;
 }

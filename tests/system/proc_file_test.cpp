@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/proc_file.hpp"
+
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(proc_file_test)
+
+using sys::read_proc_file;
+
+BOOST_AUTO_TEST_CASE(a_file_is_read_whole_with_its_zeros) {
+  const std::string words = read_proc_file("/proc/self/cmdline");
+
+  BOOST_TEST(words.find('\0') != words.npos);
+  BOOST_TEST(words.back() == '\0');
+  BOOST_TEST(read_proc_file("/proc/self/stat").starts_with(std::to_string(::getpid()) + " ("));
+}
+
+BOOST_AUTO_TEST_CASE(a_process_that_has_ended_has_no_text) {
+  BOOST_TEST(read_proc_file("/proc/4194305/stat").empty());  // one above the largest number
+}
+
+// Address 0 of a process is never there, so that the first read of this file fails, as it does in
+// the others when the process ends after they were opened.
+BOOST_AUTO_TEST_CASE(a_read_that_fails_ends_the_text) {
+  BOOST_TEST(read_proc_file("/proc/self/mem").empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
