@@ -9,17 +9,11 @@ import sys
 
 import jsonschema
 
+from claims import claim, finish
+
 source = pathlib.Path(sys.argv[1])
 schema = json.loads((source / "src/literate/imports/results.schema.json").read_text())
 validator = jsonschema.Draft202012Validator(schema)
-failed = 0
-
-
-def claim(text, holds):
-    global failed
-    if not holds:
-        failed += 1
-        print(f"not so: {text}", file=sys.stderr)
 
 
 def takes(values=None, columns=None, rows=(), **more):
@@ -52,4 +46,4 @@ claim("a key with a blank is refused", not takes({"a b": number}))
 claim("a column with two formats is refused", not takes(columns=[{"heading": "x", "digits": 2, "text": True}]))
 claim("an exponent without decimals is refused", not takes(columns=[{"heading": "x", "exponent": 3}]))
 claim("a table without columns is refused", not takes(columns=[]))
-sys.exit(1 if failed else 0)
+finish()

@@ -9,20 +9,13 @@ import subprocess
 import sys
 import tempfile
 
+from claims import claim, failed, finish
 from manual import Manual, codes, filled
 
 source, literate, program = map(pathlib.Path, sys.argv[1:])
 here = source / "tests/literate/manual"
 readme = (source / "src/literate/README.md").read_text()
 manual = Manual(readme)
-failed = 0
-
-
-def claim(text, holds, said=""):
-    global failed
-    if not holds:
-        failed += 1
-        print(f"not so: {text}\n{said}", file=sys.stderr)
 
 
 def runs(*command, folder):
@@ -69,7 +62,7 @@ with tempfile.TemporaryDirectory() as scratch:
     status, said = runs(program, "compute", "--case", "case.toml", "--output", "generated", folder=paper)
     claim("the program of the examples computes, and prints what the manual says", status == 0, said)
     if failed:
-        sys.exit(1)  # all else follows from it
+        finish()  # all else follows from it
     status, said = runs(program, "draw", "--generated", "generated", "--scripts", "figures", folder=paper)
     claim("the figure of the examples is drawn", status == 0, said)
     in_paper = ["--document", "paper", "--generated", "generated"]
@@ -108,4 +101,4 @@ for code in codes(manual.prose):
     if re.match(r"\\(val|rawval|tab|fig|image|excerpt|statement|claim|quoted)\b.*\{|\w+(\.\w+)*\(.*\)(\.\w+\(.*\))*$", code):
         claim(f"`{code}` is tried", " ".join(code.split()) in tried)
 
-sys.exit(failed > 0)
+finish()

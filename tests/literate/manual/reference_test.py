@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 
+from claims import claim, finish
 from manual import Manual, codes
 
 source, literate = map(pathlib.Path, sys.argv[1:])
@@ -16,14 +17,6 @@ readme = (engine / "README.md").read_text()
 manual = Manual(readme)
 everything = "\n".join(codes(readme.replace("```", "")) + [code for _, code in manual.fences])
 words = set(re.findall(r"(?<!--)\b\w+", everything))
-failed = 0
-
-
-def claim(text, holds):
-    global failed
-    if not holds:
-        failed += 1
-        print(f"not so: {text}", file=sys.stderr)
 
 
 def same(what, there, named):
@@ -117,4 +110,4 @@ for header, pattern in listed.items():
     for name in sorted(found - words):
         claim(f"the manual names {name} of {header}", False)
 
-sys.exit(failed > 0)
+finish()
