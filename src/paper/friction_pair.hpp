@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/cylinder_pair.hpp"
+#include "contact/hertz.hpp"
+#include "contact/problem.hpp"
+#include "contact/solution.hpp"
+#include "parameters/case.hpp"
+
+namespace paper {
+
+/// μ of dry metals, and a round number.
+constexpr double friction_coefficient = 0.3;
+
+/// Two bodies with the case's radii, pressed to the case's half-width.
+///
+/// Lengths, loads and stresses in the case's units; `line_load` is a force per length, `beta` is
+/// Dundurs's second constant, without dimension.
+struct Pair {
+  contact::CylinderPair cylinders;
+  double line_load;
+  contact::Hertz hertz;
+  contact::Problem problem;
+  contact::Solution solution;
+  double beta;
+};
+
+/// The pair of these two materials, solved without friction by matrix inversion on the case's
+/// nodes. The load is the case's times the ratio of the contact moduli, so that Hertz's half-width
+/// is the case's. Throws what solve_by_matrix_inversion() throws.
+Pair pair_of(const parameters::ContactCase& c, const elasticity::Material& first,
+             const elasticity::Material& second);
+
+}  // namespace paper

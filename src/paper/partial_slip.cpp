@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/partial_slip.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "contact/cattaneo_mindlin.hpp"
+#include "contact/friction.hpp"
+#include "contact/matrix_inversion.hpp"
+#include "numerics/power_fit.hpp"
+#include "paper/bounds.hpp"
+#include "paper/convergence.hpp"
+
+namespace paper {
+namespace {
+
+using contact::CattaneoMindlin;
+using contact::Solution;
+using literate::Column;
+using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::LimitKind;
+using literate::scientific;
+using literate::significant;
+using literate::Value;
+using literate::Verdict;
+using numerics::Estimate;
+using numerics::fit_power;
+using numerics::PowerFit;
+
+// One load on one grid, against the closed form.
+struct SlipErrors {
+  double stick;    ///< half-width of the strip that sticks, relative
+  double largest;  ///< of q, over μp₀
+  double mean;
+  double from_edge;  ///< of the largest, to the nearest edge of contact or strip, in spacings
+};
+
+// The half-width of what is taken away, p − q/μ, as Solution::half_width does it.
+double stick_half_width(const Solution& solution, const contact::Friction& friction, double mu) {
+  Solution sticking = solution;
+  sticking.pressure = solution.pressure - friction.shear / mu;
+  return sticking.half_width();
+}
+
+struct Slip {
+  CattaneoMindlin exact;
+  contact::Friction friction;
+  double stick;
+  SlipErrors errors;
+};
+
+Slip partial_slip(const Pair& pair, double share) {
+  const double mu = friction_coefficient;
+  const double load = share * mu * pair.solution.line_load();
+  Slip slip{CattaneoMindlin(pair.hertz, mu, load),
+            contact::partial_slip(pair.problem, pair.solution, mu, load,
+                                  contact::solve_by_matrix_inversion),
+            0,
+            {}};
+  slip.stick = stick_half_width(pair.solution, slip.friction, mu);
+  slip.errors.stick = slip.stick / slip.exact.stick_half_width() - 1;
+  const double c = pair.solution.grid.spacing;
+  for (Eigen::Index i = 0; i < pair.solution.grid.n_nodes; ++i) {
+    const double x = pair.solution.grid.x(i);
+    const double error = std::abs(slip.friction.shear[i] - slip.exact.traction(x)) /
+                         (mu * pair.hertz.peak_pressure());
+    slip.errors.mean += error * c / (2 * pair.hertz.half_width());
+    if (error <= slip.errors.largest) continue;
+    slip.errors.largest = error;
+    slip.errors.from_edge = std::min(std::abs(std::abs(x) - pair.hertz.half_width()),
+                                     std::abs(std::abs(x) - slip.exact.stick_half_width())) /
+                            c;
+  }
+  return slip;
+}
+
+// The shear traction under one tangential load, q over μp₀ against x/a.
+struct SlipCurve {
+  double stick;                      // half-width of the strip that sticks, over a
+  std::vector<double> x, shear;      // the closed form
+  std::vector<double> node_x, node;  // the elements
+};
+
+SlipCurve curve_of(const Pair& pair, const Slip& slip) {
+  const double a = pair.hertz.half_width();
+  const double scale = friction_coefficient * pair.hertz.peak_pressure();
+  SlipCurve curve{slip.exact.stick_half_width() / a, {}, {}, {}, {}};
+  for (Eigen::Index i = 0; i < pair.solution.grid.n_nodes; ++i) {
+    if (pair.solution.pressure[i] == 0) continue;
+    curve.node_x.push_back(pair.solution.grid.x(i) / a);
+    curve.node.push_back(slip.friction.shear[i] / scale);
+  }
+  // Both sides of the strip even in their angles: the traction is steep at either end of each.
+  constexpr int n = 120;
+  const auto add = [&](double begin, double end) {
+    for (int i = 0; i <= n; ++i) {
+      const double x = (begin + end - (end - begin) * std::cos(std::numbers::pi * i / n)) / 2;
+      curve.x.push_back(x);
+      curve.shear.push_back(slip.exact.traction(x * a) / scale);
+    }
+  };
+  add(-1, -curve.stick);
+  add(-curve.stick, curve.stick);
+  add(curve.stick, 1);
+  return curve;
+}
+
+constexpr double parts_of_sliding[] = {0.3, 0.6, 0.9};
+
+literate::Table slip_table(const std::vector<Slip>& slips, const Pair& pair) {
+  const char* const of_strip = "half-width of the strip over $a$";
+  const char* const of_shear = "error of $q/(\\mu p_0)$";
+  literate::Table table(
+      "partial-slip",
+      {Column("$Q/(\\mu P)$", fixed(1)).exact(), Column("elements", fixed(5)).under(of_strip),
+       Column("closed form", fixed(5)).under(of_strip),
+       Column("relative difference", scientific(2)).under(of_strip),
+       Column("largest", scientific(2)).under(of_shear),
+       Column("mean", scientific(2)).under(of_shear)});
+  // The shear is the difference of two pressures. What is taken away has its peak in proportion to
+  // the strip's half-width b, which is wrong as half_width_error() says with a/b times the error.
+  const double of_shears = 2 * pressure_error(pair.solution) + closed_form(1).abs_error;
+  const double a = pair.hertz.half_width();
+  for (std::size_t k = 0; k < slips.size(); ++k) {
+    // √(1 − Q/(μP)), where the difference cancels the more the greater the load.
+    const double strip = slips[k].exact.stick_half_width() / a;
+    const Estimate closed{strip, rounded(strip) / (1 - parts_of_sliding[k])};
+    const double of_stick = 1.5 * of_shears / closed.value;
+    table.add_row({parts_of_sliding[k], Estimate{slips[k].stick / a, of_stick * closed.value},
+                   closed, Estimate{slips[k].errors.stick, of_stick + rounded(1)},
+                   Estimate{slips[k].errors.largest, of_shears},
+                   Estimate{slips[k].errors.mean, of_shears}});
+  }
+  return table;
+}
+
+// The errors of the middle one of the loads over grids on which the edges fall anywhere.
+void fit_slip_orders(literate::Document& document, parameters::ContactCase c) {
+  std::vector<double> elements, largest, mean, bounds;
+  double root_factor = 0;
+  for (double n = 21; n < 190; n *= 1.08) {
+    c.n_nodes = std::lround(n);
+    const Pair pair = pair_of(c, c.body1.material, c.body2.material);
+    const SlipErrors errors = partial_slip(pair, parts_of_sliding[1]).errors;
+    elements.push_back(pair.hertz.half_width() / pair.solution.grid.spacing);
+    largest.push_back(errors.largest);
+    mean.push_back(errors.mean);
+    // The shear is the difference of two pressures, the second that of a lesser load.
+    bounds.push_back(2 * pressure_error(pair.solution));
+    root_factor = std::max(root_factor, errors.largest * std::sqrt(elements.back()));
+  }
+  const PowerFit of_largest = fit_power(elements, largest, bounds);
+  const PowerFit of_mean = fit_power(elements, mean, bounds);
+  document.value("slip.fit.share", Value(parts_of_sliding[1], exact()));
+  document.value("slip.fit.least", Value(closed_form(elements.front()), fixed(0)));
+  document.value("slip.fit.most", Value(closed_form(elements.back()), fixed(0)));
+  document.value("slip.fit.largest", Value(of_largest.order_estimate(), fixed(1)));
+  document.value("slip.fit.mean", Value(of_mean.order_estimate(), fixed(1)));
+  const char* const scatter = "the scatter of where the edges fall between the nodes";
+  document.check(
+      "slip-orders",
+      {Criterion::agrees("order of the largest error", Value(of_largest.order_estimate(), fixed(2)),
+                         Value(0.5, exact()).within(0), {LimitKind::regression, 0.25, scatter}),
+       Criterion::agrees("order of the mean error", Value(of_mean.order_estimate(), fixed(2)),
+                         Value(1.5, exact()).within(0), {LimitKind::regression, 0.3, scatter}),
+       Criterion::at_most("largest error times the root of the elements over a",
+                          Value({root_factor, 1e-6 * root_factor}, significant(2)),
+                          {LimitKind::regression, 0.25, "what was found, with a margin"})},
+      "the shear's largest error is of order 1/2, its mean error of order 3/2");
+}
+
+// How wrong the strip may be, relatively: the traction that is taken away is the difference of two
+// pressures, and the strip carries the square of its share of the load.
+double stick_error(const Pair& pair, double stick_half_width) {
+  const double share = stick_half_width / pair.hertz.half_width();
+  return 2 * half_width_error(pair.solution) / (share * share);
+}
+
+}  // namespace
+
+void compute_partial_slip(literate::Document& document, const parameters::ContactCase& c,
+                          const Pair& own) {
+  literate::Figure figure{.width_cm = 13.5, .height_cm = 7};
+  std::vector<Slip> slips;
+  std::vector<double> sliding_x, sliding;
+  Estimate worst_stick;
+  double from_edge = 0;
+  for (std::size_t k = 0; k < std::size(parts_of_sliding); ++k) {
+    slips.push_back(partial_slip(own, parts_of_sliding[k]));
+    const SlipCurve curve = curve_of(own, slips[k]);
+    figure.data[fmt::format("curve_{}", k + 1)] = {{"x", curve.x}, {"shear", curve.shear}};
+    figure.data[fmt::format("nodes_{}", k + 1)] = {{"x", curve.node_x}, {"shear", curve.node}};
+    figure.numbers[fmt::format("share_{}", k + 1)] = parts_of_sliding[k];
+    figure.numbers[fmt::format("stick_{}", k + 1)] = curve.stick;
+    if (k + 1 == std::size(parts_of_sliding)) sliding_x = curve.x;
+    const double strip = own.solution.grid.spacing / slips[k].exact.stick_half_width();
+    from_edge = std::max(from_edge, slips[k].errors.from_edge);
+    const Estimate error{std::abs(slips[k].errors.stick),
+                         stick_error(own, slips[k].exact.stick_half_width())};
+    const Estimate stick = 1 / (strip * strip) * error;
+    if (stick.value > worst_stick.value) worst_stick = stick;
+  }
+  const double a = own.hertz.half_width();
+  for (const double x : sliding_x) {
+    sliding.push_back(own.hertz.pressure(x * a) / own.hertz.peak_pressure());
+  }
+  document.table(slip_table(slips, own));
+  figure.data["sliding"] = {{"x", sliding_x}, {"shear", sliding}};
+  document.figure("partial-slip", std::move(figure));
+  // As for the half-width of the contact itself (0.36 (c/a)²), with the strip for the contact.
+  document.claim(
+      "strip-of-cattaneo-and-mindlin",
+      {.route = "the difference of two frictionless contacts against the closed form, under "
+                "three loads",
+       .expected = Verdict::confirmed,
+       .criteria = {Criterion::at_most(
+           "largest relative error of the strip, over the square of the elements' width over it",
+           Value(worst_stick, fixed(2)),
+           {LimitKind::convention, 1.0, "the elements have this order, and errors no larger"})}});
+  document.check(
+      "slip-errors-at-edges",
+      {Criterion::at_most("distance of the largest error from an edge, in elements",
+                          Value(from_edge, significant(2)).within(0),
+                          {LimitKind::regression, 2.0, "what was found, with a margin"})},
+      "the shear's largest error is beside an edge of slip");
+  fit_slip_orders(document, c);
+}
+
+}  // namespace paper

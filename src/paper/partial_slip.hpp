@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "literate/document/document.hpp"
+#include "paper/friction_pair.hpp"
+
+namespace paper {
+
+/// Registers what the section on friction says of partial slip: shear and strip that sticks under
+/// three tangential loads, beside Cattaneo and Mindlin, and the orders of their errors.
+///
+/// `own` is the case's pair of bodies. Throws what contact::partial_slip() and
+/// contact::solve_by_matrix_inversion() throw.
+void compute_partial_slip(literate::Document& document, const parameters::ContactCase& c,
+                          const Pair& own);
+
+}  // namespace paper
