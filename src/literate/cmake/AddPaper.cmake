@@ -184,6 +184,8 @@ function(literate_add_paper)
 
   cmake_path(RELATIVE_PATH figures BASE_DIRECTORY "${root}" OUTPUT_VARIABLE figures_from_root)
   literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}" "${figures_from_root}")
+  # Without its table of symbols the program is half as large, and each build reads it to see that it is whole.
+  target_link_options(${arg_PROGRAM} PRIVATE $<$<CONFIG:Release>:-s>)
 
   # What the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
