@@ -54,9 +54,9 @@ function(literate_map_prefix target root)
   endforeach()
 endfunction()
 
-# Before anything is compiled, every build asks for what the program is compiled from, the excerpts, and for what only
-# the document tells, the state of the repository. Either is written only where it changed, and no program knows the
-# commit: after one nothing is compiled or computed, and the document alone is typeset again.
+# Before anything is compiled, every build asks for what the program is compiled from, the excerpts; before anything is
+# typeset, for what only the document tells, the state of the repository. Either is written only where it changed, and no
+# program knows the commit: after one nothing is compiled or computed, and the document alone is typeset again.
 function(literate_describe_paper name program main root sources figures)
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
@@ -87,17 +87,21 @@ function(literate_describe_paper name program main root sources figures)
   configure_file("${engine}/cmake/paper.cpp.in" "${folder}/paper.cpp.in" @ONLY)
   file(GENERATE OUTPUT "${folder}/paper.cpp" INPUT "${folder}/paper.cpp.in")
 
-  add_custom_target(ask_for_${name}
+  add_custom_target(ask_for_commit_of_${name}
     COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${root}" "-DOUTPUT=${repository}" -P "${engine}/cmake/WriteRepository.cmake"
+    BYPRODUCTS "${repository}/repository.json" "${repository}/repository.tex"
+    COMMENT "commit"
+    VERBATIM)
+  add_custom_target(ask_for_excerpts_of_${name}
     COMMAND literate::program excerpts --source "${root}" --folders "${folders}" --output "${folder}/excerpts.cpp"
-    BYPRODUCTS "${folder}/excerpts.cpp" "${repository}/repository.json" "${repository}/repository.tex"
-    COMMENT "commit and excerpts"
+    BYPRODUCTS "${folder}/excerpts.cpp"
+    COMMENT "excerpts"
     VERBATIM)
   set(written "${folder}/paper.cpp" "${folder}/excerpts.cpp")
   set_source_files_properties(${written} TARGET_DIRECTORY ${program}
     PROPERTIES GENERATED ON SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${program} PRIVATE ${written})
-  add_dependencies(${program} ask_for_${name})
+  add_dependencies(${program} ask_for_excerpts_of_${name})
   target_link_libraries(${program} PRIVATE literate::literate)
   literate_map_prefix(${program} "${root}")
 endfunction()

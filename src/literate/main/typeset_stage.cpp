@@ -34,6 +34,7 @@
 #include "literate/typesetting/typeset.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/parallel.hpp"
 #include "system/tool_version.hpp"
 
 namespace literate {
@@ -107,34 +108,32 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   return files;
 }
 
-Manifest manifest_of(const TypesetStageOptions& options, const Paper& paper,
-                     const Repository& repository, const Names& names,
-                     const Manifest::Texts& inputs) {
+// All that the manifest tells but the PDF and what LaTeX asked to be drawn: none of it waits for
+// LaTeX.
+Manifest manifest_without_pdf(const TypesetStageOptions& options, const Paper& paper,
+                              const Repository& repository, const Names& names) {
   const fs::path generated = options.generated;
-  const fs::path pdf = options.output;
   Manifest::Texts libraries = engine_libraries();
   libraries.insert(paper.libraries.begin(), paper.libraries.end());
-  Manifest manifest{.project = paper.project,
-                    .facts = {{"sources",
-                               {{"version", paper.version},
-                                {"commit", repository.commit},
-                                {"modified", repository.modified ? "yes" : "no"},
-                                {"date", repository.date}}},
-                              {"platform",
-                               {{"compiler", paper.compiler},
-                                {"build type", paper.build_type},
-                                {"flags", paper.flags},
-                                {"processor", processor()}}},
-                              {"libraries", libraries},
-                              {"tools",
-                               {{"gnuplot", sys::tool_version("gnuplot")},
-                                {options.engine == "lualatex" ? "LuaTeX" : "pdfTeX",
-                                 sys::tool_version(options.engine)}}}},
-                    .inputs = inputs,
-                    .outputs = digests(generated, made_files(names), "generated/"),
-                    .numbers = numbers_in(generated / "names.json")};
-  manifest.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
-  return manifest;
+  return {.project = paper.project,
+          .facts = {{"sources",
+                     {{"version", paper.version},
+                      {"commit", repository.commit},
+                      {"modified", repository.modified ? "yes" : "no"},
+                      {"date", repository.date}}},
+                    {"platform",
+                     {{"compiler", paper.compiler},
+                      {"build type", paper.build_type},
+                      {"flags", paper.flags},
+                      {"processor", processor()}}},
+                    {"libraries", libraries},
+                    {"tools",
+                     {{"gnuplot", sys::tool_version("gnuplot")},
+                      {options.engine == "lualatex" ? "LuaTeX" : "pdfTeX",
+                       sys::tool_version(options.engine)}}}},
+          .inputs = inputs_of(options, paper, names),
+          .outputs = digests(generated, made_files(names), "generated/"),
+          .numbers = numbers_in(generated / "names.json")};
 }
 
 // Says how this report differs from the one that `file` tells of. The same bytes are not asked of
@@ -216,9 +215,7 @@ std::optional<ExitCode> typeset_once(const TypesetStageOptions& options, const P
   if (!options.digest.empty()) {
     require_as_made(generated, options.digest, made_files(names));
   }
-  const bool is_recorded = !options.manifest.empty() || !options.against.empty();
   const FileDigests prose = prose_of(options);
-  const Manifest::Texts inputs = is_recorded ? inputs_of(options, paper, names) : Manifest::Texts{};
 
   ReferenceReport references = check_references(options.document, names);
   std::ranges::move(images_of(options.document).errors, std::back_inserter(references.errors));
@@ -246,7 +243,13 @@ std::optional<ExitCode> typeset_once(const TypesetStageOptions& options, const P
                              .figures = names.figure_places,
                              .scripts_label = fs::path(paper.figures_folder).filename().string(),
                              .tolerates_overfull = tolerates_overfull(options)};
-  const Typeset done = typeset(latex);
+  const bool is_recorded = !options.manifest.empty() || !options.against.empty();
+  Typeset done;
+  Manifest ours;
+  sys::for_each_parallel(is_recorded ? 2 : 1, 2, [&](std::size_t i) {
+    if (i == 0) done = typeset(latex);
+    if (i == 1) ours = manifest_without_pdf(options, paper, repository, names);
+  });
   if (prose_of(options) != prose) return std::nullopt;
   typesetting.done(fs::path(options.output).filename().string());
   for (const std::string& warning : done.warnings) {
@@ -261,7 +264,8 @@ std::optional<ExitCode> typeset_once(const TypesetStageOptions& options, const P
     return verdict;
   }
 
-  Manifest ours = manifest_of(options, paper, repository, names, inputs);
+  const fs::path pdf = options.output;
+  ours.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
   ours.outputs.merge(digests(at_width_dir(latex), done.drawn));
   if (!options.manifest.empty()) {
     sys::write_if_changed(options.manifest, manifest_json(ours));
