@@ -56,10 +56,8 @@ Eigen::VectorXd least_squares(const Ratios& ratios) {
   return factors;
 }
 
-}  // namespace
-
-Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& observed) {
-  if (solutions.empty() || observed.size() < solutions.size()) {
+void require_observed(const Observed& observed, std::size_t n_loads) {
+  if (n_loads == 0 || observed.size() < n_loads) {
     throw sys::InvalidQuantity("number of observed displacements",
                                static_cast<double>(observed.size()),
                                "no less than the number of loads, which is 1 or more");
@@ -67,6 +65,17 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
   for (const SurfaceDisplacement& point : observed) {
     sys::require_positive("observed displacement", point.u_z);
   }
+}
+
+// Returns A f − 1.
+Eigen::VectorXd misfits(const Ratios& ratios, const Eigen::VectorXd& factors) {
+  return ratios * factors - Eigen::VectorXd::Ones(ratios.rows());
+}
+
+}  // namespace
+
+Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& observed) {
+  require_observed(observed, solutions.size());
 
   // Solve the least-squares problem on both meshes
   const Ratios ratios = relative_displacements(solutions, &RefinedSolution::fine, observed);
@@ -78,13 +87,24 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
   for (Index k = 0; k < fine.size(); ++k) {
     factors.push_back({fine[k], std::abs(fine[k] - coarse[k])});
   }
-  const Eigen::VectorXd residuals =
-      ratios * fine - Eigen::VectorXd::Ones(ratios.rows());  // A f − 1
+  const Eigen::VectorXd residuals = misfits(ratios, fine);
   return {factors,
           {residuals.begin(), residuals.end()},
           residuals.cwiseAbs().maxCoeff(),
           residuals.norm() / std::sqrt(static_cast<double>(residuals.size())),
           RefinedSolution::combination(solutions, {fine.begin(), fine.end()})};
+}
+
+double max_misfit(const std::vector<RefinedSolution>& solutions, const std::vector<double>& weights,
+                  const Observed& observed) {
+  require_observed(observed, solutions.empty() ? 0 : 1);
+  if (weights.size() != solutions.size()) {
+    throw sys::InvalidQuantity("number of weights", static_cast<double>(weights.size()),
+                               "that of the loads");
+  }
+  const Eigen::Map<const Eigen::VectorXd> w(weights.data(), static_cast<Index>(weights.size()));
+  const Ratios ratios = relative_displacements(solutions, &RefinedSolution::fine, observed) * w;
+  return misfits(ratios, least_squares(ratios)).cwiseAbs().maxCoeff();
 }
 
 LinearFit fit_linear_load(const SupportedBlock& block, double half_width,

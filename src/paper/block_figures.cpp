@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "block/load_shapes.hpp"
+#include "block/fit.hpp"
+#include "system/parallel.hpp"
 
 namespace paper {
 namespace {
@@ -86,7 +87,14 @@ Figure convergence(const parameters::HalfSpaceCase& half_space,
     const block::Factorization factorization(analysis.fine(), block::with_sides(block_case.sides));
     return block::measures(factorization.solve(half_space.load), options);
   };
-  const auto exact = measures_of(highest_order);
+  constexpr int lowest_order = 2;
+  std::vector<std::vector<block::Measure>> measures(highest_order - lowest_order + 1);
+  sys::for_each_parallel(measures.size(), 0, [&](std::size_t i) {
+    // The highest order, which takes longest, is begun first.
+    const std::size_t k = measures.size() - 1 - i;
+    measures[k] = measures_of(lowest_order + static_cast<int>(k));
+  });
+  const auto& exact = measures.back();
   const auto value = [](const std::vector<block::Measure>& list, const std::string& name) {
     for (const block::Measure& m : list) {
       if (m.name == name) return m.value;
@@ -94,8 +102,8 @@ Figure convergence(const parameters::HalfSpaceCase& half_space,
     return std::nan("");
   };
   std::vector<double> orders, displacement, energy, von_mises;
-  for (int order = 2; order < highest_order; ++order) {
-    const auto measured = measures_of(order);
+  for (int order = lowest_order; order < highest_order; ++order) {
+    const auto& measured = measures[static_cast<std::size_t>(order - lowest_order)];
     const auto error = [&](const char* name) {
       return std::abs(value(measured, name) / value(exact, name) - 1);
     };
@@ -135,21 +143,16 @@ Figure mesh(const parameters::HalfSpaceCase& half_space, const parameters::Block
 }
 
 // The largest misfit for each edge fraction, with the best peak for it.
-Figure misfits(const parameters::HalfSpaceCase& half_space, const BlockStudy& study) {
-  const double a = half_space.load.half_width();
+Figure misfits(const BlockStudy& study) {
   std::vector<double> edge_fraction;
   for (int i = 0; i <= 100; ++i) edge_fraction.push_back(0.01 * i);
   FigureData curves = {{"edge_fraction", edge_fraction}};
   for (const auto& [name, sides] : {std::pair{"clamped", Support::clamped},
                                     {"roller", Support::roller},
                                     {"free", Support::free}}) {
-    // Solutions add, so that two loads serve for all edge fractions.
-    const block::RefinedSolution triangle = study.on(sides).solve(block::linear_fall(1, 0, a));
-    const block::RefinedSolution uniform = study.on(sides).solve(block::linear_fall(1, 1, a));
     std::vector<double> misfit;
     for (const double f : edge_fraction) {
-      const auto fall = block::RefinedSolution::combination({triangle, uniform}, {1 - f, f});
-      misfit.push_back(block::fit_loads({fall}, study.observed()).max_misfit);
+      misfit.push_back(block::max_misfit(study.falls_on(sides), {1 - f, f}, study.observed()));
     }
     curves.columns.emplace_back(name, std::move(misfit));
   }
@@ -193,7 +196,7 @@ void register_block_figures(literate::Document& document,
   document.figure("block-mesh", mesh(half_space, block_case, units, study));
   document.figure("block-convergence", convergence(half_space, block_case, study));
   if (!study.fit()) return;
-  document.figure("fit-misfit", misfits(half_space, study));
+  document.figure("fit-misfit", misfits(study));
   document.figure("like-with-like", like_with_like(half_space, units, study));
 }
 

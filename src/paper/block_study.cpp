@@ -7,6 +7,7 @@
 
 #include "block/load_shapes.hpp"
 #include "block/mass_properties.hpp"
+#include "system/parallel.hpp"
 
 namespace paper {
 namespace {
@@ -66,34 +67,28 @@ std::string name_of(Support sides) {
   return sides == Support::roller ? "roller" : "free";
 }
 
+BlockStudy::OnSides::OnSides(const block::Analysis& analysis, Support sides, double half_width)
+    : block(analysis.on(block::with_sides(sides))),
+      falls{block.solve(block::linear_fall(1, 0, half_width)),
+            block.solve(block::linear_fall(1, 1, half_width))} {}
+
 BlockStudy::BlockStudy(const parameters::HalfSpaceCase& half_space,
                        const parameters::BlockCase& block_case,
                        std::vector<block::SurfaceDisplacement> observed)
     : half_space_(half_space),
       block_case_(block_case),
       analysis_(analysis_of(half_space, block_case)),
-      clamped_(analysis_.on(block::with_sides(Support::clamped))),
-      roller_(analysis_.on(block::with_sides(Support::roller))),
-      free_(analysis_.on(block::with_sides(Support::free))),
-      under_triangle_(on(block_case.sides).solve(half_space.load)),
       observed_(std::move(observed)) {
+  sys::for_each_parallel(sides_.size(), 0, [&](std::size_t i) {
+    sides_[i].emplace(analysis_, static_cast<Support>(i), half_space_.load.half_width());
+  });
+  under_triangle_ = on(block_case.sides).solve(half_space.load);
   if (observed_.empty()) return;
   const Support sides = block_case.sides;
   fit_ = fit_on(sides);
   const block::Fit coarse = coarse_fit(falls_on(sides), observed_);
   under_fit_.emplace(fit_->fit.solution.fine(), coarse.solution.fine());
   misfit_error_ = largest_difference(fit_->fit.residuals, coarse.residuals);
-}
-
-std::vector<block::RefinedSolution> BlockStudy::falls_on(Support sides) const {
-  const double a = half_space_.load.half_width();
-  return {on(sides).solve(block::linear_fall(1, 0, a)),
-          on(sides).solve(block::linear_fall(1, 1, a))};
-}
-
-const block::SupportedBlock& BlockStudy::on(Support sides) const {
-  if (sides == Support::clamped) return clamped_;
-  return sides == Support::roller ? roller_ : free_;
 }
 
 block::LinearFit BlockStudy::fit_on(Support sides) const {
@@ -115,13 +110,13 @@ std::vector<Candidate> BlockStudy::candidates() const {
     add("linear fall", sides, falls_on(sides));
   }
   const std::vector<std::pair<std::string, elasticity::Load>> shapes = {
-      {"triangle, eq. (4)", block::linear_fall(1, 0, a)},
-      {"uniform", block::linear_fall(1, 1, a)},
       {"trapezoid", block::trapezoid(1, flat_fraction, a)},
       {"elliptic", block::elliptic(1, a)},
       {"parabola", block::power_fall(1, 2, a)},
       {"quartic", block::power_fall(1, 4, a)}};
   for (const Support sides : {Support::clamped, Support::free}) {
+    add("triangle, eq. (4)", sides, {falls_on(sides)[0]});
+    add("uniform", sides, {falls_on(sides)[1]});
     for (const auto& [shape, load] : shapes) {
       add(shape, sides, {on(sides).solve(load)});
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,7 +30,8 @@ struct Candidate {
 
 /// The finite block of the paper, on all supports and under all loads that the report speaks of.
 ///
-/// One mesh serves all loads, one factorisation all loads on the same supports.
+/// One mesh serves all loads, one factorisation all loads on the same supports. The three kinds of
+/// sides are solved side by side.
 class BlockStudy {
  public:
   /// `observed` are the printed displacements, none without printed data. Throws as
@@ -36,10 +39,16 @@ class BlockStudy {
   BlockStudy(const parameters::HalfSpaceCase& half_space, const parameters::BlockCase& block_case,
              std::vector<block::SurfaceDisplacement> observed);
 
-  const block::SupportedBlock& on(block::Support sides) const;
+  const block::SupportedBlock& on(block::Support sides) const { return all_on(sides).block; }
+
+  /// The block under the triangle and under the uniform pressure, of which every linear fall is a
+  /// sum, both of peak 1.
+  const std::vector<block::RefinedSolution>& falls_on(block::Support sides) const {
+    return all_on(sides).falls;
+  }
 
   /// The block with the case's sides under eq. (4), the load that the paper states.
-  const block::RefinedSolution& under_triangle() const { return under_triangle_; }
+  const block::RefinedSolution& under_triangle() const { return *under_triangle_; }
 
   /// The printed displacements as the fit wants them; empty without printed data.
   const std::vector<block::SurfaceDisplacement>& observed() const { return observed_; }
@@ -62,16 +71,21 @@ class BlockStudy {
   block::MeasureOptions measure_options() const;
 
  private:
-  // The triangle and the uniform pressure, of which every linear fall is a sum.
-  std::vector<block::RefinedSolution> falls_on(block::Support sides) const;
+  struct OnSides {
+    OnSides(const block::Analysis& analysis, block::Support sides, double half_width);
+
+    block::SupportedBlock block;
+    std::vector<block::RefinedSolution> falls;
+  };
+  const OnSides& all_on(block::Support sides) const {
+    return *sides_[static_cast<std::size_t>(sides)];
+  }
 
   parameters::HalfSpaceCase half_space_;
   parameters::BlockCase block_case_;
   block::Analysis analysis_;
-  block::SupportedBlock clamped_;
-  block::SupportedBlock roller_;
-  block::SupportedBlock free_;
-  block::RefinedSolution under_triangle_;
+  std::array<std::optional<OnSides>, 3> sides_;  // as block::Support counts them
+  std::optional<block::RefinedSolution> under_triangle_;
   std::vector<block::SurfaceDisplacement> observed_;
   std::optional<block::LinearFit> fit_;
   std::optional<block::RefinedSolution> under_fit_;
