@@ -117,8 +117,9 @@ namespace {
 std::string entry(const Registered& registered, const char* kind, const std::string& name,
                   const std::string& files) {
   const SourcePlace& place = registered.places.at({kind, name});
-  return fmt::format("\\LiterateProvenance{{{}}}{{{}}}{{{}}}{{{}}}{{%\n  {}}}\n", kind, name,
-                     escape_latex_path(text_of(place)), breakable(place.function), files);
+  return fmt::format("\\LiterateProvenance{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{%\n  {}}}\n", kind, name,
+                     escape_latex(name), escape_latex_path(text_of(place)),
+                     breakable(place.function), files);
 }
 
 }  // namespace

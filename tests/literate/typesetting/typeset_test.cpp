@@ -13,6 +13,7 @@
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/process.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(typeset_test)
@@ -319,6 +320,24 @@ BOOST_AUTO_TEST_CASE(a_listing_of_every_language_is_typeset) {
   typeset(paper.options);
 
   BOOST_TEST(fs::exists(paper.options.output_pdf));
+}
+
+// A viewer finds an attachment by halving the list of names, so it must be in order.
+BOOST_AUTO_TEST_CASE(attachments_are_listed_in_order_by_their_names) {
+  const Paper paper("\\provenance");
+  Document document;
+  for (const char* name : {"b_2", "a-b", "a", "B"}) {
+    document.table(Table(name, {Column("$v$", exact())}).add_row({1.0}));
+  }
+  document.write(paper.options.generated_dir);
+
+  typeset(paper.options);
+
+  const sys::ProcessResult list =
+      sys::run({.program = "pdfdetach", .arguments = {"-list", paper.options.output_pdf.string()}});
+  BOOST_TEST(list.output ==
+             "4 embedded files\n1: tables/B.csv\n2: tables/a-b.csv\n3: tables/a.csv\n"
+             "4: tables/b_2.csv\n");
 }
 
 BOOST_AUTO_TEST_CASE(lualatex_typesets_the_same_document_with_the_same_bytes_each_time) {
