@@ -61,6 +61,13 @@ sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleForm
                    sys::TimeLimit{fmt::format("LaTeX on {}", options.main_file), latex_seconds}});
 }
 
+/// When LaTeX last wrote its log; the earliest time if there is none.
+fs::file_time_type time_of_log(const TypesetOptions& options) {
+  std::error_code error;
+  const auto time = fs::last_write_time(in_build_dir(options, ".log"), error);
+  return error ? fs::file_time_type::min() : time;
+}
+
 /// Messages with the places at which the document's author can mend them.
 std::vector<std::string> placed(std::vector<std::string> messages, const TypesetOptions& options) {
   for (std::string& message : messages) message = with_place_of_use(message, options.source_dir);
@@ -111,8 +118,16 @@ void run_until_settled(const TypesetOptions& options, const PreambleFormat& prea
   draw_wanted(options);
   constexpr int most_runs = 5;  // a width that depends on its own figure might never settle
   for (int n_runs = 1;; ++n_runs) {
+    const auto time_before = time_of_log(options);
     const sys::ProcessResult result = run_latexmk(options, preamble, is_new);
     if (result.exit_status != 0) fail(options, result.output);
+    // latexmk believes an engine that does nothing and succeeds, and the PDF of the run before
+    // would be published as the one of this.
+    const bool is_run = result.output.find("\nRun number ") != std::string::npos;
+    if (is_run && time_of_log(options) == time_before) {
+      throw sys::ToolError(fmt::format("LaTeX on {} ended without an error, but did not write '{}'",
+                                       options.main_file, in_build_dir(options, ".log").string()));
+    }
     if (!is_whole(in_build_dir(options, ".pdf"))) {
       throw sys::ToolError(
           fmt::format("LaTeX on {} ended without an error, but '{}' is not a whole PDF",

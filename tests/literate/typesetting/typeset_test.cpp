@@ -372,6 +372,23 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_or_file_is_told_by_name) {
   BOOST_CHECK_THROW(typeset(paper.options), sys::OutputError);
 }
 
+BOOST_AUTO_TEST_CASE(an_engine_that_does_nothing_and_succeeds_is_not_believed) {
+  const TemporaryFolder tools;
+  Paper paper("Text.");
+  typeset(paper.options);
+  paper.write("Another text.");
+  sys::write_file_atomically(tools / "pdflatex",
+                             "#!/bin/sh\ncase \"$*\" in *-ini*) exit 1;; esac\n");
+  fs::permissions(tools / "pdflatex", fs::perms::owner_all);
+
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (tools.path().string() + ":" + path).c_str(), 1);
+  const std::string message = paper.error();
+  setenv("PATH", path.c_str(), 1);
+
+  BOOST_TEST(message.find("didn't generate the expected log file") != std::string::npos, message);
+}
+
 BOOST_AUTO_TEST_CASE(what_latex_left_is_begun_anew_if_a_run_was_interrupted_or_a_file_damaged) {
   const Paper paper(full_body);
   typeset(paper.options);
