@@ -66,9 +66,12 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.flag("sheet.is-personal", !variant.student.empty());
   document.value("late.percent", Value(assignment.late.percent_per_day, exact()));
   document.value("late.days", Value(assignment.late.days, integer()));
+  document.flag("late.has-grace", assignment.late.grace_minutes > 0);
+  document.value("late.grace", Value(assignment.late.grace_minutes, integer(), "min"));
+  document.flag("late.has-slip-days", assignment.late.slip_days > 0);
+  document.value("late.slip-days", Value(assignment.late.slip_days, integer()));
   document.value("limit.compile", Value(assignment.limits.compile_seconds, integer(), "s"));
-  document.value("limit.compile-all",
-                 Value(assignment.limits.compile_all_seconds, integer(), "s"));
+  document.value("limit.compile-all", Value(assignment.limits.compile_all_seconds, integer(), "s"));
   document.value("limit.run", Value(assignment.limits.run_seconds, integer(), "s"));
   document.value("limit.all-runs", Value(assignment.limits.submission_seconds, integer(), "s"));
   document.value("limit.memory", Value(assignment.limits.memory_mb, integer(), "MB"));
@@ -103,6 +106,19 @@ void register_exercises(Document& document, const Assignment& assignment) {
   document.table(std::move(exercises));
 }
 
+// The rubric of the report, if it has one.
+void register_criteria(Document& document, const Assignment& assignment) {
+  document.flag("report.has-rubric", !assignment.criteria.empty());
+  if (assignment.criteria.empty()) return;
+  Table table("criteria", {Column::text("criterion"), Column::text("what is looked for"),
+                           Column("points", exact())});
+  for (const course::Criterion& criterion : assignment.criteria) {
+    table.add_row({criterion.title, criterion.says, criterion.points});
+  }
+  document.table(std::move(table));
+  document.value("report.points", Value(assignment.report_points(), exact()));
+}
+
 void register_quantities(Document& document, const Assignment& assignment, const Variant& variant) {
   Table table("quantities", {Column::text(""), Column::text("quantity"), Column::text("name"),
                              Column::text("value")});
@@ -121,6 +137,7 @@ void register_quantities(Document& document, const Assignment& assignment, const
 void register_sheet(Document& document, const Assignment& assignment, const Variant& variant) {
   register_facts(document, assignment, variant);
   register_exercises(document, assignment);
+  register_criteria(document, assignment);
   register_quantities(document, assignment, variant);
   document.figure("setting", setting());
   document.figure("lost-digits", lost_digits());

@@ -22,6 +22,10 @@ void add_list_command(CLI::App& program, ExitCode& exit_code);
 void add_student_command(CLI::App& program, ExitCode& exit_code);
 void add_class_command(CLI::App& program, ExitCode& exit_code);
 void add_collect_command(CLI::App& program, ExitCode& exit_code);
+void add_release_feedback_command(CLI::App& program, ExitCode& exit_code);
+void add_likeness_command(CLI::App& program, ExitCode& exit_code);
+void add_marking_command(CLI::App& program, ExitCode& exit_code);
+void add_results_command(CLI::App& program, ExitCode& exit_code);
 void add_sheet_command(CLI::App& program, ExitCode& exit_code);
 
 /// Adds compute, typeset and check: what makes the assignment's sheet.

@@ -14,8 +14,8 @@
 #include "course/assignment/check_list.hpp"
 #include "course/assignment/student.hpp"
 #include "course/assignment/variants.hpp"
-#include "course/marking/collect.hpp"
 #include "course/marking/grade.hpp"
+#include "course/marking/listing.hpp"
 #include "course/marking/roster.hpp"
 #include "course/release/make_toolkit.hpp"
 #include "course_app/commands.hpp"
@@ -25,30 +25,24 @@
 namespace course_app {
 namespace {
 
-std::optional<course::Roster> roster_of(const std::string& file) {
-  if (file.empty()) return std::nullopt;
-  return course::read_roster(file);
-}
-
 struct ToolkitOptions : CourseOptions {
   std::string output;
 };
 
 struct GradeOptions : CourseOptions {
-  std::string submission, toolkit, output, submitted, deadline, roster;
+  std::string submission, toolkit, output, submitted, deadline, late_until, roster;
   bool is_unsafe = false;
 };
 
-/// The times of a student in the roster, replaced by those that options give.
-
+/// What the roster says of a student; times that options give replace those in it.
 course::RosterEntry times_of(const GradeOptions& options, const std::string& student) {
   course::RosterEntry times;
   if (const std::optional<course::Roster> roster = roster_of(options.roster)) {
-    const auto found = roster->find(student);
-    if (found == roster->end()) {
-      throw sys::InputError(fmt::format("there is no student {} in '{}'", student, options.roster));
+    if (course::members_of(*roster, student).empty()) {
+      throw sys::InputError(
+          fmt::format("there is no student or group {} in '{}'", student, options.roster));
     }
-    times = found->second;
+    times = course::entry_of(*roster, student);
   }
   if (!options.submitted.empty()) times.submitted = course::parse_time(options.submitted);
   if (!options.deadline.empty()) times.deadline = course::parse_time(options.deadline);
@@ -63,7 +57,9 @@ ExitCode grade(const GradeOptions& options) {
   course::require_student_id(task.student);
   const course::RosterEntry times = times_of(options, task.student);
   task.submitted = times.submitted;
+  task.slip_days = times.slip_days;
   assignment.deadline = times.deadline.value_or(assignment.deadline);
+  if (!options.late_until.empty()) assignment.late.until = course::parse_time(options.late_until);
   const std::string seed = seed_of(options);
   task.variant = seed.empty()
                      ? course::nominal_variant(assignment)
@@ -94,19 +90,6 @@ ExitCode list(const ListOptions& options) {
     std::fputc(options.has_null ? '\0' : '\n', stdout);
   }
   return answer_faults(listing.problems);
-}
-
-struct CollectOptions : CourseOptions {
-  std::string grades, output, roster, submissions;
-};
-
-ExitCode collect(const CollectOptions& options) {
-  const course::Grades grades = course::collect_grades(
-      read_assignment(options), options.grades, roster_of(options.roster),
-      options.submissions.empty() ? std::nullopt
-                                  : std::optional<std::filesystem::path>(options.submissions));
-  sys::write_file_atomically(options.output, grades.csv);
-  return answer_faults(grades.problems);
 }
 
 }  // namespace
@@ -142,8 +125,12 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
                          "When it was handed in, as 2027-01-15T23:59:00+01:00");
                 add_text(command, "--deadline", options->deadline, "TIME",
                          "For this student, instead of the assignment's");
+                add_text(command, "--late-until", options->late_until, "TIME",
+                         "When nothing counts any more, instead of after the assignment's days");
                 add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class with the columns `student`, `submitted` and `deadline`");
+                         "CSV of the class with the column `student` and, as they are known, "
+                         "`submitted`, `deadline`, "
+                         "`slip_days` and `group`");
                 add_switch(command, "--unsafe", options->is_unsafe,
                            "Grade without bubblewrap: with limits, but with no walls");
                 return [options] { return grade(*options); };
@@ -179,32 +166,16 @@ void add_student_command(CLI::App& program, ExitCode& exit_code) {
 }
 
 void add_class_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "class", "List the students of a class, a line each", exit_code,
+  add_command(program, "class", "List who hands in, a student or group a line", exit_code,
               [](CLI::App& command) {
                 auto roster = std::make_shared<std::string>();
                 add_required_text(command, "roster", *roster, "FILE", "CSV of the class");
                 return [roster] {
-                  for (const auto& [student, entry] : course::read_roster(*roster)) {
-                    fmt::print("{}\n", student);
+                  for (const std::string& unit : course::units_of(course::read_roster(*roster))) {
+                    fmt::print("{}\n", unit);
                   }
                   return ExitCode::success;
                 };
-              });
-}
-
-void add_collect_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "collect", "Merge the folders that `grade` wrote into one table", exit_code,
-              [](CLI::App& command) {
-                auto options = std::make_shared<CollectOptions>();
-                add_required_text(command, "grades", options->grades, "DIR",
-                                  "Folder of those folders, each named for its student");
-                add_assignment(command, *options);
-                add_required_text(command, "--output", options->output, "FILE", "CSV to write");
-                add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class; students without a mark get a line");
-                add_text(command, "--submissions", options->submissions, "DIR",
-                         "Folder of the submissions; those without a mark get a line");
-                return [options] { return collect(*options); };
               });
 }
 

@@ -35,6 +35,11 @@ void add_seed(CLI::App& command, CourseOptions& options) {
            "File of the seed, which keeps it out of the list of processes");
 }
 
+std::optional<course::Roster> roster_of(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  return course::read_roster(file);
+}
+
 std::string seed_of(const CourseOptions& options) {
   if (options.seed_file.empty()) return options.seed;
   if (!options.seed.empty()) throw sys::InputError("--seed and --seed-file exclude each other");

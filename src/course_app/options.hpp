@@ -2,10 +2,12 @@
 // Options that several subcommands of `halfspace-course` have.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/variant.hpp"
+#include "course/marking/roster.hpp"
 
 namespace CLI {
 class App;
@@ -26,6 +28,9 @@ void add_seed(CLI::App& command, CourseOptions& options);
 
 /// Reads the assignment and makes sure that each of its checks has code.
 course::Assignment read_assignment(const CourseOptions& options);
+
+/// The class in a file; none if no file is given.
+std::optional<course::Roster> roster_of(const std::string& file);
 
 /// The seed, given as such or in a file, without the line end; empty if neither is given. Throws
 /// sys::InputError if both are given or the file holds no seed.

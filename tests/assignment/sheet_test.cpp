@@ -46,6 +46,34 @@ BOOST_AUTO_TEST_CASE(the_sheet_counts_the_exercises) {
   BOOST_TEST(sheet.values().at("sheet.exercises").printed() == "two");
 }
 
+BOOST_AUTO_TEST_CASE(grace_and_slip_days_are_told_if_there_are_any) {
+  BOOST_TEST(!sheet_of(course::nominal_variant(description)).flags().at("late.has-slip-days"));
+  course::Assignment generous = description;
+  generous.late.grace_minutes = 15;
+  generous.late.slip_days = 3;
+  literate::Document sheet;
+
+  assignment::register_sheet(sheet, generous, course::nominal_variant(description));
+
+  BOOST_TEST(sheet.flags().at("late.has-grace"));
+  BOOST_TEST(sheet.flags().at("late.has-slip-days"));
+  BOOST_TEST(sheet.values().at("late.slip-days").printed() == "3");
+}
+
+BOOST_AUTO_TEST_CASE(a_rubric_of_the_report_is_told_with_its_points) {
+  BOOST_TEST(!sheet_of(course::nominal_variant(description)).flags().at("report.has-rubric"));
+  course::Assignment marked = description;
+  marked.criteria = {{.id = "words", .title = "Words", .says = "is it said?", .points = 4},
+                     {.id = "figures", .title = "Figures", .says = "axes", .points = 6.5}};
+  literate::Document sheet;
+
+  assignment::register_sheet(sheet, marked, course::nominal_variant(description));
+
+  BOOST_TEST(sheet.flags().at("report.has-rubric"));
+  BOOST_TEST(*sheet.values().at("report.points").number() == 10.5);
+  BOOST_TEST(sheet.tables().at("criteria").csv().find("is it said?") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(no_table_names_a_hidden_check) {
   const literate::Document sheet = sheet_of(course::nominal_variant(description));
 

@@ -2,6 +2,7 @@
 // The list of wrong solutions fits the instructor's solution. Their points are proved at release.
 #include "course/release/wrong_solutions.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <set>
 #include <utility>
@@ -33,6 +34,18 @@ BOOST_AUTO_TEST_CASE(every_mistake_fits_into_the_solution_and_costs_points) {
   BOOST_TEST(list.size() >= 12U);
   for (const course::WrongSolution& wrong : list) {
     BOOST_TEST(wrong.points < description.points, wrong.id);
+  }
+}
+
+// Numbers that only agree with each other have most of the public checks.
+BOOST_AUTO_TEST_CASE(constants_and_answers_without_a_formula_have_five_points_at_most) {
+  const auto list = course::read_wrong_solutions(description, solution());
+
+  for (const char* id : {"constants", "no-formula"}) {
+    const auto wrong = std::ranges::find(list, id, &course::WrongSolution::id);
+    BOOST_TEST_REQUIRE((wrong != list.end()), id);
+    BOOST_TEST(wrong->points <= 5, id);
+    BOOST_TEST(wrong->changes.size() >= 4U, id);
   }
 }
 
@@ -95,7 +108,7 @@ BOOST_AUTO_TEST_CASE(each_question_may_take_as_long_as_a_task_may) {
 BOOST_AUTO_TEST_CASE(every_exercise_is_made_wrong_at_least_twice) {
   std::multiset<std::string> files;
   for (const auto& wrong : course::read_wrong_solutions(description, solution())) {
-    files.insert(wrong.file);
+    for (const course::Change& change : wrong.changes) files.insert(change.file);
   }
 
   for (const course::Exercise& exercise : description.exercises) {

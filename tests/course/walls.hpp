@@ -10,6 +10,7 @@
 
 #include "course/sandbox/sandbox.hpp"
 #include "system/error.hpp"
+#include "system/process.hpp"
 #include "temporary_folder.hpp"
 
 /// What keeps this machine from running jobs in walls; empty if nothing does.
@@ -24,17 +25,31 @@ inline std::string missing_walls() {
   }
 }
 
+/// Ends the program as skipped, with one line that says what is missing; unless CI is "true".
+inline void skip_for(const std::string& missing) {
+  const char* ci = std::getenv("CI");
+  if (ci != nullptr && std::string(ci) == "true") return;
+  constexpr int skipped = 77;
+  std::printf("skipped: what runs submissions in walls was not tested: %s\n", missing.c_str());
+  std::fflush(stdout);
+  std::_Exit(skipped);
+}
+
 /// Ends the program as skipped, with one line that says why, if there can be no walls here and CI
 /// is not "true": continuous integration must have them. A fixture of a whole suite, which CTest
 /// runs as a program of its own: BOOST_AUTO_TEST_SUITE(x_test,
 /// *boost::unit_test::fixture(&need_walls)).
 inline void need_walls() {
-  const char* ci = std::getenv("CI");
-  if (ci != nullptr && std::string(ci) == "true") return;
   const std::string missing = missing_walls();
-  if (missing.empty()) return;
-  constexpr int skipped = 77;
-  std::printf("skipped: what runs submissions in walls was not tested: %s\n", missing.c_str());
-  std::fflush(stdout);
-  std::_Exit(skipped);
+  if (!missing.empty()) skip_for(missing);
+}
+
+/// Does the same where reports cannot be drawn and typeset.
+inline void need_walls_and_tex() {
+  need_walls();
+  try {
+    for (const char* tool : {"gnuplot", "pdflatex"}) sys::find_tool(tool);
+  } catch (const sys::ToolError& e) {
+    skip_for(e.what());
+  }
 }

@@ -15,8 +15,9 @@ inline int answer_descriptor = -1;
 
 /// Keeps answers apart from what the student's functions print, which goes to standard error from
 /// now on: a line that was left over from the search for an error does no harm. This runs before
-/// the constructors of any static object.
+/// the constructors of any static object, once for each file that includes this header.
 __attribute__((constructor(101))) inline void keep_answers_apart() {
+  if (answer_descriptor >= 0) return;
   answer_descriptor = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
 }

@@ -79,9 +79,25 @@ bool is_empty_list(const Table& table, const std::string& key) {
   }
 }
 
+/// Whether the feedback is held back.
+bool read_feedback(const Table& root) {
+  const std::string feedback = root.text("feedback");
+  if (feedback != "at once" && feedback != "held back") {
+    root.fail("feedback", fmt::format("\"{}\" is not \"at once\" or \"held back\"", feedback));
+  }
+  return feedback == "held back";
+}
+
 LatePolicy read_late(const Table& table) {
-  return {.percent_per_day = number(table, "percent_per_day", 0, 100),
-          .days = integer(table, "days", 0, 366)};
+  constexpr int year = 366;
+  constexpr int day_in_minutes = 1440;
+  LatePolicy late{.percent_per_day = number(table, "percent_per_day", 0, 100),
+                  .days = integer(table, "days", 0, year)};
+  if (table.has("grace_minutes")) {
+    late.grace_minutes = integer(table, "grace_minutes", 0, day_in_minutes);
+  }
+  if (table.has("slip_days")) late.slip_days = integer(table, "slip_days", 0, year);
+  return late;
 }
 
 // A limit that is not given stays at its default.
@@ -96,6 +112,7 @@ Limits read_limits(const Table& table) {
   read("compile_all_seconds", limits.compile_all_seconds, day);
   read("run_seconds", limits.run_seconds, day);
   read("submission_seconds", limits.submission_seconds, day);
+  read("report_seconds", limits.report_seconds, day);
   read("memory_mb", limits.memory_mb, tebibyte_in_mb);
   read("processes", limits.processes, 100000);
   read("output_kb", limits.output_kb, tebibyte_in_mb);
@@ -116,6 +133,13 @@ CheckEntry read_check(const Table& table, std::set<std::string>& ids) {
   check.visibility = visibility == "public" ? Visibility::visible : Visibility::hidden;
   check.says = text(table, "says");
   return check;
+}
+
+Criterion read_criterion(const Table& table, std::set<std::string>& ids) {
+  return {.id = new_id(table, "id", ids),
+          .title = text(table, "title"),
+          .says = text(table, "says"),
+          .points = positive(table, "points")};
 }
 
 Quantity read_quantity(const Table& table, std::set<std::string>& names) {
@@ -147,6 +171,8 @@ class Exercises {
     for (const Table& table : tables_) exercises_.push_back(read(table));
     for (std::size_t i = 0; i < tables_.size(); ++i) require_order(i);
   }
+
+  const std::set<std::string>& check_ids() const { return check_ids_; }
 
   std::vector<Exercise> take() && { return std::move(exercises_); }
 
@@ -250,6 +276,12 @@ std::string Exercise::name() const {
   return fs::path(file).stem().string();
 }
 
+double Assignment::report_points() const {
+  double sum = 0;
+  for (const Criterion& criterion : criteria) sum += criterion.points;
+  return sum;
+}
+
 Assignment read_assignment(const fs::path& folder) {
   const Table root = Table::parse_file(folder / "assignment.toml");
   Assignment assignment;
@@ -258,10 +290,15 @@ Assignment read_assignment(const fs::path& folder) {
   assignment.deadline = root.instant("deadline");
   assignment.points = positive(root, "points");
   assignment.floor = number(root, "floor", 0, assignment.points);
+  if (root.has("feedback")) assignment.holds_feedback_back = read_feedback(root);
   if (root.has("late")) assignment.late = read_late(root.table("late"));
   if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
   Exercises exercises(root, folder);
   const double sum = exercises.points();
+  std::set<std::string> ids = exercises.check_ids();  // a column of the table is one or the other
+  for (const Table& table : root.tables("criterion")) {
+    assignment.criteria.push_back(read_criterion(table, ids));
+  }
   assignment.exercises = std::move(exercises).take();
   if (root.has("provided")) assignment.provided = read_provided(root, assignment.exercises);
   std::set<std::string> names;

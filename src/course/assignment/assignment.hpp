@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct Exercise {
   std::string name() const;
 };
 
+/// What a person marks: one line of the rubric of the report.
+struct Criterion {
+  std::string id;
+  std::string title;
+  std::string says;  ///< what is looked for, in words for students and markers
+  double points = 0;
+};
+
 /// A number that variants differ in: from + k·step with whole k ≥ 0, up to `to`.
 struct Quantity {
   std::string name;
@@ -46,6 +55,10 @@ struct Quantity {
 struct LatePolicy {
   double percent_per_day = 0;  ///< percentage of the points reached, for each day begun
   int days = 0;                ///< later than this counts nothing
+  int grace_minutes = 0;       ///< by which a deadline may be missed, and each further day's end
+  int slip_days = 0;           ///< days late that cost nothing, unless the student has fewer left
+  /// Later than this counts nothing, whatever `days` says.
+  std::optional<std::chrono::sys_seconds> until = {};
 };
 
 /// What a submission may use at most.
@@ -54,6 +67,7 @@ struct Limits {
   int compile_all_seconds = 100;  ///< of processor time, for all files and the linker together
   int run_seconds = 5;            ///< of processor time, for one answer
   int submission_seconds = 600;   ///< of processor time, for all answers together
+  int report_seconds = 60;  ///< of processor time, for each: numbers, a drawing, a pass of LaTeX
   int memory_mb = 1024;
   int processes = 32;
   int output_kb = 256;
@@ -68,13 +82,18 @@ struct Assignment {
   std::chrono::sys_seconds deadline;
   double points = 0;
   double floor = 0;  ///< points that the untouched handout reaches
+  /// Whether Gradescope shows points and feedback only when the instructor publishes the grades.
+  bool holds_feedback_back = false;
   /// Files below src/ that the handout gets a copy of. In assignment.toml a file whose path holds
   /// `@name@` stands for one of each exercise.
   std::vector<std::string> provided;
   LatePolicy late;
   Limits limits;
   std::vector<Exercise> exercises;
+  std::vector<Criterion> criteria;  ///< besides `points`, which are those of the checks
   std::vector<Quantity> quantities;
+
+  double report_points() const;  ///< of all criteria
 };
 
 /// Reads folder/assignment.toml. Throws config::Error «file:line:column: …» for an entry that

@@ -18,6 +18,13 @@ namespace {
 constexpr int listing_kb = 1024;
 constexpr int archive_seconds = 10;
 
+/// The name with slashes between its folders: some programs of Windows write backslashes, and no
+/// slash at all.
+std::string with_slashes(std::string name) {
+  if (name.find('/') == name.npos) std::ranges::replace(name, '\\', '/');
+  return name;
+}
+
 std::string without_here(std::string name) {
   while (name.starts_with("./")) name.erase(0, 2);
   return name;
@@ -133,7 +140,7 @@ void Archive::list() {
     const std::vector<Listed> characters = characters_of(line);
     names_.push_back(name_of(characters));
     patterns_.push_back(pattern_of(characters));
-    entries_.push_back(without_here(names_.back()));
+    entries_.push_back(without_here(with_slashes(names_.back())));
   }
   if (entries_.empty()) throw std::invalid_argument("the archive is empty");
 }

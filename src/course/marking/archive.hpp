@@ -19,8 +19,8 @@ class Archive {
   Archive(const Limits& limits, std::filesystem::path file, std::filesystem::path work,
           Isolation isolation);
 
-  /// The names in the archive, byte by byte, without a "./" in front. Nobody promises that they are
-  /// UTF-8.
+  /// The names in the archive, byte by byte, without a "./" in front and with slashes between their
+  /// folders. Nobody promises that they are UTF-8.
   const std::vector<std::string>& entries() const { return entries_; }
 
   /// Whether there are entries with an absolute path, or with "..".

@@ -3,8 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <array>
-#include <csignal>
+#include <algorithm>
 #include <utility>
 
 #include "course/assignment/student_text.hpp"
@@ -70,6 +69,21 @@ class Compiler {
     make_readable(project_.path);
   }
 
+  /// Links with another program of the project, which is compiled here.
+  void use(const OtherMain& other) {
+    for (const auto& [file, text] : other.files) {
+      sys::write_file_atomically(project_.path / file, text);
+    }
+    make_readable(project_.path);
+    const Readable object{scratch_ / "main.o", "/main.o"};
+    const std::string error = compile(other.file, object.path);
+    if (!error.empty()) {
+      throw sys::ToolError(
+          fmt::format("{} of the handout does not compile: {}", other.file, error));
+    }
+    other_main_ = object;
+  }
+
   /// Compiles a file of the project to `object`. Returns the compiler's message, empty if it
   /// worked.
   std::string compile(const std::string& file, const fs::path& object) const {
@@ -87,11 +101,14 @@ class Compiler {
 
   /// Links objects with the given ones. Returns the linker's message, empty if it worked.
   std::string link(const std::vector<Readable>& objects, const fs::path& program) const {
-    std::vector<std::string> arguments = {in_sandbox(toolkit_.main_object())};
-    for (const Readable& object : objects) arguments.push_back(sandbox_.place(object));
+    std::vector<Readable> readable = objects;
+    if (other_main_) readable.push_back(*other_main_);
+    std::vector<std::string> arguments;
+    if (!other_main_) arguments.push_back(in_sandbox(toolkit_.main_object()));
+    for (const Readable& object : readable) arguments.push_back(sandbox_.place(object));
     arguments.push_back(in_sandbox(toolkit_.archive()));
     for (const std::string& flag : link_flags()) arguments.push_back(flag);
-    return message_of(run(arguments, program, objects));
+    return message_of(run(arguments, program, readable));
   }
 
  private:
@@ -146,7 +163,7 @@ class Compiler {
     job.folder = sandbox_.place(project_);
     job.output = product;
     job.errors = errors();
-    job.seconds = limits_.compile_seconds;
+    job.seconds = seconds_for_one();
     job.waiting_seconds =
         5;  // a compiler that waits longer reads from something that gives it nothing
     job.memory_mb = limits_.memory_mb;
@@ -157,6 +174,14 @@ class Compiler {
     cpu_seconds_ += end.cpu_seconds;
     make_readable(product);
     return end;
+  }
+
+  /// What a compilation or the linker may take of what is left for all of them; enough for an
+  /// honest program to be linked in any case.
+  int seconds_for_one() const {
+    constexpr int least = 5;
+    const int left = limits_.compile_all_seconds - static_cast<int>(cpu_seconds_);
+    return std::min(limits_.compile_seconds, std::max(least, left));
   }
 
   fs::path errors() const { return scratch_ / "compiler.err"; }
@@ -206,6 +231,7 @@ class Compiler {
   fs::path scratch_;
   Sandbox sandbox_;
   Readable given_, project_;
+  std::optional<Readable> other_main_;
   mutable double cpu_seconds_ = 0;  ///< of all compilations so far
 };
 
@@ -284,11 +310,12 @@ class Objects {
 }  // namespace
 
 Built build(const Assignment& assignment, const fs::path& toolkit, const Files& files,
-            const fs::path& scratch, Isolation isolation) {
+            const fs::path& scratch, Isolation isolation, const std::optional<OtherMain>& other) {
   const fs::path folder = fs::absolute(scratch);
   fs::create_directories(folder);
-  const Compiler compiler(assignment, toolkit, folder, isolation);
+  Compiler compiler(assignment, toolkit, folder, isolation);
   compiler.write_project(assignment, files);
+  if (other) compiler.use(*other);
   Objects objects(assignment, compiler, folder / "objects");
   objects.compile(files);
 

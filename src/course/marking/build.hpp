@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "course/assignment/assignment.hpp"
@@ -20,10 +21,17 @@ struct Built {
   std::string link_error;  ///< empty if there is a program
 };
 
+/// A program of the toolkit's project that takes the place of the one which answers questions.
+struct OtherMain {
+  std::string file;  ///< with main(), in the project
+  Files files;       ///< take the place of the project's
+};
+
 /// Compiles the exercises' files into the folder `scratch`; `toolkit` is the folder of the
-/// toolkit. Throws ToolError if the compiler or the sandbox cannot be started, never because of
-/// what was submitted.
+/// toolkit. Throws ToolError if the compiler or the sandbox cannot be started or the other main
+/// does not compile, never because of what was submitted.
 Built build(const Assignment& assignment, const std::filesystem::path& toolkit, const Files& files,
-            const std::filesystem::path& scratch, Isolation isolation);
+            const std::filesystem::path& scratch, Isolation isolation,
+            const std::optional<OtherMain>& other = std::nullopt);
 
 }  // namespace course

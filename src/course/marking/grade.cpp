@@ -49,7 +49,7 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
   fs::create_directory(taking);
   Graded graded;
   graded.student = task.student;
-  graded.late = lateness(assignment, task.submitted);
+  graded.late = lateness(assignment, task.submitted, task.slip_days);
   graded.submission = take_submission(assignment, task.submission, taking, task.isolation);
 
   const Built built = build(assignment, task.toolkit, graded.submission.files,

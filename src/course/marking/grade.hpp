@@ -15,6 +15,7 @@ struct GradingTask {
   std::filesystem::path submission;  ///< folder or archive
   std::string student;
   std::optional<Time> submitted;
+  std::optional<int> slip_days;  ///< that the student has left
   Variant variant;
   std::filesystem::path toolkit;
   Checks checks;

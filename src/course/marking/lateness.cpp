@@ -46,14 +46,19 @@ Time parse_time(const std::string& text) {
   return part[7] == "-" ? local + offset : local - offset;
 }
 
-Lateness lateness(const Assignment& assignment, const std::optional<Time>& submitted) {
-  if (!submitted || *submitted <= assignment.deadline) return {};
+Lateness lateness(const Assignment& assignment, const std::optional<Time>& submitted,
+                  const std::optional<int>& slip_days) {
+  const LatePolicy& policy = assignment.late;
+  const Time last = assignment.deadline + std::chrono::minutes(policy.grace_minutes);
+  if (!submitted || *submitted <= last) return {};
   Lateness late;
-  late.days = static_cast<int>(
-      std::chrono::ceil<std::chrono::days>(*submitted - assignment.deadline).count());
-  late.is_refused = late.days > assignment.late.days;
-  late.percent =
-      late.is_refused ? 100 : std::min(100.0, late.days * assignment.late.percent_per_day);
+  late.days = static_cast<int>(std::chrono::ceil<std::chrono::days>(*submitted - last).count());
+  const int left = std::min(policy.slip_days, slip_days.value_or(policy.slip_days));
+  late.slip_days = std::min(late.days, left);
+  const int counted = late.days - late.slip_days;
+  late.is_refused = policy.until ? *submitted > *policy.until : counted > policy.days;
+  if (late.is_refused) late.slip_days = 0;
+  late.percent = late.is_refused ? 100 : std::min(100.0, counted * policy.percent_per_day);
   return late;
 }
 

@@ -40,16 +40,23 @@ double mark_of(const Graded& graded) {
 }
 
 std::string state_of(const Graded& graded) {
-  if (graded.late.days == 0) return "on time";
-  return graded.late.is_refused ? "too late" : "late";
+  if (graded.late.is_refused) return "too late";
+  return graded.late.days == graded.late.slip_days ? "on time" : "late";
 }
 
 std::string lateness_text(const Graded& graded) {
   const Lateness& late = graded.late;
   if (late.days == 0) return "on time";
-  const char* days = late.days == 1 ? "day" : "days";
-  if (late.is_refused) return fmt::format("{} {} late: nothing counts any more", late.days, days);
-  return fmt::format("{} {} late: {} % of the points are deducted", late.days, days, late.percent);
+  const auto days = [](int n) { return fmt::format("{} {}", n, n == 1 ? "day" : "days"); };
+  const std::string begin = days(late.days) + " late";
+  if (late.is_refused) return begin + ": nothing counts any more";
+  if (late.slip_days == 0) {
+    return fmt::format("{}: {} % of the points are deducted", begin, late.percent);
+  }
+  const std::string slip = fmt::format("{}, {} slip {} used", begin, late.slip_days,
+                                       late.slip_days == 1 ? "day" : "days");
+  if (late.slip_days == late.days) return slip + ": nothing is deducted";
+  return fmt::format("{}: {} % of the points are deducted", slip, late.percent);
 }
 
 const CheckResult& result_of(const Graded& graded, const std::string& check) {
@@ -66,6 +73,8 @@ std::string mark_json(const Assignment& assignment, const Graded& graded) {
   nlohmann::ordered_json json = {{"student", graded.student},
                                  {"state", state_of(graded)},
                                  {"days_late", graded.late.days},
+                                 {"slip_days", graded.late.slip_days},
+                                 {"deduction_percent", graded.late.percent},
                                  {"points", points_of(graded)},
                                  {"deduction", deduction_of(graded)},
                                  {"mark", mark_of(graded)},

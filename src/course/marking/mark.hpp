@@ -27,10 +27,10 @@ double points_of(const Graded& graded);
 double deduction_of(const Graded& graded);  ///< rounded to hundredths
 double mark_of(const Graded& graded);       ///< the points minus the deduction
 
-/// "on time", "late", or "too late".
+/// "on time", which slip days may have bought, "late", or "too late".
 std::string state_of(const Graded& graded);
 
-/// "on time" or "2 days late: 20 % of the points are deducted", for students.
+/// "on time" or "2 days late, 1 slip day used: 10 % of the points are deducted", for students.
 std::string lateness_text(const Graded& graded);
 
 /// The result of a check; throws std::out_of_range if there is none.

@@ -28,24 +28,30 @@ std::string general_output(const Graded& graded) {
   return text;
 }
 
-Json test_of(const Exercise& exercise, const CheckEntry& entry, const CheckResult& result) {
+/// When students see it, in Gradescope's words.
+const char* visibility_of(const Assignment& assignment) {
+  return assignment.holds_feedback_back ? "after_published" : "visible";
+}
+
+Json test_of(const Assignment& assignment, const Exercise& exercise, const CheckEntry& entry,
+             const CheckResult& result) {
   return {{"name", fmt::format("{}: {}", exercise.title, entry.says)},
           {"score", result.points},
           {"max_score", entry.points},
           {"status", is_passed(entry, result) ? "passed" : "failed"},
           {"output", message_for_student(entry, result)},
-          {"visibility", "visible"}};
+          {"visibility", visibility_of(assignment)}};
 }
 
 }  // namespace
 
 std::string gradescope_json(const Assignment& assignment, const Graded& graded) {
   Json json = {{"score", mark_of(graded)},      {"output", general_output(graded)},
-               {"output_format", "text"},       {"visibility", "visible"},
+               {"output_format", "text"},       {"visibility", visibility_of(assignment)},
                {"stdout_visibility", "hidden"}, {"tests", Json::array()}};
   for (const Exercise& exercise : assignment.exercises) {
     for (const CheckEntry& entry : exercise.checks) {
-      json["tests"].push_back(test_of(exercise, entry, result_of(graded, entry.id)));
+      json["tests"].push_back(test_of(assignment, exercise, entry, result_of(graded, entry.id)));
     }
   }
   return json.dump(2) + "\n";

@@ -3,101 +3,147 @@
 
 #include <fmt/core.h>
 
-#define CSV_IO_NO_THREAD
-#include <libfccp/csv.h>
-
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+#include <stdexcept>
 
 #include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
+#include "course/marking/csv.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
 namespace course {
-namespace fs = std::filesystem;
 namespace {
 
-using Reader = io::CSVReader<4, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>,
-                             io::throw_on_overflow, io::empty_line_comment>;
+constexpr std::array<const char*, 6> columns = {"student",  "name",      "submitted",
+                                                "deadline", "slip_days", "group"};
 
-/// What the library found wrong in a file, in this program's words.
-std::string message_of(const io::error::base& error) {
-  using namespace io::error;
-  if (dynamic_cast<const header_missing*>(&error) != nullptr) {
-    return "the class is empty; a header line with 'student' is wanted";
-  }
-  if (dynamic_cast<const too_few_columns*>(&error) != nullptr) {
-    return "there are fewer fields than the header has";
-  }
-  if (dynamic_cast<const too_many_columns*>(&error) != nullptr) {
-    return "there are more fields than the header has";
-  }
-  if (dynamic_cast<const escaped_string_not_closed*>(&error) != nullptr) {
-    return "a quote is not closed";
-  }
-  if (const auto* extra = dynamic_cast<const extra_column_in_header*>(&error)) {
-    return fmt::format(
-        "there is a column '{}'; the columns are student, name, submitted and deadline",
-        shown_name(extra->column_name));
-  }
-  const auto* doubled = dynamic_cast<const duplicated_column_in_header*>(&error);
-  return doubled == nullptr ? "the line is not CSV"
-                            : fmt::format("there are two columns '{}'", doubled->column_name);
+std::optional<Time> parsed_time(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(parse_time(text));
 }
 
-std::optional<Time> time_in(const std::string& field) {
-  return field.empty() ? std::nullopt : std::optional(parse_time(field));
+std::optional<int> parsed_days(const std::string& text) {
+  constexpr int year = 366;
+  if (text.empty()) return std::nullopt;
+  int days = -1;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, days);
+  if (read.ec != std::errc{} || read.ptr != end || days < 0 || days > year) {
+    throw sys::SourceError(
+        fmt::format("slip_days: '{}' is no whole number from 0 to {}", shown_name(text), year));
+  }
+  return days;
 }
 
-/// Why an entry of the folder is no submission; empty if it is one.
-std::string refusal(const fs::path& path, const std::optional<Roster>& roster) {
-  const fs::file_status status = fs::symlink_status(path);
-  const std::string name = shown_name(path.filename().string());
-  if (!fs::is_directory(status) && !(fs::is_regular_file(status) && names_archive(path))) {
-    return fmt::format(
-        "'{}' is neither a folder nor an archive (.zip, .tar, .tar.gz, .tgz, .tar.xz)", name);
+[[noreturn]] void fail(const CsvField& field, const std::string& message) {
+  throw sys::SourceError(field.place + ": " + message);
+}
+
+/// The file of a class while it is read.
+class RosterReader {
+ public:
+  explicit RosterReader(const std::filesystem::path& file)
+      : file_(file.string()), rows_(parse_csv(sys::read_file(file), file_)) {}
+
+  Roster read() {
+    read_header();
+    for (std::size_t i = 1; i < rows_.size(); ++i) read_student(rows_[i]);
+    for (std::size_t i = 1; i < rows_.size(); ++i) require_group_of_its_own(rows_[i]);
+    return std::move(roster_);
   }
-  const std::string student = student_of(path);
-  try {
-    require_student_id(student);
-  } catch (const sys::SourceError& error) {
-    return fmt::format("'{}' is not named for a student: {}", name, error.what());
+
+ private:
+  // A column that nobody reads is refused: it could be a misspelt one, and lateness would be off
+  // without a word.
+  void read_header() {
+    if (rows_.empty()) {
+      throw sys::SourceError(file_ +
+                             ":1:1: the class is empty; a header line with 'student' is wanted");
+    }
+    for (std::size_t i = 0; i < rows_[0].size(); ++i) {
+      const CsvField& head = rows_[0][i];
+      if (std::ranges::find(columns, head.text) == columns.end()) {
+        fail(head, fmt::format("there is a column '{}'; the columns are student, name, submitted, "
+                               "deadline, slip_days and group",
+                               shown_name(head.text)));
+      }
+      if (!at_.emplace(head.text, i).second) {
+        fail(head, fmt::format("there are two columns '{}'", head.text));
+      }
+    }
+    if (!at_.contains("student")) fail(rows_[0][0], "there is no column 'student'");
   }
-  if (roster && !roster->contains(student)) {
-    return fmt::format("'{}': there is no student {} in the class", name, student);
+
+  /// What `parse` makes of a field; that of an empty text if there is no such column.
+  template <class Parse>
+  auto parsed(const CsvRow& row, const char* column, const Parse& parse) const {
+    const auto at = at_.find(column);
+    if (at == at_.end()) return parse(std::string());
+    const CsvField& field = row[at->second];
+    try {
+      return parse(field.text);
+    } catch (const sys::SourceError& error) {
+      fail(field, error.what());
+    }
   }
-  return "";
+
+  static std::string id(const std::string& text) {
+    require_student_id(text);
+    return text;
+  }
+
+  void read_student(const CsvRow& row) {
+    const std::string student = parsed(row, "student", id);
+    const RosterEntry entry{.submitted = parsed(row, "submitted", parsed_time),
+                            .deadline = parsed(row, "deadline", parsed_time),
+                            .slip_days = parsed(row, "slip_days", parsed_days),
+                            .group = parsed(row, "group", [](const std::string& text) {
+                              return text.empty() ? text : id(text);
+                            })};
+    if (!roster_.emplace(student, entry).second) {
+      fail(row[at_["student"]], fmt::format("student {} is listed twice", student));
+    }
+    if (!entry.group.empty()) require_agreement(row, entry);
+  }
+
+  /// The members of a group hand in once, and so at one time.
+  void require_agreement(const CsvRow& row, const RosterEntry& entry) {
+    const auto [first, is_first] = groups_.emplace(entry.group, entry);
+    if (is_first) return;
+    const auto require = [&](const char* column, bool agrees) {
+      if (agrees) return;
+      fail(row[at_[column]],
+           fmt::format("members of group {} differ in '{}'", entry.group, column));
+    };
+    require("submitted", first->second.submitted == entry.submitted);
+    require("deadline", first->second.deadline == entry.deadline);
+  }
+
+  /// Under one name only one unit can hand in.
+  void require_group_of_its_own(const CsvRow& row) {
+    const auto at = at_.find("group");
+    if (at == at_.end() || !roster_.contains(row[at->second].text)) return;
+    fail(row[at->second], fmt::format("group {} is named as a student is", row[at->second].text));
+  }
+
+  std::string file_;
+  std::vector<CsvRow> rows_;
+  std::map<std::string, std::size_t> at_;      ///< columns by name
+  std::map<std::string, RosterEntry> groups_;  ///< the first member of each
+  Roster roster_;
+};
+
+const std::string& unit_of(const Roster::value_type& student) {
+  return student.second.group.empty() ? student.first : student.second.group;
 }
 
 }  // namespace
 
-Roster read_roster(const fs::path& file) {
-  const std::string text = sys::read_file(file);
-  Reader reader(file.string(), text.data(), text.data() + text.size());
-  const auto error_in_line = [&](const std::string& message) {
-    return sys::SourceError(
-        fmt::format("{}:{}: {}", file.string(), std::max(1U, reader.get_file_line()), message));
-  };
-  Roster roster;
-  try {
-    // A column that nobody reads is refused: it could be a misspelt one, and lateness would be off
-    // without a word.
-    reader.read_header(io::ignore_missing_column, "student", "name", "submitted", "deadline");
-    if (!reader.has_column("student")) throw sys::SourceError("there is no column 'student'");
-    std::string student, name, submitted, deadline;
-    while (reader.read_row(student, name, submitted, deadline)) {
-      require_student_id(student);
-      const RosterEntry entry{.submitted = time_in(submitted), .deadline = time_in(deadline)};
-      if (!roster.emplace(student, entry).second) {
-        throw sys::SourceError(fmt::format("student {} is listed twice", student));
-      }
-    }
-  } catch (const io::error::base& error) {
-    throw error_in_line(message_of(error));
-  } catch (const sys::SourceError& error) {
-    throw error_in_line(error.what());
-  }
-  return roster;
+Roster read_roster(const std::filesystem::path& file) {
+  return RosterReader(file).read();
 }
 
 std::string lateness_source(const Roster& roster) {
@@ -108,35 +154,29 @@ std::string lateness_source(const Roster& roster) {
                                     roster.size());
 }
 
-Listing list_submissions(const fs::path& folder, const std::optional<Roster>& roster) {
-  Listing listing;
-  std::vector<fs::path> paths;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) paths.push_back(entry.path());
-  if (error) {
-    throw sys::OutputError(fmt::format("cannot list '{}': {}", folder.string(), error.message()));
+std::vector<std::string> units_of(const Roster& roster) {
+  std::set<std::string> units;
+  for (const auto& student : roster) units.insert(unit_of(student));
+  return {units.begin(), units.end()};
+}
+
+std::vector<std::string> members_of(const Roster& roster, const std::string& unit) {
+  std::vector<std::string> members;
+  for (const auto& student : roster) {
+    if (unit_of(student) == unit) members.push_back(student.first);
   }
-  std::ranges::sort(paths);
-  std::map<std::string, std::vector<fs::path>> by_student;
-  for (const fs::path& path : paths) {
-    if (path.filename().string().starts_with('.')) continue;
-    const std::string why = refusal(path, roster);
-    if (why.empty()) {
-      by_student[student_of(path)].push_back(path);
-    } else {
-      listing.problems.push_back(why);
-    }
+  return members;
+}
+
+RosterEntry entry_of(const Roster& roster, const std::string& unit) {
+  const std::vector<std::string> members = members_of(roster, unit);
+  if (members.empty()) throw std::out_of_range("nobody hands in as " + unit);
+  RosterEntry entry = roster.at(members.front());
+  for (const std::string& member : members) {
+    const std::optional<int>& left = roster.at(member).slip_days;
+    if (left) entry.slip_days = std::min(*left, entry.slip_days.value_or(*left));
   }
-  for (const auto& [student, theirs] : by_student) {
-    if (theirs.size() == 1) {
-      listing.entries.push_back({student, theirs.front()});
-      continue;
-    }
-    listing.problems.push_back(fmt::format("student {} has more than one submission: '{}' and '{}'",
-                                           student, theirs[0].filename().string(),
-                                           theirs[1].filename().string()));
-  }
-  return listing;
+  return entry;
 }
 
 }  // namespace course

@@ -15,37 +15,36 @@ namespace course {
 struct RosterEntry {
   std::optional<Time> submitted = {};
   std::optional<Time> deadline = {};  ///< an extension, which replaces the assignment's deadline
+  std::optional<int> slip_days = {};  ///< that the student has left
+  std::string group = {};             ///< with which the student hands in; empty: alone
 };
 
 /// The class, by student.
 using Roster = std::map<std::string, RosterEntry>;
 
-/// Reads a CSV file (RFC 4180, but no field may hold a line end) with a header line. It uses
-/// the column `student` and, if they exist, `submitted` and `deadline` (RFC 3339; empty if
-/// unknown); a column `name` is for people. Throws sys::SourceError «file:line: …» for any other
-/// column, a column that stands there twice, a student listed twice, an id that is not allowed, a
-/// time that cannot be read, and a line that does not fit the header.
+/// Reads a CSV file with a header line. It uses the column `student` and, if they exist,
+/// `submitted` and `deadline` (RFC 3339; empty if unknown), `slip_days` (a whole number; empty for
+/// as many as the assignment allows) and `group` (empty for who hands in alone); a column `name` is
+/// for people. Throws sys::SourceError «file:line:column: …» for any other column, a column that
+/// stands there twice, a student listed twice, an id of a student or group that is not allowed, a
+/// group that is named as a student is, a time or number that cannot be read, members of one group
+/// with different times, and what is no CSV.
 Roster read_roster(const std::filesystem::path& file);
 
 /// A line that says for how many students the class knows when they handed in, so that nobody
 /// overlooks that it knows none.
 std::string lateness_source(const Roster& roster);
 
-/// A submission in the folder of all.
-struct Entry {
-  std::string student;
-  std::filesystem::path path;
-};
+/// Who hands in, sorted: each group and each student who is in none. Handouts, variants and
+/// submissions are theirs.
+std::vector<std::string> units_of(const Roster& roster);
 
-/// The submissions to grade, sorted by student, and a line for each entry of the folder that is
-/// no submission, is from somebody who is not in the class, or is one of several from the same
-/// student.
-struct Listing {
-  std::vector<Entry> entries;
-  std::vector<std::string> problems;
-};
+/// The students who hand in under a name: a group's members, or the student alone who is in none.
+/// Empty if nobody does.
+std::vector<std::string> members_of(const Roster& roster, const std::string& unit);
 
-/// Lists the submissions in a folder. Throws OutputError if it is no folder or cannot be read.
-Listing list_submissions(const std::filesystem::path& folder, const std::optional<Roster>& roster);
+/// What holds for a unit: the times that its members have in common, and the fewest slip days that
+/// one of them has left. Throws std::out_of_range if nobody hands in under this name.
+RosterEntry entry_of(const Roster& roster, const std::string& unit);
 
 }  // namespace course

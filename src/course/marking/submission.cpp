@@ -63,6 +63,22 @@ void take_files(const std::vector<std::string>& wanted, const std::string& place
   }
 }
 
+/// Those files of a report among `entries` that `read` gives.
+template <class Read>
+Report report_of(const std::vector<std::string>& entries, const std::string& place,
+                 const Read& read) {
+  Report taken;
+  for (const char* file : {report, "report/report.pdf", "report/generated/numbers.tex"}) {
+    if (std::ranges::find(entries, place + file) == entries.end()) continue;
+    try {
+      taken.files[file] = read(place + file);
+    } catch (const std::invalid_argument& error) {
+      if (file == std::string_view(report)) taken.fault = error.what();
+    }
+  }
+  return taken;
+}
+
 /// Throws std::invalid_argument for a folder that holds nothing, or more than homework.
 void require_homework(const Limits& limits, const Contents& contents) {
   if (contents.entries.empty()) {
@@ -139,6 +155,19 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
   return submission;
 }
 
+/// Whether a submission is an archive and not a folder. Throws OutputError if it is neither.
+bool is_archive(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
+  const bool is_one = fs::is_regular_file(status) && names_archive(path);
+  if (!is_one && !fs::is_directory(status)) {
+    throw sys::OutputError(
+        fmt::format("'{}' is neither a folder nor an archive (.zip, .tar, .tar.gz, .tgz, .tar.xz)",
+                    shown_name(path.string())));
+  }
+  return is_one;
+}
+
 }  // namespace
 
 std::string place_of_files(const std::vector<std::string>& entries,
@@ -170,21 +199,36 @@ std::string fault_of(std::string_view text) {
 
 Submission take_submission(const Assignment& assignment, const fs::path& path, const fs::path& work,
                            Isolation isolation) {
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(path, error);
-  const bool is_archive = fs::is_regular_file(status) && names_archive(path);
-  if (!is_archive && !fs::is_directory(status)) {
-    throw sys::OutputError(
-        fmt::format("'{}' is neither a folder nor an archive (.zip, .tar, .tar.gz, .tgz, .tar.xz)",
-                    shown_name(path.string())));
-  }
+  const bool is_packed = is_archive(path);
   try {
-    return is_archive ? take_archive(assignment, path, work, isolation)
-                      : take_folder(assignment, path);
+    return is_packed ? take_archive(assignment, path, work, isolation)
+                     : take_folder(assignment, path);
   } catch (const std::invalid_argument& fault) {
     Submission nothing;
     nothing.problems.emplace_back(fault.what());
     return nothing;
+  }
+}
+
+Report take_report(const Assignment& assignment, const fs::path& path, const fs::path& work,
+                   Isolation isolation) {
+  Limits limits = assignment.limits;
+  limits.file_kb = 1024 * limits.submission_mb;  // a PDF is larger than a source file
+  const std::vector<std::string> wanted = wanted_files(assignment);
+  const bool is_packed = is_archive(path);
+  try {
+    if (is_packed) {
+      const Archive archive(limits, path, work, isolation);
+      return report_of(archive.entries(), place_of_files(archive.entries(), wanted),
+                       [&](const std::string& entry) { return archive.read(entry); });
+    }
+    const Contents contents = contents_of(path);
+    require_homework(limits, contents);
+    const auto max_bytes = static_cast<std::size_t>(limits.file_kb) * 1024;
+    return report_of(contents.entries, place_of_files(contents.entries, wanted),
+                     [&](const std::string& file) { return read_beneath(path, file, max_bytes); });
+  } catch (const std::invalid_argument&) {
+    return {};
   }
 }
 

@@ -27,6 +27,23 @@ struct Submission {
 Submission take_submission(const Assignment& assignment, const std::filesystem::path& submission,
                            const std::filesystem::path& work, Isolation isolation);
 
+/// A student's own report.
+struct Report {
+  /// report/report.tex, report/report.pdf and report/generated/numbers.tex, as far as they are
+  /// there and can be read.
+  Files files;
+  std::string
+      fault;  ///< why a report.tex that is there cannot be read, as «is larger than 20480 kB»
+
+  /// Whether there is something for a person to mark.
+  bool is_there() const { return !files.empty() || !fault.empty(); }
+};
+
+/// Takes the report, files no larger than a submission may be; nothing of a submission that cannot
+/// be read. Throws as take_submission does.
+Report take_report(const Assignment& assignment, const std::filesystem::path& submission,
+                   const std::filesystem::path& work, Isolation isolation);
+
 /// The folder, "" or "name/", that holds the wanted files among these entries; the top is
 /// preferred. Throws std::invalid_argument if several folders hold them.
 std::string place_of_files(const std::vector<std::string>& entries,

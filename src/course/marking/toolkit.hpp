@@ -17,6 +17,9 @@ struct Toolkit {
 
   std::filesystem::path project() const { return folder / "project"; }
   std::filesystem::path stub_of(const Exercise& exercise) const;
+  /// The report as students get it: the program of its numbers, scripts of its drawings. It is not
+  /// there if the assignment has no report.
+  std::filesystem::path report() const { return project() / "report"; }
   /// Is compiled in advance, into a file beside it.
   std::filesystem::path header() const { return folder / "precompiled.hpp"; }
   /// Names every file of the toolkit.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/marking/try_checks.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -33,6 +35,29 @@ Outcome outcome_of(const Check& check, const Program& program, const Variant& va
   } catch (const std::logic_error&) {
     return without_judgement;
   }
+}
+
+/// The share of the points of an exercise's hidden checks that was reached; 1 if it has none.
+double hidden_share(const Exercise& exercise, const std::map<std::string, CheckResult>& results) {
+  double reached = 0;
+  double possible = 0;
+  for (const CheckEntry& entry : exercise.checks) {
+    if (entry.visibility != Visibility::hidden) continue;
+    reached += results.at(entry.id).points;
+    possible += entry.points;
+  }
+  return possible > 0 ? reached / possible : 1;
+}
+
+/// Takes from a public check what goes beyond the share that the hidden ones reached, and says so.
+void limit(CheckResult& result, const CheckEntry& entry, double share) {
+  const double most = points_of(share, entry.points);
+  if (result.points <= most) return;
+  if (!result.message.empty()) result.message += "; ";
+  result.message += fmt::format(
+      "{} of {} points, but it counts only as far as the hidden checks of the exercise hold",
+      result.points, entry.points);
+  result.points = most;
 }
 
 void require_code(const Assignment& assignment, const Checks& checks) {
@@ -77,7 +102,12 @@ std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& 
   try_all(Visibility::hidden);
   std::vector<CheckResult> in_order;
   for (const Exercise& exercise : assignment.exercises) {
-    for (const CheckEntry& entry : exercise.checks) in_order.push_back(results.at(entry.id));
+    const double share = hidden_share(exercise, results);
+    for (const CheckEntry& entry : exercise.checks) {
+      CheckResult& result = results.at(entry.id);
+      if (entry.visibility == Visibility::visible) limit(result, entry, share);
+      in_order.push_back(result);
+    }
   }
   return in_order;
 }

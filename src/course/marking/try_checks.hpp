@@ -22,8 +22,14 @@ struct CheckResult {
 /// Tries every check of the assignment on a program, and returns the results in the assignment's
 /// order. All public checks are tried first, then `after_public` is called, and the hidden checks
 /// come last: so whatever a student is shown of public checks and pictures was computed before the
-/// program heard a hidden question. Throws std::logic_error for a check that `checks` does not
-/// hold.
+/// program heard a hidden question.
+///
+/// A public check counts only as far as the hidden checks of its exercise hold: if these give the
+/// share h of their points, it gives the share h of its own at most. Numbers that agree with each
+/// other and with nothing else would have most of the public points otherwise. An exercise without
+/// hidden checks counts as its public ones hold.
+///
+/// Throws std::logic_error for a check that `checks` does not hold.
 std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& checks,
                                     const Built& built, const Variant& variant, ProgramRun& run,
                                     const std::function<void()>& after_public = {});

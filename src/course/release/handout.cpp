@@ -11,9 +11,6 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-// A folder that holds this file was written by this program and may be replaced.
-constexpr const char* variant_file = "provided/variant_of_this_handout.hpp";
-
 constexpr fs::perms executable =
     fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
 
@@ -49,6 +46,7 @@ fs::path without_trailing_slash(const fs::path& folder) {
   return normal.has_filename() ? normal : normal.parent_path();
 }
 
+// A folder that holds the file of the variant was written by this program and may be replaced.
 void require_replaceable(const fs::path& folder) {
   const auto status = fs::symlink_status(folder);
   if (!fs::exists(status)) return;

@@ -36,7 +36,10 @@ Files texts(const Project& project, Edition edition);
 /// The exercises' files among `files`, as they would be submitted.
 Files submission(const Assignment& assignment, const Files& files);
 
-/// The text of provided/variant_of_this_handout.hpp, which defines `this_variant`.
+/// The file of the project that holds the student's numbers.
+inline constexpr const char* variant_file = "provided/variant_of_this_handout.hpp";
+
+/// The text of variant_file, which defines `this_variant`.
 std::string variant_header(const Assignment& assignment, const Variant& variant);
 
 /// Writes an edition for a variant, with a copy of the file `sheet` as sheet.pdf unless `sheet`

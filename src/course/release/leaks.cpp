@@ -72,6 +72,32 @@ std::string without_thin_spaces(std::string_view text) {
   return joined;
 }
 
+/// Whether a line is an entry of a PDF's table of its own objects, "0000000017 00000 n".
+bool is_entry_of_table(std::string_view line) {
+  constexpr std::string_view form = "dddddddddd ddddd k";
+  if (line.size() < form.size()) return false;
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    const char c = line[i];
+    const bool fits = form[i] == 'd'   ? c >= '0' && c <= '9'
+                      : form[i] == 'k' ? c == 'n' || c == 'f'
+                                       : c == ' ';
+    if (!fits) return false;
+  }
+  return true;
+}
+
+/// A PDF without the numbers that say where in the file something stands. By chance any of them has
+/// the digits of an expected value.
+std::string without_places(std::string_view pdf) {
+  std::string rest;
+  bool is_place = false;
+  for (const std::string_view line : sys::lines_of(pdf)) {
+    if (!is_place && !is_entry_of_table(line)) rest.append(line).append("\n");
+    is_place = line.starts_with("startxref");
+  }
+  return rest;
+}
+
 std::string output_of(const sys::Command& command, const fs::path& file) {
   const sys::ProcessResult result = sys::run(command);
   if (result.exit_status == 0) return result.output;
@@ -129,6 +155,7 @@ class Search {
 
  private:
   void text(std::string_view text, const std::string& shown);
+  void words(std::string_view text, const std::string& shown);
   void numbers(std::string_view text, const std::string& shown);
   void pdf(const fs::path& file, const std::string& shown);
   void report(const std::string& shown, const std::string& what);
@@ -144,6 +171,11 @@ void Search::report(const std::string& shown, const std::string& what) {
 }
 
 void Search::text(std::string_view text, const std::string& shown) {
+  words(text, shown);
+  numbers(text, shown);
+}
+
+void Search::words(std::string_view text, const std::string& shown) {
   const std::string dense = without_space(text);
   for (const Secret& line : secrets_.lines) {
     if (dense.find(line.text) != std::string::npos) report(shown, line.what);
@@ -151,7 +183,6 @@ void Search::text(std::string_view text, const std::string& shown) {
   for (const Secret& word : secrets_.words) {
     if (has_word(text, word.text)) report(shown, word.what);
   }
-  numbers(text, shown);
 }
 
 void Search::numbers(std::string_view text, const std::string& shown) {
@@ -162,10 +193,10 @@ void Search::numbers(std::string_view text, const std::string& shown) {
 
 void Search::pdf(const fs::path& file, const std::string& shown) {
   const fs::path absolute = fs::absolute(file);
-  const std::string words = output_of(
+  const std::string printed = output_of(
       {.program = "pdftotext", .arguments = {"-enc", "UTF-8", absolute.string(), "-"}}, file);
-  text(words, shown);
-  numbers(without_thin_spaces(words), shown);
+  text(printed, shown);
+  numbers(without_thin_spaces(printed), shown);
   const ScratchFolder attachments;
   output_of({.program = "pdfdetach",
              .arguments = {"-saveall", "-o", attachments.path().string(), absolute.string()}},
@@ -175,10 +206,12 @@ void Search::pdf(const fs::path& file, const std::string& shown) {
 
 void Search::file(const fs::path& file, const std::string& shown) {
   const std::string bytes = sys::read_file(file);
-  text(bytes, shown);
+  const bool is_pdf = bytes.starts_with("%PDF");
+  words(bytes, shown);
+  numbers(is_pdf ? without_places(bytes) : bytes, shown);
   text(shown, shown);
   if (secrets_.numbers.stored_in(bytes)) report(shown, "an expected value as a double's bytes");
-  if (bytes.starts_with("%PDF")) return pdf(file, shown);
+  if (is_pdf) return pdf(file, shown);
   if (bytes.starts_with("PK\x03\x04")) {
     const ScratchFolder unpacked;
     unpack_zip(file, unpacked.path());

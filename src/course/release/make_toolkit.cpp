@@ -25,7 +25,8 @@ bool is_exercise(const Assignment& assignment, const std::string& file) {
          assignment.exercises.end();
 }
 
-/// Writes src/ and provided/ of the handout; returns the paths of their files.
+/// Writes src/, provided/ and report/ of the handout; returns the paths of the files that are
+/// compiled once: what is below report/ is compiled with each student's own numbers.
 std::set<std::string> write_project(const Assignment& assignment, const fs::path& source,
                                     const fs::path& folder) {
   std::set<std::string> files;
@@ -33,9 +34,10 @@ std::set<std::string> write_project(const Assignment& assignment, const fs::path
   handout["provided/variant_of_this_handout.hpp"] =
       variant_header(assignment, nominal_variant(assignment));
   for (const auto& [file, text] : handout) {
-    if (!file.starts_with("src/") && !file.starts_with("provided/")) continue;
+    const bool is_of_report = file.starts_with("report/");
+    if (!is_of_report && !file.starts_with("src/") && !file.starts_with("provided/")) continue;
     sys::write_file_atomically(folder / file, text);
-    files.insert(file);
+    if (!is_of_report) files.insert(file);
   }
   return files;
 }

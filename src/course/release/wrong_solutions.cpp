@@ -19,31 +19,45 @@ int n_occurrences(const std::string& text, const std::string& part) {
   return n;
 }
 
-void require_once(const config::Table& table, const WrongSolution& wrong, const std::string& text) {
-  if (wrong.before.empty()) table.fail("before", "must not be empty");
-  const int n = n_occurrences(text, wrong.before);
+void require_once(const config::Table& table, const Change& change, const std::string& text) {
+  if (change.before.empty()) table.fail("before", "must not be empty");
+  const int n = n_occurrences(text, change.before);
   if (n != 1) {
     table.fail("before",
-               fmt::format("stands {} times in the solution's {}, not once", n, wrong.file));
+               fmt::format("stands {} times in the solution's {}, not once", n, change.file));
   }
-  if (wrong.after == wrong.before) table.fail("after", "is the same as before");
+  if (change.after == change.before) table.fail("after", "is the same as before");
+}
+
+Change read_change(const config::Table& table, const Assignment& assignment,
+                   const Files& solution) {
+  Change change{
+      .file = table.text("file"), .before = table.text("before"), .after = table.text("after")};
+  const auto& exercises = assignment.exercises;
+  if (std::ranges::find(exercises, change.file, &Exercise::file) == exercises.end()) {
+    table.fail("file", fmt::format("{} is no exercise's file", change.file));
+  }
+  require_once(table, change, solution.at(change.file));
+  return change;
 }
 
 WrongSolution read(const config::Table& table, const Assignment& assignment,
                    const Files& solution) {
   WrongSolution wrong{.id = table.text("id"),
                       .says = table.text("says"),
-                      .file = table.text("file"),
-                      .before = table.text("before"),
-                      .after = table.text("after"),
+                      .changes = {},
                       .points = table.number("points")};
   if (wrong.id.empty()) table.fail("id", "must not be empty");
   if (wrong.says.empty()) table.fail("says", "must not be empty");
-  const auto& exercises = assignment.exercises;
-  if (std::ranges::find(exercises, wrong.file, &Exercise::file) == exercises.end()) {
-    table.fail("file", fmt::format("{} is no exercise's file", wrong.file));
+  const auto places = table.tables("change");
+  if (places.empty()) wrong.changes.push_back(read_change(table, assignment, solution));
+  for (const config::Table& place : places) {
+    wrong.changes.push_back(read_change(place, assignment, solution));
+    const std::string& file = wrong.changes.back().file;
+    if (std::ranges::count(wrong.changes, file, &Change::file) > 1) {
+      place.fail("file", fmt::format("{} is changed twice", file));
+    }
   }
-  require_once(table, wrong, solution.at(wrong.file));
   if (wrong.points < 0 || wrong.points > assignment.points) {
     table.fail("points", fmt::format("{} is not from 0 to {}", wrong.points, assignment.points));
   }
@@ -85,8 +99,10 @@ std::string with_points(std::string_view text, const std::vector<double>& points
 }
 
 Files with_mistake(Files solution, const WrongSolution& wrong) {
-  std::string& text = solution.at(wrong.file);
-  text.replace(text.find(wrong.before), wrong.before.size(), wrong.after);
+  for (const auto& [file, before, after] : wrong.changes) {
+    std::string& text = solution.at(file);
+    text.replace(text.find(before), before.size(), after);
+  }
   return solution;
 }
 

@@ -16,10 +16,19 @@ struct Child {
   std::filesystem::path folder;          ///< where it starts
   std::filesystem::path input, output, errors;
   std::filesystem::path third = "/dev/null";  ///< it can read this as descriptor 3
+  /// A file of write_syscall_filter, which holds for the child and all its descendants; empty:
+  /// none.
+  std::filesystem::path filter = {};
+  /// Unless it is empty, they can write nothing but these files and folders and their streams,
+  /// where the kernel has Landlock.
+  std::vector<std::filesystem::path> writable = {};
   // What the child and all its descendants may use together; 0 means no limit.
   std::size_t memory_mb = 0;
   double cpu_seconds = 0;
-  double waiting_seconds = 0;  ///< by the clock, in which none of them wants a processor
+  // By the clock, of which only what this process saw counts: if it was stopped itself or got no
+  // processor, so may the child have been.
+  double waiting_seconds = 0;  ///< in which none of them wants a processor
+  double clock_seconds = 0;    ///< in all
   std::size_t tasks = 0;       ///< processes and threads
 };
 
@@ -29,11 +38,12 @@ enum class Excess { none, memory, time, tasks };
 struct ChildEnd {
   int status = 0;  ///< exit status, or 128 + the number of the signal that ended it
   Excess excess = Excess::none;
-  double cpu_seconds = 0;  ///< of the child and those of its descendants that have ended
+  double cpu_seconds = 0;  ///< of the child and all its descendants
 };
 
 /// Runs a child to its end and then ends all processes that it leaves behind, daemons included.
-/// Throws sys::ToolError if it cannot start.
+/// They also end if this process is killed. Throws sys::ToolError if it cannot start, or if the
+/// kernel does not take the filter or the fence around what is writable.
 ChildEnd run_child(const Child& child);
 
 }  // namespace course

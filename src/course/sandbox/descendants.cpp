@@ -72,6 +72,9 @@ Usage usage_of(const std::vector<pid_t>& processes) {
     if (fields.size() < 22) continue;  // it has ended
     if (usage.is_waiting) usage.is_waiting = waits(process);
     for (std::size_t i = 11; i < 15; ++i) usage.cpu_seconds += std::stod(fields[i]) / ticks;
+    usage.times.push_back({.process = process,
+                           .start = std::stoull(fields[19]),
+                           .seconds = (std::stod(fields[11]) + std::stod(fields[12])) / ticks});
     usage.tasks += std::stoul(fields[17]);
     usage.bytes += std::stoul(fields[21]) * page;
   }

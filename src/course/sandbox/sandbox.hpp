@@ -46,8 +46,10 @@ struct JobEnd {
 ///
 /// bubblewrap keeps them apart. If root starts them, they run as a user that only this process
 /// uses, so that the limit on processes counts each grading alone. With Isolation::none the limits
-/// hold, no process is left behind, and root's jobs cannot reach each other's folders and leave
-/// neither files nor shared memory; nothing else is kept apart.
+/// hold, system calls are refused as within walls (network and shared memory among them), no
+/// process is left behind, and root's jobs cannot reach each other's folders. Where the kernel has
+/// Landlock (5.13), jobs of any user write to nothing but scratch(); elsewhere what root's jobs
+/// leave is removed. Nothing else is kept apart.
 class Sandbox {
  public:
   /// `work` is an existing folder for the sandbox's own files. Tries bubblewrap, and throws

@@ -18,34 +18,41 @@ namespace {
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 
 void add_rules(scmp_filter_ctx filter) {
-  for (const int call : {SCMP_SYS(shmget),
-                         SCMP_SYS(semget),
-                         SCMP_SYS(msgget),
-                         SCMP_SYS(mq_open),
-                         SCMP_SYS(add_key),
-                         SCMP_SYS(keyctl),
-                         SCMP_SYS(request_key),
-                         SCMP_SYS(ptrace),
-                         SCMP_SYS(process_vm_readv),
-                         SCMP_SYS(process_vm_writev),
-                         SCMP_SYS(unshare),
-                         SCMP_SYS(setns),
-                         SCMP_SYS(mount),
-                         SCMP_SYS(umount2),
-                         SCMP_SYS(pivot_root),
-                         SCMP_SYS(bpf),
-                         SCMP_SYS(perf_event_open),
-                         SCMP_SYS(io_uring_setup),
-                         SCMP_SYS(userfaultfd),
-                         SCMP_SYS(socket),
-                         SCMP_SYS(memfd_create),
-                         SCMP_SYS(memfd_secret),
-                         SCMP_SYS(io_setup),
-                         SCMP_SYS(preadv2),  // tells whether somebody read a file before
-                         SCMP_SYS(mincore),  // as well
-                         SCMP_SYS(setxattr),
-                         SCMP_SYS(lsetxattr),
-                         SCMP_SYS(fsetxattr)}) {
+  for (const int call :
+       {SCMP_SYS(shmget),
+        SCMP_SYS(semget),
+        SCMP_SYS(msgget),
+        SCMP_SYS(mq_open),
+        SCMP_SYS(add_key),
+        SCMP_SYS(keyctl),
+        SCMP_SYS(request_key),
+        SCMP_SYS(ptrace),
+        SCMP_SYS(process_vm_readv),
+        SCMP_SYS(process_vm_writev),
+        SCMP_SYS(unshare),
+        SCMP_SYS(setns),
+        SCMP_SYS(mount),
+        SCMP_SYS(umount2),
+        SCMP_SYS(pivot_root),
+        SCMP_SYS(bpf),
+        SCMP_SYS(perf_event_open),
+        SCMP_SYS(io_uring_setup),
+        SCMP_SYS(userfaultfd),
+        SCMP_SYS(socket),
+        SCMP_SYS(socketpair),     // what waits in one is in memory that nothing counts
+        SCMP_SYS(vmsplice),       // as well
+        SCMP_SYS(flock),          // one on a file that all see tells others something
+        SCMP_SYS(inotify_init),   // whether others read a file
+        SCMP_SYS(inotify_init1),  // as well
+        SCMP_SYS(fanotify_init),
+        SCMP_SYS(memfd_create),
+        SCMP_SYS(memfd_secret),
+        SCMP_SYS(io_setup),
+        SCMP_SYS(preadv2),  // tells whether somebody read a file before
+        SCMP_SYS(mincore),  // as well
+        SCMP_SYS(setxattr),
+        SCMP_SYS(lsetxattr),
+        SCMP_SYS(fsetxattr)}) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0);
   }
   // No mapping that is shared: what it holds stays in memory, where nothing counts it, even if only
@@ -54,6 +61,11 @@ void add_rules(scmp_filter_ctx filter) {
   for (const int kind : {MAP_SHARED, MAP_SHARED_VALIDATE}) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mmap), 1,
                      SCMP_A3(SCMP_CMP_MASKED_EQ, kind_of_mapping, static_cast<scmp_datum_t>(kind)));
+  }
+  // No lock, lease or notice of a file that all jobs see: another one would hear of it.
+  for (const int command : {F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW, F_SETLEASE, F_NOTIFY}) {
+    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl), 1,
+                     SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
   }
   // No new user namespace. A filter cannot see the flags of clone3, so clone3 is refused as a
   // whole; libraries then use clone.

@@ -5,6 +5,17 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 here=$PWD
 autograder=${AUTOGRADER:-/autograder}
 
+# An older system has neither the compiler nor the bubblewrap that are needed.
+# shellcheck source=/dev/null
+release=$(. "${OS_RELEASE:-/etc/os-release}" && printf '%s %s' "$ID" "${VERSION_ID%%.*}")
+case $release in
+  'ubuntu 2'[4-9] | 'ubuntu '[3-9][0-9] | 'debian 1'[2-9] | 'debian '[2-9][0-9]) ;;
+  *)
+    echo "setup.sh: this is ${release}; choose the base image Ubuntu 24.04 or newer in the autograder's configuration" >&2
+    exit 2
+    ;;
+esac
+
 # These are the packages of the report except for TeX, and those of grading.
 if [[ -z ${IS_SET_UP:-} ]]; then
   packages=$(awk '$2 == "report" && $1 !~ /^(texlive|latexmk|lmodern|#)/ { print $1 }' \

@@ -49,7 +49,12 @@ Program with_first(double number) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(each_listed_check_has_code_and_each_code_is_listed) {
-  BOOST_TEST(all_checks().size() == 26U);
+  std::size_t n_listed = 0;
+  for (const course::Exercise& exercise : programs::assignment().exercises) {
+    n_listed += exercise.checks.size();
+  }
+
+  BOOST_TEST(all_checks().size() == n_listed);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_but_nans_or_infinities_counts_nothing) {

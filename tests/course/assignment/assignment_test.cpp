@@ -57,8 +57,8 @@ BOOST_AUTO_TEST_CASE(the_toy_is_read_as_it_stands) {
   BOOST_TEST(toy.title == "Roots and means");
   BOOST_TEST(toy.deadline.time_since_epoch().count() == 1800053940);
   BOOST_TEST(toy.points == 10);
-  BOOST_TEST(toy.floor == 1);
   BOOST_TEST(toy.late.days == 5);
+  BOOST_TEST(toy.late.slip_days == 0);
   BOOST_TEST(toy.limits.run_seconds == 2);
   BOOST_TEST(toy.limits.compile_seconds == course::Limits().compile_seconds);
   BOOST_REQUIRE(toy.exercises.size() == 2);
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_toy_is_read_as_it_stands) {
 BOOST_AUTO_TEST_CASE(points_must_add_up) {
   check_error("points = 10", "points = 11", "11, but the checks' points add up to 10");
   check_error("points = 10", "points = -1", "-1 is not positive");
-  check_error("floor = 1", "floor = 10.5", "10.5 is not from 0 to 10");
+  check_error("floor = 0", "floor = 10.5", "10.5 is not from 0 to 10");
 }
 
 BOOST_AUTO_TEST_CASE(an_exercise_needs_a_check_and_a_file_of_its_own) {
@@ -109,10 +109,18 @@ BOOST_AUTO_TEST_CASE(a_quantitys_nominal_value_is_one_that_it_may_have) {
 
 BOOST_AUTO_TEST_CASE(a_slip_of_the_pen_has_its_place) {
   check_error("title = \"Roots and means\"", "titel = \"\"", "title: missing", -1);
-  check_error("floor = 1", "floor = 1\nflor = 2", "flor: unknown key", 1);
+  check_error("floor = 0", "floor = 0\nflor = 2", "flor: unknown key", 1);
   check_error("run_seconds = 2", "run_second = 2", "limits.run_second: unknown key");
   check_error("run_seconds = 2", "run_seconds = 0", "0 is not from 1 to 86400");
   check_error("percent_per_day = 10", "percent_per_day = 110", "110 is not from 0 to 100");
+  const std::string criterion = "[[criterion]]\nid = \"words\"\ntitle = \"Words\"\nsays = \"x\"\n";
+  check_error("[late]\n", criterion + "points = 0\n\n[late]\n", "0 is not positive", 4);
+  check_error("[late]\n", criterion + "points = 1\n" + criterion + "points = 1\n\n[late]\n",
+              "\"words\" stands here again", 6);
+  check_error("points = 10\n", "points = 10\nfeedback = \"never\"\n",
+              "\"never\" is not \"at once\" or \"held back\"", 1);
+  check_error("days = 5\n", "days = 5\ngrace_minutes = 1441\n", "1441 is not from 0 to 1440", 1);
+  check_error("days = 5\n", "days = 5\nslip_days = -1\n", "-1 is not from 0 to 366", 1);
   check_error("2027-01-15T23:59:00+01:00", "2027-01-15", "deadline: must be a date and time");
   check_error("visibility = \"hidden\", says = \"the", "visibility = \"secret\", says = \"the",
               "\"secret\" is not \"public\" or \"hidden\"");

@@ -40,19 +40,37 @@ BOOST_AUTO_TEST_CASE(every_student_has_a_line_and_it_tells_what_happened) {
   folder.write("submissions/zoe.zip", "");
   const Roster roster = {{"alice", {}}, {"bob", {}}, {"carol", {}}, {"erin", {}}};
 
-  const Grades grades = collect_grades(toy_grading::assignment(), folder.path() / "grades", roster,
+  const ClassMarks marks = class_marks(toy_grading::assignment(), folder.path() / "grades", roster,
                                        folder.path() / "submissions");
 
-  BOOST_TEST(grades.problems.empty());
-  BOOST_TEST(grades.csv ==
+  BOOST_TEST(marks.problems.empty());
+  BOOST_TEST(marks_csv(toy_grading::assignment(), marks) ==
              "student,state,points,deduction,mark,report,no file,not "
-             "compiling,square-growth,square-values,"
+             "compiling,slip days,regraded,group,square-growth,square-values,"
              "sum-order,sum-values\r\n"
-             "alice,missing,,,,,,,,,,\r\n"
-             "bob,late,5.5,1.1,4.4,no,sum,square,4,1.5,0,0\r\n"
-             "carol,on time,5.5,0,5.5,no,,,4,1.5,0,0\r\n"
-             "erin,not graded,,,,,,,,,,\r\n"
-             "zoe,not in the class,,,,,,,,,,\r\n");
+             "alice,missing,,,,,,,,,,,,,\r\n"
+             "bob,late,5.5,1.1,4.4,no,sum,square,0,,,4,1.5,0,0\r\n"
+             "carol,on time,5.5,0,5.5,no,,,0,,,4,1.5,0,0\r\n"
+             "erin,not graded,,,,,,,,,,,,,\r\n"
+             "zoe,not in the class,,,,,,,,,,,,,\r\n");
+}
+
+BOOST_AUTO_TEST_CASE(each_member_of_a_group_has_its_mark) {
+  const TemporaryFolder folder;
+  write_mark(folder, graded("g7"));
+  const Roster roster = {
+      {"alice", {.group = "g7"}}, {"bob", {.group = "g7"}}, {"carol", {.group = "g8"}}};
+
+  const ClassMarks marks =
+      class_marks(toy_grading::assignment(), folder.path() / "grades", roster, {});
+
+  BOOST_REQUIRE(marks.students.size() == 3U);
+  BOOST_TEST(marks.students[0].student == "alice");
+  BOOST_TEST(marks.students[0].unit() == "g7");
+  BOOST_TEST(marks.students[1].mark->points == 5.5);
+  BOOST_TEST(marks.students[2].state == "missing");
+  BOOST_TEST(marks_csv(toy_grading::assignment(), marks)
+                 .find("\r\nbob,on time,5.5,0,5.5,no,,,0,,g7,4,1.5,0,0\r\n") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_mark_that_is_none_is_named_and_hinders_no_other) {
@@ -61,11 +79,11 @@ BOOST_AUTO_TEST_CASE(a_mark_that_is_none_is_named_and_hinders_no_other) {
   folder.write("grades/dave/mark.json", "{\"student\": \"dave\"}");
   folder.write("grades/mallory/mark.json", mark_json(toy_grading::assignment(), graded("carol")));
 
-  const Grades grades = collect_grades(toy_grading::assignment(), folder.path() / "grades", {}, {});
+  const ClassMarks marks = class_marks(toy_grading::assignment(), folder.path() / "grades", {}, {});
 
-  BOOST_TEST(grades.problems.size() == 2U);
-  BOOST_TEST(grades.csv.find("\r\ncarol,") != std::string::npos);
-  BOOST_TEST(grades.csv.find("dave") == std::string::npos);
+  BOOST_TEST(marks.problems.size() == 2U);
+  BOOST_TEST(marks.students.size() == 1U);
+  BOOST_TEST(marks.students.front().student == "carol");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -56,6 +56,110 @@ claim 'and says for whom' "$(says 'bob was not graded (exit 3)')" = yes
 claim 'the old mark is gone' "$(grep -c '^bob,not graded' "$scratch/two/grades.csv")" = 1
 claim 'the others are graded' "$(grep -c '^carol,late,100,10,90' "$scratch/two/grades.csv")" = 1
 
+# What the grades tell of the class.
+results() { # results WORK [VARIABLE=value …]
+  work="$scratch/$1"
+  shift
+  runs env "$@" HALFSPACE_COURSE="$course" WORK="$work" CALLER="$scratch" bash "$source_dir/src/toolchain/course/results"
+}
+printf 'Student,ID,SIS Login ID,Section,%s (7),Total\n' 'Surface displacements and the contact of two cylinders' >"$scratch/canvas.csv"
+printf '%s\n' 'Alice,1,alice,S,,' 'Bob,2,bob,S,,' 'Carol,3,carol,S,,' 'Frank,4,frank,S,,' >>"$scratch/canvas.csv"
+results one ROSTER=class.csv SUBMISSIONS='sub missions' CANVAS=canvas.csv
+claim 'the results are written' "$status" = 0
+claim 'and without a handout it is told what is not known' "$(says 'no mistakes are named')" = yes
+claim 'Canvas gets the marks' "$(tail -n +2 "$scratch/one/results/canvas.csv" | cut -d, -f3,5 | tr -d '\r' | tr '\n' ' ')" = \
+  'alice,100 bob,60 carol,90 frank,100 '
+claim 'Moodle gets the marks' "$(cut -d, -f1,2 "$scratch/one/results/moodle.csv" | tr -d '\r' | tr '\n' ' ')" = \
+  'student,grade alice,100 bob,60 carol,90 frank,100 '
+claim 'the page says who is missing' "$(grep -c 'missing: 1: erin' "$scratch/one/results/results.html")" = 1
+results one CANVAS=canvas.csv COLUMN=Exam
+claim 'a column that there is not is told with its place' "$status $(says "canvas.csv:1:1: there are 0 columns named 'Exam'")" = '2 yes'
+mkdir "$scratch/none"
+results none
+claim 'without grades there are no results' "$status $(says 'make grade comes first')" = '2 yes'
+
+# A request that was granted counts in the table and on the page, and nothing goes out before everything is graded.
+mkdir "$scratch/regrades"
+printf '%s\n' 'student = "bob"' 'check = "influence-shape"' 'reason = "it is a slip of the pen"' 'outcome = "granted"' 'points = 2' \
+  'answer = "So it is."' 'marker = "br"' >"$scratch/regrades/bob.toml"
+released() { # released [VARIABLE=value …]
+  runs env "$@" HALFSPACE_COURSE="$course" WORK="$scratch/one" CALLER="$scratch" ROSTER=class.csv REGRADES=regrades \
+    bash "$source_dir/src/toolchain/course/release-feedback"
+}
+released SUBMISSIONS='sub missions'
+claim 'what is not graded keeps all feedback back' "$status $(says 'student dave handed something in that is not graded')" = '1 yes'
+claim 'then there is none' ! -e "$scratch/one/feedback"
+released
+claim 'the feedback is released' "$status" = 0
+claim 'for who has a mark, and nothing else' "$(cd "$scratch/one/feedback" && printf '%s ' *)" = 'alice.html bob.html carol.html frank.html '
+page=$scratch/one/feedback/bob.html
+claim 'with what was decided' "$(grep -c 'bob: 62 of 100 points' "$page") $(grep -c 'It now gives 2 points. So it is. (br)' "$page")" = '1 1'
+claim 'and packed' "$(bsdtar -tf "$scratch/one/feedback.zip" | head -1)" = feedback/alice.html
+sed -i 's/points = 2/points = 3/' "$scratch/regrades/bob.toml"
+released
+claim 'points that a check cannot give are told with their place' \
+  "$status $(says 'bob.toml:5:10: points: 3 is not from 0 to 2, the points of influence-shape')" = '2 yes'
+
+# Markers see reports without names, and what they give counts.
+cp -R "$source_dir/report/assignment" "$scratch/marked"
+cat >>"$scratch/marked/assignment.toml" <<EOF
+
+[[criterion]]
+id = "words"
+title = "Words"
+says = "is it said?"
+points = 6
+EOF
+course_script() { # course_script NAME VARIABLE=value …
+  name=$1
+  shift
+  runs env HALFSPACE_COURSE="$course" WORK="$scratch/one" CALLER="$scratch" ASSIGNMENT="$scratch/marked" ROSTER=class.csv \
+    SEED='autumn 27' "$@" bash "$source_dir/src/toolchain/course/$name"
+}
+course_script marking SUBMISSIONS='sub missions'
+form=$scratch/one/marking/marks.csv
+claim 'what is no submission of one student is told' "$status $(says 'student dave has more than one submission')" = '1 yes'
+claim 'there is a line for each report' "$(grep -c '^report-[0-9a-f]*,words,,,' "$form")" = 2
+claim 'whose folder has it' "$(find "$scratch/one/marking" -name report.tex | wc -l | tr -d ' ')" = 2
+claim 'each is typeset' "$(find "$scratch/one/marking" -name typeset.pdf | wc -l | tr -d ' ')" = 2
+claim 'and what does not compile is told beside it' "$(cat "$scratch"/one/marking/*/findings.txt | grep -c "'nothing' was not declared")" = 1
+claim 'and nothing tells whose it is' -z "$(find "$scratch/one/marking" -name '*alice*' -o -name '*bob*')"
+course_script results MARKS=one/marking/marks.csv
+claim 'what is not marked yet is told' "$status $(says 'the report of alice is not marked: words')" = '1 yes'
+sed -i 's/words,,,/words,4.5,"good, short",br/' "$form"
+course_script release-feedback MARKS=one/marking/marks.csv
+claim 'the points of the report count' "$status $(grep -c 'alice: 104.5 of 106 points' "$scratch/one/feedback/alice.html")" = '0 1'
+claim 'and so does what was written' "$(grep -c 'good, short' "$scratch/one/feedback/bob.html")" = 1
+claim 'who has no report has none of them' "$(grep -c 'carol: 90 of 106 points' "$scratch/one/feedback/carol.html")" = 1
+course_script marking SUBMISSIONS='sub missions'
+claim 'a form that holds points is not written over' "$status $(says 'holds points; move it away first') $(grep -c good "$form")" = '2 yes 2'
+
+# Copies of the solution have no line of their own; a helper under two names has.
+mkdir "$scratch/alike"
+for student in ada ben; do
+  mkdir -p "$scratch/alike/$student"
+  cp -R "$submissions/alice/src" "$scratch/alike/$student/src"
+done
+course_script likeness SUBMISSIONS=alike ROSTER=
+claim 'who has the solution only is like nobody' "$status $(wc -l <"$scratch/one/likeness/pairs.csv" | tr -d ' ')" = '0 1'
+helper='static double %s(double %s, int n) { double s = 1; while (n > 0) { s = s * %s + n / (s + 2.0); n = n - 1; if (s > 9) s = s - 4; } return s; }\n'
+# shellcheck disable=SC2059  # the format is the text
+printf "$helper" one a a >>"$scratch/alike/ada/src/influence.cpp"
+# shellcheck disable=SC2059
+printf "$helper" two bb bb >>"$scratch/alike/ben/src/influence.cpp"
+course_script likeness SUBMISSIONS=alike ROSTER=
+claim 'a helper under another name is told' "$(tail -1 "$scratch/one/likeness/pairs.csv" | tr -d '\r')" = influence,ada,100,ben,100
+claim 'and both are exported, with what was given' "$(cd "$scratch/one/likeness" && find . -name influence.cpp | wc -l | tr -d ' ')" = 3
+
+# A group hands in under its name, and each member has its mark.
+mkdir "$scratch/groups" "$scratch/three"
+cp "$submissions/carol.tar.gz" "$scratch/groups/g7.tar.gz"
+printf '%s\n' student,group,submitted,slip_days alice,g7,2027-01-16T23:59:00Z,2 bob,g7,2027-01-16T23:59:00Z, carol,,, >"$scratch/groups.csv"
+grade three 1 groups groups.csv
+claim 'a group is graded' "$status" = 0
+claim 'each member has its mark' "$(cut -d, -f1,5,11 "$scratch/three/grades.csv" | tr -d '\r' | tr '\n' ' ')" = \
+  'student,mark,group alice,90,g7 bob,90,g7 carol,, '
+
 # If grading cannot begin, the old grades stay.
 program=
 cp -R "$scratch/one/grades" "$scratch/before"
@@ -68,7 +172,7 @@ unchanged() {
 printf 'student,submitted\nalice,noon\n' >"$scratch/typo.csv"
 grade one 1 "sub missions" typo.csv
 unchanged 'a typing error in the roster'
-claim 'and it has its place' "$(says "typo.csv:2: 'noon' is no time")" = yes
+claim 'and it has its place' "$(says "typo.csv:2:7: 'noon' is no time")" = yes
 grade one 1 class.csv
 unchanged 'a file instead of a folder'
 mkdir "$scratch/empty"

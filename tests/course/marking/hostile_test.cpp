@@ -34,6 +34,7 @@ const fs::path fixtures = fs::path(HALFSPACE_SOURCE_DIR) / "tests/course/hostile
 /// What the log must say about each of them; all but those of `with_points` have none.
 const std::map<std::string, std::string> reasons = {
     {"answers_by_the_clock", "different answers to the same question"},
+    {"answers_by_the_uptime", "file not found: /proc/uptime"},
     {"answers_commas", "no decimal number"},
     {"answers_hexadecimal", "no decimal number"},
     {"answers_infinity", "no decimal number"},
@@ -42,16 +43,20 @@ const std::map<std::string, std::string> reasons = {
     {"answers_nothing", "answered nothing"},
     {"answers_too_few", "does not grow"},
     {"answers_too_many", "does not grow"},
+    {"answers_twice", "does not grow"},
     {"archive_bomb", "src/square.cpp is larger than 64 kB"},
     {"archive_climbs", "entries that lead out of its folder"},
-    {"archive_is_none", "the archive cannot be read"},
     {"archive_is_empty", "the archive is empty"},
+    {"archive_is_none", "the archive cannot be read"},
     {"archive_of_odd_names", "src/square.cpp is missing"},
     {"archive_of_two", "holds the files twice"},
     {"archive_through_link", "does not grow"},
+    {"asks_for_the_plugin", "undefined reference to `square(double)"},
+    {"asserts_the_date", "src/square.cpp:4:10: error: 'nothing' was not declared"},
     {"attacks_linker", "the program crashed (SIGSEGV)"},
     {"becomes_root", "does not grow"},
     {"binary_file", "src/square.cpp is no text: byte 9 is zero"},
+    {"changes_its_program", "does not grow"},
     {"closes_streams", "the program ended with a failure"},
     {"constexpr_bomb", "to compile"},
     {"defines_the_other_exercise", "multiple definition of `sum"},
@@ -61,13 +66,16 @@ const std::map<std::string, std::string> reasons = {
     {"empty_folder", "the submission is empty"},
     {"endless_constructor", "the program takes longer than 1 s"},
     {"endless_loop", "the program takes longer than 1 s"},
-    {"exits_as_if_too_slow", "the program ended with a failure"},
+    {"ends_ill", "the program ended with a failure"},
     {"exhausts_asynchronous_reads", "does not grow"},
+    {"exits_as_if_too_slow", "the program ended with a failure"},
     {"fills_many_files", "does not grow"},
     {"fills_one_file", "does not grow"},
+    {"fills_socket_pairs", "does not grow"},
     {"floods_errors", "the program prints more than 16 kB"},
     {"floods_output", "the program prints more than 16 kB"},
     {"folder_for_file", "src/square.cpp is a folder, not a file"},
+    {"forgets_its_children", "the program takes longer than 1 s"},
     {"fork_bomb", "the program takes longer than 1 s"},
     {"holds_shared_memory", "does not grow"},
     {"honest", "20 of 20 points"},
@@ -77,17 +85,27 @@ const std::map<std::string, std::string> reasons = {
     {"incbin_of_passwords", "file not found: /etc/shadow"},
     {"includes_a_terminal", "/dev/ptmx: No such file or directory"},
     {"includes_hidden_checks", "No such file or directory"},
+    {"includes_its_memory_map", "/proc/self/maps: No such file or directory"},
     {"includes_itself", "nested depth 200 exceeds maximum"},
-    {"includes_noise", "to compile"},
+    {"includes_noise", "/dev/urandom: No such file or directory"},
     {"includes_passwords", "/etc/passwd: No such file or directory"},
-    {"includes_standard_input", "does not grow"},
-    {"includes_zeros", "to compile"},
+    {"includes_standard_input", "/dev/stdin: No such file or directory"},
+    {"includes_the_time", "00:00:00: No such file or directory"},
+    {"includes_the_time_stamp", "empty filename in #include"},
+    {"includes_the_uptime", "/proc/uptime: No such file or directory"},
+    {"includes_zeros", "/dev/zero: No such file or directory"},
     {"is_no_cpp", "src/square.cpp:2:1: error: stray"},
+    {"keeps_keys", "does not grow"},
     {"kills_itself", "the program crashed (SIGKILL)"},
     {"kills_others", "does not grow"},
     {"leaves_a_daemon", "does not grow"},
+    {"leaves_a_sibling", "does not grow"},
+    {"lines_of_noise", "/dev/urandom:1:10: error: 'nothing' was not declared"},
     {"link_for_file", "src/square.cpp is a symbolic link"},
     {"link_for_folder", "src/square.cpp is a symbolic link, or lies behind one"},
+    {"locks_parts_of_what_others_see", "does not grow"},
+    {"locks_what_others_see", "does not grow"},
+    {"looks_at_the_machine", "does not grow"},
     {"looks_at_the_page_cache", "does not grow"},
     {"macro_bomb", "to compile"},
     {"marks_its_output", "does not grow"},
@@ -95,9 +113,13 @@ const std::map<std::string, std::string> reasons = {
     {"memory_bomb_in_children", "does not grow"},
     {"memory_bomb_of_a_thread", "the program uses more than 512 MB"},
     {"missing_file", "src/square.cpp is missing"},
+    {"mounts_over_the_system", "does not grow"},
+    {"never_ends", "the program takes longer than 1 s"},
     {"patches_in_constructor", "does not grow"},
+    {"pins_pages_in_pipes", "does not grow"},
     {"pipe_for_file", "src/square.cpp is a pipe, not a file"},
     {"pragmas", "No such file or directory"},
+    {"prints_in_constructors", "20 of 20 points"},
     {"prints_numbers_early", "does not grow"},
     {"prints_on_the_way", "20 of 20 points"},
     {"prints_passed", "no decimal number"},
@@ -112,19 +134,27 @@ const std::map<std::string, std::string> reasons = {
     {"searches_for_tests", "does not grow"},
     {"signals_itself", "the program crashed (SIGSEGV)"},
     {"sleeps", "the program takes longer than 1 s"},
+    {"slows_the_linker", "to compile"},
     {"spins_in_children", "the program takes longer than 1 s"},
+    {"stops_its_parent", "does not grow"},
+    {"stops_itself", "the program takes longer than 1 s"},
+    {"takes_over_printing", "the program answered nothing"},
+    {"takes_over_the_channel", "multiple definition of `course::answer_descriptor"},
     {"template_bomb", "to compile"},
     {"thread_bomb", "the program"},
     {"throws", "the program crashed (SIGABRT)"},
     {"traces_parent", "does not grow"},
+    {"turns_its_text", "/*? } ? */ return nothing;"},
     {"uses_network", "does not grow"},
+    {"watches_what_others_read", "does not grow"},
+    {"writes_before_the_channel_is_apart", "does not grow"},
     {"writes_results", "does not grow"},
     {"writes_results_when_compiled", "results.json"},
 };
 
 /// Submissions that are odd and do no wrong.
-const std::map<std::string, std::string> with_points = {{"honest", "20"},
-                                                        {"prints_on_the_way", "20"}};
+const std::map<std::string, std::string> with_points = {
+    {"honest", "20"}, {"prints_in_constructors", "20"}, {"prints_on_the_way", "20"}};
 
 std::string points_of(const std::string& name) {
   const auto known = with_points.find(name);
@@ -306,6 +336,9 @@ BOOST_AUTO_TEST_CASE(no_hostile_submission_gains_a_point_does_harm_or_hinders_th
       const std::string forwards = sys::read_file(grades.path() / "forwards" / name / file);
       const std::string backwards = sys::read_file(grades.path() / "backwards" / name / file);
       BOOST_TEST(forwards == backwards, name << "/" << file << " depends on order or parallelism");
+      for (const char* turning : {"\u202E", "\u2066"}) {
+        BOOST_TEST(forwards.find(turning) == forwards.npos, name << "/" << file << " is turned");
+      }
       BOOST_TEST(forwards.find("/tmp/") == forwards.find("/tmp/results.json"),
                  name << "/" << file << " names a scratch folder:\n"
                       << forwards);

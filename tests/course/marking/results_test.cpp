@@ -45,6 +45,18 @@ BOOST_AUTO_TEST_CASE(gradescope_gets_a_test_a_check_and_the_mark) {
       "Handed in 1 day late: 10 % of the points are deducted.\nExercise sum is not compiled:\n"));
 }
 
+BOOST_AUTO_TEST_CASE(gradescope_keeps_what_is_held_back_until_it_is_published) {
+  Assignment assignment = toy_grading::assignment();
+  BOOST_TEST(nlohmann::json::parse(gradescope_json(assignment, graded()))["visibility"] ==
+             "visible");
+  assignment.holds_feedback_back = true;
+
+  const auto json = nlohmann::json::parse(gradescope_json(assignment, graded()));
+
+  BOOST_TEST(json["visibility"] == "after_published");
+  for (const auto& test : json["tests"]) BOOST_TEST(test["visibility"] == "after_published");
+}
+
 BOOST_AUTO_TEST_CASE(hidden_checks_tell_their_points_and_nothing_more) {
   for (const std::string& text : {gradescope_json(toy_grading::assignment(), graded()),
                                   junit_xml(toy_grading::assignment(), graded()),

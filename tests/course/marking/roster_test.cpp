@@ -57,54 +57,30 @@ BOOST_AUTO_TEST_CASE(blanks_around_a_heading_do_not_switch_lateness_off) {
 BOOST_AUTO_TEST_CASE(a_column_that_nobody_reads_is_refused) {
   for (const std::string column : {"Submitted", "submited", "late"}) {
     BOOST_TEST(source_error("student," + column + "\nalice,2027-01-15T22:59:01Z\n") ==
-               "class.csv:1: there is a column '" + column +
-                   "'; the columns are student, name, submitted and deadline");
+               "class.csv:1:9: there is a column '" + column +
+                   "'; the columns are student, name, submitted, deadline, slip_days and group");
   }
   BOOST_TEST(source_error("student,submitted, submitted\n") ==
-             "class.csv:1: there are two columns 'submitted'");
+             "class.csv:1:20: there are two columns 'submitted'");
 }
 
 BOOST_AUTO_TEST_CASE(a_class_that_is_wrong_is_told_with_its_line) {
   BOOST_TEST(source_error("") ==
-             "class.csv:1: the class is empty; a header line with 'student' is wanted");
-  BOOST_TEST(source_error("name\n") == "class.csv:1: there is no column 'student'");
-  BOOST_TEST(source_error("student\na\na\n") == "class.csv:3: student a is listed twice");
+             "class.csv:1:1: the class is empty; a header line with 'student' is wanted");
+  BOOST_TEST(source_error("name\n") == "class.csv:1:1: there is no column 'student'");
+  BOOST_TEST(source_error("student\na\na\n") == "class.csv:3:1: student a is listed twice");
   BOOST_TEST(source_error("student\na,b\n") ==
-             "class.csv:2: there are more fields than the header has");
+             "class.csv:2:1: the line has 2 fields, the first one has 1");
   BOOST_TEST(source_error("student,deadline\na\n") ==
-             "class.csv:2: there are fewer fields than the header has");
-  BOOST_TEST(source_error("name,student\n\n\"Ada,a\n") == "class.csv:3: a quote is not closed");
-  BOOST_TEST(source_error("student,student\n") == "class.csv:1: there are two columns 'student'");
+             "class.csv:2:1: the line has 1 fields, the first one has 2");
+  BOOST_TEST(source_error("name,student\n\n\"Ada,a\n") == "class.csv:3:1: a quote is not closed");
+  BOOST_TEST(source_error("student,student\n") == "class.csv:1:9: there are two columns 'student'");
   BOOST_TEST(
-      source_error("student\n@a\n").starts_with("class.csv:2: student \"@a\": an id consists"));
+      source_error("student\n@a\n").starts_with("class.csv:2:1: student \"@a\": an id consists"));
   BOOST_TEST(source_error("student,deadline\na,noon\n") ==
-             "class.csv:2: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
+             "class.csv:2:3: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
   BOOST_TEST(source_error("student,submitted\na,noon\n") ==
-             "class.csv:2: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
-}
-
-BOOST_AUTO_TEST_CASE(what_is_to_be_graded_is_listed_and_the_rest_told) {
-  const TemporaryFolder folder;
-  folder.write("alice/src/square.cpp", "");
-  folder.write("alice.zip", "");
-  folder.write("bob.tar.gz", "");
-  folder.write("zoe.zip", "");
-  folder.write("line\nend.zip", "");
-  folder.write("notes.txt", "");
-  folder.write(".DS_Store", "");
-  fs::create_symlink("/etc", folder.path() / "mallory");
-
-  const Listing listing =
-      list_submissions(folder.path(), Roster{{"alice", {}}, {"bob", {}}, {"mallory", {}}});
-
-  BOOST_REQUIRE(listing.entries.size() == 1U);
-  BOOST_TEST(listing.entries[0].student == "bob");
-  BOOST_REQUIRE(listing.problems.size() == 5U);
-  BOOST_TEST(listing.problems[0].starts_with("'line?end.zip' is not named for a student: "));
-  BOOST_TEST(listing.problems[1].starts_with("'mallory' is neither a folder nor an archive"));
-  BOOST_TEST(listing.problems[3] == "'zoe.zip': there is no student zoe in the class");
-  BOOST_TEST(listing.problems[4] ==
-             "student alice has more than one submission: 'alice' and 'alice.zip'");
+             "class.csv:2:3: 'noon' is no time; write it as 2027-01-15T23:59:00+01:00");
 }
 
 BOOST_AUTO_TEST_CASE(a_class_may_have_quotes_blanks_and_a_byte_order_mark) {
@@ -118,11 +94,45 @@ BOOST_AUTO_TEST_CASE(a_class_may_have_quotes_blanks_and_a_byte_order_mark) {
   BOOST_TEST(roster.contains("bob"));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_folder_of_submissions_is_an_error) {
+BOOST_AUTO_TEST_CASE(slip_days_are_whole_numbers) {
   const TemporaryFolder folder;
 
-  BOOST_CHECK_THROW(list_submissions(folder.write("class.csv", ""), {}), sys::OutputError);
-  BOOST_CHECK_THROW(list_submissions(folder.path() / "nowhere", {}), sys::OutputError);
+  const Roster roster =
+      read_roster(folder.write("class.csv", "student,slip_days\nalice,2\nbob,\n"));
+
+  BOOST_TEST((roster.at("alice").slip_days == 2));
+  BOOST_TEST(!roster.at("bob").slip_days.has_value());
+  for (const std::string days : {"-1", "1.5", "two", "367"}) {
+    BOOST_TEST(source_error("student,slip_days\na," + days + "\n") ==
+               "class.csv:2:3: slip_days: '" + days + "' is no whole number from 0 to 366");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_group_is_one_unit_with_the_times_of_all_and_the_fewest_slip_days) {
+  const TemporaryFolder folder;
+
+  const Roster roster = read_roster(folder.write("class.csv",
+                                                 "student,group,slip_days,submitted\n"
+                                                 "alice,g7,3,2027-01-15T22:59:01Z\n"
+                                                 "bob,,,\n"
+                                                 "carol,g7,1,2027-01-15T22:59:01Z\n"
+                                                 "dave,g7,,2027-01-15T23:59:01+01:00\n"));
+
+  BOOST_TEST((units_of(roster) == std::vector<std::string>{"bob", "g7"}));
+  BOOST_TEST((members_of(roster, "g7") == std::vector<std::string>{"alice", "carol", "dave"}));
+  BOOST_TEST((members_of(roster, "bob") == std::vector<std::string>{"bob"}));
+  BOOST_TEST(members_of(roster, "alice").empty());
+  BOOST_TEST((entry_of(roster, "g7").slip_days == 1));
+  BOOST_TEST((entry_of(roster, "g7").submitted == parse_time("2027-01-15T22:59:01Z")));
+}
+
+BOOST_AUTO_TEST_CASE(a_group_that_contradicts_itself_is_told_with_its_place) {
+  BOOST_TEST(source_error("student,group,deadline\n"
+                          "a,g7,2027-01-15T22:59:01Z\nb,g7,2027-01-16T22:59:01Z\n") ==
+             "class.csv:3:6: members of group g7 differ in 'deadline'");
+  BOOST_TEST(source_error("student,group\na,b\nb,\n") ==
+             "class.csv:2:3: group b is named as a student is");
+  BOOST_TEST(source_error("student,group\na,.b\n").starts_with("class.csv:2:3: student \".b\":"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
@@ -35,14 +37,15 @@ fs::path packed(const TemporaryFolder& folder, const std::string& name, const fs
 
 // A zip with a file src/square.cpp and a file src/sum.cpp, whose names are any bytes: a program of
 // Windows writes those of its own code page, and bsdtar would convert them.
-fs::path zip_of(const TemporaryFolder& folder, const std::string& before) {
+fs::path zip_of(const TemporaryFolder& folder, const std::string& before,
+                const std::vector<std::string>& files = {"src/square.cpp", "src/sum.cpp"}) {
   const auto number = [](std::uint64_t value, int n_bytes) {
     std::string bytes;
     for (int i = 0; i < n_bytes; ++i, value >>= 8) bytes += static_cast<char>(value);
     return bytes;
   };
   std::string entries, directory;
-  for (const char* file : {"src/square.cpp", "src/sum.cpp"}) {
+  for (const std::string& file : files) {
     const std::string name = before + file;
     const std::string text = "int a;\n";
     const std::uint32_t crc = 0x88aef662;
@@ -82,6 +85,33 @@ BOOST_AUTO_TEST_CASE(the_exercises_files_and_nothing_else_are_taken) {
   BOOST_TEST(!submission.has_report);
 }
 
+BOOST_AUTO_TEST_CASE(the_report_is_taken_as_it_is_and_nothing_beside_it) {
+  const TemporaryFolder folder;
+  const std::string pdf("%PDF\0\n", 6);
+  folder.write("hers/src/square.cpp", "int a;\n");
+  folder.write("hers/report/report.tex", "x\n");
+  folder.write("hers/report/report.pdf", pdf);
+  folder.write("hers/report/notes.txt", "alice\n");
+  folder.write("bob/src/square.cpp", "int a;\n");
+  fs::create_directories(folder.path() / "bob/report");
+  fs::create_symlink("/etc/passwd", folder.path() / "bob/report/report.tex");
+  const auto report = [&](const fs::path& path) {
+    const TemporaryFolder work;
+    return take_report(toy_grading::assignment(), path, work.path(), Isolation::sandbox);
+  };
+
+  for (const fs::path& path : {folder.path() / "hers", packed(folder, "a.zip", "hers"),
+                               packed(folder, "a.tar.xz", "hers")}) {
+    const Files files = report(path).files;
+    BOOST_TEST(files.size() == 2U);
+    BOOST_TEST(files.at("report/report.tex") == "x\n");
+    BOOST_TEST(files.at("report/report.pdf") == pdf);
+  }
+  BOOST_TEST(report(folder.path() / "bob").files.empty());
+  BOOST_TEST(report(folder.path() / "bob").fault == "is a symbolic link, or lies behind one");
+  BOOST_TEST(!report(folder.write("none.zip", "no archive")).is_there());
+}
+
 BOOST_AUTO_TEST_CASE(every_kind_of_archive_gives_the_same_files) {
   for (const char* name : {"a.zip", "a.tar", "a.tar.gz", "a.tgz", "a.tar.xz"}) {
     const TemporaryFolder folder;
@@ -109,6 +139,36 @@ BOOST_AUTO_TEST_CASE(a_folder_in_a_zip_may_have_any_name) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_zip_of_windows_may_have_backslashes_between_folders) {
+  for (const char* name : {"", "M\xfcller\\", "alice\\"}) {
+    const TemporaryFolder folder;
+
+    const Submission submission = take(zip_of(folder, name, {"src\\square.cpp", "src\\sum.cpp"}));
+
+    BOOST_TEST(submission.files.size() == 2U, name);
+    for (const auto& problem : submission.problems) BOOST_TEST(problem == "", name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_in_a_tar_may_have_any_name) {
+  for (const char* name : {"M\xfcller", "M\x81ller", "a\\b", "a\nb", "*", "\x01"}) {
+    const TemporaryFolder folder;
+    folder.write(std::string(name) + "/src/square.cpp", "int a;\n");
+    folder.write(std::string(name) + "/src/sum.cpp", "int b;\n");
+    const TemporaryFolder packages;
+    const fs::path tar = packages.path() / "a.tar.gz";
+    const auto packed = sys::run({.program = "tar",
+                                  .arguments = {"-czf", tar.string(), "--format=gnu", "."},
+                                  .working_directory = folder.path()});
+    BOOST_REQUIRE_MESSAGE(packed.exit_status == 0, packed.output);
+
+    const Submission submission = take(tar);
+
+    BOOST_TEST(submission.files.size() == 2U, name);
+    for (const auto& problem : submission.problems) BOOST_TEST(problem == "", name);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_ending_in_capitals_is_that_of_an_archive) {
   const TemporaryFolder folder;
   const fs::path zip = folder.path() / "alice.ZIP";
@@ -130,6 +190,13 @@ BOOST_AUTO_TEST_CASE(files_that_are_elsewhere_are_told) {
              "folder below it");
   BOOST_TEST(take(folder.path() / "packed").problems.back() ==
              "there is an archive in the submission, 'mine.zip'; nothing is taken from that");
+
+  BOOST_TEST(take(packed(folder, "deep.zip", "deep")).problems.back() ==
+             "there is src/square.cpp in 'deep/one/two/', but files are looked for at the top and "
+             "one folder below it");
+  BOOST_TEST(
+      take(packed(folder, "packed.tgz", "packed")).problems.back() ==
+      "there is an archive in the submission, 'packed/mine.zip'; nothing is taken from that");
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_of_one_folder_is_that_folder) {

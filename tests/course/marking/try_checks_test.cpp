@@ -204,13 +204,37 @@ BOOST_AUTO_TEST_CASE(a_name_that_only_the_precompiled_header_brings_does_no_harm
   BOOST_TEST(total(graded.results) == 20);
 }
 
-BOOST_AUTO_TEST_CASE(half_an_exercise_has_its_half) {
-  const Graded graded = grade(with("src/square.cpp",
-                                   "#include \"toy.hpp\"\n"
-                                   "double square(double x) { return 2 * x * x; }\n"));
+BOOST_AUTO_TEST_CASE(public_checks_count_only_as_far_as_the_hidden_ones_of_the_exercise_hold) {
+  const Files files = with("src/square.cpp",
+                           "#include \"toy.hpp\"\n"
+                           "double square(double x) { return 2 * x * x; }\n");
+  const TemporaryFolder scratch;
+  const Assignment assignment = toy_grading::assignment();
+  const Built built =
+      build(assignment, toy_grading::toolkit(), files, scratch.path(), Isolation::sandbox);
 
-  BOOST_TEST(total(graded.results) == 14);
-  BOOST_TEST(graded.results[1].message == "differs");
+  const auto none = results_of(built, assignment, toy_grading::checks(), Isolation::sandbox);
+  BOOST_TEST(none[0].points == 0);
+  BOOST_TEST(none[0].message ==
+             "4 of 4 points, but it counts only as far as the hidden checks of the exercise hold");
+  BOOST_TEST(none[1].message == "differs");
+  BOOST_TEST(total(none) == 10);
+
+  Checks half = toy_grading::checks();
+  half["square-values"] = [](const Program&, const Variant&) { return Outcome{0.5, "by half"}; };
+  const auto some = results_of(built, assignment, half, Isolation::sandbox);
+  BOOST_TEST(some[0].points == 2);
+  BOOST_TEST(some[1].points == 3);
+
+  half["square-growth"] = [](const Program&, const Variant&) { return Outcome{0.25, "a part"}; };
+  const auto less = results_of(built, assignment, half, Isolation::sandbox);
+  BOOST_TEST(less[0].points == 1);
+  BOOST_TEST(less[0].message == "a part");
+
+  Assignment open = assignment;
+  for (CheckEntry& entry : open.exercises[0].checks) entry.visibility = Visibility::visible;
+  const auto all = results_of(built, open, toy_grading::checks(), Isolation::sandbox);
+  BOOST_TEST(all[0].points == 4);
 }
 
 BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
@@ -263,6 +287,23 @@ BOOST_AUTO_TEST_CASE(a_task_that_took_too_long_is_not_asked_again) {
   BOOST_TEST(graded.results[1].message == graded.results[0].message);
   BOOST_TEST(total(graded.results) == 10);
   BOOST_TEST((std::chrono::steady_clock::now() - begin < std::chrono::seconds(20)));
+}
+
+BOOST_AUTO_TEST_CASE(without_walls_no_memory_is_shared_and_no_socket_opened) {
+  const std::filesystem::path hostile =
+      std::filesystem::path(HALFSPACE_SOURCE_DIR) / "tests/course/hostile";
+  for (const char* name : {"holds_shared_memory", "uses_network", "keeps_keys"}) {
+    const TemporaryFolder scratch;
+    const std::string text = sys::read_file(hostile / name / "src/square.cpp");
+
+    const Built built = build(toy_grading::assignment(), toy_grading::toolkit(),
+                              with("src/square.cpp", text), scratch.path(), Isolation::none);
+
+    BOOST_TEST(built.compile_errors.empty(), name);
+    BOOST_TEST(total(results_of(built, toy_grading::assignment(), toy_grading::checks(),
+                                Isolation::none)) == 10,
+               name);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(without_walls_the_solution_has_all_points_too) {

@@ -136,6 +136,20 @@ BOOST_AUTO_TEST_CASE(a_pdf_is_read_as_text_with_its_thin_spaces) {
   BOOST_TEST(leaks_in("sheet.pdf", small_pdf("(nothing of interest)Tj")).empty());
 }
 
+// 151657 are the first digits of an expected value.
+BOOST_AUTO_TEST_CASE(the_place_of_something_in_a_pdf_is_no_leak) {
+  const auto place_in = [](const std::string& pdf) {
+    return std::stoul(pdf.substr(pdf.rfind("startxref") + 10));
+  };
+  std::size_t length = 151'000;
+  const auto pdf = [&] { return small_pdf("(" + std::string(length, 'x') + ") Tj"); };
+  length += 151'657 - place_in(pdf());
+  BOOST_TEST_REQUIRE(place_in(pdf()) == 151'657U);
+
+  BOOST_TEST(leaks_in("sheet.pdf", pdf()).empty());
+  check_leak("notes.txt", "startxref\n151657\n", "the expected value 151657");
+}
+
 BOOST_AUTO_TEST_CASE(what_is_attached_to_a_pdf_is_read_too) {
   check_leak("sheet.pdf", small_pdf("(see attachment) Tj", "try root-reference"),
              "the id of the hidden check root-reference");

@@ -8,6 +8,7 @@
 #include "config/table.hpp"
 #include "course/assignment/variants.hpp"
 #include "course/release/make_toolkit.hpp"
+#include "course/release/mistake_patterns.hpp"
 #include "course/release/variant_check.hpp"
 #include "course/release/wrong_solutions.hpp"
 #include "course/sandbox/sandbox.hpp"
@@ -45,6 +46,10 @@ class Toy {
     folder_.write(file, text);
   }
 
+  void write_wrong_solutions(const std::string& text) const {
+    folder_.write("toy/wrong_solutions.toml", text);
+  }
+
   course::Assignment assignment() const { return course::read_assignment(folder_.path() / "toy"); }
   course::Project project() const { return course::read_project(assignment(), toy::source); }
 
@@ -75,7 +80,8 @@ class Toy {
                                          .toolkit = toolkit(),
                                          .secret_files = {toy::folder / "hidden/hidden_checks.hpp"},
                                          .source = toy::source,
-                                         .n_jobs = 2},
+                                         .n_jobs = 2,
+                                         .patterns = patterns()},
                                         [&](const course::ProvedClaim& claim) {
                                           for (const std::string& fault : claim.faults)
                                             faults += claim.says + ": " + fault + "\n";
@@ -86,6 +92,8 @@ class Toy {
   }
 
   std::string prove() const { return prove(course::nominal_variant(assignment())); }
+
+  fs::path patterns() const { return folder_.path() / "patterns.json"; }
 
   fs::path zip() const { return folder_.path() / "handout.zip"; }
 
@@ -106,6 +114,24 @@ BOOST_AUTO_TEST_CASE(a_students_handout_is_proved_with_its_zip) {
   toy.write_handout(ada);
 
   BOOST_TEST(toy.prove(ada, toy.zip()) == "");
+}
+
+BOOST_AUTO_TEST_CASE(the_proof_leaves_what_each_wrong_solution_scores_in_each_check) {
+  const Toy toy;
+  toy.write_handout();
+  toy.prove();
+
+  const auto patterns = course::read_patterns(toy.assignment(), toy.patterns());
+
+  const auto wrong = course::read_wrong_solutions(
+      toy.assignment(), course::texts(toy.project(), course::Edition::solution));
+  BOOST_REQUIRE(patterns.size() == wrong.size());
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    double points = 0;
+    for (const auto& [check, its_points] : patterns[i].points) points += its_points;
+    BOOST_TEST(patterns[i].id == wrong[i].id);
+    BOOST_TEST(points == wrong[i].points);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_a_student_would_trip_over_is_a_fault) {
@@ -137,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_stub_that_scores_is_a_fault) {
 
   const std::string faults = toy.prove();
 
-  BOOST_TEST(faults.find("the untouched handout scores 5.5") != std::string::npos);
+  BOOST_TEST(faults.find("the untouched handout scores 3") != std::string::npos);
   BOOST_TEST(faults.find("src/root.cpp holds the expected value 1.5165750888103102") !=
              std::string::npos);
 }
@@ -145,7 +171,6 @@ BOOST_AUTO_TEST_CASE(a_stub_that_scores_is_a_fault) {
 BOOST_AUTO_TEST_CASE(a_solution_that_loses_points_is_a_fault) {
   const Toy toy;
   toy.replace("toy/template/src/mean.cpp", "sum = 0", "sum = 1");
-  toy.replace("toy/wrong_solutions.toml", "points = 7", "points = 6");
   toy.write_handout();
 
   const std::string faults = toy.prove();
@@ -204,6 +229,34 @@ BOOST_AUTO_TEST_CASE(a_wrong_solution_must_change_one_place) {
       has(error_of("points = 4", "points = 11"), ":7:10: wrong.points: 11 is not from 0 to 10"));
   BOOST_TEST(has(error_of("\"one-more\"", "\"quarter\""), "\"quarter\" stands here again"));
   BOOST_TEST(has(error_of("points = 4", "points = 4\nscore = 5"), "wrong.score: unknown key"));
+  const std::string change =
+      "points = 4\n[[wrong.change]]\nfile = \"src/mean.cpp\"\nbefore = \"sum += number;\"\n"
+      "after = \"sum += 1;\"";
+  BOOST_TEST(has(error_of("points = 4", change), "wrong.after: unknown key"));
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_solution_may_change_several_files) {
+  const Toy toy;
+  const std::string root =
+      "[[wrong.change]]\nfile = \"src/root.cpp\"\nbefore = \"0.5 * (guess\"\nafter = \"guess * "
+      "(guess\"\n";
+  const std::string mean =
+      "[[wrong.change]]\nfile = \"src/mean.cpp\"\nbefore = \"sum += number;\"\nafter = \"\"\n";
+  const auto read = [&](const std::string& changes) {
+    toy.write_wrong_solutions("[[wrong]]\nid = \"both\"\nsays = \"two\"\npoints = 0\n" + changes);
+    return course::read_wrong_solutions(toy.assignment(),
+                                        course::texts(toy.project(), course::Edition::solution));
+  };
+
+  const auto wrong = read(root + mean).front();
+  const course::Files files =
+      course::with_mistake(course::texts(toy.project(), course::Edition::solution), wrong);
+
+  BOOST_TEST(files.at("src/root.cpp").find("guess * (guess") != std::string::npos);
+  BOOST_TEST(files.at("src/mean.cpp").find("sum += number;") == std::string::npos);
+  BOOST_CHECK_EXCEPTION(read(root + root), config::Error, [](const auto& error) {
+    return std::string(error.what()).ends_with("src/root.cpp is changed twice");
+  });
 }
 
 BOOST_AUTO_TEST_CASE(the_solution_holds_on_every_variant) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/sandbox/child.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <csignal>
@@ -112,6 +115,52 @@ BOOST_AUTO_TEST_CASE(a_child_that_wants_a_processor_does_not_wait) {
   BOOST_TEST((end.excess == Excess::none));
   BOOST_TEST(end.status == 0);
   BOOST_TEST(end.cpu_seconds > 0.1);
+}
+
+// Whoever stops the grading, by Ctrl-Z for instance, does no injustice to the job that is running.
+BOOST_AUTO_TEST_CASE(time_in_which_the_watching_process_was_stopped_does_not_count) {
+  const Shell shell;
+  Child child = shell.child("sleep 2.2");
+  child.waiting_seconds = 1.5;
+  const pid_t watching = ::fork();
+  if (watching == 0) ::_exit(run_child(child).excess == Excess::none ? 0 : 1);
+
+  ::usleep(300'000);
+  ::kill(watching, SIGSTOP);
+  ::usleep(1'700'000);
+  ::kill(watching, SIGCONT);
+  int status = 1;
+  ::waitpid(watching, &status, 0);
+
+  BOOST_TEST(status == 0);
+}
+
+// A parent that ignores the end of its children hides their time from the kernel's sum.
+BOOST_AUTO_TEST_CASE(the_time_of_forgotten_children_counts) {
+  const Shell shell;
+  Child child = shell.child(
+      "exec /usr/bin/perl -e '$SIG{CHLD} = \"IGNORE\"; for (1 .. 8) { if (!fork) "
+      "{ 1 while (times)[0] < 0.25; exit } 1 while wait > 0 }'");
+  child.cpu_seconds = 1;
+
+  const course::ChildEnd end = run_child(child);
+
+  BOOST_TEST((end.excess == Excess::time));
+  BOOST_TEST(end.cpu_seconds > 1);
+}
+
+BOOST_AUTO_TEST_CASE(time_by_the_clock_has_a_limit_too) {
+  const Shell shell;
+  Child child = shell.child("while :; do sleep 0.01; done");
+  child.clock_seconds = 0.3;
+
+  BOOST_TEST((run_child(child).excess == Excess::time));
+}
+
+BOOST_AUTO_TEST_CASE(a_child_that_kills_its_group_kills_itself_alone) {
+  const Shell shell;
+
+  BOOST_TEST(run_child(shell.child("kill -KILL 0; sleep 5")).status == 128 + SIGKILL);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

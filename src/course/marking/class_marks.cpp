@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/class_marks.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "course/assignment/student.hpp"
+#include "course/assignment/student_text.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+/// The students and groups who have a line, with what is known of them.
+using Known = std::map<std::string, StudentMark>;
+
+/// Throws nlohmann's exceptions if the JSON is no mark.
+Mark parsed_mark(const Assignment& assignment, const nlohmann::json& json) {
+  Mark mark;
+  mark.state = json.at("state").get<std::string>();
+  mark.days_late = json.at("days_late").get<int>();
+  mark.slip_days = json.at("slip_days").get<int>();
+  mark.percent = json.at("deduction_percent").get<double>();
+  mark.points = json.at("points").get<double>();
+  mark.deduction = json.at("deduction").get<double>();
+  mark.mark = json.at("mark").get<double>();
+  mark.has_report = json.at("has_report").get<bool>();
+  mark.missing = json.at("missing").get<std::vector<std::string>>();
+  mark.not_compiling = json.at("not_compiling").get<std::vector<std::string>>();
+  for (const std::string& id : check_ids(assignment)) {
+    mark.checks[id] = json.at("checks").at(id).get<double>();
+  }
+  return mark;
+}
+
+void read_mark(const Assignment& assignment, const fs::path& folder, Known& known,
+               std::vector<std::string>& problems) {
+  const std::string student = folder.filename().string();
+  try {
+    require_student_id(student);
+    const auto json = nlohmann::json::parse(sys::read_file(folder / "mark.json"));
+    if (json.at("student").get<std::string>() != student) {
+      throw sys::OutputError("it is the mark of another student");
+    }
+    const Mark mark = parsed_mark(assignment, json);
+    known[student] = {.student = student, .state = mark.state, .mark = mark};
+  } catch (const nlohmann::json::exception&) {
+    problems.push_back(fmt::format("'{}' is no mark of this assignment",
+                                   shown_name((folder / "mark.json").string())));
+  } catch (const std::exception& error) {
+    problems.push_back(fmt::format("'{}': {}", shown_name(folder.string()), error.what()));
+  }
+}
+
+/// Everybody who handed something in, even if it was more than one submission.
+std::vector<std::string> students_with_submission(const fs::path& submissions) {
+  std::vector<std::string> students;
+  for (const auto& entry : fs::directory_iterator(submissions)) {
+    const bool is_folder = fs::is_directory(entry.symlink_status());
+    if (!is_folder && !names_archive(entry.path())) continue;
+    const std::string student = student_of(entry.path());
+    try {
+      require_student_id(student);
+      students.push_back(student);
+    } catch (const sys::SourceError&) {
+      // The command `list` reports it.
+    }
+  }
+  return students;
+}
+
+std::vector<fs::path> folders_in(const fs::path& grades) {
+  std::error_code error;
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(grades, error)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && !name.ends_with(".part")) folders.push_back(entry.path());
+  }
+  if (error) {
+    throw sys::OutputError(fmt::format("cannot list '{}': {}", grades.string(), error.message()));
+  }
+  return folders;
+}
+
+void add_without_mark(Known& known, const std::string& student, const char* state) {
+  known.emplace(student, StudentMark{.student = student, .state = state});
+}
+
+}  // namespace
+
+void Mark::add_up() {
+  const auto in_hundredths_of = [](double number) { return std::round(number * 100) / 100; };
+  double sum = 0;
+  for (const auto& [check, its_points] : checks) sum += its_points;
+  for (const auto& [criterion, its_mark] : criteria) sum += its_mark.points;
+  points = in_hundredths_of(sum);
+  deduction = in_hundredths_of(points * percent / 100);
+  mark = in_hundredths_of(points - deduction);
+}
+
+std::vector<std::string> check_ids(const Assignment& assignment) {
+  std::vector<std::string> ids;
+  for (const Exercise& exercise : assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) ids.push_back(entry.id);
+  }
+  return ids;
+}
+
+ClassMarks class_marks(const Assignment& assignment, const fs::path& grades,
+                       const std::optional<Roster>& roster,
+                       const std::optional<fs::path>& submissions) {
+  ClassMarks marks;
+  marks.most = assignment.points;
+  Known known;
+  for (const fs::path& one : folders_in(grades)) read_mark(assignment, one, known, marks.problems);
+  if (submissions) {
+    for (const std::string& student : students_with_submission(*submissions)) {
+      const bool is_known = !roster || !members_of(*roster, student).empty();
+      add_without_mark(known, student, is_known ? "not graded" : "not in the class");
+    }
+  }
+  if (roster) {
+    for (const std::string& unit : units_of(*roster)) add_without_mark(known, unit, "missing");
+  }
+  for (const auto& [unit, mark] : known) {
+    std::vector<std::string> members = {unit};
+    if (roster && !roster->contains(unit)) members = members_of(*roster, unit);
+    if (members.empty()) members = {unit};  // of somebody who is not in the class
+    for (const std::string& student : members) {
+      marks.students.push_back(mark);
+      marks.students.back().student = student;
+      if (student != unit) marks.students.back().group = unit;
+    }
+  }
+  std::ranges::sort(marks.students, {}, &StudentMark::student);
+  return marks;
+}
+
+}  // namespace course

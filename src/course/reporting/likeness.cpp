@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/reporting/likeness.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "course/marking/csv.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/pattern.hpp"
+#include "system/process.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+std::string without_blanks(std::string_view line) {
+  std::string text;
+  std::ranges::copy_if(line, std::back_inserter(text),
+                       [](char c) { return c != ' ' && c != '\t' && c != '\r'; });
+  return text;
+}
+
+std::size_t number_in(std::string_view digits) {
+  std::size_t number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
+/// The percentage of the first file that is in the second, by their numbers.
+using Shares = std::map<std::pair<std::size_t, std::size_t>, int>;
+
+Shares shares_in(std::string_view output) {
+  static const sys::Pattern line_form(
+      R"(\s*(?:\S*/)?(\d+)\.cpp consists for (\d+) % of (?:\S*/)?(\d+)\.cpp material\s*)");
+  Shares shares;
+  for (const std::string_view line : sys::lines_of(output)) {
+    const auto match = line_form.match_all_of(line);
+    if (!match) continue;
+    shares[{number_in(match->parts[1]), number_in(match->parts[3])}] =
+        static_cast<int>(number_in(match->parts[2]));
+  }
+  return shares;
+}
+
+/// The shares of all files in a folder, which are named 0.cpp, 1.cpp and so on.
+Shares compare(const fs::path& folder, std::size_t n_files, const fs::path& work,
+               Isolation isolation) {
+  const Sandbox sandbox(isolation, work);
+  const Readable readable{folder, "/own"};
+  make_readable(folder);
+  Job job{.command = {sys::find_tool("sim_c++").string(), "-p", "-a", "-e", "-t", "1"},
+          .readable = {readable},
+          .folder = sandbox.place(readable),
+          .output = work / "sim.out",
+          .errors = work / "sim.err",
+          .seconds = 600,
+          .memory_mb = 4096,
+          .file_kb = 256 * 1024};
+  for (std::size_t i = 0; i < n_files; ++i) job.command.push_back(fmt::format("{}.cpp", i));
+  const JobEnd end = sandbox.run(job);
+  if (end.ending != Ending::normal || end.status != 0) {
+    const std::string why = sys::read_file(job.errors);
+    throw sys::ToolError("sim_c++ failed: " + why.substr(0, why.find('\n')));
+  }
+  return shares_in(sys::read_file(job.output));
+}
+
+/// The pairs of one exercise.
+std::vector<LikePair> pairs_of(const std::string& exercise, const std::vector<std::string>& units,
+                               const Shares& shares, int percent) {
+  const auto share = [&](std::size_t i, std::size_t j) {
+    const auto found = shares.find({i, j});
+    return found == shares.end() ? 0 : found->second;
+  };
+  std::vector<LikePair> pairs;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    for (std::size_t j = i + 1; j < units.size(); ++j) {
+      LikePair pair{exercise, units[i], units[j], share(i, j), share(j, i)};
+      if (pair.percent_of_second > pair.percent_of_first) {
+        std::swap(pair.first, pair.second);
+        std::swap(pair.percent_of_first, pair.percent_of_second);
+      }
+      if (pair.percent_of_first >= percent) pairs.push_back(std::move(pair));
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::set<std::string> known_lines(const std::vector<Files>& all) {
+  std::set<std::string> known;
+  for (const Files& files : all) {
+    for (const auto& [file, text] : files) {
+      for (const std::string_view line : sys::lines_of(text)) known.insert(without_blanks(line));
+    }
+  }
+  return known;
+}
+
+std::string own_lines(std::string_view text, const std::set<std::string>& known) {
+  std::string own;
+  for (const std::string_view line : sys::lines_of(text)) {
+    if (known.contains(without_blanks(line))) continue;
+    own += line;
+    own += '\n';
+  }
+  return own;
+}
+
+std::vector<LikePair> like_pairs(const Assignment& assignment, const std::vector<Written>& all,
+                                 const std::set<std::string>& known, int percent,
+                                 const fs::path& work, Isolation isolation) {
+  std::vector<LikePair> pairs;
+  for (const Exercise& exercise : assignment.exercises) {
+    const fs::path folder = work / exercise.id;
+    std::vector<std::string> units;
+    for (const Written& written : all) {
+      const auto file = written.files.find(exercise.file);
+      if (file == written.files.end()) continue;
+      sys::write_file_atomically(folder / fmt::format("{}.cpp", units.size()),
+                                 own_lines(file->second, known));
+      units.push_back(written.unit);
+    }
+    if (units.size() < 2) continue;
+    const Shares shares = compare(folder, units.size(), work, isolation);
+    const auto more = pairs_of(exercise.id, units, shares, percent);
+    pairs.insert(pairs.end(), more.begin(), more.end());
+  }
+  std::ranges::stable_sort(pairs, [](const LikePair& a, const LikePair& b) {
+    return std::tie(b.percent_of_first, b.percent_of_second) <
+           std::tie(a.percent_of_first, a.percent_of_second);
+  });
+  return pairs;
+}
+
+std::string pairs_csv(const std::vector<LikePair>& pairs) {
+  std::string csv = "exercise,first,percent of the first,second,percent of the second\r\n";
+  for (const LikePair& pair : pairs) {
+    csv += fmt::format("{},{},{},{},{}\r\n", csv_field(pair.exercise), csv_field(pair.first),
+                       pair.percent_of_first, csv_field(pair.second), pair.percent_of_second);
+  }
+  return csv;
+}
+
+}  // namespace course

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/reporting/mistakes.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "course/marking/csv.hpp"
+#include "course/marking/solution_trial.hpp"
+
+namespace course {
+namespace {
+
+enum class Part { none, some, all };
+
+Part part_of(const CheckEntry& check, double points) {
+  if (are_same_points(points, check.points)) return Part::all;
+  return are_same_points(points, 0) ? Part::none : Part::some;
+}
+
+bool holds(const std::vector<std::string>& list, const std::string& text) {
+  return std::ranges::find(list, text) != list.end();
+}
+
+bool is_met(const Assignment& assignment, const MistakePattern& pattern, const Mark& mark) {
+  bool loses = false;
+  for (const Exercise& exercise : assignment.exercises) {
+    if (!holds(pattern.exercises, exercise.id)) continue;
+    if (holds(mark.missing, exercise.id) || holds(mark.not_compiling, exercise.id)) return false;
+    for (const CheckEntry& check : exercise.checks) {
+      const Part part = part_of(check, pattern.points.at(check.id));
+      if (part_of(check, mark.checks.at(check.id)) != part) return false;
+      loses = loses || part != Part::all;
+    }
+  }
+  return loses;
+}
+
+}  // namespace
+
+std::vector<Met> met_mistakes(const Assignment& assignment,
+                              const std::vector<MistakePattern>& patterns,
+                              const ClassMarks& marks) {
+  std::vector<Met> all;
+  for (const MistakePattern& pattern : patterns) {
+    Met met{.pattern = pattern, .students = {}};
+    for (const StudentMark& student : marks.students) {
+      if (student.mark && is_met(assignment, pattern, *student.mark)) {
+        met.students.push_back(student.student);
+      }
+    }
+    all.push_back(std::move(met));
+  }
+  return all;
+}
+
+std::string mistakes_csv(const std::vector<Met>& all) {
+  std::string csv = "wrong solution,says,exercises,students,who\r\n";
+  for (const Met& met : all) {
+    csv += fmt::format("{},{},{},{},{}\r\n", csv_field(met.pattern.id), csv_field(met.pattern.says),
+                       csv_field(fmt::format("{}", fmt::join(met.pattern.exercises, " "))),
+                       met.students.size(),
+                       csv_field(fmt::format("{}", fmt::join(met.students, " "))));
+  }
+  return csv;
+}
+
+}  // namespace course

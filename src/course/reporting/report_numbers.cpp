@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/reporting/report_numbers.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "course/assignment/student_text.hpp"
+#include "course/marking/archive.hpp"
+#include "course/marking/build.hpp"
+#include "course/marking/toolkit.hpp"
+#include "course/release/handout.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* program_file = "report/figures.cpp";
+constexpr std::size_t most_files = 100;
+constexpr std::size_t most_said = 4000;  ///< bytes of what a program says that a marker reads
+
+/// Whether a name is one that the report can ask for, and nothing else to any program.
+bool is_plain(const std::string& name) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [&](char c) {
+    return is_letter(c) || c == '.' || c == '-' || c == '_';
+  });
+}
+
+std::string why_it_ended(const Limits& limits, const JobEnd& end) {
+  switch (end.ending) {
+    case Ending::too_slow:
+      return fmt::format("it takes longer than {} s", limits.report_seconds);
+    case Ending::too_large:
+      return fmt::format("it uses more than {} MB", limits.memory_mb);
+    case Ending::too_many_processes:
+      return fmt::format("it starts more than {} processes", limits.processes);
+    case Ending::too_much_output:
+      return fmt::format("it writes more than {} MB", limits.submission_mb);
+    case Ending::crash:
+      return "it crashed";
+    case Ending::normal:
+      break;
+  }
+  return end.status == 0 ? "" : fmt::format("it ended with status {}", end.status);
+}
+
+/// Runs the program, whose files come back as an archive on standard output.
+class FiguresRun {
+ public:
+  FiguresRun(const Assignment& assignment, const fs::path& work, Isolation isolation)
+      : limits_(assignment.limits), work_(work), isolation_(isolation), sandbox_(isolation, work) {
+    limits_.file_kb = 1024 * limits_.submission_mb;
+  }
+
+  ReportNumbers run(const fs::path& program) const {
+    ReportNumbers numbers;
+    const JobEnd end = run_in_sandbox(program);
+    const std::string said = shown(beginning_of(work_ / "errors", most_said), most_said);
+    for (const std::string_view line : sys::lines_of(said)) {
+      numbers.problems.push_back(fmt::format("{}: {}", program_file, line));
+    }
+    const std::string why = why_it_ended(limits_, end);
+    if (!why.empty()) {
+      numbers.problems.push_back(
+          fmt::format("{}: with these functions there are no numbers: {}", program_file, why));
+      return numbers;
+    }
+    take_files(numbers);
+    return numbers;
+  }
+
+ private:
+  JobEnd run_in_sandbox(const fs::path& program) const {
+    const Readable readable{program, "/program"};
+    Job job;
+    job.command = {"/bin/sh",
+                   "-c",
+                   R"(mkdir "$2" && "$1" "$2" >/dev/null && exec "$3" -cf - -C "$2" .)",
+                   "sh",
+                   sandbox_.place(readable),
+                   sandbox_.scratch() + "/generated",
+                   sys::find_tool("bsdtar")};
+    job.readable = {readable};
+    job.output = archive();
+    job.errors = work_ / "errors";
+    job.seconds = limits_.report_seconds;
+    job.memory_mb = limits_.memory_mb;
+    job.processes = limits_.processes;
+    job.file_kb = limits_.file_kb;
+    job.scratch_mb = 2 * limits_.submission_mb;
+    return sandbox_.run(job);
+  }
+
+  void take_files(ReportNumbers& numbers) const {
+    const fs::path unpacking = work_ / "unpacking";
+    fs::create_directories(unpacking);
+    try {
+      const Archive files(limits_, archive(), unpacking, isolation_);
+      for (const std::string& name : files.entries()) {
+        if (!is_plain(name) || numbers.files.size() == most_files) continue;
+        numbers.files[name] = files.read(name);
+      }
+    } catch (const std::invalid_argument& error) {
+      numbers.problems.push_back(
+          fmt::format("{}: its files cannot be read: {}", program_file, error.what()));
+    }
+  }
+
+  fs::path archive() const { return work_ / "files.tar"; }
+
+  Limits limits_;
+  fs::path work_;
+  Isolation isolation_;
+  Sandbox sandbox_;
+};
+
+}  // namespace
+
+ReportNumbers report_numbers(const Assignment& assignment, const fs::path& toolkit,
+                             const Files& exercises, const Variant& variant,
+                             const fs::path& scratch, Isolation isolation) {
+  if (!fs::exists(open_toolkit(assignment, toolkit).project() / program_file)) return {};
+  const OtherMain figures{program_file, {{variant_file, variant_header(assignment, variant)}}};
+  const Built built = build(assignment, toolkit, exercises, scratch / "build", isolation, figures);
+  ReportNumbers numbers;
+  if (built.link_error.empty()) {
+    const fs::path work = scratch / "figures";
+    fs::create_directories(work);
+    numbers = FiguresRun(assignment, work, isolation).run(built.program);
+  } else {
+    numbers.problems.push_back("the submission does not link: " + built.link_error);
+  }
+  std::vector<std::string> compiling;
+  for (const auto& [exercise, message] : built.compile_errors) {
+    compiling.push_back(fmt::format("{}: {}", exercise, message.substr(0, message.find('\n'))));
+  }
+  numbers.problems.insert(numbers.problems.begin(), compiling.begin(), compiling.end());
+  return numbers;
+}
+
+}  // namespace course

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command_line/options.hpp"
+#include "course/marking/listing.hpp"
+#include "course/marking/submission.hpp"
+#include "course/release/handout.hpp"
+#include "course/release/wrong_solutions.hpp"
+#include "course/reporting/likeness.hpp"
+#include "course/sandbox/scratch_folder.hpp"
+#include "course_app/commands.hpp"
+#include "course_app/options.hpp"
+#include "system/files.hpp"
+#include "system/staging.hpp"
+
+namespace course_app {
+namespace fs = std::filesystem;
+namespace {
+
+struct LikenessOptions : CourseOptions {
+  std::string submissions, output, roster;
+  bool is_unsafe = false;
+};
+
+int percent_of(const NumberOption& option) {
+  constexpr long otherwise = 50;
+  const long percent = option.integer().value_or(otherwise);
+  if (percent < 1 || percent > 100) {
+    throw sys::InputError(fmt::format("--percent: {} is not from 1 to 100", percent));
+  }
+  return static_cast<int>(percent);
+}
+
+void export_to(const fs::path& folder, const course::Files& files) {
+  for (const auto& [file, text] : files) sys::write_file_atomically(folder / file, text);
+}
+
+ExitCode likeness(const LikenessOptions& options, int percent) {
+  const course::Assignment assignment = read_assignment(options);
+  const course::Project project = course::read_project(assignment, options.source);
+  const course::Files base =
+      course::submission(assignment, course::texts(project, course::Edition::handout));
+  const course::Files solution = course::texts(project, course::Edition::solution);
+  std::vector<course::Files> expected = {base, solution};
+  for (const auto& wrong : course::read_wrong_solutions(assignment, solution)) {
+    expected.push_back(course::with_mistake(solution, wrong));
+  }
+
+  const auto isolation = options.is_unsafe ? course::Isolation::none : course::Isolation::sandbox;
+  const course::Listing listing =
+      course::list_submissions(options.submissions, roster_of(options.roster));
+  const std::vector<std::string> former = fs::is_directory(options.output)
+                                              ? sys::files_below(options.output)
+                                              : std::vector<std::string>{};
+  sys::Staging staging(options.output);
+  export_to(staging.path() / "base", base);
+  std::vector<course::Written> all;
+  for (const course::Entry& entry : listing.entries) {
+    const course::ScratchFolder work;
+    all.push_back({entry.student,
+                   course::take_submission(assignment, entry.path, work.path(), isolation).files});
+    export_to(staging.path() / "submissions" / entry.student, all.back().files);
+  }
+  const course::ScratchFolder work;
+  const auto pairs = course::like_pairs(assignment, all, course::known_lines(expected), percent,
+                                        work.path(), isolation);
+  sys::write_file_atomically(staging.path() / "pairs.csv", course::pairs_csv(pairs));
+  staging.publish(former);
+  return answer_faults(listing.problems);
+}
+
+}  // namespace
+
+void add_likeness_command(CLI::App& program, ExitCode& exit_code) {
+  add_command(program, "likeness",
+              "Compare submissions with each other, and export them for MOSS and JPlag", exit_code,
+              [](CLI::App& command) {
+                auto options = std::make_shared<LikenessOptions>();
+                add_required_text(command, "submissions", options->submissions, "DIR",
+                                  "Folder with a folder or archive a student");
+                add_assignment(command, *options);
+                add_source(command, *options);
+                add_text(command, "--roster", options->roster, "FILE", "CSV of the class");
+                add_required_text(command, "--output", options->output, "DIR",
+                                  "Folder to write; replaced as a whole");
+                auto percent = std::make_shared<NumberOption>(
+                    command, "--percent", "How much of one of them a pair must have in common; 50");
+                add_switch(command, "--unsafe", options->is_unsafe,
+                           "Unpack archives and compare without bubblewrap");
+                return [options, percent] { return likeness(*options, percent_of(*percent)); };
+              });
+}
+
+}  // namespace course_app

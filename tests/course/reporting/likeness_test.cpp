@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/reporting/likeness.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "course/toy_grading.hpp"
+#include "course/walls.hpp"
+
+BOOST_AUTO_TEST_SUITE(likeness_test, *boost::unit_test::fixture(&need_walls))
+
+using namespace course;
+
+namespace {
+
+const std::string given =
+    "#include \"toy.hpp\"\n\ndouble square(double x) {\n  double sum = 0;\n"
+    "  for (int i = 0; i < 100; ++i) sum += x * i;\n  return sum / x + (x < 0 ? -x : x) * x;\n}\n";
+
+const std::string first =
+    "double part(double a, int n) {\n  double b = 1;\n  while (n > 0) { b *= a; n = n - 1; }\n"
+    "  if (b > 3 && a < 7) b = b / 2 + a * (b - 1);\n  return b;\n}\n";
+
+/// The same with other names, numbers, layout and a comment.
+const std::string copied =
+    "// mine\ndouble share(double u, int k)\n{\n  double v = 2; while (k > 1) {\n    v *= u;\n"
+    "    k = k - 2;\n  }\n  if (v > 4 && u < 8) v = v / 3 + u * (v - 2);\n  return v;\n}\n";
+
+const std::string other =
+    "struct P { double x[3]; };\nstatic P make(double q) {\n  P p{};\n  for (auto& e : p.x) e = "
+    "q;\n"
+    "  switch (int(q)) { case 1: return p; default: break; }\n  p.x[0] += p.x[1] - p.x[2];\n"
+    "  return p;\n}\n";
+
+std::vector<LikePair> pairs(const std::vector<std::string>& texts,
+                            const std::set<std::string>& known, int percent = 50) {
+  const TemporaryFolder work;
+  const std::vector<std::string> units = {"alice", "bob", "carol", "dave"};
+  std::vector<Written> all;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    all.push_back({units[i], {{"src/square.cpp", texts[i]}}});
+  }
+  return like_pairs(toy_grading::assignment(), all, known, percent, work.path(),
+                    Isolation::sandbox);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_copy_with_other_names_is_found_and_another_text_is_not) {
+  const auto found = pairs({first, other, copied}, {});
+
+  BOOST_REQUIRE(found.size() == 1U);
+  BOOST_TEST(found[0].exercise == "square");
+  BOOST_TEST(found[0].percent_of_first > 90);
+  BOOST_TEST(found[0].percent_of_second > 90);
+  BOOST_TEST((std::set<std::string>{found[0].first, found[0].second} ==
+              std::set<std::string>{"alice", "carol"}));
+}
+
+BOOST_AUTO_TEST_CASE(what_everybody_was_given_is_no_likeness) {
+  const std::vector<std::string> texts = {given + first, given + other};
+
+  BOOST_TEST(pairs(texts, {}, 30).size() == 1U);
+  BOOST_TEST(pairs(texts, known_lines({{{"src/square.cpp", given}}}), 30).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_part_that_was_taken_is_that_of_the_shorter_text) {
+  const auto found = pairs({first + other, copied}, {});
+
+  BOOST_REQUIRE(found.size() == 1U);
+  BOOST_TEST(found[0].first == "bob");
+  BOOST_TEST(found[0].percent_of_first > found[0].percent_of_second);
+}
+
+BOOST_AUTO_TEST_CASE(who_wrote_nothing_of_their_own_is_like_nobody) {
+  BOOST_TEST(pairs({given, given, ""}, known_lines({{{"src/square.cpp", given}}})).empty());
+  BOOST_TEST(pairs({first}, {}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(lines_are_known_whatever_their_blanks) {
+  const auto known = known_lines({{{"a.cpp", "int a = 1;\r\n\treturn a;\n"}}});
+
+  BOOST_TEST(own_lines("  int a=1;\nint b;\nreturn  a;\n", known) == "int b;\n");
+}
+
+BOOST_AUTO_TEST_CASE(the_table_has_a_line_for_each_pair) {
+  BOOST_TEST(pairs_csv({{"square", "alice", "bob", 97, 41}}) ==
+             "exercise,first,percent of the first,second,percent of the second\r\n"
+             "square,alice,97,bob,41\r\n");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

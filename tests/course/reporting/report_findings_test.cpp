@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/reporting/report_findings.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(report_findings_test)
+
+using namespace course;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+const std::string computed =
+    "\\newcommand*\\halfwidth{0.52221\\,mm}\n\\newcommand*\\approach{0.0538\\,mm}\n";
+
+std::string report(const std::string& body) {
+  return "\\documentclass{article}\n\\begin{document}\n" + body + "\n\\end{document}\n";
+}
+
+void check(const ReportTexts& texts, const Lines& expected) {
+  const Lines findings = report_findings(texts);
+  BOOST_TEST(findings == expected, boost::test_tools::per_element());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_found_in_a_report_that_takes_its_numbers_from_the_program) {
+  check({.report = report("It is \\halfwidth{} wide, of order 2."),
+         .handed_in = computed,
+         .computed = computed,
+         .log = "(./report.tex)\nOutput written on report.pdf (1 page).\n"},
+        {});
+}
+
+BOOST_AUTO_TEST_CASE(a_number_typed_in_the_prose_is_told_with_its_place) {
+  check(
+      {.report = report("It is 0.5222 wide."), .handed_in = "", .computed = computed, .log = ""},
+      {"report/report.tex:3:7: 0.5222 is typed: take it from the computation, or end the line with "
+       "'% constant: reason'"});
+}
+
+BOOST_AUTO_TEST_CASE(a_command_that_is_not_defined_is_told_with_the_nearest_name) {
+  check({.report = report("It is \\halfwidht{} wide."),
+         .handed_in = "",
+         .computed = computed,
+         .log = "./report.tex:3: Undefined control sequence.\nl.3 It is \\halfwidht\n"
+                "                      {} wide.\n"},
+        {"report/report.tex:3:7: Undefined control sequence. \\halfwidht, did you mean "
+         "'halfwidth'?"});
+}
+
+BOOST_AUTO_TEST_CASE(an_error_of_latex_keeps_its_line_where_the_log_tells_no_column) {
+  check({.report = report("x"),
+         .handed_in = "",
+         .computed = "",
+         .log = "./report.tex:2: LaTeX Error: File `none.sty' not found.\n"
+                "./generated/numbers.tex:1: Missing $ inserted.\nl.99 nowhere\n"},
+        {"report/report.tex:2: LaTeX Error: File `none.sty' not found.",
+         "report/generated/numbers.tex:1: Missing $ inserted."});
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_the_report_defines_anew_is_told_however_that_is_written) {
+  for (const char* definition :
+       {"\\renewcommand*\\approach{5}", "\\renewcommand{\\approach}{5}", "\\def\\approach{5}",
+        "\\gdef \\approach{5}", "\\let\\approach=\\relax", "\\newcommand% why\n\\approach{5}"}) {
+    const Lines findings = report_findings(
+        {.report = report(definition), .handed_in = "", .computed = computed, .log = ""});
+    BOOST_REQUIRE(findings.size() == 1U);
+    BOOST_TEST(findings[0].ends_with(": \\approach is defined anew, but numbers.tex gives it"),
+               findings[0]);
+  }
+  check({.report = report("\\newcommand\\mine{a} \\approach"),
+         .handed_in = "",
+         .computed = computed,
+         .log = ""},
+        {});
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_were_handed_in_and_are_not_computed_are_told) {
+  check(
+      {.report = report("x"),
+       .handed_in = "\\newcommand*\\halfwidth{0.5\\,mm}\n\\newcommand*\\approach{0.0538\\,mm}\n"
+                    "  \\newcommand*\\third{1}\n",
+       .computed = computed,
+       .log = ""},
+      {"report/generated/numbers.tex:1:13: \\halfwidth was handed in as 0.5\\,mm, and is computed "
+       "as 0.52221\\,mm",
+       "report/generated/numbers.tex:3:15: \\third was handed in, and is not computed"});
+}
+
+BOOST_AUTO_TEST_CASE(without_computed_numbers_none_are_compared) {
+  check({.report = report("x"), .handed_in = computed, .computed = "", .log = ""}, {});
+}
+
+BOOST_AUTO_TEST_CASE(bytes_that_are_no_utf8_are_told_and_hinder_nothing) {
+  check({.report = report("M\xfcller is 0.5222 wide."),
+         .handed_in = "",
+         .computed = computed,
+         .log = ""},
+        {"report/report.tex:3:2: this is no UTF-8",
+         "report/report.tex:3:11: 0.5222 is typed: take it from the computation, or end the line "
+         "with '% constant: reason'"});
+}
+
+BOOST_AUTO_TEST_CASE(a_finding_is_one_line_that_turns_no_text) {
+  const Lines findings =
+      report_findings({.report = report("x"),
+                       .handed_in = "\\newcommand*\\halfwidth{1\u202E\n\x1b[31m2}\n",
+                       .computed = computed,
+                       .log = "./report.tex:3: say \x1b[31m it\u202E.\n"});
+  BOOST_TEST(!findings.empty());
+  for (const std::string& finding : findings) {
+    for (const char* bad : {"\n", "\x1b", "\u202E"}) {
+      BOOST_TEST(finding.find(bad) == finding.npos, finding);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
