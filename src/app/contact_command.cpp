@@ -11,6 +11,7 @@
 #include "app/contact_output.hpp"
 #include "app/output_format.hpp"
 #include "app/picture.hpp"
+#include "app/validity.hpp"
 
 namespace app {
 namespace {
@@ -71,6 +72,7 @@ ExitCode run(const ContactCommandOptions& options) {
   const ContactInput input = options.contact.read(from_file);
   const SolvedContact solved = solve(input);
   require_finite(input, solved);
+  print_warnings(validity_warnings(input, solved));
   switch (options.output.format()) {
     case OutputFormat::csv:
       fmt::print("{}", contact_csv(input, solved));

@@ -108,9 +108,11 @@ void ContactOptions::set_profile(ContactInput& input,
       given1 = from_file->contact.body1;
       given2 = from_file->contact.body2;
     }
-    const contact::CylinderPair cylinders(input.material1, body1_.radius_or(given1),
-                                          input.material2, body2_.radius_or(given2));
+    const contact::Radius radius1 = body1_.radius_or(given1);
+    const contact::Radius radius2 = body2_.radius_or(given2);
+    const contact::CylinderPair cylinders(input.material1, radius1, input.material2, radius2);
     profile = cylinders.profile();
+    input.least_radius = 1 / std::max(std::abs(radius1.curvature()), std::abs(radius2.curvature()));
     if (!input.line_load) return;
     input.hertz.emplace(cylinders, *input.line_load);
     input.closed_form = closed_form("hertz", *input.hertz, input.hertz->peak_pressure());

@@ -30,6 +30,7 @@ struct ContactInput {
   std::optional<double> tangential;  ///< Q; without it the bodies slide
   std::optional<ClosedForm> closed_form;
   std::optional<contact::Hertz> hertz;  ///< for cylinders under a load
+  double least_radius = 0;              ///< of the two cylinders; 0 for other profiles
 };
 
 /// The flags that describe a contact: `halfspace contact` and `halfspace stress` have them.

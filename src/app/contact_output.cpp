@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/json_text.hpp"
+#include "app/validity.hpp"
 #include "command_line/number_text.hpp"
 
 namespace app {
@@ -73,6 +74,10 @@ std::string regions_text(const contact::Solution& solution, const config::UnitSy
 }
 
 }  // namespace
+
+std::vector<std::string> validity_warnings(const ContactInput& input, const SolvedContact& solved) {
+  return half_space_warnings(half_width_of(input, solved.solution), input.least_radius);
+}
 
 void require_finite(const ContactInput& input, const SolvedContact& solved) {
   const contact::Solution& s = solved.solution;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/contact_options.hpp"
 #include "config/units.hpp"
 
 namespace app {
+
+/// Where half-spaces no longer stand for the bodies: a sentence, none if they do.
+std::vector<std::string> validity_warnings(const ContactInput& input, const SolvedContact& solved);
 
 /// Throws sys::InputError if anything that is to be printed is not a finite number.
 void require_finite(const ContactInput& input, const SolvedContact& solved);

@@ -34,8 +34,9 @@ std::vector<Column> columns_of(const DisplacementRow& row) {
   if (row.displacement_closed_form) {
     columns.push_back({"displacement_closed_form", *row.displacement_closed_form});
   }
-  for (const Column& column : columns) {
+  for (Column& column : columns) {
     command_line::finite_result(fmt::format("{} at x = {}", column.name, row.x), column.number);
+    column.number += 0.0;  // no -0
   }
   return columns;
 }
@@ -115,7 +116,7 @@ std::string displacement_text(const std::vector<DisplacementRow>& rows,
   text += line(length, "[1]", "[1]", "[1]", "[1]", length, length, length, "[1]", "[1]");
   for (const DisplacementRow& row : rows) {
     columns_of(row);  // finite
-    const auto digits = [](double number) { return fmt::format("{:.12e}", number); };
+    const auto digits = [](double number) { return fmt::format("{:.12e}", number + 0.0); };
     const auto rough = [](double number) { return fmt::format("{:.1e}", number); };
     const auto closed = [&](const std::optional<double>& number) {
       return number ? digits(*number) : std::string("-");
@@ -126,10 +127,10 @@ std::string displacement_text(const std::vector<DisplacementRow>& rows,
     };
     const numerics::Estimate& gradient = row.gradient_quadrature;
     const numerics::Estimate& displacement = row.displacement_quadrature;
-    text += line(command_line::shortest(row.x), digits(gradient.value), rough(gradient.abs_error),
-                 closed(row.gradient_closed_form), ratio(gradient, row.gradient_closed_form),
-                 digits(displacement.value), rough(displacement.abs_error),
-                 closed(row.displacement_closed_form),
+    text += line(command_line::shortest(row.x + 0.0), digits(gradient.value),
+                 rough(gradient.abs_error), closed(row.gradient_closed_form),
+                 ratio(gradient, row.gradient_closed_form), digits(displacement.value),
+                 rough(displacement.abs_error), closed(row.displacement_closed_form),
                  ratio(displacement, row.displacement_closed_form), row.n_evaluations);
   }
   return text + notes_text(rows, notes);

@@ -10,6 +10,7 @@
 #include "app/point_contact_figure.hpp"
 #include "app/point_contact_options.hpp"
 #include "app/point_contact_output.hpp"
+#include "app/validity.hpp"
 #include "point_contact/solver/vtu.hpp"
 #include "system/files.hpp"
 
@@ -43,9 +44,7 @@ ExitCode run(const PointContactCommandOptions& options) {
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
   require_finite(input, solved);
-  for (const std::string& warning : validity_warnings(input, solved)) {
-    fmt::print(stderr, "{}: warning: {}\n", program_name(), warning);
-  }
+  print_warnings(validity_warnings(input, solved));
   if (!options.field_file.empty()) {
     sys::write_file_atomically(options.field_file, point_contact_csv(solved));
   }

@@ -394,9 +394,6 @@ PointContactInput PointContactOptions::read(
   }
   if (!depths_.empty()) input.depths = parse_numbers("--depths", depths_);
   for (const double depth : input.depths) sys::require_positive("depth", depth);
-  if (!depths_.empty() && element_ != "pyramid") {
-    throw sys::InputError("--depths needs --element pyramid");
-  }
   if (!depths_.empty() && input.friction) {
     throw sys::InputError("--depths and --friction: the stresses are those of the pressure alone");
   }

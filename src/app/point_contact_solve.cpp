@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/point_contact_output.hpp"
+#include "app/validity.hpp"
 #include "point_contact/solver/fft_solver.hpp"
 #include "point_contact/solver/matrix_inversion.hpp"
 #include "point_contact/solver/variational.hpp"
@@ -62,23 +63,14 @@ SolvedPointContact solve(const PointContactInput& input) {
 
 std::vector<std::string> validity_warnings(const PointContactInput& input,
                                            const SolvedPointContact& solved) {
-  // A tenth: what is left out, of the order of the square, is then some per cent.
-  constexpr double small = 0.1;
-  std::vector<std::string> warnings;
   const point_contact::Vector2 widths = half_widths_of(input, solved.solution);
-  if (input.least_radius > 0 && widths[0] > small * input.least_radius) {
-    warnings.push_back(
-        fmt::format("the contact's half-width is {:.2g} of the least radius: half-spaces stand for "
-                    "bodies whose "
-                    "contact is less than {} of it",
-                    widths[0] / input.least_radius, small));
-  }
+  std::vector<std::string> warnings = half_space_warnings(widths[0], input.least_radius);
   const double slope = solved.solution.approach / widths[1];
-  if (slope > small) {
+  if (slope > small_ratio) {
     warnings.push_back(fmt::format(
         "the approach is {:.2g} of the contact's half-width: small strains and slopes want less "
         "than {}",
-        slope, small));
+        slope, small_ratio));
   }
   return warnings;
 }

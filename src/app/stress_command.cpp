@@ -11,10 +11,12 @@
 
 #include "app/commands.hpp"
 #include "app/contact_options.hpp"
+#include "app/contact_output.hpp"
 #include "app/csv_columns.hpp"
 #include "app/json_text.hpp"
 #include "app/output_format.hpp"
 #include "app/picture.hpp"
+#include "app/validity.hpp"
 #include "command_line/number_text.hpp"
 #include "contact/mcewen.hpp"
 #include "contact/traction.hpp"
@@ -132,21 +134,29 @@ std::string stress_text(const std::vector<Point>& points, double poisson,
   return text;
 }
 
-// Against the depth, in the order of x and z; a NaN parts the curves of one x from those of the
-// next.
+// Against the depth, a curve for each x; if all points lie at one depth, along x. A NaN parts the
+// curves.
 literate::Figure stress_figure(std::vector<Point> points, double poisson,
                                const config::UnitSystem& units) {
-  std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-    return a.x < b.x || (a.x == b.x && a.z < b.z);
+  const bool is_along_x =
+      std::all_of(points.begin(), points.end(),
+                  [&](const Point& point) { return point.z == points.front().z; }) &&
+      points.size() > 1;
+  const auto curve = [&](const Point& point) { return is_along_x ? point.z : point.x; };
+  const auto place = [&](const Point& point) { return is_along_x ? point.x : point.z; };
+  std::stable_sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
+    return curve(a) < curve(b) || (curve(a) == curve(b) && place(a) < place(b));
   });
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> z, shear, von_mises, mcewen;
+  std::vector<double> places, shear, von_mises, mcewen;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& point = points[i];
-    if (i > 0 && point.x != points[i - 1].x) {
-      for (std::vector<double>* column : {&z, &shear, &von_mises, &mcewen}) column->push_back(gap);
+    if (i > 0 && curve(point) != curve(points[i - 1])) {
+      for (std::vector<double>* column : {&places, &shear, &von_mises, &mcewen}) {
+        column->push_back(gap);
+      }
     }
-    z.push_back(point.z);
+    places.push_back(place(point));
     shear.push_back(point.stress.max_shear());
     von_mises.push_back(point.stress.von_mises(poisson));
     mcewen.push_back(point.mcewen ? point.mcewen->max_shear() : gap);
@@ -154,9 +164,11 @@ literate::Figure stress_figure(std::vector<Point> points, double poisson,
   literate::Figure figure{
       .width_cm = 14,
       .height_cm = 9,
-      .data = {{"points", {{"z", z}, {"max_shear", shear}, {"von_mises", von_mises}}}},
-      .texts = {{"length_unit", units.length}, {"stress_unit", units.stress}}};
-  if (points.front().mcewen) figure.data["mcewen"] = {{"z", z}, {"max_shear", mcewen}};
+      .data = {{"points", {{"place", places}, {"max_shear", shear}, {"von_mises", von_mises}}}},
+      .texts = {{"axis", is_along_x ? "x" : "z"},
+                {"length_unit", units.length},
+                {"stress_unit", units.stress}}};
+  if (points.front().mcewen) figure.data["mcewen"] = {{"place", places}, {"max_shear", mcewen}};
   return figure;
 }
 
@@ -170,7 +182,9 @@ ExitCode run(const StressCommandOptions& options) {
   std::vector<Point> points = points_of(options);
   const ContactInput input = options.contact.read(from_file);
   const bool is_second = options.body == "2";
-  compute(points, input, solve(input), is_second);
+  const SolvedContact solved = solve(input);
+  compute(points, input, solved, is_second);
+  print_warnings(validity_warnings(input, solved));
   const double poisson = (is_second ? input.material2 : input.material1).poisson();
   for (const Point& point : points) {
     finite_result(fmt::format("stress at x = {}, z = {}", point.x, point.z),

@@ -11,7 +11,6 @@ Lame lame(const elasticity::Material& material) {
   return {2 * mu * nu / (1 - 2 * nu), mu};
 }
 
-// begin excerpt: element-stiffness
 Eigen::MatrixXd element_stiffness(const LobattoBasis::Integrals& integrals, const Lame& lame,
                                   double width, double height) {
   const auto& [mass, stiffness, slope] = integrals;
@@ -37,7 +36,6 @@ Eigen::MatrixXd element_stiffness(const LobattoBasis::Integrals& integrals, cons
   }
   return k;
 }
-// end excerpt: element-stiffness
 
 StackedIntegrals::StackedIntegrals(const LobattoBasis::Integrals& integrals) {
   const auto& [mass, stiffness, slope] = integrals;

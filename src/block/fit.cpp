@@ -95,18 +95,6 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
           RefinedSolution::combination(solutions, {fine.begin(), fine.end()})};
 }
 
-double max_misfit(const std::vector<RefinedSolution>& solutions, const std::vector<double>& weights,
-                  const Observed& observed) {
-  require_observed(observed, solutions.empty() ? 0 : 1);
-  if (weights.size() != solutions.size()) {
-    throw sys::InvalidQuantity("number of weights", static_cast<double>(weights.size()),
-                               "that of the loads");
-  }
-  const Eigen::Map<const Eigen::VectorXd> w(weights.data(), static_cast<Index>(weights.size()));
-  const Ratios ratios = relative_displacements(solutions, &RefinedSolution::fine, observed) * w;
-  return misfits(ratios, least_squares(ratios)).cwiseAbs().maxCoeff();
-}
-
 LinearFit fit_linear_load(const SupportedBlock& block, double half_width,
                           const Observed& observed) {
   const double a = sys::require_positive("half_width", half_width);

@@ -35,13 +35,6 @@ struct Fit {
 Fit fit_loads(const std::vector<RefinedSolution>& solutions,
               const std::vector<SurfaceDisplacement>& observed);
 
-/// The largest relative misfit, maxᵢ |c Σ_k w_k u_k(xᵢ)/uᵢ − 1|, of one load, the sum of the loads
-/// with weights w_k, under the factor c that fit_loads would find for it. Solutions add, so that
-/// those of a few loads serve for all of their sums, and no sum is formed on the whole mesh.
-/// Throws as fit_loads, and InvalidQuantity unless there is a weight for each solution.
-double max_misfit(const std::vector<RefinedSolution>& solutions, const std::vector<double>& weights,
-                  const std::vector<SurfaceDisplacement>& observed);
-
 /// The linear fall (see linear_fall) that explains displacements best.
 struct LinearFit {
   numerics::Estimate peak;           ///< stress

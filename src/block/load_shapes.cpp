@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "numerics/kernel_integrals.hpp"
@@ -43,27 +44,23 @@ elasticity::Load linear_fall(double peak, double edge_fraction, double half_widt
                         [=](double t) { return (1 - t) + edge_fraction * t; });
 }
 
-elasticity::Load trapezoid(double peak, double flat_fraction, double half_width) {
-  if (!(flat_fraction > 0 && flat_fraction < 1)) {
-    throw sys::InvalidQuantity("flat_fraction", flat_fraction, "between 0 and 1");
-  }
-  return symmetric_load(peak, half_width, {-1, -flat_fraction, flat_fraction, 1}, [=](double t) {
-    return std::min(1.0, std::max(0.0, 1 - t) / (1 - flat_fraction));
-  });
-}
-
 elasticity::Load elliptic(double peak, double half_width) {
   return symmetric_load(peak, half_width, {-1, 1},
                         [](double t) { return std::sqrt(std::max(0.0, (1 - t) * (1 + t))); });
 }
 
-elasticity::Load power_fall(double peak, int exponent, double half_width) {
-  if (exponent < 1) throw sys::InvalidQuantity("exponent", exponent, "1 or more");
-  // An even power of |x| is smooth in the middle; an odd one has a kink there
+elasticity::Load power_fall(double peak, double exponent, double half_width) {
+  sys::require_positive("exponent", exponent);
+  // An even power of |x| is smooth in the middle; any other has a kink or a root there
   const std::vector<double> ends =
-      exponent % 2 == 0 ? std::vector<double>{-1, 1} : std::vector<double>{-1, 0, 1};
+      std::fmod(exponent, 2) == 0 ? std::vector<double>{-1, 1} : std::vector<double>{-1, 0, 1};
   return symmetric_load(peak, half_width, ends,
                         [=](double t) { return 1 - std::pow(t, exponent); });
+}
+
+elasticity::Load cosine_fall(double peak, double half_width) {
+  return symmetric_load(peak, half_width, {-1, 1},
+                        [](double t) { return (1 + std::cos(std::numbers::pi * t)) / 2; });
 }
 
 elasticity::Load scaled(const elasticity::Load& load, double factor) {

@@ -11,16 +11,16 @@ namespace block {
 /// peak (stress) and half_width a (length) > 0, edge_fraction ≥ 0; InvalidQuantity otherwise.
 elasticity::Load linear_fall(double peak, double edge_fraction, double half_width);
 
-/// A pressure that is `peak` for |x| ≤ flat_fraction·a and falls linearly to zero at |x| = a.
-/// 0 < flat_fraction < 1, the others as above. Resultant (1 + flat_fraction)·peak·a.
-elasticity::Load trapezoid(double peak, double flat_fraction, double half_width);
-
 /// Hertz's p(x) = peak·√(1 − (x/a)²). Resultant (π/2)·peak·a.
 elasticity::Load elliptic(double peak, double half_width);
 
-/// p(x) = peak·(1 − |x/a|ⁿ), n ≥ 1: a parabola for n = 2, the quartic for n = 4. Resultant
-/// 2n/(n + 1)·peak·a.
-elasticity::Load power_fall(double peak, int exponent, double half_width);
+/// p(x) = peak·(1 − |x/a|ᵐ), m > 0: the triangle for m = 1, a parabola for 2, the quartic for 4.
+/// Resultant 2m/(m + 1)·peak·a. Unless m is an even number the middle counts as a kink.
+elasticity::Load power_fall(double peak, double exponent, double half_width);
+
+/// p(x) = peak·(1 + cos(πx/a))/2: a fall that is steepest at a/2 and level in the middle and at the
+/// ends. Resultant peak·a.
+elasticity::Load cosine_fall(double peak, double half_width);
 
 /// The load with all its tractions and forces multiplied by a finite factor.
 elasticity::Load scaled(const elasticity::Load& load, double factor);

@@ -54,6 +54,8 @@ const std::string& UnitSystem::unit(Dimension dimension) const {
   switch (dimension) {
     case Dimension::length:
       return length;
+    case Dimension::force:
+      return force;
     case Dimension::stress:
       return stress;
     case Dimension::line_load:

@@ -16,7 +16,7 @@ class UnitError : public sys::InputError {
 };
 
 /// The dimension of a quantity; a pure number has `none`.
-enum class Dimension { none, length, stress, line_load, density };
+enum class Dimension { none, length, force, stress, line_load, density };
 
 /// A coherent system of units: stress = force/length² and line load = force/length, so that
 /// formulas need no factors. UDUNITS-2 knows the spellings, and text, LaTeX and gnuplot can print

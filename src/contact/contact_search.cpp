@@ -3,7 +3,6 @@
 
 namespace contact {
 
-// begin excerpt: contact-search
 bool ContactSearch::revise(ContactMask& in_contact, const Eigen::VectorXd& phi,
                            const Eigen::VectorXd& gap, double smallest_gap) {
   const auto is_wrong = [&](Eigen::Index i) {
@@ -37,6 +36,5 @@ bool ContactSearch::revise(ContactMask& in_contact, const Eigen::VectorXd& phi,
   }
   return false;
 }
-// end excerpt: contact-search
 
 }  // namespace contact

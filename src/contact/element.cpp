@@ -16,7 +16,6 @@ double times_log(double t) {
   return t == 0 ? 0 : t * std::log(std::abs(t));
 }
 
-// begin excerpt: influence-series
 // T(k) − ln k for k ≥ far, in powers of 1/k²:
 //   triangular  −Σ 2 k^{−2m}/(2m(2m+1)(2m+2)),  uniform  −Σ (2k)^{−2m}/(2m(2m+1)),  m = 1, 2, …
 double beyond_logarithm(Element element, double k) {
@@ -31,7 +30,6 @@ double beyond_logarithm(Element element, double k) {
   }
   return 0;
 }
-// end excerpt: influence-series
 
 // T′(k) − 1/k for k ≥ far: the derivative of the series.
 double gradient_beyond_reciprocal(Element element, double k) {

@@ -25,7 +25,6 @@ Friction sliding(const Solution& solution, double friction_coefficient) {
   return {mu * solution.pressure, mu * solution.line_load(), 0};
 }
 
-// begin excerpt: partial-slip
 Friction partial_slip(const Problem& problem, const Solution& solution, double friction_coefficient,
                       double tangential_load, const Method& method) {
   const double limit = require_coefficient(friction_coefficient) * solution.line_load();
@@ -40,7 +39,6 @@ Friction partial_slip(const Problem& problem, const Solution& solution, double f
   return {signed_coefficient * (solution.pressure - sticking.pressure), tangential_load,
           stick_load};
 }
-// end excerpt: partial-slip
 
 Slopes surface_slopes(const Problem& problem, const Solution& solution,
                       const Eigen::VectorXd& shear, double beta) {

@@ -75,7 +75,6 @@ MatrixXd bulge_weights(const ReferenceGrid& grid) {
   return weights;
 }
 
-// begin excerpt: graded-grid
 // Eq. (1a) at each node and equilibrium, for the contact of half-width 1 and so for any: with
 // φ = 2a p/(πE*), Σ V_ij φ_j + δ = h_i and Σ w_j φ_j = 2P/(πE*).
 MatrixXd graded_system(const ReferenceGrid& grid, const MatrixXd& bulge) {
@@ -96,6 +95,5 @@ MatrixXd graded_system(const ReferenceGrid& grid, const MatrixXd& bulge) {
   matrix.col(n).head(n).setOnes();
   return matrix;
 }
-// end excerpt: graded-grid
 
 }  // namespace contact

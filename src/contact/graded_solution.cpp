@@ -46,7 +46,8 @@ double GradedSolution::approach(double datum) const {
   const double a = half_width();
   double sum = 0;
   for (Index e = 0; e < bulge.size(); ++e) {
-    const auto v = element_potential((x[e] - datum) / a, (x[e + 1] - datum) / a);
+    const auto v =
+        element_potential((x[e] - datum) / a, (x[e + 1] - datum) / a, (x[e + 1] - x[e]) / a);
     sum += v.begin * pressure[e] + v.end * pressure[e + 1] + v.middle * bulge[e];
   }
   return approach_at_half_width + 2 * a / (pi * contact_modulus) * sum;

@@ -3,14 +3,13 @@
 
 #include "contact/hertz.hpp"
 #include "elasticity/stress.hpp"
-#include "numerics/estimate.hpp"
 
 namespace contact {
 
 /// The greatest shear beneath a contact and where it is found.
 struct GreatestShear {
-  double shear;              ///< τ₁, a stress
-  numerics::Estimate depth;  ///< z on the axis x = 0, a length
+  double shear;  ///< τ₁, a stress
+  double depth;  ///< z on the axis x = 0, a length
 };
 
 /// McEwen's closed form for the stresses beneath Hertz's pressure, without friction, in plane
@@ -32,11 +31,9 @@ class McEwen {
   /// lengths must not overflow. Throws InvalidQuantity for x or z not finite, and for z < 0.
   elasticity::Stress stress(double x, double z) const;
 
-  /// The maximum of τ₁ over the axis, by Brent's method (GSL) on stress(0, z): the greatest in the
-  /// whole body, as the contact is without friction.
-  ///
-  /// The shear is right to 1e-14 relative; the depth only to the reported error, below 1e-7 a,
-  /// since the shear is flat there. (Johnson, section 4.2: 0.30 p₀ at 0.78 a.)
+  /// The greatest shear in the whole body, which lies on the axis, as the contact is without
+  /// friction: τ₁ = p₀ φ^(−5/2) = 0.300283 p₀ at z = a/√φ = a √((√5 − 1)/2) = 0.786151 a, with φ
+  /// the golden ratio; to some roundings. (Johnson, section 4.2: 0.30 p₀ at 0.78 a.)
   GreatestShear greatest_shear() const;
 
  private:

@@ -45,7 +45,6 @@ void ProjectedCg::project(VectorXd& residual) {
   residual -= shift * contact_;                                    // r = r − shift 1
 }
 
-// begin excerpt: projected-cg
 // Conjugate gradients for A φ = −g in contact, A = −T between its nodes, from r, s = M r and φ.
 void ProjectedCg::improve(VectorXd& phi, double largest_error) {
   direction_ = correction_;                     // d = s
@@ -97,6 +96,5 @@ void ProjectedCg::solve(VectorXd& phi, const ContactMask& in_contact, double tol
     improve(phi, std::max(digits_at_a_time * largest, tolerance / 2 * phi.maxCoeff()));
   }
 }
-// end excerpt: projected-cg
 
 }  // namespace contact

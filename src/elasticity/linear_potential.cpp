@@ -44,7 +44,11 @@ Moments far_moments(double eta) {
 }  // namespace
 
 ElementPotential element_potential(double begin, double end) {
-  const double l = (end - begin) / 2;
+  return element_potential(begin, end, end - begin);
+}
+
+ElementPotential element_potential(double begin, double end, double length) {
+  const double l = length / 2;
   const double centre = (begin + end) / 2;
   const bool is_far = std::abs(centre) > 2 * l;
   const Moments m = is_far ? far_moments(l / centre) : near_moments(end / l, begin / l);

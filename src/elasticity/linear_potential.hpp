@@ -28,4 +28,8 @@ struct ElementPotential {
 /// and distances up to 1e9 ℓ.
 ElementPotential element_potential(double begin, double end);
 
+/// The same with the length s₂ − s₁ as the ends themselves give it: seen from far away, begin and
+/// end are rounded, and the difference of the two is less accurate than the potential.
+ElementPotential element_potential(double begin, double end, double length);
+
 }  // namespace elasticity

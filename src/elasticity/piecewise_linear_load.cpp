@@ -41,7 +41,8 @@ double potential(const PiecewiseLinearLoad& load, double x) {
   const double width = load.width();
   double sum = 0;
   for (std::size_t i = 0; i + 1 < s.size(); ++i) {
-    const ElementPotential part = element_potential((s[i] - x) / width, (s[i + 1] - x) / width);
+    const ElementPotential part =
+        element_potential((s[i] - x) / width, (s[i + 1] - x) / width, (s[i + 1] - s[i]) / width);
     sum += p[i] * part.begin + p[i + 1] * part.end;
   }
   return sum;

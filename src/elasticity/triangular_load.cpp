@@ -21,7 +21,6 @@ double power_times_log(double t, int n) {
   return t == 0 ? 0 : std::pow(t, n) * std::log(t);
 }
 
-// begin excerpt: equation-3
 // (ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln ξ for ξ = x/a ≥ 0.
 //
 // Under the load all three terms are positive. Outside, with η = 1/ξ, the large logarithms cancel
@@ -58,7 +57,6 @@ double displacement_bracket(double x, double a) {
   const double square = eta * eta;
   return large + ((1 + square) * std::log1p(-square) + 4 * eta * std::atanh(eta)) / square;
 }
-// end excerpt: equation-3
 
 }  // namespace
 

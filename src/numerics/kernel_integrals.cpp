@@ -92,6 +92,7 @@ Estimate KernelIntegrals::cauchy(double x) const {
   }
   return sum + logarithms.sum();
 }
+// end excerpt: cauchy-integral
 
 Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest_value,
                                               double x) const {
@@ -134,7 +135,6 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
       quadrature_.adaptive(substituted, 0, end, abs_tolerance, name, GaussKronrod::points_15);
   return at_begin ? -1.0 * magnitude : magnitude;
 }
-// end excerpt: cauchy-integral
 
 // begin excerpt: logarithmic-integral
 Estimate KernelIntegrals::logarithmic(double x, double length) const {

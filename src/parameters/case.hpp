@@ -9,11 +9,13 @@
 #include "block/discretization.hpp"
 #include "block/rectangle.hpp"
 #include "block/supports.hpp"
+#include "config/printed_number.hpp"
 #include "config/table.hpp"
 #include "config/units.hpp"
 #include "contact/cylinder_pair.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"
+#include "point_contact/bodies/rough_surface.hpp"
 
 namespace parameters {
 
@@ -35,6 +37,28 @@ struct CylinderCase {
   contact::Radius radius;
 };
 
+/// Two materials that slide on one another, as the report's table of pairs has them.
+struct SlidingPair {
+  std::string bodies;                 ///< their names
+  config::PrintedNumber young_ratio;  ///< E₁/E₂, as it is written
+  double poisson1;
+  double poisson2;
+};
+
+/// How the cylinders slide, for the parts of the report that go beyond the paper.
+struct FrictionCase {
+  double light;        ///< μ of a greased contact
+  double coefficient;  ///< μ, greater than `light`
+  std::vector<SlidingPair> pairs;
+};
+
+/// Waves machined into the cylinders, with the crest of one in the middle.
+struct WavesCase {
+  double in_half_width;     ///< waves in Hertz's half-width, a/λ
+  double flattening_share;  ///< the mean pressure that presses endless waves flat, over p₀
+  long n_points;            ///< of the profile, across four half-widths
+};
+
 /// Two cylinders pressed together.
 struct ContactCase {
   CylinderCase body1;
@@ -43,6 +67,15 @@ struct ContactCase {
   double line_load;
   double datum;  ///< where the points lie whose approach is stated
   long n_nodes;
+  std::optional<FrictionCase> friction = std::nullopt;
+  std::optional<WavesCase> waves = std::nullopt;
+};
+
+/// The bodies of ContactCase once more, with the radii as those of spheres and of crossed
+/// cylinders, and what a rough sphere has on its surface.
+struct PointContactCase {
+  double load;  ///< P, a force
+  point_contact::Roughness roughness;
 };
 
 /// The finite block that the paper analysed with finite elements.
@@ -60,6 +93,7 @@ struct Case {
   config::UnitSystem units;
   HalfSpaceCase half_space;
   ContactCase contact;
+  std::optional<PointContactCase> point_contact;
   std::optional<BlockCase> block;
   std::optional<config::Table> printed;  ///< [printed], left to the reader who knows the paper
 };

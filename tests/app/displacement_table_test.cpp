@@ -180,4 +180,13 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
                         sys::InputError, names_it);
 }
 
+BOOST_AUTO_TEST_CASE(no_zero_has_a_sign) {
+  const std::vector<DisplacementRow> zero = {{-0.0, {-0.0, 0}, -0.0, {-0.0, 0}, -0.0}};
+  const config::UnitSystem units = config::unit_system("in-lbf");
+  for (const std::string& text : {app::displacement_csv(zero), app::displacement_json(zero),
+                                  app::displacement_text(zero, units, notes)}) {
+    BOOST_TEST(text.find("-0") == std::string::npos, text);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

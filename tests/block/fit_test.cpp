@@ -89,19 +89,6 @@ BOOST_AUTO_TEST_CASE(no_other_peak_and_edge_fraction_fit_better) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_misfit_of_a_sum_of_loads_is_that_of_the_load_which_is_their_sum) {
-  const double a = paper_block::half_width;
-  const auto clamped = clamped_block({block::linear_fall(1, 0, a)});
-  const std::vector<block::RefinedSolution> falls = {clamped.solve(block::linear_fall(1, 0, a)),
-                                                     clamped.solve(block::linear_fall(1, 1, a))};
-
-  for (const double edge : {0.0, 0.3, 1.0}) {
-    const auto fall = clamped.solve(block::linear_fall(1, edge, a));
-    const double misfit = block::max_misfit(falls, {1 - edge, edge}, paper_block::printed);
-    BOOST_CHECK_CLOSE(misfit, block::fit_loads({fall}, paper_block::printed).max_misfit, 1e-6);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(too_few_or_senseless_observations_are_refused) {
   const double a = paper_block::half_width;
   const auto clamped = clamped_block({block::linear_fall(1, 0, a)});
@@ -113,10 +100,6 @@ BOOST_AUTO_TEST_CASE(too_few_or_senseless_observations_are_refused) {
                     sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::fit_linear_load(clamped, 0, paper_block::printed), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::fit_loads({}, paper_block::printed), sys::InvalidQuantity);
-  BOOST_CHECK_THROW(block::max_misfit({}, {}, paper_block::printed), sys::InvalidQuantity);
-  BOOST_CHECK_THROW(
-      block::max_misfit({clamped.solve(block::linear_fall(1, 0, a))}, {1, 2}, paper_block::printed),
-      sys::InvalidQuantity);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

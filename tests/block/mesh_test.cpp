@@ -29,10 +29,11 @@ BOOST_AUTO_TEST_CASE(graded_lines_reach_the_smallest_size_and_grow_by_the_ratio_
 
 BOOST_AUTO_TEST_CASE(every_kink_of_every_load_is_a_line_of_the_mesh) {
   const block::Rectangle rectangle(2, 1);
-  const auto trapezoid = block::trapezoid(3, 0.6, 0.1);
+  const auto flat =
+      elasticity::distributed_load([](double) { return 3.0; }, nullptr, {-0.1, -0.06, 0.06, 0.1});
   const auto triangle = block::linear_fall(3, 0, 0.1);
 
-  const block::Mesh mesh = block::graded_mesh(rectangle, {trapezoid, triangle}, {});
+  const block::Mesh mesh = block::graded_mesh(rectangle, {flat, triangle}, {});
 
   for (const double kink : {-1.0, -0.1, -0.06, 0.0, 0.06, 0.1, 1.0}) {
     BOOST_TEST(std::count(mesh.x_lines().begin(), mesh.x_lines().end(), kink) == 1);

@@ -58,6 +58,7 @@ BOOST_AUTO_TEST_CASE(each_dimension_has_its_unit) {
 
   BOOST_TEST(metric.unit(Dimension::length) == "mm");
   BOOST_TEST(metric.unit(Dimension::stress) == "MPa");
+  BOOST_TEST(metric.unit(Dimension::force) == "N");
   BOOST_TEST(metric.unit(Dimension::line_load) == "N/mm");
   BOOST_TEST(metric.unit(Dimension::none) == "1");
 }

@@ -6,7 +6,7 @@
 namespace point_contact {
 namespace {
 
-// ∫ ds/r from s₁ to s₂ > s₁ ≥ 0, h ≠ 0: ln[(s₂+r₂)/(s₁+r₁)] by the difference of its arguments.
+// ∫ ds/r from s₁ to s₂ > s₁ ≥ 0: ln[(s₂+r₂)/(s₁+r₁)] by the difference of its arguments.
 double log_of_ratio(double s1, double r1, double s2, double r2) {
   const double rise_of_r = (s2 - s1) * ((s2 + s1) / (r2 + r1));
   return std::log1p(((s2 - s1) + rise_of_r) / (s1 + r1));
@@ -31,8 +31,17 @@ EdgeIntegrals edge_integrals(const Vector2& begin, const Vector2& end, const Vec
   const double h = (r1 < r2 ? to_begin : to_end).dot(normal);
   const double s1 = to_begin.dot(tangent);
   const double s2 = to_end.dot(tangent);
-  const double angular = h == 0 ? 0 : h * inverse_distance_integral(h, s1, r1, s2, r2);
-  return {normal, angular, (s2 * r2 - s1 * r1 + h * angular) / 2};
+  const double inverse = inverse_distance_integral(h, s1, r1, s2, r2);
+  const double angular = h == 0 ? 0 : h * inverse;
+  const double rise = (s2 - s1) * ((s2 + s1) / (r2 + r1));
+  return {.tangent = tangent,
+          .normal = normal,
+          .distance = h,
+          .inverse = inverse,
+          .angular = angular,
+          .first_moment = (s2 * r2 - s1 * r1 + h * angular) / 2,
+          .rise = rise,
+          .rise_of_cube = rise * (r2 * r2 + r2 * r1 + r1 * r1) / 3};
 }
 
 }  // namespace point_contact

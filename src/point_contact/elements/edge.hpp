@@ -9,13 +9,18 @@ namespace point_contact {
 /// pressures on it at a point in its plane. With h the distance of the point from the edge's line,
 /// positive inside, s the coordinate along it from the foot of the perpendicular, and r² = h² + s²:
 struct EdgeIntegrals {
+  Vector2 tangent;      ///< t, the unit vector along the edge
   Vector2 normal;       ///< n, the outward unit normal
+  double distance;      ///< h
+  double inverse;       ///< ∫ ds/r, a number; infinite on the edge
   double angular;       ///< h ∫ ds/r, a length; the sum over edges is ∫ dA/r
   double first_moment;  ///< ∫ r ds, an area; the sum over edges of n times it is ∫ (Q−P)/r dA
+  double rise;          ///< ∫ s/r ds, the rise of r along the edge, a length
+  double rise_of_cube;  ///< ∫ s r ds, a third of the rise of r³, a volume
 };
 
-/// The integrals over the edge from `begin` to `end` at the point `at`. Both are finite everywhere:
-/// on the edge's line, where h = 0, the first is 0. The logarithms in
+/// The integrals over the edge from `begin` to `end` at the point `at`. All but ∫ ds/r are finite
+/// everywhere: on the edge's line, where h = 0, `angular` is 0. The logarithms in
 ///
 ///   ∫ ds/r = asinh(s₂/|h|) − asinh(s₁/|h|),   ∫ r ds = ½[s₂r₂ − s₁r₁ + h² ∫ ds/r]
 ///

@@ -89,31 +89,34 @@ double pyramid_near(const Lattice& lattice, const Vector2& d) {
 }
 // end excerpt: pyramid
 
+// The differences of F keep a part of some (ab)²/r⁴ of it. Its digits are lost, three of them with
+// cells ten times as long as wide, so that F is computed with more than those of a double.
+using Extended = long double;
+
 // F with ∂²/∂x² ∂²/∂y² F = 1/r.
-double fourth_integral(double x, double y) {
+Extended fourth_integral(Extended x, Extended y) {
   x = std::abs(x);
   y = std::abs(y);
-  const double r = std::hypot(x, y);
-  const double along_x = x > 0 ? x * x * y * std::asinh(y / x) : 0;
-  const double along_y = y > 0 ? x * y * y * std::asinh(x / y) : 0;
+  const Extended r = std::hypot(x, y);
+  const Extended along_x = x > 0 ? x * x * y * std::asinh(y / x) : 0;
+  const Extended along_y = y > 0 ? x * y * y * std::asinh(x / y) : 0;
   return (along_x + along_y) / 2 - r * r * r / 6;
 }
 
 double bilinear_near(const Lattice& lattice, const Vector2& d) {
-  const double a = lattice.first.norm();
-  const double b = lattice.second.norm();
-  const double x = d.dot(lattice.first) / a;
-  const double y = d.dot(lattice.second) / b;
-  constexpr std::array<double, 3> weights = {1, -2, 1};
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      sum += weights[i] * weights[j] *
-             fourth_integral(x + (static_cast<double>(i) - 1) * a,
-                             y + (static_cast<double>(j) - 1) * b);
+  const Extended a = lattice.first.norm();
+  const Extended b = lattice.second.norm();
+  const Extended x = d.dot(lattice.first) / lattice.first.norm();
+  const Extended y = d.dot(lattice.second) / lattice.second.norm();
+  Extended sum = 0;
+  for (const int i : {-1, 0, 1}) {
+    for (const int j : {-1, 0, 1}) {
+      const int weight = (i == 0 ? -2 : 1) * (j == 0 ? -2 : 1);
+      sum += static_cast<Extended>(weight) *
+             fourth_integral(x + static_cast<Extended>(i) * a, y + static_cast<Extended>(j) * b);
     }
   }
-  return sum / (a * b);
+  return static_cast<double>(sum / (a * b));
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ std::string_view name_of(Element element);
 ///             pressure: minus the regularised sum of 1/|d| over the lattice (Ewald's method)
 ///
 /// and beyond Multipole::begin() the expansion. The pyramid's hexagon has the corners ±first,
-/// ±second, ±(second − first). Accuracy, in units of T(0): 1e-14 for uniform elements on any
-/// lattice and for pyramids on an equilateral one, 1e-13 for the others with cells up to five times
-/// as long as wide, 3e-13 up to ten times. Far away, where T → 1/|d|, relative 2e-15.
+/// ±second, ±(second − first). Accuracy, in units of T(0): 1e-14 for uniform and bilinear elements
+/// on any lattice and for pyramids on an equilateral one, 1e-13 for pyramids with cells up to ten
+/// times as long as wide; bilinear elements need a long double of 64 bits or more for it. Far away,
+/// where T → 1/|d|, relative 2e-15.
 class ElementPotential {
  public:
   /// Throws InvalidQuantity for cells without an area or a bilinear element that is not on a

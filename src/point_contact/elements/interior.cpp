@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 
 #include "system/require.hpp"
 
@@ -29,16 +30,18 @@ struct EdgeEnd {
 struct EdgeSums {
   double inverse;        // Λ = ∫ ds/ρ
   double distance;       // ∫ ρ ds
+  double s_distance;     // ∫ s ρ ds
   double s;              // [s], its length
   double rho;            // [ρ], of s/ρ
   double inverse_cubed;  // ∫ ds/ρ³
   double s_inverse_cubed;
   double s2_inverse_cubed;
-  double log;       // ∫ s/[ρ(ρ+z)] ds
-  double angle;     // A = h ∫ ds/[ρ(ρ+z)]
-  double s2;        // ∫ s²/[ρ(ρ+z)] ds
-  double of_log;    // M = ∫ ln(ρ+z) ds
-  double s_of_log;  // ∫ s ln(ρ+z) ds
+  double log;         // ∫ s/[ρ(ρ+z)] ds
+  double angle;       // A = h ∫ ds/[ρ(ρ+z)]
+  double s2;          // ∫ s²/[ρ(ρ+z)] ds
+  double of_log;      // M = ∫ ln(ρ+z) ds
+  double s_of_log;    // ∫ s ln(ρ+z) ds
+  double of_rho_log;  // ∫ W ds, W = ∫ ρ ln(ρ+z) dρ
 };
 
 // ∫ ds/ρ by the difference of its arguments where both ends are on one side.
@@ -62,6 +65,7 @@ EdgeSums edge_sums(double h, double z, const EdgeEnd& begin, const EdgeEnd& end)
   e.s = end.s - begin.s;
   e.rho = (end.s - begin.s) * (end.s + begin.s) / (end.rho + begin.rho);
   e.distance = (end.s * end.rho - begin.s * begin.rho + square * e.inverse) / 2;
+  e.s_distance = e.rho * (end.rho * end.rho + end.rho * begin.rho + begin.rho * begin.rho) / 3;
   const double slope = end.s / end.rho - begin.s / begin.rho;
   e.inverse_cubed = slope / square;
   e.s_inverse_cubed = 1 / begin.rho - 1 / end.rho;
@@ -74,6 +78,15 @@ EdgeSums edge_sums(double h, double z, const EdgeEnd& begin, const EdgeEnd& end)
     return (at.rho - z) * ((at.rho + z) * at.log / 2 - (at.rho - z) / 4);
   };
   e.s_of_log = primitive(end) - primitive(begin);
+
+  // W = ½(h²+s²) ln(ρ+z) − ¼(ρ−z)². By parts ∫ s² ln(ρ+z) ds needs ∫ s⁴/[ρ(ρ+z)] ds.
+  const auto cube = [](double x) { return x * x * x; };
+  const double cubes = (cube(end.s) - cube(begin.s)) / 3;
+  const double s2_inverse = e.distance - square * e.inverse;  // ∫ s²/ρ ds
+  const double s4 = cubes - h * h * e.s - z * (s2_inverse - h * h * e.inverse) + cube(h) * e.angle;
+  const double s2_of_log = (cube(end.s) * end.log - cube(begin.s) * begin.log - s4) / 3;
+  const double squares = cubes + (h * h + 2 * z * z) * e.s - 2 * z * e.distance;  // ∫ (ρ−z)² ds
+  e.of_rho_log = (h * h * e.of_log + s2_of_log) / 2 - squares / 4;
   return e;
 }
 
@@ -88,72 +101,58 @@ struct Potentials {
   Eigen::Matrix2d psi_ij = Eigen::Matrix2d::Zero();
 };
 
-// The pressure as p + g·(Q−P), P beneath the point.
-struct LinearPressure {
-  double value;
-  Vector2 gradient;
-};
-
-LinearPressure linear_pressure(const std::array<Vector2, 3>& corners,
-                               const std::array<double, 3>& values, const Vector2& at) {
-  const Vector2 side1 = corners[1] - corners[0];
-  const Vector2 side2 = corners[2] - corners[0];
-  const double rise1 = values[1] - values[0];
-  const double rise2 = values[2] - values[0];
-  const Vector2 gradient =
-      Vector2(rise1 * side2.y() - rise2 * side1.y(), rise2 * side1.x() - rise1 * side2.x()) /
-      cross(side1, side2);
-  return {values[0] + gradient.dot(at - corners[0]), gradient};
-}
-
-Potentials potentials(const std::array<Vector2, 3>& corners, const std::array<double, 3>& values,
-                      const Vector2& at, double z) {
-  const LinearPressure p = linear_pressure(corners, values, at);
-  const Vector2& g = p.gradient;
+Potentials potentials(const Patch& patch, const Vector2& at, double z) {
+  const auto& [value, g, hessian] = patch.about(at);
+  const std::span<const Vector2> corners = patch.corners();
   Potentials sum;
-  // of the uniform pressure 1: φ⁰, its derivatives, ψ⁰ and its gradient
+  // of the uniform pressure 1: φ⁰, its gradient and ψ⁰
   double uniform = 0;
   Vector2 uniform_i = Vector2::Zero();
   double solid_angle = 0;
   double uniform_psi = 0;
-  Vector2 uniform_psi_i = Vector2::Zero();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector2 t = (corners[(k + 1) % 3] - corners[k]).normalized();
-    const Vector2 n(t.y(), -t.x());
+  Vector2 linear = Vector2::Zero();      // ∫ (Q−P)/ρ dA
+  Vector2 linear_psi = Vector2::Zero();  // ∫ (Q−P) ln(ρ+z) dA
+  for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vector2 to_begin = corners[k] - at;
-    const Vector2 to_end = corners[(k + 1) % 3] - at;
+    const Vector2 to_end = corners[(k + 1) % corners.size()] - at;
+    const Vector2 t = (to_end - to_begin).normalized();
+    const Vector2 n(t.y(), -t.x());
     const double h = (to_begin.norm() < to_end.norm() ? to_begin : to_end).dot(n);
     const EdgeSums e =
         edge_sums(h, z, EdgeEnd(to_begin.dot(t), h, z), EdgeEnd(to_end.dot(t), h, z));
 
-    // On the edge Q−P = h n + s t and p = p_h + g_t s.
-    const double p_h = p.value + h * g.dot(n);
-    const double g_t = g.dot(t);
+    // On the edge Q−P = h n + s t, p = p_h + g_t s and ∇p = g_h + s Ht.
+    const Vector2 bend = hessian * t;
+    const double twist = n.dot(bend);
+    const Vector2 g_h = g + h * (hessian * n);
+    const double p_h = value + h * g.dot(n);
+    const double g_t = g.dot(t) + h * twist;
     const double polar = h * e.inverse - z * e.angle;  // ∫ (ρ−z) dθ
     uniform += polar;
     uniform_i -= e.inverse * n;
     solid_angle += e.angle;
     uniform_psi += h * (e.of_log / 2 - e.s / 4) + z * polar / 2;
-    uniform_psi_i -= e.of_log * n;
+    linear += e.distance * n;
+    linear_psi += e.of_rho_log * n;
 
-    sum.phi += e.distance * g.dot(n);
-    sum.phi_z += z * e.inverse * g.dot(n);
+    sum.phi += e.distance * g.dot(n) + e.s_distance * twist / 2;
+    sum.phi_z += z * (e.inverse * g.dot(n) + e.rho * twist / 2);
     sum.phi_i -= (p_h * e.inverse + g_t * e.rho) * n;
     const Vector2 cubed = h * (p_h * e.inverse_cubed + g_t * e.s_inverse_cubed) * n +
                           (p_h * e.s_inverse_cubed + g_t * e.s2_inverse_cubed) * t;
-    sum.phi_ij -= n * cubed.transpose();
+    sum.phi_ij -= n * cubed.transpose() + (e.inverse * g_h + e.rho * bend) * n.transpose();
     sum.phi_iz += z * (p_h * e.inverse_cubed + g_t * e.s_inverse_cubed) * n;
     sum.psi_i -= (p_h * e.of_log + g_t * e.s_of_log) * n;
     const Vector2 logs = (p_h * e.angle + g_t * h * e.log) * n + (p_h * e.log + g_t * e.s2) * t;
-    sum.psi_ij += n * logs.transpose();
+    sum.psi_ij += n * logs.transpose() - (e.of_log * g_h + e.s_of_log * bend) * n.transpose();
   }
-  sum.phi += p.value * uniform;
-  sum.phi_z -= p.value * solid_angle;
-  sum.phi_i += uniform * g;
-  sum.phi_ij += g * uniform_i.transpose();
-  sum.phi_iz -= solid_angle * g;
-  sum.psi_i += uniform_psi * g;
-  sum.psi_ij += g * uniform_psi_i.transpose();
+  sum.phi += value * uniform;
+  sum.phi_z -= value * solid_angle;
+  sum.phi_i += uniform * g + hessian * linear;
+  sum.phi_ij += uniform * hessian;
+  sum.phi_iz += z * (hessian * -uniform_i) - solid_angle * g;
+  sum.psi_i += uniform_psi * g + hessian * linear_psi;
+  sum.psi_ij += uniform_psi * hessian;
   return sum;
 }
 
@@ -165,16 +164,15 @@ InteriorField& InteriorField::operator+=(const InteriorField& other) {
   return *this;
 }
 
-InteriorField interior_field(const std::array<Vector2, 3>& corners,
-                             const std::array<double, 3>& values,
-                             const elasticity::Material& material, const Eigen::Vector3d& at) {
+InteriorField interior_field(const Patch& patch, const elasticity::Material& material,
+                             const Eigen::Vector3d& at) {
   const double z = at.z();
   if (!(std::isfinite(z) && z > 0)) {
     throw sys::InvalidQuantity("z", z, "greater than 0, a depth beneath the surface");
   }
   const double nu = material.poisson();
   const double shear_modulus = material.young() / (2 * (1 + nu));
-  const Potentials f = potentials(corners, values, at.head<2>(), z);
+  const Potentials f = potentials(patch, at.head<2>(), z);
 
   InteriorField field;
   field.displacement.head<2>() = -((1 - 2 * nu) * f.psi_i + z * f.phi_i);

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 #include "elasticity/material.hpp"
-#include "point_contact/elements/lattice.hpp"
+#include "point_contact/elements/patch.hpp"
 
 namespace point_contact {
 
@@ -17,8 +16,8 @@ struct InteriorField {
   InteriorField& operator+=(const InteriorField& other);
 };
 
-/// The displacements and stresses at `at`, z > 0 into the body, by a pressure that is linear on a
-/// triangle of the surface, whose corners are given counter-clockwise, with these values at them.
+/// The displacements and stresses at `at`, z > 0 into the body, by a pressure on a patch of the
+/// surface.
 ///
 /// Love's potentials of the pressure, φ = ∫ p dA/ρ and ψ = ∫ p ln(ρ+z) dA (Johnson 3.7–3.13):
 ///
@@ -28,11 +27,10 @@ struct InteriorField {
 ///
 /// whose derivatives become, by the divergence theorem, integrals of p/ρ, p/ρ³, p ln(ρ+z) and
 /// p/[ρ(ρ+z)] along the edges, all elementary. Throws InvalidQuantity for z ≤ 0: on the surface
-/// itself the stresses of a single triangle are infinite at its edges. Accuracy: 1e-14 of the
-/// greatest value near the triangle; of the field's own magnitude, less by the square of the
-/// distance in units of the triangle's height.
-InteriorField interior_field(const std::array<Vector2, 3>& corners,
-                             const std::array<double, 3>& values,
-                             const elasticity::Material& material, const Eigen::Vector3d& at);
+/// itself the stresses of a single patch are infinite at its edges. Accuracy: 1e-14 of the
+/// greatest value near the patch; of the field's own magnitude, less by the square of the distance
+/// in units of the patch's height.
+InteriorField interior_field(const Patch& patch, const elasticity::Material& material,
+                             const Eigen::Vector3d& at);
 
 }  // namespace point_contact

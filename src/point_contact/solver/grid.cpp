@@ -21,6 +21,21 @@ double require_n(Eigen::Index n) {
 
 }  // namespace
 
+double Grid::shift(Eigen::Index j) const {
+  if (!is_staggered) return 0;
+  return j % 2 == 0 ? -0.25 : 0.25;
+}
+
+Vector2 Grid::between_rows() const {
+  return is_staggered ? Vector2(lattice.second - lattice.first / 2) : lattice.second;
+}
+
+Vector2 Grid::node(Eigen::Index i, Eigen::Index j) const {
+  const double along = static_cast<double>(i) - static_cast<double>(n1 - 1) / 2 + shift(j);
+  return centre + along * lattice.first +
+         (static_cast<double>(j) - static_cast<double>(n2 - 1) / 2) * between_rows();
+}
+
 Grid rectangular_grid(double width, double height, Eigen::Index n) {
   sys::require_positive("domain width", width);
   sys::require_positive("domain height", height);

@@ -26,22 +26,15 @@ struct Grid {
   /// c = √(area of a cell), a length.
   double spacing() const { return std::sqrt(lattice.cell_area()); }
 
-  Vector2 node(Eigen::Index i, Eigen::Index j) const {
-    const double along = static_cast<double>(i) - static_cast<double>(n1 - 1) / 2 + shift(j);
-    return centre + along * lattice.first +
-           (static_cast<double>(j) - static_cast<double>(n2 - 1) / 2) * between_rows();
-  }
+  /// Not inline, as the next two: programs that are compiled without optimising would bring slow
+  /// copies, and the linker takes one for all.
+  Vector2 node(Eigen::Index i, Eigen::Index j) const;
 
   /// How far row j is moved along lattice.first, in nodes: ∓¼ in turn if rows are staggered.
-  double shift(Eigen::Index j) const {
-    if (!is_staggered) return 0;
-    return j % 2 == 0 ? -0.25 : 0.25;
-  }
+  double shift(Eigen::Index j) const;
 
   /// The vector from a row to the next, without what shift() is.
-  Vector2 between_rows() const {
-    return is_staggered ? Vector2(lattice.second - lattice.first / 2) : lattice.second;
-  }
+  Vector2 between_rows() const;
 
   /// The i of the node in row j + dj that lies at di·first + dj·second from node (i, j); it may lie
   /// outside the grid. j + dj ≥ −2.

@@ -12,6 +12,7 @@
 #include "contact/contact_search.hpp"
 #include "numerics/dense_lu.hpp"
 #include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/size_of.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {
@@ -27,12 +28,17 @@ using Indices = std::vector<Index>;
 MatrixXd influence_matrix(const Problem& problem) {
   const Grid& grid = problem.grid;
   const ElementPotential element(problem.element, grid.lattice);
-  return MatrixXd::NullaryExpr(grid.size(), grid.size(), [&](Index row, Index column) {
+  MatrixXd matrix(grid.size(), grid.size());
+  for (Index column = 0; column < grid.size(); ++column) {
     const Index j = column / grid.n1;
-    const Index rows = row / grid.n1 - j;
-    const Index i = row % grid.n1 - grid.neighbour(column % grid.n1, j, 0, rows);
-    return element(element.node(static_cast<double>(i), static_cast<double>(rows)));
-  });
+    for (Index row = 0; row < grid.size(); ++row) {
+      const Index rows = row / grid.n1 - j;
+      const Index i = row % grid.n1 - grid.neighbour(column % grid.n1, j, 0, rows);
+      matrix(row, column) =
+          element(element.node(static_cast<double>(i), static_cast<double>(rows)));
+    }
+  }
+  return matrix;
 }
 
 Indices indices_of(const ContactMask& in_contact) {
@@ -43,15 +49,19 @@ Indices indices_of(const ContactMask& in_contact) {
   return contact;
 }
 
-// T φ − δ = −h at each node in contact, and equilibrium, as one linear system.
+// T φ − δ = −h at each node in contact, and equilibrium, as one linear system. Loops, since Eigen's
+// expressions with lists of indices take seconds to compile.
 ElementLoads solve_for_contact(const MatrixXd& influence, const VectorXd& gaps, double total,
                                const Indices& contact) {
   const Index n = std::ssize(contact);
   MatrixXd matrix = MatrixXd::Ones(n + 1, n + 1);
   VectorXd right_side(n + 1);
-  matrix.topLeftCorner(n, n) = influence(contact, contact);
-  matrix.topRightCorner(n, 1).setConstant(-1);
-  right_side.head(n) = -gaps(contact);
+  for (Index k = 0; k < n; ++k) {
+    const Index column = contact[size_of(k)];
+    for (Index i = 0; i < n; ++i) matrix(i, k) = influence(contact[size_of(i)], column);
+    matrix(k, n) = -1;
+    right_side[k] = -gaps[column];
+  }
   matrix(n, n) = 0;
   right_side[n] = total;
   const VectorXd unknowns = numerics::DenseLu(matrix).solve(right_side);
@@ -59,7 +69,7 @@ ElementLoads solve_for_contact(const MatrixXd& influence, const VectorXd& gaps, 
   ElementLoads loads;
   loads.phi = VectorXd::Zero(gaps.size());
   loads.approach = unknowns[n];
-  loads.phi(contact) = unknowns.head(n);
+  for (Index k = 0; k < n; ++k) loads.phi[contact[size_of(k)]] = unknowns[k];
   loads.gap = (influence * loads.phi + gaps).array() - loads.approach;
   return loads;
 }

@@ -62,6 +62,22 @@ Vector2 axes_of(const Eigen::Matrix2d& moment, double factor) {
 
 }  // namespace
 
+Eigen::Index Solution::n_in_contact() const {
+  return (pressure.array() > 0).count();
+}
+
+double Solution::load() const {
+  return grid.lattice.cell_area() * pressure.sum();
+}
+
+double Solution::peak_pressure() const {
+  return pressure.maxCoeff();
+}
+
+double Solution::contact_area() const {
+  return grid.lattice.cell_area() * static_cast<double>(n_in_contact());
+}
+
 Vector2 Solution::semi_axes() const {
   // In units of the peak, which very small loads need.
   const double peak = peak_pressure();

@@ -23,7 +23,8 @@ struct Work {
   int preconditionings = 0;  ///< products with the preconditioner, a third of the cost
 };
 
-/// Pressures at the nodes of a grid, and what follows from them.
+/// Pressures at the nodes of a grid, and what follows from them. No function is inline, for the
+/// reason that Grid::node() has.
 struct Solution {
   Grid grid;
   Element element;
@@ -33,18 +34,16 @@ struct Solution {
   Work work;
   Residuals residuals;
 
-  Eigen::Index n_in_contact() const { return (pressure.array() > 0).count(); }
+  Eigen::Index n_in_contact() const;
 
   /// The resultant, cell area times Σp, a force.
-  double load() const { return grid.lattice.cell_area() * pressure.sum(); }
+  double load() const;
 
   /// The greatest of the nodal pressures.
-  double peak_pressure() const { return pressure.maxCoeff(); }
+  double peak_pressure() const;
 
   /// The area of the cells of the nodes in contact.
-  double contact_area() const {
-    return grid.lattice.cell_area() * static_cast<double>(n_in_contact());
-  }
+  double contact_area() const;
 
   /// The semi-axes a ≥ b of the contact from the pressure's second moments M, a² and b² = 5 times
   /// the eigenvalues of M: right for the pressure of ellipsoids. The elements' own moments are

@@ -18,6 +18,7 @@ using elasticity::Material;
 using point_contact::cross;
 using point_contact::interior_field;
 using point_contact::InteriorField;
+using point_contact::Patch;
 using point_contact::Vector2;
 
 namespace {
@@ -30,7 +31,19 @@ const double shear_modulus = 2.5 / (2 * 1.2385);
 constexpr double nu = 0.2385;
 
 InteriorField field(const Vector3d& at) {
-  return interior_field(triangle, values, material, at);
+  return interior_field(Patch::triangle(triangle, values), material, at);
+}
+
+// A rectangle that lies askew, with a bilinear pressure.
+const Vector2 side1(1.2, 0.5);
+const Vector2 side2(-0.35, 0.84);
+const std::array<Vector2, 4> rectangle = {Vector2(0.1, -0.3), Vector2(0.1, -0.3) + side1,
+                                          Vector2(0.1, -0.3) + side1 + side2,
+                                          Vector2(0.1, -0.3) + side2};
+const std::array<double, 4> four_values = {0.7, -0.4, 2.2, 1.9};
+
+InteriorField bilinear_field(const Vector3d& at) {
+  return interior_field(Patch::bilinear(rectangle, four_values), material, at);
 }
 
 // Boussinesq's force 1 at the origin (Johnson 3.18, 3.19).
@@ -87,6 +100,21 @@ double by_quadrature(const Vector3d& at, int which) {
   return outer.smooth(over_v, 0, 1, 1e-10, {"the triangle", 0}).value;
 }
 
+// The same over the rectangle, Q = A + u side1 + v side2.
+double bilinear_by_quadrature(const Vector3d& at, int which) {
+  numerics::Quadrature outer, inner;
+  const auto over_v = [&](double u) {
+    const auto at_v = [&](double v) {
+      const Vector2 q = rectangle[0] + u * side1 + v * side2;
+      const double p = (1 - u) * ((1 - v) * four_values[0] + v * four_values[3]) +
+                       u * ((1 - v) * four_values[1] + v * four_values[2]);
+      return p * cross(side1, side2) * part(boussinesq(at - Vector3d(q.x(), q.y(), 0)), which);
+    };
+    return inner.smooth(at_v, 0, 1, 1e-11, {"a strip", u}).value;
+  };
+  return outer.smooth(over_v, 0, 1, 1e-10, {"the rectangle", 0}).value;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(displacements_and_stresses_are_sums_of_boussinesqs_forces) {
@@ -102,6 +130,36 @@ BOOST_AUTO_TEST_CASE(displacements_and_stresses_are_sums_of_boussinesqs_forces) 
       BOOST_TEST(std::abs(part(f, which) - by_quadrature(at, which)) < 1e-9,
                  "number " << which << " at " << at.transpose());
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(those_of_a_bilinear_pressure_are_sums_of_forces_too) {
+  const Vector2 edge = 0.3 * rectangle[0] + 0.7 * rectangle[1];
+  const Vector2 line = 1.6 * rectangle[1] - 0.6 * rectangle[0];
+  for (const Vector3d& at :
+       {Vector3d(0.4, 0.4, 0.3), Vector3d(edge.x(), edge.y(), 0.5),
+        Vector3d(rectangle[2].x(), rectangle[2].y(), 0.4), Vector3d(line.x(), line.y(), 0.2),
+        Vector3d(-0.9, 1.1, 0.05), Vector3d(0.2, -0.6, 3)}) {
+    const InteriorField f = bilinear_field(at);
+    for (int which = 0; which < 9; ++which) {
+      BOOST_TEST(std::abs(part(f, which) - bilinear_by_quadrature(at, which)) < 1e-9,
+                 "number " << which << " at " << at.transpose());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_bilinear_pressure_without_a_twist_is_linear) {
+  const std::array<double, 4> plane = {0.7, -0.4, 0.8, 1.9};
+  const Vector3d at(0.9, 0.1, 0.07);
+  InteriorField triangles = interior_field(
+      Patch::triangle({rectangle[0], rectangle[1], rectangle[2]}, {plane[0], plane[1], plane[2]}),
+      material, at);
+  triangles += interior_field(
+      Patch::triangle({rectangle[0], rectangle[2], rectangle[3]}, {plane[0], plane[2], plane[3]}),
+      material, at);
+  const InteriorField whole = interior_field(Patch::bilinear(rectangle, plane), material, at);
+  for (int which = 0; which < 9; ++which) {
+    BOOST_TEST(std::abs(part(triangles, which) - part(whole, which)) < 1e-13);
   }
 }
 
@@ -144,10 +202,12 @@ BOOST_AUTO_TEST_CASE(parts_add_up_to_the_whole) {
   const Vector2 middle = (triangle[1] + triangle[2]) / 2;
   const double in_the_middle = (values[1] + values[2]) / 2;
   const Vector3d at(0.9, 0.1, 0.02);
-  InteriorField sum = interior_field({triangle[0], triangle[1], middle},
-                                     {values[0], values[1], in_the_middle}, material, at);
-  sum += interior_field({triangle[0], middle, triangle[2]}, {values[0], in_the_middle, values[2]},
-                        material, at);
+  InteriorField sum = interior_field(
+      Patch::triangle({triangle[0], triangle[1], middle}, {values[0], values[1], in_the_middle}),
+      material, at);
+  sum += interior_field(
+      Patch::triangle({triangle[0], middle, triangle[2]}, {values[0], in_the_middle, values[2]}),
+      material, at);
 
   for (int which = 0; which < 9; ++which) {
     BOOST_TEST(std::abs(part(sum, which) - part(field(at), which)) < 1e-13);

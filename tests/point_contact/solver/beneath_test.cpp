@@ -21,9 +21,11 @@ using point_contact::field_beneath;
 using point_contact::Hertz;
 using point_contact::hexagonal_grid;
 using point_contact::Huber;
+using point_contact::InteriorField;
 using point_contact::Profile;
 using point_contact::Solution;
 using point_contact::solve_for_load;
+using point_contact::square_grid;
 
 namespace {
 
@@ -103,11 +105,51 @@ BOOST_AUTO_TEST_CASE(far_beneath_the_contact_is_a_force) {
   BOOST_TEST(std::abs(stress * z * z * 2 * std::numbers::pi / (-3 * load) - 1) < 1e-3);
 }
 
-BOOST_AUTO_TEST_CASE(other_elements_and_the_surface_are_refused) {
+BOOST_AUTO_TEST_CASE(what_all_elements_do_at_a_distance_is_the_same) {
+  const Solution by_pyramids = spheres(64);
+  const Vector3d at(0.3 * a, -0.2 * a, 0.5 * a);
+  const point_contact::Vector2 beside(1.9 * a, 0.4 * a);
+  const InteriorField field = field_beneath(by_pyramids, material, at);
+  const Vector3d displacement = displacement_of_surface(by_pyramids, material, beside);
+  const point_contact::Vector2 slope = slope_of_surface(by_pyramids, modulus, beside);
+  for (const Element element : {Element::bilinear, Element::uniform, Element::point}) {
+    const Solution solution = solve_for_load(
+        {Profile::paraboloid(0.571), modulus, square_grid(2 * a / 0.9, 64), element}, load);
+    const InteriorField other = field_beneath(solution, material, at);
+    BOOST_TEST_CONTEXT(name_of(element)) {
+      BOOST_TEST((other.stress - field.stress).norm() < 1e-3 * field.stress.norm());
+      BOOST_TEST((other.displacement - field.displacement).norm() <
+                 1e-3 * field.displacement.norm());
+      BOOST_TEST((displacement_of_surface(solution, material, beside) - displacement).norm() <
+                 1e-3 * displacement.norm());
+      BOOST_TEST((slope_of_surface(solution, modulus, beside) - slope).norm() <
+                 1e-3 * slope.norm());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_slope_is_that_of_the_displacements_of_both_bodies) {
+  const Solution solution = spheres(48);
+  const point_contact::Vector2 at(0.317 * a, 0.241 * a);
+  const double step = 1e-4 * a;
+  for (int axis = 0; axis < 2; ++axis) {
+    const point_contact::Vector2 d = step * point_contact::Vector2::Unit(axis);
+    const double rise = displacement_of_surface(solution, material, at + d).z() -
+                        displacement_of_surface(solution, material, at - d).z();
+    // alike bodies share it; κr is the slope in contact
+    BOOST_TEST(std::abs(slope_of_surface(solution, modulus, at)[axis] - 2 * rise / (2 * step)) <
+               1e-5 * 0.571 * a);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(places_where_the_elements_have_no_finite_answer_are_refused) {
   Solution solution = spheres(32);
   BOOST_CHECK_THROW(field_beneath(solution, material, {0, 0, 0}), sys::InvalidQuantity);
-  solution.element = Element::bilinear;
-  BOOST_CHECK_THROW(field_beneath(solution, material, {0, 0, a}), sys::InvalidQuantity);
+  const auto& grid = solution.grid;
+  const point_contact::Vector2 node = grid.node(grid.n1 / 2, grid.n2 / 2);
+  solution.element = Element::point;
+  BOOST_CHECK_THROW(displacement_of_surface(solution, material, node), sys::InvalidQuantity);
+  BOOST_CHECK_THROW(slope_of_surface(solution, modulus, node), sys::InvalidQuantity);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
