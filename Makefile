@@ -11,15 +11,20 @@
 #   STUDENT=id SEED=text   handout: that student's own; SEED also of handouts, check-variants and grade;
 #                    SEED_FILE=file instead keeps it off the command line, which everybody on the machine can read
 #   UPDATE=1         handout: write to wrong_solutions.toml what the wrong solutions score, for review
-#   ROSTER=file      handouts, check-variants, grade: who the students are; J=n of them at a time
-#   SUBMISSIONS=dir  grade: what they handed in
-#   UNSAFE=1         grade: without bubblewrap
+#   ROSTER=file      handouts, check-variants, grade, results, release-feedback: who the students are; J=n of them at a time
+#   SUBMISSIONS=dir  grade, likeness, marking, results, release-feedback: what they handed in
+#   REGRADES=dir     grade, results, release-feedback: requests to mark a check again, and what came of them
+#   MARKS=file       the same three: what persons gave for the report
+#   CANVAS=file COLUMN=name   results: the gradebook that Canvas exported, and which of its columns gets the marks
+#   PERCENT=50       likeness: how much of what one wrote a pair must have in common
+#   NOMINAL=1        marking: the handouts had the nominal numbers
+#   UNSAFE=1         grade, likeness, marking: without bubblewrap
 #   N=300            check-variants: how many
 #   TIMEOUT=seconds  how long gnuplot or LaTeX may take before they are stopped; TIMEOUT= for any time
 #   V=1              show the commands
 
 # The scripts read the paths and CALLER from the environment, because make would split paths at spaces.
-export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SEED_FILE UPDATE SUBMISSIONS ROSTER J N UNSAFE
+export CASE CASES KEYS MANIFEST ONLY NAME TARGET V STUDENT SEED SEED_FILE UPDATE SUBMISSIONS ROSTER REGRADES MARKS PERCENT CANVAS COLUMN J N NOMINAL UNSAFE
 # An exported variable that nobody has set would be empty, and an empty TIMEOUT lifts all limits.
 ifneq ($(origin TIMEOUT),undefined)
 export TIMEOUT
@@ -32,7 +37,7 @@ export LC_ALL := C
 # Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report halfspace reports html figures figure check-report test test-all faults mutants bench peers verify fresh dist why watch handout handouts check-variants grade gradescope \
+.PHONY: report halfspace reports html site figures figure check-report test test-all faults mutants bench peers verify fresh dist why watch handout handouts check-variants grade likeness marking results release-feedback gradescope \
   tidy format setup clean help
 
 report: ## the report, build/report/report.pdf
@@ -46,6 +51,9 @@ reports: ## the report of each case in CASES, side by side: build/reports/cases.
 
 html: ## the report as one page, build/report/report.html (first make setup STAGES=html)
 	@bash src/toolchain/build html
+
+site: ## page, PDF, data and assignment sheet for any static host, build/report/site; SITE=https://… is its address
+	@bash src/toolchain/build site
 
 figures: ## its values, tables and figures only, build/report/generated; draws what changed
 	@bash src/toolchain/build figures
@@ -100,6 +108,18 @@ check-variants: ## the instructor's solution on the variants of a class
 
 grade: ## marks and feedback for what is in SUBMISSIONS: build/grades
 	@bash src/toolchain/build grade
+
+likeness: ## which submissions have more in common than was given: build/likeness/pairs.csv
+	@bash src/toolchain/build likeness
+
+marking: ## for markers: the reports in SUBMISSIONS, typeset without names, and a form for the points: build/marking
+	@bash src/toolchain/build marking
+
+results: ## statistics of what make grade found, and the marks for Moodle and Canvas: build/results
+	@bash src/toolchain/build results
+
+release-feedback: ## a page for each student, which they may have: build/feedback
+	@bash src/toolchain/build release-feedback
 
 gradescope: ## the autograder for Gradescope, build/gradescope.zip
 	@bash src/toolchain/build gradescope

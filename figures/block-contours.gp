@@ -11,8 +11,8 @@ unset key
 set style fill solid 1 border
 set multiplot
 
-set lmargin at screen 0.09
-set rmargin at screen 0.49
+set lmargin at screen 0.11
+set rmargin at screen 0.50
 unset colorbox
 set xlabel sprintf('$x$ (%s)', unit)
 set ylabel sprintf('$-z$ (%s)', unit)
@@ -20,13 +20,14 @@ plot whole using "x":"y":(factor * column("u_z")) with filledcurves closed lc pa
 
 set colorbox
 set cbtics tick_step(factor * largest)
-set cblabel sprintf('$u_z$ (%s)', unit_of(largest, unit)) offset 1.6,0
+set cblabel sprintf('$u_z$ (%s), both', unit_of(largest, unit)) offset 1.6,0
 set xtics 4 * half_width
-set ytics 4 * half_width
+set ytics (0, -2 * half_width, -4 * half_width)
+set xlabel sprintf('$x$ (%s)', unit)
 set xrange [-4.6 * half_width:4.6 * half_width]
 set yrange [-5 * half_width:0.5 * half_width]
-set lmargin at screen 0.59
-set rmargin at screen 0.87
-set ylabel ''
+set lmargin at screen 0.67
+set rmargin at screen 0.88
+set ylabel sprintf('$-z$ (%s)', unit)
 plot close_up using "x":"y":(factor * column("u_z")) with filledcurves closed lc palette lw 0.3
 unset multiplot

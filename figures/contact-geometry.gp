@@ -17,8 +17,8 @@ set label 'body 1' at -end + 0.3,-0.85 * height
 set label 'body 2' at -end + 0.3,0.85 * height
 
 # The levels of the two apexes, had they passed through each other, and δ between them.
-set arrow from -0.4,apex to x_of_h + 0.2,apex as 3
-set arrow from -0.4,-apex to x_of_h + 0.2,-apex as 3
+set arrow from -0.4,apex to x_of_h2 + 0.2,apex as 3
+set arrow from -0.4,-apex to x_of_h2 + 0.2,-apex as 3
 set arrow from -0.3,-apex to -0.3,apex as 1 front
 set label '$\delta$' at -0.38,apex / 2 right front
 
@@ -27,10 +27,10 @@ set arrow from x_of_u,before_at_u to x_of_u,0 as 1 front
 set label '$u_{z1}$' at x_of_u + 0.08,before_at_u / 2 front
 set arrow from x_of_u,0 to x_of_u,-before_at_u as 1 front
 set label '$u_{z2}$' at x_of_u + 0.08,-before_at_u / 2 front
-set arrow from x_of_h,apex to x_of_h,before_at_h as 1 front
-set label '$h_1$' at x_of_h + 0.08,(apex + before_at_h) / 2 front
-set arrow from x_of_h,-apex to x_of_h,-before_at_h as 1 front
-set label '$h_2$' at x_of_h + 0.08,-(apex + before_at_h) / 2 front
+set arrow from x_of_h1,apex to x_of_h1,before_at_h1 as 1 front
+set label '$h_1$' at x_of_h1,apex + 0.12 * height center front
+set arrow from x_of_h2,-apex to x_of_h2,-before_at_h2 as 1 front
+set label '$h_2$' at x_of_h2 + 0.06,0.2 * height front
 
 plot after using "x":"body1":(-1.15 * height) with filledcurves fs transparent solid 0.12 lc rgb ink, \
      after using "x":"body2":(1.15 * height) with filledcurves fs transparent solid 0.12 lc rgb teal, \

@@ -13,7 +13,7 @@ do for [i = 1:n] {
 }
 
 set multiplot layout (n + across - 1) / across,across \
-  margins 0.095,0.99,0.115,0.95 spacing 0.03,0.11
+  margins 0.095,0.99,0.15,0.95 spacing 0.03,0.21
 set xrange [-1.5:1.5]
 set xtics 1
 set yrange [0:top]
@@ -25,7 +25,6 @@ do for [i = 1:n] {
   own_half_width = value(sprintf('half_width_%d', i))
   own_p0 = value(sprintf('p0_%d', i))
   set title value(sprintf('title_%d', i)) offset 0,-0.7
-  set format x (is_bottom ? '$%g$' : '')
   set format y (is_left ? '$%g$' : '')
   set xlabel (is_bottom ? '$x/a$' : '')
   set ylabel (is_left ? '$p/p_0$' : '')

@@ -12,7 +12,8 @@ set xlabel sprintf('$x$ (%s)', x_unit)
 set ylabel sprintf('$u_z$ (%s)', u_unit)
 set xrange [0:end]
 set yrange [0:*]
-set key bottom left reverse Left
+set ytics tick_step(u_factor * STATS_max)
+set key outside right center reverse Left
 x_of(x) = x_factor * x
 u_of(u) = u_factor * u
 plot curves using (x_of(column("x"))):(u_of(column("half_space"))) with lines ls 1 \
@@ -22,4 +23,8 @@ plot curves using (x_of(column("x"))):(u_of(column("half_space"))) with lines ls
      curves using (x_of(column("x"))):(u_of(column("block_fitted"))) with lines ls 2 \
        title 'block, fitted load', \
      printed using (x_of(column("x"))):(u_of(column("u_z"))) with points ls 11 \
-       title 'printed, FEA $z$'
+       title 'printed, FEA $z$', \
+     printed using (x_of(column("x"))):(u_of(column("magnitude"))) with points ls 12 \
+       title 'printed, FEA magnitude', \
+     printed using (x_of(column("x"))):(u_of(column("analytical"))) with points ls 13 \
+       title 'printed, analytical'

@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pressure between wavy cylinders at growing loads, the least on top, over p₀ and against x/a of
-# smooth ones.
+# The pressure between wavy cylinders at growing loads, the least on top, over p₀ and against x/λ.
 n = int(n_panels)
-set xrange [-1.15:1.15]
-set xtics 1./3
+set xrange [-1.15 * waves:1.15 * waves]
+set xtics 1
 set yrange [0:2.1]
 set ytics 1
 set format x ''
 set ylabel '$p/p_0$'
-set multiplot layout n,1 margins 0.09,0.985,0.125,0.98 spacing 0.05
+set multiplot layout n,1 margins 0.09,0.985,0.17,0.98 spacing 0.05
 do for [k = 1:n] {
   panel = value(sprintf('panel_%d', k))
   if (k == n) {
-    set format x '$%.2g$'
-    set xlabel '$x/a$'
+    set format x '$%g$'
+    set xlabel '$x/\lambda$'
   }
   set label 1 value(sprintf('title_%d', k)) at graph 0.02,0.85 left
   if (k == 1) { set key top right } else { unset key }

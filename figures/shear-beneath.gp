@@ -22,10 +22,10 @@ number(value) = sprintf('\\fboxsep=1pt\\colorbox{white}{\\scriptsize %.2f}', val
 set multiplot
 set tmargin at screen 0.90
 set bmargin at screen 0.23
-set xtics 1
+set xtics -1,1,1
 set yrange [2.5:0]
 set ytics 0.5
-set ylabel '$z/a$' offset 1.2,0
+set ylabel '$z/a$' offset 0.2,0
 set xrange [-2:2]
 set border 15
 unset key

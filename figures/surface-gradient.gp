@@ -6,7 +6,7 @@ set xrange [-3:3]
 set yrange [-3.2:3.2]
 set xtics 1
 set ytics 1
-set key top right
+set key top right samplen 1.8
 plot loads using "x":"concentrated" with lines ls 3 title 'concentrated', \
      loads using "x":"uniform" with lines ls 2 title 'uniform', \
      loads using "x":"triangular" with lines ls 1 title 'triangular'

@@ -30,6 +30,14 @@ fprintf(file, ",\n    \"load\": {\"value\": %.17g, \"abs_error\": %.2g, \"unit\"
 for i = 1:aa - 1
   fprintf(file, ",\n    \"p%d\": {\"value\": %.17g, \"abs_error\": %.2g, \"unit\": \"psi\"}", i, p(i), p_error(i));
 end
+inputs = {"P", "lbf/in", P; "c", "in", c; "EE", "psi", EE; "v", "", v; "R1", "in", R1; "R2", "in", R2; "n", "", n};
+for i = 1:rows(inputs)
+  fprintf(file, ",\n    \"%s\": {\"value\": %.17g, \"abs_error\": 0", inputs{i, 1}, inputs{i, 3});
+  if (! isempty(inputs{i, 2}))
+    fprintf(file, ", \"unit\": \"%s\"", inputs{i, 2});
+  endif
+  fprintf(file, "}");
+end
 fprintf(file, ",\n    \"zero-node\": {\"value\": %d, \"abs_error\": 0}", aa);
 fprintf(file, ",\n    \"hertz-half-width\": {\"value\": %.17g, \"abs_error\": %.2g, \"unit\": \"in\"}", a, 8 * eps * a);
 fprintf(file, ",\n    \"hertz-peak\": {\"value\": %.17g, \"abs_error\": %.2g, \"unit\": \"psi\"}", p0, 8 * eps * p0);

@@ -6,13 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "block/fit.hpp"
 #include "system/parallel.hpp"
 
 namespace paper {
 namespace {
 
-using block::Support;
 using literate::Figure;
 using literate::FigureData;
 
@@ -57,7 +55,22 @@ FigureData sample(const block::Solution& solution, double left, double right, do
   return {{"x", cell_x}, {"y", cell_y}, {"u_z", cell_u}};
 }
 
-Figure contours(const parameters::HalfSpaceCase& half_space,
+// How far displacements are enlarged to be seen: round numbers.
+struct Enlargements {
+  double whole, close;
+};
+
+double rounded_down_to_a_digit(double x) {
+  const double decade = std::pow(10, std::floor(std::log10(x)));
+  return std::floor(x / decade) * decade;
+}
+
+Enlargements enlargements_of(double a, double height, double largest) {
+  return {rounded_down_to_a_digit(0.08 * height / largest),
+          rounded_down_to_a_digit(0.8 * a / largest)};
+}
+
+Figure contours(literate::Document& document, const parameters::HalfSpaceCase& half_space,
                 const parameters::BlockCase& block_case, const config::UnitSystem& units,
                 const BlockStudy& study) {
   const block::Solution& solution =
@@ -65,11 +78,15 @@ Figure contours(const parameters::HalfSpaceCase& half_space,
   const block::Rectangle& r = block_case.rectangle;
   const double a = half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
+  const Enlargements enlargements = enlargements_of(a, r.height(), largest);
+  document.value("contours.enlargement.whole",
+                 literate::Value(enlargements.whole, literate::significant(1)).within(0));
+  document.value("contours.enlargement.close",
+                 literate::Value(enlargements.close, literate::significant(1)).within(0));
   return {.width_cm = 15,
           .height_cm = 5,
-          .data = {{"whole",
-                    sample(solution, r.left(), r.right(), r.height(), 0.08 * r.height() / largest)},
-                   {"close_up", sample(solution, -4 * a, 4 * a, 4 * a, 0.8 * a / largest)}},
+          .data = {{"whole", sample(solution, r.left(), r.right(), r.height(), enlargements.whole)},
+                   {"close_up", sample(solution, -4 * a, 4 * a, 4 * a, enlargements.close)}},
           .numbers = {{"half_width", a},
                       {"largest", largest},
                       {"right", r.right()},
@@ -112,8 +129,8 @@ Figure convergence(const parameters::HalfSpaceCase& half_space,
     energy.push_back(error("strain_energy"));
     von_mises.push_back(error("max_stress_vm"));
   }
-  return {.width_cm = 10,
-          .height_cm = 6.4,
+  return {.width_cm = 6.4,
+          .height_cm = 4.8,
           .data = {{"orders",
                     {{"order", orders},
                      {"displacement", displacement},
@@ -135,32 +152,16 @@ Figure mesh(const parameters::HalfSpaceCase& half_space, const parameters::Block
   // 0 − z, so that the surface is at 0 and not at −0.
   for (const double at : x_lines) line(at, 0 - z_lines.front(), at, 0 - z_lines.back());
   for (const double at : z_lines) line(x_lines.front(), 0 - at, x_lines.back(), 0 - at);
-  return {.width_cm = 15,
-          .height_cm = 5.4,
+  return {.width_cm = 8.8,
+          .height_cm = 4.8,
           .data = {{"lines", {{"x", x}, {"y", y}}}},
-          .numbers = {{"half_width", half_space.load.half_width()}},
+          .numbers = {{"half_width", half_space.load.half_width()}, {"right", x_lines.back()}},
           .texts = {{"unit", units.length}}};
 }
 
-// The largest misfit for each edge fraction, with the best peak for it.
-Figure misfits(const BlockStudy& study) {
-  std::vector<double> edge_fraction;
-  for (int i = 0; i <= 100; ++i) edge_fraction.push_back(0.01 * i);
-  FigureData curves = {{"edge_fraction", edge_fraction}};
-  for (const auto& [name, sides] : {std::pair{"clamped", Support::clamped},
-                                    {"roller", Support::roller},
-                                    {"free", Support::free}}) {
-    std::vector<double> misfit;
-    for (const double f : edge_fraction) {
-      misfit.push_back(block::max_misfit(study.falls_on(sides), {1 - f, f}, study.observed()));
-    }
-    curves.columns.emplace_back(name, std::move(misfit));
-  }
-  return {.width_cm = 10, .height_cm = 6.4, .data = {{"sides", std::move(curves)}}};
-}
-
+// The curves of the half-space and of the block, and the three printed columns of Fig. 5.
 Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSystem& units,
-                      const BlockStudy& study) {
+                      const BlockStudy& study, const PrintedFigure5& printed) {
   std::vector<double> x, half_space, block_stated, block_fitted;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
@@ -169,19 +170,23 @@ Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSyst
     block_stated.push_back(study.under_triangle().displacement_z(x.back(), 0).value);
     block_fitted.push_back(study.fit()->fit.solution.displacement_z(x.back(), 0).value);
   }
-  std::vector<double> printed_x, printed_u_z;
-  for (const block::SurfaceDisplacement& printed : study.observed()) {
-    printed_x.push_back(printed.x);
-    printed_u_z.push_back(printed.u_z);
-  }
-  return {.width_cm = 12.5,
-          .height_cm = 7.2,
+  const auto values_of_column = [](const std::vector<config::PrintedNumber>& column) {
+    std::vector<double> values;
+    for (const config::PrintedNumber& number : column) values.push_back(number.value());
+    return values;
+  };
+  return {.width_cm = 14,
+          .height_cm = 5,
           .data = {{"curves",
                     {{"x", x},
                      {"half_space", half_space},
                      {"block_stated", block_stated},
                      {"block_fitted", block_fitted}}},
-                   {"printed", {{"x", printed_x}, {"u_z", printed_u_z}}}},
+                   {"printed",
+                    {{"x", values_of_column(printed.x)},
+                     {"analytical", values_of_column(printed.analytical)},
+                     {"u_z", values_of_column(printed.fea_z)},
+                     {"magnitude", values_of_column(printed.fea_magnitude)}}}},
           .texts = {{"unit", units.length}}};
 }
 
@@ -190,14 +195,14 @@ Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSyst
 void register_block_figures(literate::Document& document,
                             const parameters::HalfSpaceCase& half_space,
                             const parameters::BlockCase& block_case,
-                            const config::UnitSystem& units, const BlockStudy& study) {
+                            const config::UnitSystem& units, const BlockStudy& study,
+                            const std::optional<PrintedData>& printed) {
   document.value("block.highest-order", literate::Value(highest_order, literate::integer()));
-  document.figure("block-contours", contours(half_space, block_case, units, study));
+  document.figure("block-contours", contours(document, half_space, block_case, units, study));
   document.figure("block-mesh", mesh(half_space, block_case, units, study));
   document.figure("block-convergence", convergence(half_space, block_case, study));
-  if (!study.fit()) return;
-  document.figure("fit-misfit", misfits(study));
-  document.figure("like-with-like", like_with_like(half_space, units, study));
+  if (!printed) return;
+  document.figure("like-with-like", like_with_like(half_space, units, study, printed->figure5));
 }
 
 }  // namespace paper

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "literate/document/document.hpp"
 #include "paper/block_study.hpp"
+#include "paper/printed_data.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
 
 /// The deformed block with contours of u_z (Fig. 3), its mesh, the convergence of its measures, and
-/// for printed data the misfit over the edge fraction and the curves like with like.
+/// for printed data the displacements of half-space and block beside the printed ones.
 void register_block_figures(literate::Document& document,
                             const parameters::HalfSpaceCase& half_space,
                             const parameters::BlockCase& block_case,
-                            const config::UnitSystem& units, const BlockStudy& study);
+                            const config::UnitSystem& units, const BlockStudy& study,
+                            const std::optional<PrintedData>& printed);
 
 }  // namespace paper

@@ -19,7 +19,7 @@ block::Analysis analysis_of(const parameters::HalfSpaceCase& half_space,
   const double a = half_space.load.half_width();
   return {block_case.rectangle,
           half_space.material,
-          {block::linear_fall(1, 0, a), block::trapezoid(1, flat_fraction, a)},
+          {block::linear_fall(1, 0, a)},
           block_case.discretization};
 }
 
@@ -67,11 +67,6 @@ std::string name_of(Support sides) {
   return sides == Support::roller ? "roller" : "free";
 }
 
-BlockStudy::OnSides::OnSides(const block::Analysis& analysis, Support sides, double half_width)
-    : block(analysis.on(block::with_sides(sides))),
-      falls{block.solve(block::linear_fall(1, 0, half_width)),
-            block.solve(block::linear_fall(1, 1, half_width))} {}
-
 BlockStudy::BlockStudy(const parameters::HalfSpaceCase& half_space,
                        const parameters::BlockCase& block_case,
                        std::vector<block::SurfaceDisplacement> observed)
@@ -80,48 +75,30 @@ BlockStudy::BlockStudy(const parameters::HalfSpaceCase& half_space,
       analysis_(analysis_of(half_space, block_case)),
       observed_(std::move(observed)) {
   sys::for_each_parallel(sides_.size(), 0, [&](std::size_t i) {
-    sides_[i].emplace(analysis_, static_cast<Support>(i), half_space_.load.half_width());
+    sides_[i].emplace(analysis_.fine(), analysis_.coarse(),
+                      block::with_sides(static_cast<Support>(i)));
   });
   under_triangle_ = on(block_case.sides).solve(half_space.load);
   if (observed_.empty()) return;
   const Support sides = block_case.sides;
   fit_ = fit_on(sides);
-  const block::Fit coarse = coarse_fit(falls_on(sides), observed_);
+  const double a = half_space_.load.half_width();
+  const block::Fit coarse = coarse_fit(
+      {on(sides).solve(block::linear_fall(1, 0, a)), on(sides).solve(block::linear_fall(1, 1, a))},
+      observed_);
   under_fit_.emplace(fit_->fit.solution.fine(), coarse.solution.fine());
   misfit_error_ = largest_difference(fit_->fit.residuals, coarse.residuals);
 }
 
-block::LinearFit BlockStudy::fit_on(Support sides) const {
-  return block::fit_linear_load(on(sides), half_space_.load.half_width(), observed_);
+block::SupportedBlock BlockStudy::enlarged(double factor, Support sides) const {
+  parameters::BlockCase larger = block_case_;
+  larger.rectangle = {factor * block_case_.rectangle.width(),
+                      factor * block_case_.rectangle.height()};
+  return analysis_of(half_space_, larger).on(block::with_sides(sides));
 }
 
-std::vector<Candidate> BlockStudy::candidates() const {
-  const double a = half_space_.load.half_width();
-  std::vector<Candidate> candidates;
-  const auto add = [&](const std::string& shape, Support sides,
-                       const std::vector<block::RefinedSolution>& solutions) {
-    block::Fit fit = block::fit_loads(solutions, observed_);
-    const block::Fit coarse = coarse_fit(solutions, observed_);
-    const double error = largest_difference(fit.residuals, coarse.residuals);
-    block::RefinedSolution refitted(fit.solution.fine(), coarse.solution.fine());
-    candidates.push_back({shape, sides, std::move(fit), error, std::move(refitted)});
-  };
-  for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
-    add("linear fall", sides, falls_on(sides));
-  }
-  const std::vector<std::pair<std::string, elasticity::Load>> shapes = {
-      {"trapezoid", block::trapezoid(1, flat_fraction, a)},
-      {"elliptic", block::elliptic(1, a)},
-      {"parabola", block::power_fall(1, 2, a)},
-      {"quartic", block::power_fall(1, 4, a)}};
-  for (const Support sides : {Support::clamped, Support::free}) {
-    add("triangle, eq. (4)", sides, {falls_on(sides)[0]});
-    add("uniform", sides, {falls_on(sides)[1]});
-    for (const auto& [shape, load] : shapes) {
-      add(shape, sides, {on(sides).solve(load)});
-    }
-  }
-  return candidates;
+block::LinearFit BlockStudy::fit_on(Support sides) const {
+  return block::fit_linear_load(on(sides), half_space_.load.half_width(), observed_);
 }
 
 block::MeasureOptions BlockStudy::measure_options() const {

@@ -16,22 +16,10 @@
 
 namespace paper {
 
-/// Of the top of the trapezoid: between the triangle's 0 and the uniform pressure's 1.
-inline constexpr double flat_fraction = 0.6;
-
-/// A load shape on some supports, scaled to the printed displacements as well as it can be.
-struct Candidate {
-  std::string shape;
-  block::Support sides;
-  block::Fit fit;
-  double misfit_error;  ///< how far a misfit moves at most when fitted on the coarser mesh
-  block::RefinedSolution refitted;  ///< under the fits made on each of the two meshes
-};
-
 /// The finite block of the paper, on all supports and under all loads that the report speaks of.
 ///
 /// One mesh serves all loads, one factorisation all loads on the same supports. The three kinds of
-/// sides are solved side by side.
+/// sides are factorised side by side.
 class BlockStudy {
  public:
   /// `observed` are the printed displacements, none without printed data. Throws as
@@ -39,13 +27,17 @@ class BlockStudy {
   BlockStudy(const parameters::HalfSpaceCase& half_space, const parameters::BlockCase& block_case,
              std::vector<block::SurfaceDisplacement> observed);
 
-  const block::SupportedBlock& on(block::Support sides) const { return all_on(sides).block; }
-
-  /// The block under the triangle and under the uniform pressure, of which every linear fall is a
-  /// sum, both of peak 1.
-  const std::vector<block::RefinedSolution>& falls_on(block::Support sides) const {
-    return all_on(sides).falls;
+  /// The block with these sides on a clamped bottom.
+  const block::SupportedBlock& on(block::Support sides) const {
+    return *sides_[static_cast<std::size_t>(sides)];
   }
+
+  /// The block on any supports, factorised anew.
+  block::SupportedBlock on(const block::Supports& supports) const { return analysis_.on(supports); }
+
+  /// A block of `factor` times the width and height with these sides on a clamped bottom, meshed
+  /// for the same load.
+  block::SupportedBlock enlarged(double factor, block::Support sides) const;
 
   /// The block with the case's sides under eq. (4), the load that the paper states.
   const block::RefinedSolution& under_triangle() const { return *under_triangle_; }
@@ -64,27 +56,14 @@ class BlockStudy {
   /// How far a misfit of the fit moves at most when fitted on the coarser mesh.
   double misfit_error() const { return misfit_error_; }
 
-  /// Every candidate of the report: the linear fall on each kind of side, then single shapes.
-  std::vector<Candidate> candidates() const;
-
   /// Where the measures of Appendix 2 are taken: the case's points, off the singular points.
   block::MeasureOptions measure_options() const;
 
  private:
-  struct OnSides {
-    OnSides(const block::Analysis& analysis, block::Support sides, double half_width);
-
-    block::SupportedBlock block;
-    std::vector<block::RefinedSolution> falls;
-  };
-  const OnSides& all_on(block::Support sides) const {
-    return *sides_[static_cast<std::size_t>(sides)];
-  }
-
   parameters::HalfSpaceCase half_space_;
   parameters::BlockCase block_case_;
   block::Analysis analysis_;
-  std::array<std::optional<OnSides>, 3> sides_;  // as block::Support counts them
+  std::array<std::optional<block::SupportedBlock>, 3> sides_;  // as block::Support counts them
   std::optional<block::RefinedSolution> under_triangle_;
   std::vector<block::SurfaceDisplacement> observed_;
   std::optional<block::LinearFit> fit_;

@@ -45,6 +45,19 @@ Estimate magnitude(Estimate a) {
   return {std::abs(a.value), a.abs_error};
 }
 
+Estimate other_component(const config::PrintedNumber& magnitude,
+                         const config::PrintedNumber& component) {
+  const auto root = [](double difference, double sum) {
+    return std::sqrt(std::max(0.0, difference) * sum);
+  };
+  const Estimate difference = as_estimate(magnitude) - as_estimate(component);
+  const Estimate sum = as_estimate(magnitude) + as_estimate(component);
+  const double value = root(difference.value, sum.value);
+  const double least = root(difference.value - difference.abs_error, sum.value - sum.abs_error);
+  const double most = root(difference.value + difference.abs_error, sum.value + sum.abs_error);
+  return {value, std::max(value - least, most - value)};
+}
+
 Estimate as_estimate(const config::PrintedNumber& number) {
   return {number.value(), number.last_place() / 2};
 }
@@ -80,6 +93,14 @@ double edge_error(const contact::Solution& solution) {
   const double share = 4 * pressure_error(solution) * solution.peak_pressure() / least;
   return solution.grid.spacing *
          std::min(1.0, share + 8 * epsilon / solution.grid.spacing * solution.half_width());
+}
+
+double bound_of_radius(double of_pressure) {
+  return 2 * of_pressure;
+}
+
+double bound_of_approach(double of_pressure) {
+  return 1.3 * of_pressure;
 }
 
 }  // namespace paper

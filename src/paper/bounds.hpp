@@ -28,6 +28,11 @@ numerics::Estimate percent_off(numerics::Estimate a, const config::PrintedNumber
 /// |a|, as wrong as a.
 numerics::Estimate magnitude(numerics::Estimate a);
 
+/// √(magnitude² − component²), the other component of a displacement of which two printed numbers
+/// are known, as far as their last places leave it open.
+numerics::Estimate other_component(const config::PrintedNumber& magnitude,
+                                   const config::PrintedNumber& component);
+
 /// A printed number: half a unit of its last place.
 numerics::Estimate as_estimate(const config::PrintedNumber& number);
 
@@ -48,5 +53,11 @@ double half_width_error(const contact::Solution& solution);
 /// extrapolated from the last nodes, whose pressures are wrong by δp₀ each. A length, at most one
 /// spacing.
 double edge_error(const contact::Solution& solution);
+
+/// How wrong the results of a point contact may be, relatively, when its nodal pressures are wrong
+/// by δ of the peak. Of the radius, half of what the second moment, 15/8 δ, and the load, 3/2 δ,
+/// may be wrong by; of the approach 4/π δ.
+double bound_of_radius(double of_pressure);
+double bound_of_approach(double of_pressure);
 
 }  // namespace paper

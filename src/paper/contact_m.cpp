@@ -51,7 +51,6 @@ ContactMInput as_printed(const PrintedData& printed) {
           static_cast<Index>(listed.zero_node.value()), printed.tri_dist.step.value()};
 }
 
-// begin excerpt: contact-m
 ContactM run_contact_m(const parameters::ContactCase& contact, const ContactMInput& input,
                        const ContactMRepairs& mended) {
   const Index nn = input.n_nodes;
@@ -91,7 +90,6 @@ ContactM run_contact_m(const parameters::ContactCase& contact, const ContactMInp
   }
   const double times = mended.hertz_load ? 1 : 2;  // repair 6
   const contact::Hertz hertz(contact.cylinders, times * contact.line_load);
-  // end excerpt: contact-m
   require_edge_within(nn, aa);
   return to_result(c, sides, p, aa, hertz);
 }

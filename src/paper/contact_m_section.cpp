@@ -36,7 +36,7 @@ using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
 
-// The program with the defects mended up to one of them.
+// The program with the corrections up to one of them.
 struct Row {
   std::string mended;
   ContactM program;
@@ -54,7 +54,7 @@ double misfit(const ContactM& program, const Hertz& hertz, double line_load) {
   return 2 * c * sum / line_load;
 }
 
-// As printed; each repair with those before it; and the last on a grid four times as fine.
+// As printed; each correction with those before it; and the last on a grid four times as fine.
 std::vector<Row> repair(const parameters::ContactCase& contact, ContactMInput input,
                         const Hertz& hertz) {
   std::vector<Row> rows;
@@ -94,6 +94,30 @@ double edge(const ContactM& program) {
   return program.x[static_cast<std::size_t>(program.zero_node - 1)];
 }
 
+// The mended program on a grid of the case's spacing over `refinement`, and on nine of nearly that
+// spacing, on which the edge of the contact falls at other places between two nodes: the largest
+// difference of the peak from Hertz's, and the mean misfit. On a single grid they may be small by
+// chance.
+struct MendedErrors {
+  double peak = 0;
+  double misfit = 0;
+};
+
+MendedErrors errors_of_mended(const parameters::ContactCase& contact, ContactMInput input,
+                              const Hertz& hertz, int refinement) {
+  constexpr int n_grids = 10;
+  const double elements = refinement * hertz.half_width() / input.spacing;
+  input.n_nodes *= refinement;
+  MendedErrors errors;
+  for (int k = 0; k < n_grids; ++k) {
+    input.spacing = hertz.half_width() / (elements + static_cast<double>(k) / n_grids);
+    const ContactM program = run_contact_m(contact, input, {true, true, true, true, true, true});
+    errors.peak = std::max(errors.peak, std::abs(peak(program) / hertz.peak_pressure() - 1));
+    errors.misfit += misfit(program, hertz, contact.line_load) / n_grids;
+  }
+  return errors;
+}
+
 double pressure_beside_edge(const ContactM& program) {
   return program.pressure[static_cast<std::size_t>(program.zero_node - 2)];
 }
@@ -104,11 +128,10 @@ constexpr double of_system = 1e-10;
 
 literate::Table repair_table(const std::vector<Row>& rows, const parameters::ContactCase& c,
                              const Hertz& hertz) {
-  literate::Table table(
-      "contact-m-repair",
-      {Column("", integer()), Column::text("mended besides"), Column("load over $P$", fixed(3)),
-       Column("edge over $a$", fixed(2)), Column("$p_0$", fixed(4)).under("peak over"),
-       Column("its own $p_0$", fixed(4)).under("peak over"), Column("misfit", fixed(4))});
+  literate::Table table("contact-m-repair",
+                        {Column("", integer()), Column::text("correction added"),
+                         Column("load over $P$", fixed(3)), Column("edge over $a$", fixed(2)),
+                         Column("peak over $p_0$", fixed(3)), Column("misfit", fixed(4))});
   // Loads and pressures are as wrong as the solved system, a misfit as twice its largest pressure.
   const double error = of_system + rounded(c, 1);
   const auto solved = [&](double x) { return Estimate{x, error * std::abs(x)}; };
@@ -118,7 +141,6 @@ literate::Table repair_table(const std::vector<Row>& rows, const parameters::Con
     table.add_row(
         {i, literate::Cell::latex(rows[i].mended), solved(program.line_load / c.line_load),
          Estimate{share, rounded(c, share)}, solved(peak(program) / hertz.peak_pressure()),
-         solved(peak(program) / program.hertz_peak_pressure),
          Estimate{rows[i].misfit, 2 * share * error * peak(program) / hertz.peak_pressure()}});
   }
   return table;
@@ -126,7 +148,7 @@ literate::Table repair_table(const std::vector<Row>& rows, const parameters::Con
 
 // One panel for each row whose pressure or whose Hertz differs from the last.
 literate::Figure repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
-  literate::Figure figure{.width_cm = 15.2, .height_cm = 9.6};
+  literate::Figure figure{.width_cm = 15.2, .height_cm = 7.6};
   int number = 0;
   for (const std::size_t i : {printed, mirror_images, both_bodies, weight, free_edge, all}) {
     const ContactM& program = rows[i].program;
@@ -177,7 +199,6 @@ void describe_listing(literate::Document& document, const parameters::ContactCas
   const auto weight = static_cast<double>(input.zero_node - 2);
   document.value("contact-m.spacing", Value(input.spacing, exact(), units.length));
   document.value("contact-m.step", Value(input.step, exact(), units.length));
-  document.value("contact-m.nodes", Value(input.n_nodes + 1, integer()));
   document.value("contact-m.zero-node", Value(input.zero_node, integer()));
   document.value("contact-m.weight", Value(weight, exact()));
   const double share = edge(program) / hertz.half_width();
@@ -186,7 +207,6 @@ void describe_listing(literate::Document& document, const parameters::ContactCas
   document.value("contact-m.edge", Value(closed_form(edge(program)), significant(2), units.length));
   document.value("contact-m.edge-share", Value(share, fixed(2)).within(rounded(c, share)));
   document.value("contact-m.load", Value(carried, significant(4), units.line_load));
-  document.value("contact-m.load-share", Value(quotient({load, 0}, carried), fixed(2)));
   document.value("contact-m.hertz-half-width",
                  Value(program.hertz_half_width, significant(4), units.length)
                      .within(rounded(c, program.hertz_half_width)));
@@ -236,18 +256,13 @@ void compare_mended(literate::Document& document, const parameters::ContactCase&
       largest_difference(rows[all].program.pressure,
                          {solution.pressure.data(), rows[all].program.pressure.size()}) /
       p0;
-  const auto peak_error = [&](const Row& row) { return std::abs(peak(row.program) / p0 - 1); };
   document.value("contact-m.rounding", Value(rounding, scientific(1).rounded_up()));
-  document.value("contact-m.peak-error",
-                 Value(Estimate{peak_error(rows[all]), of_system}, scientific(1).rounded_up()));
-  document.value("contact-m.finer-peak-error",
-                 Value(Estimate{peak_error(rows[finer]), of_system}, scientific(1).rounded_up()));
   document.check(
       "contact-m-is-matrix-inversion",
       {Criterion::at_most("largest difference of the pressures, over p₀",
                           Value(rounding, scientific(1).rounded_up()).within(0),
                           {LimitKind::rounding, of_system, "the same equations in another order"})},
-      "Contact.m with every repair is the matrix inversion on a one-sided grid");
+      "Contact.m with every correction is the matrix inversion on a one-sided grid");
 }
 
 // What the prose says of single rows.
@@ -284,7 +299,7 @@ void check_rows(literate::Document& document, const std::vector<Row>& rows, doub
                   Criterion::at_most("misfit with a free edge",
                                      Value({rows[free_edge].misfit, 4 * of_system}, percent(1)),
                                      less_than_a_plot_shows())},
-                 "before the edge is free, mending both bodies and the load adds to the misfit");
+                 "before the edge is free, correcting both bodies and the load adds to the misfit");
 }
 
 // What it computes, for what it says that it computes.
@@ -295,43 +310,50 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
   const double share = edge(row.program) / hertz.half_width();
   document.claim(
       "contact-m-load",
-      {.route = "the listed program run as printed; its pressures beside Hertz's of the load that "
-                "it is given",
+      {.route = "the listed program run as printed, against Hertz under the load that it is given",
        .expected = Verdict::refuted,
        .criteria = {Criterion::agrees_relatively(
                         "load that its triangles carry",
                         Value({carried, of_system * carried}, significant(4), units.line_load),
                         Value(c.line_load, exact(), units.line_load).within(0),
-                        {LimitKind::convention, 1e-2,
-                         "far below what the element width of the listing lets one expect"}),
+                        {LimitKind::convention, 1e-2, "less than a plot shows"}),
                     Criterion::agrees("half-width of the contact over Hertz's",
                                       Value(share, fixed(2)).within(rounded(c, share)),
                                       Value(1, exact()).within(0),
-                                      {LimitKind::convention, input.spacing / hertz.half_width(),
-                                       "one element: counting nodes is no better"}),
+                                      {LimitKind::derived, input.spacing / hertz.half_width(),
+                                       "one element: an edge is only known to a node"}),
                     Criterion::at_most("misfit of the pressure to Hertz's, as a share of the load",
                                        Value({row.misfit, 4 * of_system}, percent(0)),
                                        less_than_a_plot_shows())}});
 }
 
-void claim_mended(literate::Document& document, const std::vector<Row>& rows, const Hertz& hertz) {
-  const auto peak_error = [&](const char* what, const Row& row) {
-    const double off = std::abs(peak(row.program) / hertz.peak_pressure() - 1);
-    return Criterion::at_most(what, Value(Estimate{off, of_system}, scientific(2)),
+void claim_mended(literate::Document& document, const parameters::ContactCase& contact,
+                  const ContactMInput& input, const Hertz& hertz) {
+  const MendedErrors own = errors_of_mended(contact, input, hertz, 1);
+  const MendedErrors fine = errors_of_mended(contact, input, hertz, 4);
+  const auto register_error = [&](const char* key, const MendedErrors& errors) {
+    document.value(key, Value(Estimate{errors.peak, of_system}, scientific(1).rounded_up()));
+  };
+  register_error("contact-m.peak-error", own);
+  register_error("contact-m.finer-peak-error", fine);
+  const auto peak_error = [&](const char* what, const MendedErrors& errors) {
+    return Criterion::at_most(what, Value(Estimate{errors.peak, of_system}, scientific(2)),
                               less_than_a_plot_shows());
   };
-  const double ratio = rows[all].misfit / rows[finer].misfit;
+  const double ratio = own.misfit / fine.misfit;
   document.claim(
       "contact-m-mended",
-      {.route = "the mended program on its own grid and on one four times as fine",
+      {.route =
+           "the corrected program on ten grids of about its own spacing, on which the edge falls "
+           "elsewhere between two nodes, and on ten that are four times as fine",
        .expected = Verdict::confirmed,
        .criteria = {
-           peak_error("relative difference of the peaks", rows[all]),
-           peak_error("on the finer grid", rows[finer]),
+           peak_error("largest relative difference of the peaks", own),
+           peak_error("on the finer grids", fine),
            Criterion::at_least(
-               "misfit of the pressures over that on the finer grid",
-               Value({ratio, 4 * of_system / rows[finer].misfit * ratio}, significant(2)),
-               {LimitKind::convention, 4.0, "no slower than in proportion to the width"})}});
+               "mean misfit of the pressures over that on the finer grids",
+               Value({ratio, 4 * of_system / fine.misfit * ratio}, significant(2)),
+               {LimitKind::derived, 4.0, "a fourth of the element width: order 1 or more"})}});
 }
 
 }  // namespace
@@ -347,7 +369,7 @@ void compute_contact_m(literate::Document& document, const parameters::ContactCa
   compare_mended(document, contact, input, rows, hertz);
   check_rows(document, rows, hertz.peak_pressure());
   claim_program(document, contact, units, input, rows[printed], hertz);
-  claim_mended(document, rows, hertz);
+  claim_mended(document, contact, input, hertz);
   document.table(repair_table(rows, contact, hertz));
   document.figure("contact-m-repair", repair_figure(rows, hertz));
 }

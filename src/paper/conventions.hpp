@@ -15,4 +15,15 @@ inline literate::Limit nearly_identical() {
   return {literate::LimitKind::convention, 3e-2, "the height of two marks in the paper's Fig. 4"};
 }
 
+/// To how much a fitted pressure has to reproduce the printed displacements, relatively. The run
+/// tells nothing of its error: the convergence that it prints is no bound.
+constexpr double small_misfit = 1e-3;
+
+/// The square of the element width over the half-width of the contact, for errors of linear
+/// elements.
+inline literate::Limit of_second_order(double square) {
+  return {literate::LimitKind::derived, square,
+          "(𝑐/𝑎)², eight times what straight lines between the nodes miss of Hertz's peak"};
+}
+
 }  // namespace paper

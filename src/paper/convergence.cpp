@@ -18,6 +18,16 @@ contact::Solution solve_cylinders(const parameters::ContactCase& c, const contac
       c.line_load, tolerance);
 }
 
+std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes) {
+  const double elements = static_cast<double>(n_nodes) / cylinder_domain;
+  std::vector<contact::Grid> grids;
+  for (int k = 0; k < n_edge_places; ++k) {
+    const double part = elements / (elements + static_cast<double>(k) / n_edge_places);
+    grids.push_back(contact::grid_of_width(part * cylinder_domain * hertz.half_width(), n_nodes));
+  }
+  return grids;
+}
+
 HertzErrors errors_against(const contact::Hertz& hertz, const contact::Solution& solution) {
   constexpr double inner_part = 0.9;
   const double a = hertz.half_width();

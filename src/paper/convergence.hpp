@@ -27,6 +27,15 @@ inline constexpr double cylinder_domain = 2.2;
 contact::Solution solve_cylinders(const parameters::ContactCase& c, const contact::Hertz& hertz,
                                   contact::Element element, long n_nodes);
 
+/// How many places between two nodes the edge of the contact takes on grids_of().
+inline constexpr int n_edge_places = 10;
+
+/// Grids of n_nodes over this domain, the first, and over ones that are narrower by up to one
+/// element of the half-width, on which the edge falls at evenly spaced places between two nodes:
+/// a/c is n_nodes/cylinder_domain + k/n_edge_places. Where the edge falls changes the errors by an
+/// order of magnitude, so that a single grid tells little.
+std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes);
+
 HertzErrors errors_against(const contact::Hertz& hertz, const contact::Solution& solution);
 
 /// The errors on a number of grids from 15 to 750 elements over the half-width, so many that the

@@ -3,17 +3,21 @@
 
 #include "contact/hertz.hpp"
 #include "contact/solution.hpp"
+#include "numerics/estimate.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
 
 /// What a solution of elements says between and beneath its nodes, held against Hertz and McEwen.
+///
+/// The slope of uniform elements is infinite at their ends, so that a largest error would belong to
+/// the points at which it is sought. Means over |x| ≤ 0.9 a are finite for all elements but forces.
 struct ElementQuality {
-  double slope;  ///< largest error of ∂(u_z1 + u_z2)/∂x, over a/R, its value at the edge
-  double shear;  ///< largest error of τ₁ half a spacing below the surface, over p₀
+  numerics::Estimate slope;  ///< mean |error| of ∂(u_z1 + u_z2)/∂x, over a/R, its value at the edge
+  numerics::Estimate shear;  ///< mean |error| of τ₁ half a spacing below the surface, over p₀
 };
 
-/// Over |x| ≤ 0.9 a, at eighths between the nodes, where no element is infinite.
+/// By the midpoint rule, extrapolated; wrong by the difference from half as many points.
 ElementQuality quality_of(const parameters::ContactCase& c, const contact::Hertz& hertz,
                           const contact::Solution& solution);
 

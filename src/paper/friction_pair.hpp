@@ -9,9 +9,6 @@
 
 namespace paper {
 
-/// μ of dry metals, and a round number.
-constexpr double friction_coefficient = 0.3;
-
 /// Two bodies with the case's radii, pressed to the case's half-width.
 ///
 /// Lengths, loads and stresses in the case's units; `line_load` is a force per length, `beta` is

@@ -20,19 +20,22 @@
 #define PAPER_SECTIONS(SECTION)                                                           \
   SECTION(provenance, std::filesystem::path, std::string, literate::Paper)                \
   SECTION(formulation, HalfSpaceCase, UnitSystem)                                         \
-  SECTION(quadrature, HalfSpaceCase, UnitSystem)                                          \
-  SECTION(results, HalfSpaceCase, UnitSystem, std::optional<PrintedData>)                 \
+  SECTION(quadrature, HalfSpaceCase)                                                      \
+  SECTION(results, HalfSpaceCase, UnitSystem, std::optional<PrintedData>,                 \
+          std::optional<BlockCase>)                                                       \
   SECTION(finite_block, HalfSpaceCase, BlockCase, UnitSystem, std::optional<PrintedData>) \
   SECTION(error_analysis, HalfSpaceCase, UnitSystem, std::optional<PrintedData>)          \
-  SECTION(cylinders, ContactCase, UnitSystem, std::optional<PrintedData>)                 \
+  SECTION(cylinders, ContactCase, UnitSystem, std::optional<PrintedData>,                 \
+          std::optional<PointContactCase>)                                                \
+  SECTION(octave, ContactCase, UnitSystem, PrintedData, Listings)                         \
   SECTION(contact_m, ContactCase, UnitSystem, PrintedData)                                \
   SECTION(elements, ContactCase)                                                          \
   SECTION(methods, ContactCase)                                                           \
   SECTION(profiles, ContactCase, UnitSystem)                                              \
-  SECTION(regions, ContactCase, UnitSystem)                                               \
-  SECTION(friction, ContactCase)                                                          \
-  SECTION(stresses, ContactCase)                                                          \
-  SECTION(program, Listings)
+  SECTION(regions, ContactCase, WavesCase, UnitSystem)                                    \
+  SECTION(friction, ContactCase, FrictionCase, std::optional<PrintedData>)                \
+  SECTION(stresses, ContactCase, FrictionCase)                                            \
+  SECTION(spheres, ContactCase, PointContactCase, UnitSystem)
 
 namespace paper {
 
@@ -40,7 +43,10 @@ using config::UnitSystem;
 using literate::Document;
 using parameters::BlockCase;
 using parameters::ContactCase;
+using parameters::FrictionCase;
 using parameters::HalfSpaceCase;
+using parameters::PointContactCase;
+using parameters::WavesCase;
 
 template <typename... Part>
 using Compute = void(Document& document, const Part&... part);
@@ -61,7 +67,9 @@ class Parts {
  public:
   Parts(const parameters::Case& c, const std::optional<PrintedData>& printed,
         const std::optional<Listings>& listings, const literate::Paper& paper)
-      : parts_(&c.file, &c.title, &c.units, &c.half_space, &c.contact, pointer_to(c.block),
+      : parts_(&c.file, &c.title, &c.units, &c.half_space, &c.contact,
+               pointer_to(c.contact.friction), pointer_to(c.contact.waves),
+               pointer_to(c.point_contact), &c.point_contact, pointer_to(c.block), &c.block,
                &printed, pointer_to(printed), pointer_to(listings), &paper) {}
 
   template <typename Part>
@@ -71,9 +79,10 @@ class Parts {
 
  private:
   std::tuple<const std::filesystem::path*, const std::string*, const UnitSystem*,
-             const HalfSpaceCase*, const ContactCase*, const BlockCase*,
-             const std::optional<PrintedData>*, const PrintedData*, const Listings*,
-             const literate::Paper*>
+             const HalfSpaceCase*, const ContactCase*, const FrictionCase*, const WavesCase*,
+             const PointContactCase*, const std::optional<PointContactCase>*, const BlockCase*,
+             const std::optional<BlockCase>*, const std::optional<PrintedData>*, const PrintedData*,
+             const Listings*, const literate::Paper*>
       parts_;
 };
 
@@ -98,7 +107,7 @@ const std::vector<Section>& sections() {
 }
 #undef PAPER_LIST
 
-// Claims about stresses hold the elements against a search for the greatest shear: fewer nodes have
+// Claims about stresses hold the elements against a search for the largest shear: fewer nodes have
 // no such place beneath them, and of more the errors are below what the search can tell.
 constexpr long fewest_nodes = 7;
 constexpr long most_nodes = 401;
@@ -193,6 +202,8 @@ void require_reportable(const parameters::Case& c) {
   const config::Table root = config::Table::parse_file(c.file);
   require_title(root, c.title);
   require_integer(root.table("contact"), "nodes", c.contact.n_nodes, fewest_nodes, most_nodes);
+  // They go beyond the paper: other commands do without them, the report does not.
+  for (const char* key : {"friction", "waves"}) root.table("contact").table(key);
   const double half_width = c.half_space.load.half_width();
   if (c.half_space.datum < half_width) {
     root.table("half_space")
@@ -208,6 +219,7 @@ void compute(Document& document, const parameters::Case& from_file,
   require_reportable(from_file);
   const std::optional<PrintedData> printed = read_printed(from_file);
   document.flag("printed", printed.has_value());
+  document.flag("point-contact", from_file.point_contact.has_value());
   document.flag("block", from_file.block.has_value());
   document.flag("block.fitted", from_file.block && printed);
 

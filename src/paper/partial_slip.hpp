@@ -9,9 +9,9 @@ namespace paper {
 /// Registers what the section on friction says of partial slip: shear and strip that sticks under
 /// three tangential loads, beside Cattaneo and Mindlin, and the orders of their errors.
 ///
-/// `own` is the case's pair of bodies. Throws what contact::partial_slip() and
-/// contact::solve_by_matrix_inversion() throw.
+/// `own` is the case's pair of bodies, `mu` their coefficient of friction, greater than 0. Throws
+/// what contact::partial_slip() and contact::solve_by_matrix_inversion() throw.
 void compute_partial_slip(literate::Document& document, const parameters::ContactCase& c,
-                          const Pair& own);
+                          const Pair& own, double mu, bool is_papers_case);
 
 }  // namespace paper

@@ -28,7 +28,6 @@ void compute_provenance(literate::Document& document, const std::filesystem::pat
   document.value("provenance.gnuplot", Value::text(sys::tool_version("gnuplot")));
   document.value("provenance.tex", Value::text(sys::tool_version("pdflatex")));
   document.value("case.title", Value::text(title));
-  document.value("case.file", Value::text(file.filename().string()));
 }
 
 }  // namespace paper

@@ -10,13 +10,13 @@
 #include "contact/friction.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/mcewen.hpp"
-#include "contact/shear_search.hpp"
 #include "contact/sliding_hertz.hpp"
 #include "contact/traction.hpp"
 #include "literate/document/document.hpp"
 #include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
+#include "paper/greatest_shear.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -33,15 +33,15 @@ using literate::Criterion;
 using literate::exact;
 using literate::fixed;
 using literate::LimitKind;
+using literate::percent;
 using literate::scientific;
 using literate::significant;
-using literate::supported;
-using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
 using numerics::fit_power;
 using numerics::PowerFit;
+using parameters::FrictionCase;
 
 Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
   return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
@@ -66,17 +66,7 @@ double place_error(double shear_error) {
   return 1e-7 + std::sqrt(4 * shear_error / least_curvature);
 }
 
-// The edge's kinks, which only elements have, show above this depth (over a).
-constexpr double least_depth = 0.1;
-constexpr double greatest_friction = 0.3;  // of the table and the figure
-constexpr std::array shear_levels = {0.05, 0.1, 0.15, 0.2, 0.25, 0.29};  // contours of τ₁/p₀
-
-// The greatest shear beneath the surface of a body whose contact has the half-width a.
-template <typename Body>
-ShearPoint greatest_shear(const Body& body, double a) {
-  return contact::find_greatest_shear([&](double x, double z) { return body.stress(x, z); }, a,
-                                      least_depth * a);
-}
+constexpr std::array shear_levels = {0.05, 0.1, 0.15, 0.2, 0.25};  // contours of τ₁/p₀
 
 // The friction at which the surface, where τ₁ = μp₀, overtakes the greatest shear beneath: the
 // middle of the bracket that bisection leaves.
@@ -91,49 +81,35 @@ Estimate friction_at_surface(const Hertz& hertz) {
   return {(low + high) / 2, (high - low) / 2};
 }
 
-literate::Table depth_table(literate::Document& document, const PiecewiseLinearTraction& traction,
-                            const Solution& solution, const Hertz& hertz,
-                            Estimate depth_of_greatest) {
-  literate::Table table(
-      "shear-depths",
-      {Column("$z/a$", fixed(5)), Column("McEwen", fixed(7)), Column("elements", fixed(7)),
-       Column("difference", scientific(1)), Column("largest at this depth", scientific(1))});
+// How far the elements are from McEwen at all |x| ≤ 1.5 a near the surface, and at the depth of the
+// largest shear.
+void compare_depths(literate::Document& document, const PiecewiseLinearTraction& traction,
+                    const Solution& solution, const Hertz& hertz, double depth_of_greatest) {
   const McEwen mcewen(hertz);
   const double a = hertz.half_width();
-  const double p0 = hertz.peak_pressure();
-  const auto difference = [&](double x, double z) {
-    return (traction.stress(x, z).max_shear() - mcewen.stress(x, z).max_shear()) / p0;
-  };
-  double near = 0;
-  double at_greatest = 0;
-  const double bound = shear_error_of(solution);
-  for (const double depth : {0.01, 0.05, 0.25, depth_of_greatest.value, 2.0, 5.0, 20.0}) {
-    double largest = 0;
+  const double bound = shear_error_of(solution) + of_mcewen;
+  const auto largest_at = [&](double depth) {
+    Estimate largest{0, bound};
     for (int i = -300; i <= 300; ++i) {
-      largest = std::max(largest, std::abs(difference(0.005 * i * a, depth * a)));
+      const double x = 0.005 * i * a;
+      const double difference =
+          traction.stress(x, depth * a).max_shear() - mcewen.stress(x, depth * a).max_shear();
+      largest.value = std::max(largest.value, std::abs(difference) / hertz.peak_pressure());
     }
-    near = std::max(near, largest);
-    const bool is_greatest = depth == depth_of_greatest.value;
-    if (is_greatest) at_greatest = largest;
-    const auto over_peak = [&](double shear, double error) { return Estimate{shear / p0, error}; };
-    table.add_row(
-        {is_greatest ? literate::Cell(depth_of_greatest) : literate::Cell::quoted(depth, -2),
-         over_peak(mcewen.stress(0, depth * a).max_shear(), of_mcewen),
-         over_peak(traction.stress(0, depth * a).max_shear(), bound),
-         Estimate{difference(0, depth * a), bound + of_mcewen},
-         Estimate{largest, bound + of_mcewen}});
-  }
-  document.value("stresses.decay",
-                 Value(near / at_greatest, significant(1))
-                     .within(quotient({near, bound}, {at_greatest, bound}).abs_error));
-  document.check(
-      "stresses-decay",
-      {Criterion::at_least("largest difference near the surface over that at the "
-                           "depth of the greatest shear",
-                           Value(quotient({near, bound}, {at_greatest, bound}), significant(1)),
-                           {LimitKind::convention, 10.0, "an order of magnitude"})},
-      "the largest difference falls down to the greatest shear");
-  return table;
+    return largest;
+  };
+  constexpr double near_surface = 0.01;
+  const Estimate near = largest_at(near_surface);
+  const Estimate deep = largest_at(depth_of_greatest);
+  document.value("stresses.near", Value(near_surface, exact()));
+  document.value("stresses.near.difference", Value(near, scientific(1).rounded_up()));
+  document.value("stresses.at-greatest.difference", Value(deep, scientific(1).rounded_up()));
+  document.check("stresses-decay",
+                 {Criterion::at_least("largest difference near the surface over that at the "
+                                      "depth of the largest shear",
+                                      Value(quotient(near, deep), significant(1)),
+                                      {LimitKind::convention, 10.0, "an order of magnitude"})},
+                 "the largest difference falls down to the largest shear");
 }
 
 // Far below only the load and, next to it, the second moment of the pressure are felt:
@@ -155,16 +131,14 @@ void compare_deep(literate::Document& document, const PiecewiseLinearTraction& t
   const double width_bound = half_width_error(solution) + rounded(1);
   document.value("stresses.deep.expected",
                  Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)));
-  document.claim(
+  document.check(
       "load-and-moment-felt-below",
-      {.route = "the shear of the elements less McEwen's at twenty half-widths, against "
-                "what the error of the half-width makes there",
-       .expected = Verdict::confirmed,
-       .criteria = {Criterion::agrees(
-           "relative difference of the shear",
-           Value(Estimate{relative, shear_error_of(solution)}, scientific(2)),
-           Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)),
-           {LimitKind::derived, square / std::pow(depth, 4), "(c/a)²(a/z)⁴, the next moment"})}});
+      {Criterion::agrees(
+          "relative difference of the shear",
+          Value(Estimate{relative, shear_error_of(solution)}, scientific(2)),
+          Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)),
+          {LimitKind::derived, square / std::pow(depth, 4), "(c/a)²(a/z)⁴, the next moment"})},
+      "far below only the load and the second moment of the pressure are felt");
 }
 
 void compare_greatest(literate::Document& document, const PiecewiseLinearTraction& traction,
@@ -173,17 +147,16 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
   const double a = hertz.half_width();
   const ShearPoint found = greatest_shear(traction, a);
   const double shear_error = std::abs(found.shear / exact.shear - 1);
-  const double depth_error = std::abs(found.z - exact.depth.value) / a;
+  const double depth_error = std::abs(found.z - exact.depth) / a;
   const double p0 = hertz.peak_pressure();
   const double shear = exact.shear / p0;
-  // McEwen::greatest_shear() states 1e-14. The elements' shear is over p₀, a third of it and more.
-  document.value("stresses.shear", Value(shear, fixed(7)).within(1e-14 * shear + rounded(shear)));
+  document.value("stresses.shear", Value(closed_form(shear), fixed(6)));
+  // The elements' shear is over p₀, a third of it and more.
   const double shear_bound = 4 * shear_error_of(solution);
   // Rounding of the shear, 1e-13 at most, hides its maximum within √(4·1e-13/0.85) of the depth,
   // and the search ends with steps of 1e-7 a.
-  const double depth_bound = 8e-7 + exact.depth.abs_error / a;
-  document.value("stresses.depth",
-                 Value({exact.depth.value / a, exact.depth.abs_error / a}, uncertain()));
+  constexpr double depth_bound = 8e-7;
+  document.value("stresses.depth", Value(closed_form(exact.depth / a), fixed(6)));
   document.value("stresses.shear-error",
                  Value(Estimate{shear_error, shear_bound}, scientific(1).rounded_up()));
   document.value("stresses.depth-error", Value(Estimate{depth_error, depth_bound}, scientific(1)));
@@ -193,22 +166,15 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
       {.route = "a search in the plane beneath the elements, against McEwen's closed form",
        .expected = Verdict::confirmed,
        .criteria = {
-           Criterion::agrees(
-               "shear over p₀", Value({found.shear / p0, shear_bound * shear}, significant(6)),
-               Value(closed_form(shear), significant(6)),
-               {LimitKind::regression, 0.25 * shear * square,
-                "a quarter of (c/a)² of it: linear elements have this order, and the factor was "
-                "found, with a margin"}),
-           Criterion::agrees(
-               "depth over a", Value({found.z / a, depth_bound}, significant(6)),
-               Value({exact.depth.value / a, exact.depth.abs_error / a}, supported(6)),
-               {LimitKind::regression, 0.06 * square,
-                "in proportion to (c/a)², with the factor that was found, and a margin"}),
-           Criterion::at_most(
-               "distance from the axis over a",
-               Value(Estimate{std::abs(found.x) / a, depth_bound}, scientific(1).rounded_up()),
-               {LimitKind::rounding, 1e-5,
-                "a flat maximum tells its place to the root of rounding"})}});
+           Criterion::agrees("shear over 𝑝₀",
+                             Value({found.shear / p0, shear_bound * shear}, significant(6)),
+                             Value(closed_form(shear), significant(6)),
+                             {LimitKind::regression, 0.25 * shear * square,
+                              "(𝑐/𝑎)² with the factor that was found and a margin"}),
+           Criterion::agrees("depth over 𝑎", Value({found.z / a, depth_bound}, significant(6)),
+                             Value(closed_form(exact.depth / a), significant(6)),
+                             {LimitKind::regression, 0.06 * square,
+                              "(𝑐/𝑎)² with the factor that was found and a margin"})}});
 }
 
 void fit_order(literate::Document& document, const parameters::ContactCase& c, const Hertz& hertz) {
@@ -217,8 +183,7 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
   std::vector<double> elements, errors, bounds;
   for (double n = 21; n < 200; n *= 1.06) {
     const Solution solution = solve(c, hertz, std::lround(n));
-    const double shear =
-        contact::traction_on(solution, {}).stress(0, exact.depth.value).max_shear();
+    const double shear = contact::traction_on(solution, {}).stress(0, exact.depth).max_shear();
     elements.push_back(hertz.half_width() / solution.grid.spacing);
     errors.push_back(std::abs(shear / exact.shear - 1));
     bounds.push_back(4 * shear_error_of(solution));
@@ -234,19 +199,22 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
                  "inside the body the stresses converge with order two");
 }
 
-void compare_sliding(literate::Document& document, const Solution& solution, const Hertz& hertz) {
+void compare_sliding(literate::Document& document, const FrictionCase& friction,
+                     const Solution& solution, const Hertz& hertz) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   const double square = std::pow(solution.grid.spacing / a, 2);
   literate::Table table(
       "sliding-shear",
-      {Column("$\\mu$", fixed(1)).exact(), Column("$x/a$", fixed(3)), Column("$z/a$", fixed(3)),
+      {Column("$\\mu$", exact()), Column("$x/a$", fixed(3)), Column("$z/a$", fixed(3)),
        Column("$\\tau_1/p_0$", fixed(5)), Column("closed form", fixed(5)),
        Column("relative difference", scientific(1))});
   // The shear tractions are those pressures times μ, and add their share.
   const double bound = 2 * shear_error_of(solution);
   double largest = 0;
-  for (const double mu : {0.0, 0.1, 0.2, greatest_friction}) {
+  ShearPoint still{}, sliding{};
+  const double between = (friction.light + friction.coefficient) / 2;
+  for (const double mu : {0.0, friction.light, between, friction.coefficient}) {
     const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
     const ShearPoint found = greatest_shear(traction, a);
     const ShearPoint exact = greatest_shear(SlidingHertz(hertz, mu), a);
@@ -254,12 +222,17 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
     largest = std::max(largest, std::abs(difference));
     const Estimate shear{found.shear / p0, bound};
     const Estimate closed{exact.shear / p0, of_mcewen};
+    (mu == 0 ? still : sliding) = exact;
     table.add_row({mu, Estimate{found.x / a, place_error(bound)},
                    Estimate{found.z / a, place_error(bound)}, shear, closed,
                    Estimate{difference, quotient(shear, closed).abs_error}});
   }
   document.table(table);
-  document.value("stresses.least-depth", Value(least_depth, exact()));
+  document.value("stresses.sliding.rise",
+                 Value(sliding.shear / still.shear - 1, percent(0)).within(4 * of_mcewen));
+  document.value("stresses.sliding.depth-share",
+                 Value(sliding.z / still.z, percent(0)).within(4 * place_error(of_mcewen)));
+  document.value("stresses.least-depth", Value(least_shear_depth, exact()));
   document.value("stresses.surface-friction", Value(friction_at_surface(hertz), fixed(3)));
   document.check(
       "sliding-shear",
@@ -267,14 +240,14 @@ void compare_sliding(literate::Document& document, const Solution& solution, con
           "largest relative difference over (c/a)²",
           Value({largest / square, 4 * shear_error_of(solution) / square}, significant(2)),
           {LimitKind::regression, 0.6, "what was found, with a margin"})},
-      "beneath sliding cylinders the elements find the greatest shear to second order");
+      "beneath sliding cylinders the elements find the largest shear to second order");
 }
 
 // The shear on the surface of sliding cylinders is μp₀ wherever they touch.
-void check_surface(literate::Document& document, const Solution& solution, const Hertz& hertz) {
-  const auto traction =
-      contact::traction_on(solution, contact::sliding(solution, greatest_friction).shear);
-  const double expected = greatest_friction * hertz.peak_pressure();
+void check_surface(literate::Document& document, const Solution& solution, const Hertz& hertz,
+                   double mu) {
+  const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
+  const double expected = mu * hertz.peak_pressure();
   double largest = 0;
   for (int i = -40; i <= 40; ++i) {
     const double shear = traction.stress(0.02 * i * hertz.half_width(), 0).max_shear();
@@ -282,7 +255,7 @@ void check_surface(literate::Document& document, const Solution& solution, const
   }
   // On the surface errors of the shear add up like a logarithm, with 6 for any N up to 1000, and
   // are over μp₀ here.
-  const double bound = 6 / greatest_friction * shear_error_of(solution);
+  const double bound = 6 / mu * shear_error_of(solution);
   document.value("stresses.surface-difference",
                  Value(Estimate{largest, bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / hertz.half_width(), 2);
@@ -291,7 +264,7 @@ void check_surface(literate::Document& document, const Solution& solution, const
       {Criterion::at_most("largest relative difference from μp₀, over (c/a)²",
                           Value({largest / square, bound / square}, significant(2)),
                           {LimitKind::regression, 1.5, "what was found, with a margin"})},
-      "on the surface of sliding cylinders the greatest shear is mu p0");
+      "on the surface of sliding cylinders the largest shear is mu p0");
 }
 
 // Points of the figure with the τ₁/p₀ there; lengths over the half-width.
@@ -341,7 +314,7 @@ void add_field(literate::Figure& figure, const std::string& name, const Solution
     }
   }
   peak.add(greatest.x / a, greatest.z / a, greatest.shear / p0);
-  // The high levels are met on the way from the greatest shear to a lower corner, the low ones on
+  // The high levels are met on the way from the largest shear to a lower corner, the low ones on
   // the way up beside the contact.
   for (const double level : shear_levels) {
     const bool is_high = level > 0.12;
@@ -355,13 +328,13 @@ void add_field(literate::Figure& figure, const std::string& name, const Solution
   figure.numbers[name + "_friction"] = mu;
 }
 
-literate::Figure shear_figure(const Solution& solution, const Hertz& hertz) {
+literate::Figure shear_figure(const Solution& solution, const Hertz& hertz, double mu) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   literate::Figure figure{.width_cm = 15.4, .height_cm = 4.6};
   figure.texts["levels"] = fmt::format("{}", fmt::join(shear_levels, ", "));
   add_field(figure, "still", solution, hertz, 0);
-  add_field(figure, "sliding", solution, hertz, greatest_friction);
+  add_field(figure, "sliding", solution, hertz, mu);
 
   // On the axis of the first: McEwen's closed form, and the elements.
   ShearPoints closed, nodes;
@@ -382,20 +355,20 @@ literate::Figure shear_figure(const Solution& solution, const Hertz& hertz) {
 
 }  // namespace
 
-void compute_stresses(literate::Document& document, const parameters::ContactCase& c) {
+void compute_stresses(literate::Document& document, const parameters::ContactCase& c,
+                      const FrictionCase& friction) {
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
   const PiecewiseLinearTraction traction = contact::traction_on(solution, {});
   const contact::GreatestShear exact = McEwen(hertz).greatest_shear();
 
   compare_greatest(document, traction, exact, solution, hertz);
-  document.table(
-      depth_table(document, traction, solution, hertz, 1 / hertz.half_width() * exact.depth));
+  compare_depths(document, traction, solution, hertz, exact.depth / hertz.half_width());
   compare_deep(document, traction, solution, hertz);
   fit_order(document, c, hertz);
-  compare_sliding(document, solution, hertz);
-  check_surface(document, solution, hertz);
-  document.figure("shear-beneath", shear_figure(solution, hertz));
+  compare_sliding(document, friction, solution, hertz);
+  check_surface(document, solution, hertz, friction.coefficient);
+  document.figure("shear-beneath", shear_figure(solution, hertz, friction.coefficient));
 }
 
 }  // namespace paper

@@ -107,9 +107,11 @@ BOOST_AUTO_TEST_CASE(any_load_agrees_with_its_closed_form_and_the_table_says_so)
   const TemporaryFolder folder;
   const std::string file =
       folder.write("load.csv", "x,pressure\n-0.02,0\n-0.01,900\n0.003,400\n0.01,0\n").string();
+  const std::string other =
+      folder.write("other.csv", "x,pressure\n-0.01,0\n-0.004,800\n0.003,500\n0.01,0\n").string();
   const Words points = {"--x", "-0.02,-0.01,-0.002,0,0.003,0.0099,0.01,0.04"};
   for (const Words& load : {Words{"--shape", "elliptic"}, Words{"--shape", "parabolic"},
-                            Words{"--shape", "file:" + file},
+                            Words{"--shape", "file:" + file}, Words{"--shape", "file:" + other},
                             Words{"--shape", "parabolic", "--component", "tangential"}}) {
     const Words command = {"displacement", "--case", papers_case.string()};
     const std::string table = output_of(command + load + points);

@@ -237,4 +237,33 @@ BOOST_AUTO_TEST_CASE(shear_that_no_double_holds_is_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_contact_that_is_not_small_beside_the_bodies_is_warned_of_and_computed) {
+  const std::string warning = "halfspace: warning: the contact's half-width is 0.";
+  // the half-width grows with the root of the load: 0.012 in at 2500 lbf/in, the smaller radius 1 in
+  const Outcome small = run_program(contact + Words{"--load", "1.5e5"});
+  BOOST_TEST(small.status == 0);
+  BOOST_TEST(small.errors == "");
+  const Words heavy = {"--load", "2e5"};
+  for (const Words& command : {contact, stress + Words{"--x", "0", "--z", "0.1"}}) {
+    const Outcome outcome = run_program(command + heavy);
+    BOOST_TEST(outcome.status == 0);
+    BOOST_TEST(outcome.errors.find(warning) == 0U, outcome.errors);
+    BOOST_TEST(outcome.output != "");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_smaller_radius_is_what_counts_a_hollow_s_too) {
+  const auto errors = [](const Words& more) { return run_program(contact + more).errors; };
+  const Words heavy = {"--load", "2e5"};
+  BOOST_TEST(errors(heavy + Words{"--radius1", "3", "--radius2", "plane"}) == "");
+  // R = 3 in, but a shaft of 1 in in a hollow of 1.5 in
+  BOOST_TEST(errors(heavy + Words{"--radius1", "1", "--radius2", "-1.5"}).find("least radius") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(other_profiles_have_no_radius_to_be_small_beside) {
+  const Words wedge = {"--profile", "wedge", "--slope", "0.01", "--load", "8e4"};
+  BOOST_TEST(run_program(contact + wedge).errors == "");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -68,6 +68,17 @@ BOOST_AUTO_TEST_CASE(a_terminal_gets_the_picture_below_the_table) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(stresses_at_one_depth_are_drawn_along_x) {
+  const Words stress = Words{"stress"} + from_case;
+  const Words terminal = {"--plot", "-"};
+
+  const std::string one = output_of(stress + Words{"--x", "0,0.01", "--z", "0.005"} + terminal);
+  const std::string two = output_of(stress + Words{"--x", "0", "--z", "0.002,0.005"} + terminal);
+
+  BOOST_TEST(one.find(" x (in) ") != std::string::npos, one);
+  BOOST_TEST(two.find(" z (in) ") != std::string::npos, two);
+}
+
 BOOST_AUTO_TEST_CASE(files_that_are_no_picture_are_refused_before_anything_is_computed) {
   for (const Words& command : commands) {
     check_refused(2, command + Words{"--plot", "picture.gif"}, {"--plot picture.gif", ".svg"});

@@ -206,8 +206,6 @@ BOOST_AUTO_TEST_CASE(stresses_beneath_spheres_are_those_of_huber) {
     }
   }
   check_refused(2, spheres + Words{"--depths", "0"}, {"depth = 0", "greater than 0"});
-  check_refused(2, spheres + Words{"--depths", "1", "--element", "uniform"},
-                {"--depths", "pyramid"});
   check_refused(2, spheres + Words{"--depths", "1", "--friction", "0.1"},
                 {"--depths", "--friction"});
   check_refused(2, spheres + Words{"--body", "2"}, {"--body needs --depths"});

@@ -37,7 +37,7 @@ struct Outcome {
 /// The program that knows the command: one makes the report, the other is the mechanics' own.
 inline std::string program_of(const Words& words) {
   static const std::set<std::string> stages = {"compute",    "draw",    "typeset", "check",
-                                               "statements", "restyle", "describe"};
+                                               "restyle", "page", "embed", "describe"};
   return !words.empty() && stages.contains(words.front()) ? REPORT_PROGRAM : HALFSPACE_PROGRAM;
 }
 

@@ -99,7 +99,10 @@ BOOST_AUTO_TEST_CASE(a_quotation_that_the_text_does_not_have_fails_with_both_pla
 
 BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
   const TemporaryFolder checkout;
-  fs::copy(source_dir / "src", checkout.path() / "src", fs::copy_options::recursive);
+  fs::create_directory(checkout.path() / "report");
+  for (const char* folder : {"src", "report/octave"}) {
+    fs::copy(source_dir / folder, checkout.path() / folder, fs::copy_options::recursive);
+  }
   const fs::path source = checkout.path() / "src/contact/matrix_inversion.cpp";
   const std::string marker = "// begin excerpt: matrix-inversion\n";
   sys::write_file_atomically(source, with(sys::read_file(source), marker, marker + "//\n"));

@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(the_papers_report_prints_its_values_and_what_it_compares_wi
   for (const char* key : {"cylinders.modulus", "cylinders.approach", "line-load"}) {
     BOOST_TEST(holds_number(text, report.printed(key)), key << " = " << report.printed(key));
   }
-  // The first points of Tri_dist.m and of Fig. 5.
-  BOOST_TEST(holds_number(text, "1.6236048"));
+  // The first point of Fig. 5, analytical and FEA.
+  BOOST_TEST(holds_number(text, "1.623605"));
   BOOST_TEST(holds_number(text, "1.594637"));
   BOOST_TEST(holds(text, report.printed("provenance.case-sha256").substr(0, 16)));
 }
@@ -155,10 +155,10 @@ BOOST_AUTO_TEST_CASE(another_case_changes_what_it_must_and_removes_what_is_no_mo
   const Report& fresh = steel_report();
 
   papers.make();
-  BOOST_TEST(fs::exists(papers.generated() / "tables/tri-dist.tex"));
+  BOOST_TEST(fs::exists(papers.generated() / "tables/figure5.tex"));
   steel.make();
 
-  BOOST_TEST(!fs::exists(steel.generated() / "tables/tri-dist.tex"));
+  BOOST_TEST(!fs::exists(steel.generated() / "tables/figure5.tex"));
   check_same_files(steel.generated(), fresh.generated());
   BOOST_TEST((sys::read_file(steel.pdf()) == sys::read_file(fresh.pdf())));
 }
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
         "figures/style.gp", "figures/surface-gradient.gp"}) {
     BOOST_TEST(first["inputs"].contains(file), file);
   }
-  for (const char* file : {"report.pdf", "generated/values.tex", "generated/tables/cylinders.tex",
+  for (const char* file : {"report.pdf", "generated/values.tex", "generated/tables/graded.tex",
                            "generated/figures/surface-gradient/script.gp",
                            "generated/figures/surface-gradient/loads.csv"}) {
     BOOST_TEST(first["outputs"].contains(file), file);
@@ -240,8 +240,8 @@ BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_is_refused_by_name) {
   const Words words = report.typesetting() + Words{"--digest", (folder.path() / "digest").string()};
   BOOST_TEST(run_program(words).status == 0);
 
-  sys::write_file_atomically(report.generated() / "tables/cylinders.tex", "42");
-  check_refused(2, words, {"tables/cylinders.tex", "was changed after it was made"});
+  sys::write_file_atomically(report.generated() / "tables/graded.tex", "42");
+  check_refused(2, words, {"tables/graded.tex", "was changed after it was made"});
   sys::write_file_atomically(report.generated() / "mine.sty", "");
   check_refused(2, words, {"mine.sty", "was not made by the program"});
 }
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(an_error_in_a_generated_table_is_told_where_the_report_uses
   const TemporaryFolder folder;
   const Report report{steel_case, folder.path()};
   fs::copy(made.folder, report.folder, fs::copy_options::recursive);
-  const fs::path table = report.generated() / "tables/cylinders.tex";
+  const fs::path table = report.generated() / "tables/graded.tex";
   sys::write_file_atomically(table, sys::read_file(table) + "\n\\nosuchmacro\n");
 
   const Outcome outcome = run_program(report.typesetting());
@@ -259,9 +259,9 @@ BOOST_AUTO_TEST_CASE(an_error_in_a_generated_table_is_told_where_the_report_uses
   BOOST_TEST(outcome.status == 3);
   BOOST_TEST(
       std::regex_search(outcome.errors,
-                        std::regex("^halfspace: report/sections/cylinders\\.tex:\\d+: in table "
-                                   "'cylinders': Undefined control sequence\\. "
-                                   "\\(tables/cylinders\\.tex:\\d+\\)")),
+                        std::regex("^halfspace: report/sections/elements\\.tex:\\d+: in table "
+                                   "'graded': Undefined control sequence\\. "
+                                   "\\(tables/graded\\.tex:\\d+\\)")),
       outcome.errors);
 }
 

@@ -71,7 +71,7 @@ DAMAGED = [
     "build/report/latex/statements.tex", "build/report/latex/preamble/preamble.fmt",
     "build/report/latex/preamble/preamble.sha256", "build/report/generated/names.json",
     "build/report/generated/values.tex", "build/report/generated/literate.sty",
-    "build/report/generated/tables/cylinders.tex", "build/report/generated/figures/style.gp",
+    "build/report/generated/tables/graded.tex", "build/report/generated/figures/style.gp",
     f"{FIGURE}/surface-gradient.pdf", f"{FIGURE}/surface-gradient.tex", f"{FIGURE}/surface-gradient.gp",
     f"{FIGURE}/script.gp", f"{FIGURE}/files.tex", f"{FIGURE}/drawn.sha256",
     "build/release/halfspace-report", "build/release/report.linked", "build/release/report.settings",
@@ -173,7 +173,7 @@ def mistakes():
     tex, second = "report/report.tex", "report/sections/second.tex"
     yield wrong_source("an unknown macro", second, "comes before", r"\nonsense", r"second\.tex:\d+.*ndefined", is_fast=True)
     yield wrong_source("a brace that is not closed", second, "before", r"\textbf{", r"(second|report)\.tex|aragraph|File ended")
-    yield wrong_source("an unknown value", tex, r"\val{case.file}", r"\val{case.fil}", r"report\.tex:\d+:\d+.*case\.fil")
+    yield wrong_source("an unknown value", tex, r"\val{provenance.case}", r"\val{provenance.cas}", r"report\.tex:\d+:\d+.*provenance\.cas")
     yield wrong_source("an unknown figure", second, r"\fig{cylinder-pressure}", r"\fig{cylinder-presure}", r"second\.tex:\d+")
     yield wrong_source("a reference to nowhere", second, "sec:first", "sec:frist", r"sec:frist")
     yield wrong_source("a package that is not there", tex, r"\usepackage{lmodern}", r"\usepackage{nosuch}", r"report\.tex:\d+: .*nosuch\.sty")

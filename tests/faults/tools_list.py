@@ -88,7 +88,7 @@ def tools():
         yield Fault(f"{tool} is not in PATH", lambda tool=tool: without(tool), said=tool.replace("+", r"\+"), may_pass=False)
     yield Fault("git is not in PATH", lambda: without("git"), said="git", may_pass=False)
     yield Fault("setpriv is not in PATH", lambda: without("setpriv"))
-    yield Fault("latexml is not in PATH", lambda: without("latexml"), target="html", said="latexml", may_pass=False)
+    yield Fault("pdftocairo is not in PATH", lambda: without("pdftocairo"), target="html", said="poppler-utils", may_pass=False)
     yield Fault("TIMEOUT is no number", lambda: draws() or {"TIMEOUT": "soon"}, said="TIMEOUT.*soon", may_pass=False)
     yield Fault("a manifest of 200000 brackets", brackets, mend=lambda: (ROOT / "odd.json").unlink(), said=r"odd\.json", may_pass=False,
                 target="verify MANIFEST=odd.json")
@@ -147,9 +147,20 @@ def writes():
 
 # --- two makes -----------------------------------------------------------------------------------------------------------
 
+def parent_of(process):
+    """The number of a process's parent, or none if the process has ended or the number is yet to be written."""
+    if not process:
+        return None
+    try:
+        return int(Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[1])
+    except (FileNotFoundError, ProcessLookupError):
+        return None
+
+
 def second_make(process):
-    """Starts a second make while the first runs; keeps what it said."""
-    time.sleep(1.2)
+    """Starts a second make as soon as the first has the lock; keeps what it said."""
+    while process.poll() is None and parent_of((ROOT / "build/lock").read_text().strip()) != process.pid:
+        time.sleep(0.01)
     second = end(start("report"))
     SECOND_SAID.append(second)
 

@@ -30,7 +30,7 @@ parameters::ContactCase cylinders_of(double radius1, double radius2) {
   const Material aluminium(71.5e3, 0.345);
   const auto r1 = contact::Radius::of_cylinder("radius1", radius1);
   const auto r2 = contact::Radius::of_cylinder("radius2", radius2);
-  return {{steel, r1}, {aluminium, r2}, {steel, r1, aluminium, r2}, 780, 30, 91};
+  return {{steel, r1}, {aluminium, r2}, {steel, r1, aluminium, r2}, 780, 30, 91, {}, {}};
 }
 
 bool contains(Estimate estimate, double truth) {

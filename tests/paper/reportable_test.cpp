@@ -71,9 +71,18 @@ BOOST_AUTO_TEST_CASE(a_file_name_that_latex_cannot_print_is_refused) {
   BOOST_TEST(found("rad 😀.toml").find("LaTeX cannot print the '😀' in it") != std::string::npos);
   BOOST_TEST(found("a\nb.toml").find("a\\nb.toml: the report prints the name") !=
              std::string::npos);
-  BOOST_TEST(found(std::string(60, 'n') + ".toml").find("which has 65 characters: must be at") !=
+  const std::string stem(60, 'n');
+  BOOST_TEST(found(stem + ".toml").find("which has 65 characters: must be at") !=
              std::string::npos);
   BOOST_TEST(found("my_case % #1 $x$.toml") == "");
+}
+
+BOOST_AUTO_TEST_CASE(the_report_needs_friction_and_waves) {
+  std::string without = papers_text;
+  without.erase(without.find("[contact.friction]"),
+                without.find("[contact.waves]") - without.find("[contact.friction]"));
+  const std::string what = complaint(without);
+  BOOST_TEST(what.find("contact.friction: missing") != std::string::npos, what);
 }
 
 BOOST_AUTO_TEST_CASE(grids_and_blocks_that_the_report_cannot_judge_are_refused) {

@@ -21,6 +21,8 @@ const std::string source_dir = HALFSPACE_SOURCE_DIR;
 const std::map<std::string, std::string> prose_only = {
     {"abstract", "repeats what the sections find"},
     {"introduction", "says what the sections are about"},
+    {"findings", "repeats what the claims found"},
+    {"nomenclature", "explains the letters"},
     {"discussion", "weighs what the sections found"},
     {"references", "lists sources"},
     {"ledger", "is made of all sections' claims by the engine"}};

@@ -39,6 +39,16 @@ Value relative(double difference) {
   return {difference, relative(exact(), difference)};
 }
 
+/// A relation in signs and its number.
+Phrase in_signs(std::string_view plain, std::string_view latex, const Value& number) {
+  const Phrase printed = phrase("{}", number);
+  return {fmt::format("{} {}", plain, printed.plain), fmt::format("${}$~{}", latex, printed.latex)};
+}
+
+Phrase at_most_in_signs(const Value& number) {
+  return in_signs("≤", "\\le", number);
+}
+
 /// How far two quantities are apart, in their unit.
 Value difference_of(const Value& computed, const Value& stated, double abs_error) {
   const double difference = std::abs(*computed.number() - *stated.number());
@@ -125,6 +135,8 @@ Criterion Criterion::at_most(std::string name, Value quantity, Limit limit) {
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
+  criterion.limit_phrase_ =
+      at_most_in_signs(limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_most);
   criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_);
   return criterion;
@@ -135,6 +147,8 @@ Criterion Criterion::at_least(std::string name, Value quantity, Limit limit) {
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
+  criterion.limit_phrase_ =
+      in_signs("≥", "\\ge", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_least);
   criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_);
   return criterion;
@@ -149,6 +163,8 @@ Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limi
   criterion.condition_ = tolerated == 0
                              ? phrase("equal to {}", stated)
                              : phrase("within {} of {}", limit_like(tolerated, quantity), stated);
+  criterion.limit_phrase_ = tolerated == 0 ? in_signs("=", "=", stated)
+                                           : at_most_in_signs(limit_like(tolerated, quantity));
   // Whether counts are equal can be seen; of other numbers the printed digits may be the same.
   const bool is_seen = tolerated == 0 && difference.format()->notation() == Notation::exact;
   criterion.found_ = is_seen ? phrase("{}", quantity)
@@ -179,6 +195,7 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
       phrase("{}, {} from {}", criterion.quantity_,
              found_phrase(difference, criterion.limit_.number(), Side::at_most), stated);
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
+  criterion.limit_phrase_ = at_most_in_signs(relative(criterion.limit_.number()));
   criterion.decide(off, unsure, true, Value(0, exact().in_percent()));
   if (criterion.outcome_ == Outcome::undecided) {
     // The error, which says why, stands behind it.
@@ -209,6 +226,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   const std::string counted = fmt::format("{} of {} {}", n_holding, n, cases);
   criterion.found_ = phrase("{}; worst: {}", Phrase{counted, escape_latex(counted)}, worst.found_);
   criterion.condition_ = first.condition_;
+  criterion.limit_phrase_ = first.limit_phrase_;
   criterion.excess_ = worst.excess_;
   if (n_undecided > 0) {
     criterion.missing_ = fmt::format("{} of {} {} are undecided", n_undecided, n, cases);

@@ -101,11 +101,17 @@ class Criterion {
   /// The relation and the limit as they were tested, such as «at most 0.1 %».
   const Phrase& condition() const { return condition_; }
 
+  /// The same in short, for a ledger: «≤ 0.1 %», «≥ 10»; of an agreement how far the quantity may
+  /// be from what is stated, «≤ 0.1 %», or «= 5» where the two must be equal.
+  const Phrase& limit() const { return limit_phrase_; }
+
   /// Name and quantity for a message: «largest misfit: 0.074 %».
   std::string computed() const;
 
   /// The kind of the limit and its reason.
   std::string reason() const;
+  LimitKind limit_kind() const { return limit_.kind(); }
+  const std::string& limit_reason() const { return limit_.reason(); }
 
   /// What is missing for a decision; empty unless undecided.
   const std::string& missing() const { return missing_; }
@@ -120,8 +126,9 @@ class Criterion {
   std::string name_;
   Value quantity_;
   Limit limit_;
-  Phrase found_;      // the quantity, and for an agreement how far it is from what is stated
-  Phrase condition_;  // relation and limit
+  Phrase found_;         // the quantity, and for an agreement how far it is from what is stated
+  Phrase condition_;     // relation and limit
+  Phrase limit_phrase_;  // the same in short
   std::string missing_;
   double excess_ = 0;  // how far the quantity is beyond the limit; negative within it
   Outcome outcome_ = Outcome::undecided;

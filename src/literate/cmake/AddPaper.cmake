@@ -7,6 +7,7 @@
 #   rod-figures    values, tables and figures only
 #   rod-figure     one of them, NAME=name, as a picture to look at
 #   rod-html       the same document as one page
+#   rod-site       a folder for any static host: page, PDF, data, what SITE names
 #   rod-check      unknown and unused names, typed numbers, and what does not hold
 #   rod-verify     makes it again elsewhere and asks for the same bytes; with MANIFEST=file compares with that one's paper
 #   rod-dist       packs the sources as arXiv and journals take them
@@ -277,17 +278,21 @@ latex=${arg_ENGINE}
     COMMAND bash "${scripts}/figure" "${settings}"
     DEPENDS "${digest}" USES_TERMINAL VERBATIM)
 
-  # The same sources as one page. It takes LaTeXML, which nothing else does.
-  file(GLOB bindings CONFIGURE_DEPENDS LIST_DIRECTORIES false
-    "${engine}/latexml/*" "${engine}/page.css")
+  # The same sources as one page.
+  file(GLOB page_parts CONFIGURE_DEPENDS LIST_DIRECTORIES false
+    "${engine}/page/*.css" "${engine}/page/*.js" "${engine}/page/figures.tex")
   add_custom_command(
     OUTPUT "${output}/${name}.html"
     COMMAND bash "${scripts}/html" "${settings}"
-    DEPENDS "${digest}" "${repository}/repository.tex" ${files} ${bindings} "${scripts}/html"
+    DEPENDS "${digest}" "${repository}/repository.tex" ${files} ${page_parts} "${scripts}/html"
+      ${arg_PROGRAM}
     COMMENT "html"
     USES_TERMINAL
     VERBATIM)
   add_custom_target(${name}-html DEPENDS "${output}/${name}.html")
+  add_custom_target(${name}-site
+    COMMAND bash "${scripts}/site" "${settings}"
+    DEPENDS "${state}/typeset" "${output}/${name}.html" USES_TERMINAL VERBATIM)
 
   add_custom_target(${name}-check
     COMMAND bash "${scripts}/check" "${settings}"

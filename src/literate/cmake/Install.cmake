@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake --install: the program in bin, libraries in lib/literate-VERSION, headers in include/literate-VERSION, and what
-# papers are made with in share/literate-VERSION: the CMake package, scripts, LaTeXML's bindings and the template.
+# papers are made with in share/literate-VERSION: the CMake package, scripts, the look of the page and the template.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(versioned "literate-${LITERATE_VERSION}")
@@ -22,8 +22,9 @@ install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${heade
 
 # The same folders as in the sources, so that scripts and CMake find each other in either.
 set(share "share/${versioned}")
-install(DIRECTORY scripts latexml template DESTINATION "${share}")
-install(FILES page.css README.md DESTINATION "${share}")
+install(DIRECTORY scripts template DESTINATION "${share}")
+install(DIRECTORY page DESTINATION "${share}" FILES_MATCHING PATTERN "*.css" PATTERN "*.js" PATTERN "figures.tex")
+install(FILES README.md DESTINATION "${share}")
 install(FILES document/literate.sty DESTINATION "${share}/document")
 install(FILES imports/results.schema.json DESTINATION "${share}/imports")
 install(FILES cmake/AddPaper.cmake cmake/CheckManifest.cmake cmake/WriteRepository.cmake cmake/WriteLinked.cmake

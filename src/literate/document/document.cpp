@@ -116,6 +116,8 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   sys::write_file_atomically(staging.path() / "values.tex", values_tex(registered_));
   sys::write_file_atomically(staging.path() / "claims.tex", claims_tex(registered_));
   sys::write_file_atomically(staging.path() / "index.tex", index_tex(registered_));
+  sys::write_file_atomically(staging.path() / "values.csv", values_csv(registered_));
+  sys::write_file_atomically(staging.path() / "sources.csv", sources_csv(registered_));
   for (const auto& [name, table] : registered_.tables) {
     sys::write_file_atomically(staging.path() / "tables" / (name + ".tex"), table.latex());
     sys::write_file_atomically(staging.path() / "tables" / (name + ".csv"), table.csv());

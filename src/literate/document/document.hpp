@@ -54,6 +54,7 @@ class Document {
   /// Keeps a file that values came from: it is written to imports/, listed with its SHA-256 and
   /// attached to the PDF. Throws std::logic_error as Attachments::add does.
   void attach(const AttachedFile& file) { registered_.attachments.add(file); }
+  void attach(const Attachments& files) { registered_.attachments.add(files); }
   const Attachments& attachments() const { return registered_.attachments; }
 
   /// Tells which case all this was computed from, by the SHA-256 of the bytes that were read.
@@ -84,8 +85,9 @@ class Document {
     return literate::figure_places(registered_);
   }
 
-  /// Writes literate.sty, values.tex, claims.tex, index.tex, provenance.tex, tables/, excerpts/,
-  /// imports/, names.json, and into figures/ what draw_figures draws from.
+  /// Writes literate.sty, values.tex, claims.tex, index.tex, values.csv, sources.csv,
+  /// provenance.tex, tables/, excerpts/, imports/, names.json, and into figures/ what draw_figures
+  /// draws from.
   ///
   /// All files are written to output_dir + ".part" and moved to output_dir only after everything
   /// succeeded. Files whose content is the same keep their time stamp, and files of the previous

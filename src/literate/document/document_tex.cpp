@@ -39,14 +39,16 @@ std::string values_tex(const Registered& registered) {
 
 namespace {
 
-/// «\LiterateCriterion{name}{found}{condition}{reason}{outcome}{why it is undecided}», one a line.
+/// «\LiterateCriterion{name}{found}{limit}{kind of limit}{reason}{outcome}{why it is undecided}»,
+/// one a line.
 std::string criteria_tex(const Claim& claim) {
   std::string text;
   for (const Criterion& criterion : claim.criteria) {
-    text += fmt::format("    \\LiterateCriterion{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}%\n",
+    text += fmt::format("    \\LiterateCriterion{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}%\n",
                         escape_latex(criterion.name()), criterion.found().latex,
-                        criterion.condition().latex, escape_latex(criterion.reason()),
-                        name_of(criterion.outcome()), escape_latex(criterion.missing()));
+                        criterion.limit().latex, name_of(criterion.limit_kind()),
+                        escape_latex(criterion.limit_reason()), name_of(criterion.outcome()),
+                        escape_latex(criterion.missing()));
   }
   return text;
 }
@@ -109,6 +111,47 @@ std::string index_tex(const Registered& registered) {
                         escape_latex_path(text_of(registered.places.at({"value", key}))),
                         value.number() ? std::string() : breakable_word(value.printed()));
   }
+  return text;
+}
+
+namespace {
+
+/// A field of a CSV file: in quotation marks if it holds a comma, one of them or an end of line.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + csv_field(field);
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string values_csv(const Registered& registered) {
+  std::string text = "key,printed,number,abs_error,unit,place\n";
+  for (const auto& [key, value] : registered.values) {
+    text +=
+        csv_line({key, value.printed(), value.number() ? fmt::format("{}", *value.number()) : "",
+                  value.abs_error() ? fmt::format("{}", *value.abs_error()) : "", value.unit(),
+                  text_of(registered.places.at({"value", key}))});
+  }
+  return text;
+}
+
+std::string sources_csv(const Registered& registered) {
+  std::string text = "kind,name,place,function\n";
+  const auto add = [&](const std::string& kind, const std::string& name) {
+    const SourcePlace& place = registered.places.at({kind, name});
+    text += csv_line({kind, name, text_of(place), place.function});
+  };
+  for (const auto& [name, figure] : registered.figures) add("figure", name);
+  for (const auto& [name, table] : registered.tables) add("table", name);
+  for (const auto& [id, claim] : registered.claims) add("claim", id);
   return text;
 }
 

@@ -19,6 +19,12 @@ std::string claims_tex(const Registered& registered);
 /// Writes the index of values: key, value, error bound and place of each.
 std::string index_tex(const Registered& registered);
 
+/// values.csv: key, printed text, unrounded number, bound of its error, unit and place in the code
+/// of every value; and sources.csv: kind, name, place and function of each figure, table and claim. Both
+/// as RFC 4180 has it.
+std::string values_csv(const Registered& registered);
+std::string sources_csv(const Registered& registered);
+
 /// Writes where each figure and table comes from: its place in the code, and its files with their
 /// SHA-256. Those of tables lie below `folder`; those of figures are listed by draw_figures.
 std::string provenance_tex(const Registered& registered, const std::filesystem::path& folder);

@@ -12,10 +12,10 @@ namespace {
 // clang-format off
 const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
-    "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "href", "hspace", "hypertarget",
-    "ifflag", "image", "include", "includegraphics", "input", "label", "pageref", "parbox", "phantom",
+    "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "finding", "findingsays", "href", "hspace", "hypertarget",
+    "ifflag", "image", "include", "includegraphics", "input", "label", "limitkind", "pageref", "parbox", "phantom",
     "quoted", "quotedpage", "raisebox", "rawval", "ref", "statement", "tag", "textcolor", "url", "usepackage",
-    "val", "vspace"};
+    "val", "verdictsign", "vspace"};
 const std::set<std::string_view> two_silent = {
     "addtocounter", "addtolength", "claimcount", "crefrange", "fontsize", "rule", "setcounter", "setlength"};
 const std::set<std::string_view> three_silent = {"addcontentsline", "definecolor"};

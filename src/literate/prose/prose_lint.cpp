@@ -101,10 +101,15 @@ struct Marker {
 
 /// Finds «% constant: reason» at the end of a line.
 Marker marker_in(std::string_view line) {
-  static const sys::Pattern pattern(R"re((^|[^\\])%\s*constant\b:?\s*(.*)$)re");
-  const auto match = pattern.find_in(line);
-  if (!match) return {};
-  return {true, !match->parts[2].empty()};
+  static const sys::Pattern pattern(R"re(^%\s*constant\b:?\s*(\S?))re");
+  constexpr std::size_t reach = 240;  // a matcher that recurses must not see a line of any length
+  for (auto at = line.find('%'); at != line.npos; at = line.find('%', at + 1)) {
+    if (at > 0 && line[at - 1] == '\\') continue;
+    if (const auto match = pattern.find_in(line.substr(at, reach))) {
+      return {true, !match->parts[1].empty()};
+    }
+  }
+  return {};
 }
 
 /// A number in the prose that ought to be computed, and the byte at which it begins.

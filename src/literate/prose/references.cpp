@@ -50,7 +50,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     quotations.insert(quotation.id);
     quotation_places[quotation.id] = quotation.place;
   }
-  const std::array<ReferenceKind, 9> kinds{
+  const std::array<ReferenceKind, 11> kinds{
       {{"val", "value", names.values, names.value_places},
        {"rawval", "value", names.values, names.value_places},
        {"ifflag", "flag", flags, names.flag_places},
@@ -58,6 +58,8 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
        {"fig", "figure", names.figures, names.figure_places},
        {"excerpt", "excerpt", names.excerpts, excerpt_places},
        {"claim", "claim", claims, claim_places},
+       {"finding", "claim", claims, claim_places},
+       {"findingsays", "claim", claims, claim_places},
        {"quoted", "quotation", quotations, quotation_places},
        {"quotedpage", "quotation", quotations, quotation_places}}};
   std::set<std::string> commands;
@@ -86,6 +88,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     if (kind.noun == std::string_view("excerpt")) continue;        // another document may print it
     if (kind.command == std::string_view("rawval")) continue;      // told already, as \val
     if (kind.command == std::string_view("quotedpage")) continue;  // as \quoted
+    if (std::string_view(kind.command).starts_with("finding")) continue;  // as \claim
     for (const std::string& name : kind.names) {
       if (!used.contains({kind.noun, name})) {
         report.unused.push_back(fmt::format("{}: {} '{}'", kind.places.at(name), kind.noun, name));

@@ -126,7 +126,8 @@ std::vector<std::string> unquoted_statements(const std::vector<Statement>& state
   return findings;
 }
 
-std::string statements_tex(const std::vector<Statement>& statements, const Names& names) {
+std::vector<NumberedStatement> numbered_statements(const std::vector<Statement>& statements,
+                                                   const Names& names) {
   std::map<std::string, const Statement*> by_id;
   for (const Statement& statement : statements) {
     if (!is_left_out(statement.branches, names.flags)) by_id[statement.id] = &statement;
@@ -135,21 +136,31 @@ std::string statements_tex(const std::vector<Statement>& statements, const Names
   for (const auto& [id, claim] : names.claims) in_order.emplace_back(claim.number, id);
   std::ranges::sort(in_order);
 
-  std::string text;
-  std::map<std::string, std::map<std::string, int>> counts{{cited, {}}, {own, {}}};
+  std::vector<NumberedStatement> numbered;
+  int n_cited = 0, n_own = 0;
   for (const auto& [number, id] : in_order) {
     const auto found = by_id.find(id);
     if (found == by_id.end()) continue;
     const Statement& statement = *found->second;
-    const NamedClaim& claim = names.claims.at(id);
-    const bool is_own = statement.source.empty();
-    auto& count = counts[is_own ? own : cited];
+    numbered.push_back(
+        {statement.source.empty() ? fmt::format("R{}", ++n_own) : fmt::format("C{}", ++n_cited),
+         statement});
+  }
+  return numbered;
+}
+
+std::string statements_tex(const std::vector<Statement>& statements, const Names& names) {
+  std::string text;
+  std::map<std::string, std::map<std::string, int>> counts{{cited, {}}, {own, {}}};
+  for (const auto& [number, statement] : numbered_statements(statements, names)) {
+    const NamedClaim& claim = names.claims.at(statement.id);
+    const char* part = statement.source.empty() ? own : cited;
+    auto& count = counts[part];
     ++count["all"];
     ++count[claim.found];
     if (claim.found != claim.expected) ++count["unexpected"];
-    text +=
-        fmt::format("\\LiterateStatement{{{}}}{{{}{}}}{{{}}}{{{}}}{{{}}}\n", id, is_own ? 'R' : 'C',
-                    count["all"], is_own ? own : cited, statement.source, statement.sentence);
+    text += fmt::format("\\LiterateStatement{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", statement.id, number,
+                        part, statement.source, statement.sentence);
   }
   for (auto& [part, count] : counts) {
     for (const char* verdict :

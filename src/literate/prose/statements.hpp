@@ -35,10 +35,20 @@ std::vector<std::string> statement_errors(const std::vector<Statement>& statemen
 /// nor says in its source that it is a paraphrase.
 std::vector<std::string> unquoted_statements(const std::vector<Statement>& statements);
 
+/// A statement with its number in the ledger: C1, C2, … of others, R1, R2, … of the document
+/// itself.
+struct NumberedStatement {
+  std::string number;
+  Statement statement;
+};
+
+/// The statements of the claims, numbered in the order of registration. Those in a branch of
+/// \ifflag that is not taken and ids without a claim are passed over.
+std::vector<NumberedStatement> numbered_statements(const std::vector<Statement>& statements,
+                                                   const Names& names);
+
 /// What LaTeX reads besides what was computed: the sentence, source and number of each claim, and
-/// how many of each part of the ledger have which verdict. Claims of others are numbered C1, C2, …,
-/// the document's own R1, R2, …, each in the order of registration. Ids without a claim are passed
-/// over.
+/// how many of each part of the ledger have which verdict.
 std::string statements_tex(const std::vector<Statement>& statements, const Names& names);
 
 /// Writes what the document's folder says of claims and quotations, if it changed, for LaTeX.

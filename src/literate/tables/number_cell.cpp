@@ -114,7 +114,10 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
   text += grouped(parts.whole, false);
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true);
   text += parts.uncertainty;
-  if (!has_exponent) text += mark;
+  // The power of ten follows its digits at once, so that no hole is left where others have
+  // decimals.
+  if (has_exponent) text += power_of_ten(parts, column);
+  text += mark;
 
   if (parts.decimals.empty() && column.n_decimals > 0) text += blank(".");
   text += blank_digits(parts.decimals.size(), column.n_decimals);
@@ -126,8 +129,7 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
         std::string(column.n_uncertainty - parts.uncertainty.size() - (has_none ? 2 : 0), '0'));
   }
 
-  if (has_exponent) return text + power_of_ten(parts, column) + std::string(mark);
-  if (column.n_exponent == 0) return text;
+  if (has_exponent || column.n_exponent == 0) return text;
   Parts wide;
   const std::string digits(column.n_exponent, '0');
   wide.exponent = digits;

@@ -28,8 +28,9 @@ NumberWidth widest(const NumberWidth& a, const NumberWidth& b);
 std::string table_format(const NumberWidth& width);
 
 /// Writes a number as mathematics, padded with blanks to the width of the column, which must not be
-/// less than its own. The points of centred cells then stand below one another. Five digits or more
-/// are grouped by thin spaces. `mark` is LaTeX of no width, which stands beside the last digit.
+/// less than its own. The points of centred cells then stand below one another; a power of ten
+/// follows its digits at once. Five digits or more are grouped by thin spaces. `mark` is LaTeX of
+/// no width, which stands beside the last digit.
 std::string aligned_number(std::string_view number, const NumberWidth& column,
                            std::string_view mark = "");
 

@@ -73,11 +73,13 @@ BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
   const Criterion criterion = misfit_at_most(0.00074, 1e-6, limit_of(0.001));
   BOOST_TEST(criterion.computed() == "largest misfit: 0.074 %");
   BOOST_TEST(criterion.condition().plain == "at most 0.1 %");
+  BOOST_TEST(criterion.limit().plain == "≤ 0.1 %");
   BOOST_TEST(criterion.reason() == "derived: (c/a)²(a/z)⁴");
   const Criterion with_unit =
       Criterion::at_least("load", Value({15.99, 0.001}, significant(4), "lbf/in"),
                           {LimitKind::convention, 10.0, "the load of eq. (4)"});
   BOOST_TEST(with_unit.condition().plain == "at least 10 lbf/in");
+  BOOST_TEST(with_unit.limit().plain == "≥ 10 lbf/in");
   BOOST_TEST(with_unit.reason() == "convention: the load of eq. (4)");
 }
 
@@ -92,6 +94,7 @@ BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
   BOOST_TEST(is(agrees(0.3000025, 0), Outcome::fails));
   BOOST_TEST(is(agrees(0.3000005, 5e-7), Outcome::undecided));
   BOOST_TEST(agrees(0.3000005, 0).condition().plain == "within 1e-6 of 0.3");
+  BOOST_TEST(agrees(0.3000005, 0).limit().plain == "≤ 1e-6");
   // 0.300001 within 1e-6 of 0.3 would leave open whether it holds.
   BOOST_TEST(agrees(0.3000008, 0).computed() == "ratio: 0.300001, 8e-7 from 0.3");
   BOOST_TEST(agrees(0.300000012, 0).computed() == "ratio: 0.300000, at most 1.2e-7 from 0.3");
@@ -111,6 +114,7 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
   BOOST_TEST(agrees(15.982, 0.03).computed() == "resultant: 16.0 lbf/in, 0.11 % from 16 lbf/in");
   BOOST_TEST(agrees(15.982, 0.03).missing() == "an error of 0.19 % reaches across the limit");
   BOOST_TEST(agrees(15.99, 0.001).condition().plain == "within 0.2 % of 16 lbf/in");
+  BOOST_TEST(agrees(15.99, 0.001).limit().plain == "≤ 0.2 %");
   BOOST_CHECK_THROW(Criterion::agrees_relatively("x", Value({1, 0}, fixed(1)),
                                                  Value({0.01, 0.02}, fixed(2)), limit_of(0.1)),
                     std::invalid_argument);
@@ -128,6 +132,7 @@ BOOST_AUTO_TEST_CASE(cases_are_counted_and_one_that_is_undecided_keeps_all_of_th
   BOOST_TEST(is(in_each({0.1, 2, 0.99}, 0.02), Outcome::undecided));
   BOOST_TEST(in_each({0.1, 2, 0.3}, 0).computed() == "misfit: 2 of 3 points; worst: 200.000 %");
   BOOST_TEST(in_each({0.1, 2, 0.3}, 0).condition().plain == "at most 100 %");
+  BOOST_TEST(in_each({0.1, 2, 0.3}, 0).limit().plain == "≤ 100 %");
 }
 
 BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_is_at_most) {
@@ -150,6 +155,7 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
   BOOST_TEST(is(node(9), Outcome::holds));
   BOOST_TEST(is(node(26), Outcome::fails));
   BOOST_TEST(node(9).condition().plain == "equal to 9");
+  BOOST_TEST(node(9).limit().plain == "= 9");
   BOOST_TEST(node(26).computed() == "node: 26");
   const Criterion share =
       Criterion::agrees("share", Value(0.50001, fixed(2)).within(0), Value(0.5, fixed(2)).within(0),
@@ -162,6 +168,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_as_latex_has_the_same_numbers) {
   const Criterion criterion = misfit_at_most(0.00074, 1e-6, limit_of(0.001));
   BOOST_TEST(criterion.found().latex == "\\qty{0.074}{\\percent}");
   BOOST_TEST(criterion.condition().latex == "at most \\qty{0.1}{\\percent}");
+  BOOST_TEST(criterion.limit().latex == "$\\le$~\\qty{0.1}{\\percent}");
 }
 
 BOOST_AUTO_TEST_CASE(outcomes_have_names) {

@@ -55,18 +55,19 @@ bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The text of every page of a document with this claim.
-std::vector<std::string> pages_with(Verdict found) {
+// The text of every page of a document with this claim; the preamble and the first page as asked.
+std::vector<std::string> pages_with(Verdict found, const std::string& preamble = "",
+                                    const std::string& first = "Apples \\claim{apples}.") {
   const TemporaryFolder scratch;
   Document document = document_with(found);
   document.value("unused", Value(1, integer()));
   document.write(scratch / "generated");
   sys::write_file_atomically(
       scratch / "text/main.tex",
-      "\\documentclass{article}\\usepackage{literate,hyperref}\n"
-      "\\begin{document}\\statement[market, stall~3]{apples}{An apple costs 2.6.}"
-      "Apples \\claim{apples}.\\newpage More.\\newpage\n"
-      "\\claimledger\\end{document}\n");
+      "\\documentclass{article}\\usepackage{literate,hyperref}\n" + preamble +
+          "\n\\begin{document}\\statement[market, stall~3]{apples}{An apple costs 2.6.}" + first +
+          "\\newpage More.\\newpage\n"
+          "\\claimledger\\end{document}\n");
   write_statements(scratch / "text", read_names(scratch / "generated/names.json"),
                    scratch / "latex/statements.tex");
   typeset({.source_dir = scratch / "text",
@@ -97,8 +98,8 @@ BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim) {
 
   for (const char* part :
        {"\\LiterateLedgerEntry{apples}", "{weighing and adding up}", "{confirmed}{confirmed}",
-        "\\LiterateCriterion{price}{\\qty{2.61}{kr}}{at most \\qty{2.65}{kr}}"
-        "{stated: half of the last digit more}{holds}{}",
+        "\\LiterateCriterion{price}{\\qty{2.61}{kr}}{$\\le$~\\qty{2.65}{kr}}"
+        "{stated}{half of the last digit more}{holds}{}",
         "\\LiterateLedgerEntry{pears}", "{refuted}{refuted}", "{fails}{}",
         "document\\_tex\\_test.cpp:"}) {
     BOOST_TEST(holds(text, part), part);
@@ -110,9 +111,9 @@ BOOST_AUTO_TEST_CASE(the_ledger_holds_every_part_of_a_claim) {
 BOOST_AUTO_TEST_CASE(the_ledger_prints_every_criterion_of_a_claim) {
   const std::string text = claims_tex(document_with(Verdict::partly).registered());
 
-  BOOST_TEST(holds(text, "{at most \\qty{2.65}{kr}}{stated: half of the last digit more}{holds}{}"),
+  BOOST_TEST(holds(text, "{$\\le$~\\qty{2.65}{kr}}{stated}{half of the last digit more}{holds}{}"),
              text);
-  BOOST_TEST(holds(text, "{at most \\qty{2.5}{kr}}{stated: half of the last digit more}{fails}{}"),
+  BOOST_TEST(holds(text, "{$\\le$~\\qty{2.5}{kr}}{stated}{half of the last digit more}{fails}{}"),
              text);
 }
 
@@ -206,11 +207,92 @@ BOOST_AUTO_TEST_CASE(the_document_shows_the_verdict_where_it_is_claimed_and_in_t
 
   BOOST_TEST(holds(pages[0], "[C1 confirmed]"), pages[0]);
   BOOST_TEST(holds(pages[2], "Statements of others: 1, of which 1 confirmed"), pages[2]);
-  BOOST_TEST(holds(pages[2], "An apple costs 2.6. (market, stall 3) confirmed."), pages[2]);
+  BOOST_TEST(holds(pages[2], "confirmed: An apple costs 2.6. (market, stall 3)"), pages[2]);
   BOOST_TEST(holds(pages[2], "test.cpp:"), pages[2]);
-  BOOST_TEST(holds(pages[2], "price: 2.61 kr; asked: at most 2.65 kr"), pages[2]);
-  BOOST_TEST(holds(pages[2], "(stated: half of the last digit more)."), pages[2]);
+  BOOST_TEST(holds(pages[2], "price: 2.61 kr [≤ 2.65 kr, stated: half of the last digit more]"),
+             pages[2]);
   for (const std::string& page : pages) BOOST_TEST(!holds(page, "Not to be trusted"), page);
+}
+
+BOOST_AUTO_TEST_CASE(a_document_that_wants_verdicts_in_its_margin_has_whole_sentences) {
+  const std::vector<std::string> pages =
+      pages_with(Verdict::confirmed, "\\renewcommand*\\LiterateClaimPlacement{margin}",
+                 "Apples are cheap.\\claim{apples} Pears are not.");
+
+  BOOST_TEST(holds(pages[0], "Apples are cheap. Pears are not."), pages[0]);
+  BOOST_TEST(holds(pages[0], "C1"), pages[0]);
+  BOOST_TEST(!holds(pages[0], "confirmed"), pages[0]);
+}
+
+BOOST_AUTO_TEST_CASE(the_table_of_findings_has_the_ledgers_sentence_and_the_proses_finding) {
+  const std::vector<std::string> pages =
+      pages_with(Verdict::confirmed, "",
+                 "\\begin{findings}\\finding[stall 4]{apples}{They do.}\\end{findings}");
+
+  for (const char* part : {"An apple costs 2.6.", "They do.", "C1", "stall 4"}) {
+    BOOST_TEST(holds(pages[0], part), part << " is not in " << pages[0]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_finding_may_have_shorter_words_and_a_kind_of_limit_a_letter) {
+  const std::vector<std::string> pages =
+      pages_with(Verdict::confirmed, "",
+                 "\\findingsays{apples}{Apples are cheap.}\\limitkind{stated}{\\textbf{s}}"
+                 "\\begin{findings}\\finding{apples}{They are.}\\end{findings}");
+
+  BOOST_TEST(holds(pages[0], "Apples are cheap."), pages[0]);
+  BOOST_TEST(!holds(pages[0], "An apple costs 2.6."), pages[0]);
+  BOOST_TEST(holds(pages[2], "[≤ 2.65 kr, s half of the last digit more]"), pages[2]);
+}
+
+BOOST_AUTO_TEST_CASE(the_day_of_the_paper_is_told_in_words) {
+  const std::string set = "\\makeatletter\\LiterateRepository{abc}{true}{2026-01-05T12:00:00Z}";
+
+  BOOST_TEST(
+      holds(pages_with(Verdict::confirmed, "", set + "Of \\paperday.")[0], "Of 5 January 2026."));
+  BOOST_TEST(holds(pages_with(Verdict::confirmed, "", "Of \\paperday.")[0], "Of unknown."));
+}
+
+BOOST_AUTO_TEST_CASE(every_value_stands_in_a_csv_file_with_its_error_and_its_line) {
+  Document document;
+  document.value("price", Value({2.612, 0.001}, fixed(2), "kr"));
+  document.value("name", Value::text("a \"red\", sour one"));
+
+  const std::string csv = values_csv(document.registered());
+
+  BOOST_TEST(csv.starts_with("key,printed,number,abs_error,unit,place\n"), csv);
+  BOOST_TEST(holds(csv, "\nprice,2.61 kr,2.612,0.001,kr," + here), csv);
+  BOOST_TEST(holds(csv, "\nname,\"a \"\"red\"\", sour one\",,,," + here), csv);
+}
+
+BOOST_AUTO_TEST_CASE(every_claim_figure_and_table_has_its_line_in_a_csv_file) {
+  const std::string csv = sources_csv(document_with(Verdict::confirmed).registered());
+
+  BOOST_TEST(csv.starts_with("kind,name,place,function\n"), csv);
+  BOOST_TEST(holds(csv, "\nclaim,apples," + here), csv);
+}
+
+BOOST_AUTO_TEST_CASE(attached_data_are_in_the_pdf_and_print_nothing) {
+  const TemporaryFolder scratch;
+  Document document;
+  document.value("unused", Value(1, integer()));
+  document.write(scratch / "generated");
+  sys::write_file_atomically(scratch / "text/main.tex",
+                             "\\documentclass{article}\\usepackage{literate}\n"
+                             "\\begin{document}Text.\\attachdata\\end{document}\n");
+  typeset({.source_dir = scratch / "text",
+           .main_file = "main.tex",
+           .generated_dir = scratch / "generated",
+           .build_dir = scratch / "latex",
+           .output_pdf = scratch / "main.pdf"});
+  const std::string pdf = (scratch / "main.pdf").string();
+  const std::string attached =
+      sys::run({.program = "pdfdetach", .arguments = {"-list", pdf}}).output;
+  for (const char* name : {"values.csv", "sources.csv"}) {
+    BOOST_TEST(holds(attached, name), attached);
+  }
+  const std::string text = sys::run({.program = "pdftotext", .arguments = {pdf, "-"}}).output;
+  BOOST_TEST(text.starts_with("Text.\n"), text);
 }
 
 BOOST_AUTO_TEST_CASE(a_document_with_a_fault_says_so_on_every_page_and_in_the_ledger) {

@@ -69,6 +69,9 @@ with tempfile.TemporaryDirectory() as scratch:
     status, said = runs(program, "typeset", *in_paper, "--build", "latex", "--output", "manual.pdf", folder=paper)
     claim("the commands of the manual typeset", status == 0, said)
 
+    status, said = runs(program, "page", *in_paper, "--main", "mypaper.tex", "--repository", "paper", "--build", "html", folder=paper)
+    claim("the commands of the manual are known to the page", status == 0, said)
+
     status, said = runs(program, "restyle", *in_paper, "--output", "restyled.tex", folder=paper)
     claim("the restyled values of the manual can be printed", status == 0, said)
     prints = restyled_prints((paper / "restyled.tex").read_text())

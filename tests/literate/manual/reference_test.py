@@ -35,9 +35,11 @@ def text_of(file):
 sty = text_of("src/literate/document/literate.sty")
 defined = set(re.findall(r"\\(?:newcommand|DeclareRobustCommand|def)\*?\{?\\([A-Za-z]+)(?![A-Za-z@])", sty))
 macros = {name for name in defined if not name.startswith("Literate")}
-macros |= {"LiterateCitedName", "LiterateOwnName", "LiterateListingPlacement"}  # which a document may redefine
-of_latex = {"begin", "caption", "cite", "columnwidth", "documentclass", "degree", "ifdim", "includegraphics", "infty",
-            "label", "rule", "theta", "usepackage"}
+macros |= {"LiterateCitedName", "LiterateClaimPlacement", "LiterateFindingsHead", "LiterateLedgerPlace", "LiterateLedgerSize",
+           "LiterateListingPlacement", "LiterateOwnName", "LiterateSourceUrl"}  # which a document may redefine
+of_latex = {"author", "begin", "caption", "cite", "columnwidth", "documentclass", "degree", "emph", "end", "ifdim", "includegraphics",
+            "infty", "label", "newcommand", "ref", "renewcommand", "rule", "small", "textbf", "theta", "usepackage"}
+of_latex |= {"foo"}  # which the page does not know
 latex = set(re.findall(r"\\([A-Za-z]+)", everything.replace(r"\\", "\\")))
 same("macro", macros - {"MakeUppercase"}, latex - of_latex)
 

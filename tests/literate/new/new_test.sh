@@ -17,6 +17,8 @@ claim 'nothing lies beside it' "$(ls -A)" = rod
 run_yaml='import sys, yaml; print(*yaml.safe_load(open(sys.argv[1]))["jobs"])'
 runs /usr/bin/python3 -c "$run_yaml" rod/.github/workflows/ci.yml
 claim 'its continuous integration is YAML with a job' "$said" = debian-12
+runs /usr/bin/python3 -c "$run_yaml" rod/.github/workflows/pages.yml
+claim 'its site is published by two jobs' "$said" = 'site deploy'
 
 mkdir empty
 runs "$literate" new empty

@@ -83,6 +83,16 @@ runs make verify MANIFEST=theirs.json
 claim 'it is compared with a manifest, by the name that was given' "$(says "files have the bytes that 'theirs.json' tells of")" = yes
 claim 'nothing is said of how it is built' "$(says ninja)" = no
 rm theirs.json
+if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
+  runs ninja -C build rod-site
+  claim 'its page and its site are made' "$status" -eq 0 -a -s build/rod/site/index.html
+  said=$(cat build/rod/rod.html)
+  for wanted in 'data-figure="period"' 'data-table="periods"' 'id="claim-longer"' 'id="bib-landau"' 'src/pendulum.cpp</code>, lines'; do
+    claim "the page has $wanted" "$(says "$wanted")" = yes
+  done
+  runs python3 -B "$source_dir/tests/literate/page/any_page_test.py" build/rod/rod.html
+  claim 'its page is whole in every way of reading it' "$status" -eq 0 -o "$status" -eq 77
+fi
 runs ninja -C build pendulum_test
 runs ctest --test-dir build
 claim 'its test passes' "$status" -eq 0

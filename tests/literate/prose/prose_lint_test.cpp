@@ -83,6 +83,13 @@ BOOST_AUTO_TEST_CASE(a_marked_line_is_exempt_if_its_mark_has_a_reason) {
              "a:1:1: a constant is marked where none is typed");
 }
 
+BOOST_AUTO_TEST_CASE(a_line_of_any_length_may_have_a_mark) {
+  const std::string reason = "% constant: " + std::string(1'000'000, 'x');
+  BOOST_TEST(typed_numbers("at 1.234 " + reason, "a.tex").empty());
+  BOOST_TEST(typed_numbers("100\\% constant: 1.234 " + reason, "a.tex").empty());
+  BOOST_TEST(!typed_numbers("at 1.234 100\\% constant", "a.tex").empty());
+}
+
 BOOST_AUTO_TEST_CASE(all_tex_files_below_a_folder_are_read) {
   const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "report/b.tex", "1.234");

@@ -60,6 +60,18 @@ BOOST_AUTO_TEST_CASE(each_kind_is_looked_up_among_its_own) {
                  .errors.size() == 5U);
 }
 
+BOOST_AUTO_TEST_CASE(the_words_of_a_finding_name_a_claim) {
+  const auto report =
+      report_on("\\findingsays{load-is-pek}{The load is.}\\finding{load-is-peak}{So it is.}");
+
+  BOOST_TEST(
+      report.errors ==
+          (Lines{
+              "report/part/a.tex:1:1: unknown claim 'load-is-pek', did you mean 'load-is-peak'?"}),
+      boost::test_tools::per_element());
+  BOOST_TEST(std::ranges::count(report.unused, "load.cpp:3:1: claim 'load-is-peak'") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(bare_digits_are_a_use_of_their_value) {
   const auto report = report_on("\\rule{\\rawval{load}cm}{1ex}\\rawval{lode}");
 

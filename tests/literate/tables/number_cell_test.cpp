@@ -74,6 +74,12 @@ BOOST_AUTO_TEST_CASE(a_sign_behind_a_blank_is_no_operator) {
   BOOST_TEST(aligned_number("9", of_all({"-9", "-37"})) == "\\hphantom{0}\\hphantom{-}9");
 }
 
+BOOST_AUTO_TEST_CASE(a_power_of_ten_follows_its_digits_and_leaves_no_hole) {
+  const NumberWidth column = of_all({"3.88e-5", "1e-10"});
+  BOOST_TEST(aligned_number("1e-10", column) == "1\\times10^{-10}\\hphantom{.}\\hphantom{00}");
+  BOOST_TEST(aligned_number("3.88e-5", column) == "3.88\\times10^{-5\\hphantom{0}}");
+}
+
 BOOST_AUTO_TEST_CASE(a_mark_stands_beside_the_last_digit_and_not_behind_the_blanks) {
   const auto marked = [](const std::string& number, const std::vector<std::string>& others) {
     std::vector<std::string> all = others;

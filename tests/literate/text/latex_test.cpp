@@ -42,9 +42,15 @@ BOOST_AUTO_TEST_CASE(a_unit_that_siunitx_would_misread_is_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(mathematical_letters_are_symbols_in_italics) {
+  BOOST_TEST(escape_latex("over 𝑝₀") == "over \\ensuremath{p}\\ensuremath{_{0}}");
+  BOOST_TEST(escape_latex("𝑎𝑧𝐴𝑍ℎ") ==
+             "\\ensuremath{a}\\ensuremath{z}\\ensuremath{A}\\ensuremath{Z}\\ensuremath{h}");
+}
+
 BOOST_AUTO_TEST_CASE(listings_know_every_character_that_text_knows) {
   const std::string setting = listings_characters();
-  for (const char* character : {"ν", "≤", "−", "é", "Ž"}) {
+  for (const char* character : {"ν", "≤", "−", "é", "Ž", "𝑝", "ₛ"}) {
     const std::string latex(latex_of(character));
     BOOST_TEST(setting.find(std::string("{") + character + "}{{" + latex + "}}1") !=
                std::string::npos);

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command_line/options.hpp"
+#include "literate/deposit/citation.hpp"
+#include "literate/document/names.hpp"
+#include "literate/main/stages.hpp"
+#include "literate/page/citation_tags.hpp"
+#include "literate/page/one_file.hpp"
+#include "literate/page/page.hpp"
+#include "literate/page/page_data.hpp"
+#include "literate/prose/restyle.hpp"
+#include "literate/prose/statements.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+using command_line::complain;
+using command_line::ExitCode;
+
+struct WriteOptions {
+  std::string document, main_file, generated, repository, build;
+};
+
+struct EmbedOptions {
+  std::string document, generated, build, look, output;
+  std::string citation_file, site, bibtex_file, beside;
+};
+
+// What BibTeX makes of the citations, as it does for the PDF.
+std::string run_bibtex(const WriteOptions& options, const std::string& aux) {
+  const fs::path build = options.build;
+  sys::write_if_changed(build / "page.aux", aux);
+  const std::string document = fs::absolute(options.document).string();
+  const sys::ProcessResult result =
+      sys::run({.program = "bibtex",
+                .arguments = {"-terse", "page"},
+                .working_directory = build,
+                .environment = {{"BIBINPUTS", document + ":"}, {"BSTINPUTS", document + ":"}},
+                .limit = {.what = "BibTeX on page.aux", .seconds = 60}});
+  if (result.exit_status > 1 || !fs::exists(build / "page.bbl")) {
+    throw sys::ToolError("BibTeX failed (" + sys::end_of(result) + "):\n" + result.output);
+  }
+  return sys::read_file(build / "page.bbl");
+}
+
+std::string lines_of(std::vector<std::string> names) {
+  std::ranges::sort(names);
+  names.erase(std::ranges::unique(names).begin(), names.end());
+  std::string text;
+  for (const std::string& name : names) text += name + "\n";
+  return text;
+}
+
+ExitCode write(const WriteOptions& options) {
+  const fs::path generated = options.generated;
+  const fs::path build = options.build;
+  fs::create_directories(build);
+  const Names names = read_names(generated / "names.json");
+  const Restyled restyled = restyled_values(options.document, names);
+  for (const std::string& error : restyled.errors) complain(error, ExitCode::bad_input);
+  if (!restyled.errors.empty()) return ExitCode::bad_input;
+  write_statements(options.document, names, build / "statements.tex");
+  PageSources sources{.document = options.document,
+                      .main_file = options.main_file,
+                      .generated = generated,
+                      .statements = sys::read_file(build / "statements.tex"),
+                      .restyled = restyled.latex,
+                      .repository = {}};
+  const fs::path repository = fs::path(options.repository) / "repository.tex";
+  if (fs::is_regular_file(repository)) sources.repository = sys::read_file(repository);
+  sources.bibliography = [&](const std::string& aux) { return run_bibtex(options, aux); };
+  const Page page = write_page(sources);
+  for (const std::string& error : page.errors) complain(error, ExitCode::bad_input);
+  if (!page.errors.empty()) return ExitCode::bad_input;
+  sys::write_if_changed(build / "page.html", page.html);
+  sys::write_if_changed(build / "page.json", nlohmann::json{{"title", page.title},
+                                                            {"authors", page.authors},
+                                                            {"date", page.date},
+                                                            {"description", page.description}}
+                                                 .dump());
+  sys::write_if_changed(build / "figures.txt", lines_of(page.figures));
+  sys::write_if_changed(build / "pictures.txt", lines_of(page.pictures));
+  return ExitCode::success;
+}
+
+// The parts of a text between separators, without the blanks before them.
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream >> std::ws, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+// Authors as the page prints them, between commas; those of a CITATION.cff are told one by one.
+PageCitation citation_of(const EmbedOptions& options) {
+  const nlohmann::json page =
+      nlohmann::json::parse(sys::read_file(fs::path(options.build) / "page.json"));
+  PageCitation citation{.title = page.at("title"),
+                        .authors = {},
+                        .date = page.at("date"),
+                        .description = page.at("description"),
+                        .site = options.site,
+                        .pdf = options.beside.substr(0, options.beside.find(':'))};
+  if (!options.citation_file.empty() && fs::is_regular_file(options.citation_file)) {
+    const Citation file = read_citation(options.citation_file);
+    for (const Author& author : file.authors) citation.authors.push_back(author.name);
+    citation.doi = file.doi;
+  } else {
+    citation.authors = parts_of(page.at("authors").get<std::string>(), ',');
+  }
+  return citation;
+}
+
+ExitCode embed(const EmbedOptions& options) {
+  const PageCitation citation = citation_of(options);
+  const std::string html = one_file(
+      sys::read_file(fs::path(options.build) / "page.html"),
+      {.look = options.look,
+       .data = page_data(options.document, options.generated, fs::path(options.build) / "plotted"),
+       .meta = citation_tags(citation),
+       .bibtex = bibtex_entry(citation),
+       .beside = parts_of(options.beside, ':'),
+       .build = options.build});
+  if (!options.bibtex_file.empty()) {
+    sys::write_file_atomically(options.bibtex_file, bibtex_entry(citation));
+  }
+  sys::write_file_atomically(options.output, html);
+  return ExitCode::success;
+}
+
+}  // namespace
+
+void add_page_stage(CLI::App& program, sys::ExitCode& exit_code) {
+  using namespace command_line;
+  add_command(program, "page", "Write the document as a page, without its figures and fonts",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<WriteOptions>();
+                add_required_text(command, "--document", options->document, "DIR",
+                                  "Folder of the LaTeX document");
+                add_required_text(command, "--main", options->main_file, "FILE", "Its main file");
+                add_required_text(command, "--generated", options->generated, "DIR",
+                                  "Folder that `compute` and `draw` wrote");
+                add_required_text(command, "--repository", options->repository, "DIR",
+                                  "Folder with the state of the repository, repository.tex");
+                add_required_text(
+                    command, "--build", options->build, "DIR",
+                    "Folder for page.html, and the lists figures.txt and pictures.txt");
+                return [options] { return write(*options); };
+              });
+  add_command(
+      program, "embed", "Put style, script, data, figures and fonts into the page", exit_code,
+      [](CLI::App& command) {
+        auto options = std::make_shared<EmbedOptions>();
+        add_required_text(command, "--build", options->build, "DIR",
+                          "Folder with page.html, figures, pictures and fonts");
+        add_required_text(command, "--look", options->look, "DIR",
+                          "Folder with style sheets and scripts");
+        add_required_text(command, "--document", options->document, "DIR",
+                          "Folder of the LaTeX document");
+        add_required_text(command, "--generated", options->generated, "DIR",
+                          "Folder that `compute` and `draw` wrote");
+        add_required_text(command, "--output", options->output, "FILE", "The page");
+        add_text(command, "--citation", options->citation_file, "FILE",
+                 "CITATION.cff, whose authors are the page's; none if there is no such file");
+        add_text(command, "--site", options->site, "URL", "Address at which the page will stand");
+        add_text(command, "--beside", options->beside, "FILES",
+                 "Files beside the page there, which it links, between colons; the PDF first");
+        add_text(command, "--bibtex", options->bibtex_file, "FILE",
+                 "Where the entry for BibTeX is written, too");
+        return [options] { return embed(*options); };
+      });
+}
+
+}  // namespace literate

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a grid that ends on the edge of the contact gains, step by step.
+#pragma once
+
+#include <vector>
+
+#include "contact/hertz.hpp"
+#include "literate/document/document.hpp"
+#include "parameters/case.hpp"
+
+namespace paper {
+
+/// The largest errors of the nodal pressures against Hertz, over p₀, on grids of so many elements
+/// over the half-width, and how wrong these errors may be.
+struct EdgeErrors {
+  std::vector<double> elements, largest, bounds;
+};
+
+/// The pressures of unequal triangles between the case's cylinders at the given nodes, x rising,
+/// with no pressure at the two outermost: eq. (1a) at the others, Σ V_ij p_j + δ = h_i, and
+/// equilibrium. Accuracy: rounding of the dense system, 1e-9 of p₀ for 200 nodes.
+std::vector<double> pressures_on_nodes(const parameters::ContactCase& c,
+                                       const std::vector<double>& nodes);
+
+/// Registers the table, the values and the claim about grids that end on the edge, and returns the
+/// errors of the graded grid with a parabola on each element.
+EdgeErrors study_edge(literate::Document& document, const parameters::ContactCase& c,
+                      const contact::Hertz& hertz);
+
+}  // namespace paper

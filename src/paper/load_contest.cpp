@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/load_contest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "block/load_shapes.hpp"
+
+namespace paper {
+namespace {
+
+using block::RefinedSolution;
+using block::Support;
+using block::Supports;
+using numerics::Estimate;
+
+// The same fit on the coarser mesh alone.
+block::Fit coarse_fit(const std::vector<RefinedSolution>& solutions,
+                      const std::vector<block::SurfaceDisplacement>& observed) {
+  std::vector<RefinedSolution> coarse;
+  coarse.reserve(solutions.size());
+  for (const RefinedSolution& s : solutions) coarse.emplace_back(s.coarse(), s.coarse());
+  return block::fit_loads(coarse, observed);
+}
+
+// Every shape is 1 in the middle and falls to 0 at the ends of the load, where only the uniform
+// pressure, the first of two, is left.
+double largest_pressure(const std::vector<Estimate>& factors) {
+  double middle = 0;
+  for (const Estimate& factor : factors) middle += factor.value;
+  return std::max(middle, factors.front().value);
+}
+
+Contestant fitted(const BlockStudy& study, std::string shape, bool falls_about_half,
+                  const Supports& supports, const std::vector<RefinedSolution>& solutions) {
+  const block::Fit fine = block::fit_loads(solutions, study.observed());
+  const block::Fit coarse = coarse_fit(solutions, study.observed());
+  const double peak = largest_pressure(fine.factors);
+  return {std::move(shape),
+          static_cast<int>(solutions.size()),
+          falls_about_half,
+          supports,
+          {fine.max_misfit, std::abs(fine.max_misfit - coarse.max_misfit)},
+          {fine.rms_misfit, std::abs(fine.rms_misfit - coarse.rms_misfit)},
+          {peak, std::abs(peak - largest_pressure(coarse.factors))},
+          {fine.solution.fine(), coarse.solution.fine()}};
+}
+
+// The displacements at the observed points over those observed, for one load.
+using Ratios = std::vector<double>;
+
+Ratios ratios_of(const block::Solution& solution,
+                 const std::vector<block::SurfaceDisplacement>& observed) {
+  Ratios ratios;
+  for (const block::SurfaceDisplacement& point : observed) {
+    ratios.push_back(solution.displacement(point.x, 0).y() / point.u_z);
+  }
+  return ratios;
+}
+
+struct Misfit {
+  double sum_of_squares;
+  double largest;
+};
+
+// The misfit of the combination of two loads that makes Σ (f u + g v − 1)² least.
+Misfit best_misfit(const Ratios& u, const Ratios& v) {
+  double uu = 0, uv = 0, vv = 0, u1 = 0, v1 = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    uu += u[i] * u[i];
+    uv += u[i] * v[i];
+    vv += v[i] * v[i];
+    u1 += u[i];
+    v1 += v[i];
+  }
+  const double determinant = uu * vv - uv * uv;
+  const double f = (u1 * vv - v1 * uv) / determinant;
+  const double g = (v1 * uu - u1 * uv) / determinant;
+  Misfit misfit{};
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const double residual = f * u[i] + g * v[i] - 1;
+    misfit.sum_of_squares += residual * residual;
+    misfit.largest = std::max(misfit.largest, std::abs(residual));
+  }
+  return misfit;
+}
+
+// The displacements of one mesh under 1 − |x/a|ᵐ for any m: a polynomial in ln m through their
+// values at Chebyshev's points, by the second barycentric formula (Berrut, Trefethen 2004).
+class FallsByExponent {
+ public:
+  void add(double exponent, Ratios ratios) {
+    exponents_.push_back(exponent);
+    ratios_.push_back(std::move(ratios));
+  }
+
+  Ratios at(double exponent) const {
+    const auto n = static_cast<double>(exponents_.size());
+    Ratios sum(ratios_.front().size(), 0.0);
+    double weights = 0;
+    for (std::size_t k = 0; k < exponents_.size(); ++k) {
+      const double distance = std::log(exponent / exponents_[k]);
+      if (distance == 0) return ratios_[k];
+      const double sign = k % 2 == 0 ? 1 : -1;
+      const double weight =
+          sign * std::sin((static_cast<double>(k) + 0.5) * std::numbers::pi / n) / distance;
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * ratios_[k][i];
+      weights += weight;
+    }
+    for (double& s : sum) s /= weights;
+    return sum;
+  }
+
+ private:
+  std::vector<double> exponents_;
+  std::vector<Ratios> ratios_;
+};
+
+constexpr int n_exponents = 14;
+constexpr double of_exponent = 1e-6;  // to which searches find their exponents
+
+// Chebyshev's points in ln m, from the greatest to the least.
+double chebyshev_exponent(int k) {
+  const double middle = std::log(least_exponent * most_exponent) / 2;
+  const double half = std::log(most_exponent / least_exponent) / 2;
+  return std::exp(middle + half * std::cos((k + 0.5) * std::numbers::pi / n_exponents));
+}
+
+// The place of the least value of a function that falls and then rises, by golden sections.
+double least_of(const std::function<double(double)>& f, double begin, double end) {
+  constexpr double golden = 1 / std::numbers::phi;
+  while (end - begin > of_exponent) {
+    const double left = end - golden * (end - begin);
+    const double right = begin + golden * (end - begin);
+    (f(left) < f(right) ? end : begin) = f(left) < f(right) ? right : left;
+  }
+  return (begin + end) / 2;
+}
+
+// How far from `inside`, where it is so, towards `end` a condition holds without a gap.
+double end_of_range(const std::function<bool(double)>& holds, double inside, double end) {
+  if (!holds(inside)) return inside;
+  constexpr int n_steps = 100;  // finer than any two humps of a misfit of eleven points
+  double last = inside;
+  for (int i = 1; i <= n_steps; ++i) {
+    double next = inside + (end - inside) * (static_cast<double>(i) / n_steps);
+    if (holds(next)) {
+      last = next;
+      continue;
+    }
+    while (std::abs(next - last) > of_exponent) {
+      const double middle = (last + next) / 2;
+      (holds(middle) ? last : next) = middle;
+    }
+    return last;
+  }
+  return end;
+}
+
+struct ExponentOnOneMesh {
+  double best, least, most, misfit;
+};
+
+ExponentOnOneMesh fit_exponent(const FallsByExponent& falls, const Ratios& uniform,
+                               double allowed) {
+  const auto misfit = [&](double m) { return best_misfit(falls.at(m), uniform); };
+  const double best =
+      least_of([&](double m) { return misfit(m).sum_of_squares; }, least_exponent, most_exponent);
+  const auto is_met = [&](double m) { return misfit(m).largest <= allowed; };
+  return {best, end_of_range(is_met, best, least_exponent),
+          end_of_range(is_met, best, most_exponent), misfit(best).largest};
+}
+
+}  // namespace
+
+std::vector<Contestant> contest(const BlockStudy& study,
+                                const parameters::HalfSpaceCase& half_space, Support sides) {
+  const double a = half_space.load.half_width();
+  const block::SupportedBlock& own = study.on(sides);
+  const Supports own_supports = block::with_sides(sides);
+  const RefinedSolution uniform = own.solve(block::linear_fall(1, 1, a));
+  struct Shape {
+    std::string name;
+    elasticity::Load load;
+    bool falls_about_half;
+  };
+  const Shape shapes[] = {{"triangle", block::linear_fall(1, 0, a), true},
+                          {"cosine", block::cosine_fall(1, a), true},
+                          {"step", block::linear_fall(1, 1, a / 2), true},
+                          {"root", block::power_fall(1, 0.5, a), false},
+                          {"ellipse", block::elliptic(1, a), false},
+                          {"parabola", block::power_fall(1, 2, a), false},
+                          {"quartic", block::power_fall(1, 4, a), false}};
+
+  std::vector<Contestant> contestants;
+  for (const Shape& shape : shapes) {
+    const RefinedSolution solution = own.solve(shape.load);
+    if (contestants.empty()) {
+      contestants.push_back(
+          fitted(study, shape.name + " alone", shape.falls_about_half, own_supports, {solution}));
+      contestants.push_back(fitted(study, "uniform alone", false, own_supports, {uniform}));
+    }
+    contestants.push_back(fitted(study, "uniform + " + shape.name, shape.falls_about_half,
+                                 own_supports, {uniform, solution}));
+  }
+
+  const auto add = [&](const Supports& supports) {
+    if (supports == own_supports) return;
+    const block::SupportedBlock block = study.on(supports);
+    contestants.push_back(fitted(
+        study, "uniform + triangle", true, supports,
+        {block.solve(block::linear_fall(1, 1, a)), block.solve(block::linear_fall(1, 0, a))}));
+  };
+  for (const Support other : {Support::clamped, Support::roller, Support::free}) {
+    add(block::with_sides(other));
+  }
+  for (const Support other : {Support::clamped, Support::roller}) {
+    add({.left = other, .right = other, .bottom = Support::roller});
+  }
+  return contestants;
+}
+
+ExponentFit fit_exponent(const BlockStudy& study, double half_width, Support sides,
+                         double allowed) {
+  const block::SupportedBlock& block = study.on(sides);
+  const RefinedSolution uniform = block.solve(block::linear_fall(1, 1, half_width));
+  FallsByExponent fine, coarse;
+  for (int k = 0; k < n_exponents; ++k) {
+    const double m = chebyshev_exponent(k);
+    const RefinedSolution fall = block.solve(block::power_fall(1, m, half_width));
+    fine.add(m, ratios_of(fall.fine(), study.observed()));
+    coarse.add(m, ratios_of(fall.coarse(), study.observed()));
+  }
+  const auto on_fine = fit_exponent(fine, ratios_of(uniform.fine(), study.observed()), allowed);
+  const auto on_coarse =
+      fit_exponent(coarse, ratios_of(uniform.coarse(), study.observed()), allowed);
+  const auto estimate = [&](double ExponentOnOneMesh::*which) {
+    return Estimate{on_fine.*which, std::abs(on_fine.*which - on_coarse.*which) + of_exponent};
+  };
+  ExponentFit fit{estimate(&ExponentOnOneMesh::best),
+                  estimate(&ExponentOnOneMesh::least),
+                  estimate(&ExponentOnOneMesh::most),
+                  estimate(&ExponentOnOneMesh::misfit),
+                  {},
+                  {}};
+  constexpr int n_drawn = 200;
+  const Ratios uniform_ratios = ratios_of(uniform.fine(), study.observed());
+  for (int i = 0; i <= n_drawn; ++i) {
+    const double share = static_cast<double>(i) / n_drawn;
+    fit.exponents.push_back(least_exponent * std::pow(most_exponent / least_exponent, share));
+    fit.misfits.push_back(best_misfit(fine.at(fit.exponents.back()), uniform_ratios).largest);
+  }
+  return fit;
+}
+
+Estimate misfit_of(const BlockStudy& study, const elasticity::Load& load, Support sides) {
+  const RefinedSolution solution = study.on(sides).solve(load);
+  const auto largest = [&](const block::Solution& s) {
+    double misfit = 0;
+    for (const double ratio : ratios_of(s, study.observed())) {
+      misfit = std::max(misfit, std::abs(ratio - 1));
+    }
+    return misfit;
+  };
+  const double fine = largest(solution.fine());
+  return {fine, std::abs(fine - largest(solution.coarse()))};
+}
+
+}  // namespace paper

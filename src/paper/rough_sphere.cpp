@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/rough_sphere.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "paper/bounds.hpp"
+#include "point_contact/solver/fft_solver.hpp"
+
+namespace paper {
+namespace {
+
+using Eigen::Index;
+using literate::exact;
+using literate::integer;
+using literate::percent;
+using literate::significant;
+using literate::Value;
+using point_contact::TwoSpheres;
+using point_contact::Vector2;
+
+using PointElement = point_contact::Element;
+using PointSolution = point_contact::Solution;
+using SphereHertz = point_contact::Hertz;
+
+// A rough sphere, whose heights lie on a square of this side over the radius of Hertz's contact.
+constexpr double rough_side = 3.2;
+
+PointSolution solve_rough(const TwoSpheres& spheres, const point_contact::Roughness& roughness,
+                          Index n) {
+  constexpr Index n_heights = 129;
+  const double side = rough_side * spheres.hertz().radius();
+  const double spacing = side / static_cast<double>(n_heights - 1);
+  Eigen::ArrayXXd gaps = rough_heights(roughness, n_heights);
+  for (Index j = 0; j < n_heights; ++j) {
+    for (Index i = 0; i < n_heights; ++i) {
+      const double x = static_cast<double>(i) * spacing - side / 2;
+      const double y = static_cast<double>(j) * spacing - side / 2;
+      gaps(i, j) += spheres.relative_curvature * (x * x + y * y) / 2;
+    }
+  }
+  return point_contact::solve_for_load(
+      {point_contact::Profile::height_map(gaps, spacing), spheres.contact_modulus,
+       point_contact::square_grid(side, n), PointElement::bilinear},
+      spheres.load, {.tolerance = 1e-8});
+}
+
+literate::Figure rough_figure(const PointSolution& solution, const SphereHertz& hertz) {
+  const double a = hertz.radius();
+  const double p0 = hertz.peak_pressure();
+  const point_contact::Grid& grid = solution.grid;
+  std::vector<double> x, y, pressure, row_x, row_pressure, smooth_x, smooth_pressure;
+  for (Index j = 0; j < grid.n2; ++j) {
+    for (Index i = 0; i < grid.n1; ++i) {
+      const Vector2 at = grid.node(i, j) / a;
+      x.push_back(at.x());
+      y.push_back(at.y());
+      pressure.push_back(solution.pressure[grid.index(i, j)] / p0);
+      if (j != grid.n2 / 2) continue;
+      row_x.push_back(at.x());
+      row_pressure.push_back(pressure.back());
+    }
+  }
+  constexpr int n = 200;
+  for (int i = 0; i <= n; ++i) {
+    smooth_x.push_back(std::sin(std::numbers::pi * (static_cast<double>(i) / n - 0.5)));
+    smooth_pressure.push_back(hertz.pressure(smooth_x.back() * a) / p0);
+  }
+  return {.width_cm = 14,
+          .height_cm = 5.4,
+          .data = {{"map", {{"x", x}, {"y", y}, {"pressure", pressure}}},
+                   {"row", {{"x", row_x}, {"pressure", row_pressure}}},
+                   {"smooth", {{"x", smooth_x}, {"pressure", smooth_pressure}}}},
+          .numbers = {{"half_side", rough_side / 2}}};
+}
+
+}  // namespace
+
+void press_rough_sphere(literate::Document& document, const TwoSpheres& spheres,
+                        const point_contact::Roughness& roughness) {
+  constexpr Index n = 128;
+  const SphereHertz hertz = spheres.hertz();
+  const PointSolution coarse = solve_rough(spheres, roughness, n / 2);
+  const PointSolution fine = solve_rough(spheres, roughness, n);
+  const double share = roughness.rms / hertz.approach();
+  document.value("rough.rms", Value(share, percent(0)).within(rounded(share)));
+  document.value("rough.waves", Value(roughness.n_waves, integer()));
+  document.value("rough.hurst", Value(roughness.hurst, exact()));
+  document.value("rough.nodes", Value(n, integer()));
+  document.value("rough.seed", Value(static_cast<long>(roughness.seed), integer()));
+  // What the grid half as fine has otherwise is more than what a finer one would change.
+  const auto with_error = [&](const char* key, const auto& quantity,
+                              const literate::Format& format) {
+    const double value = quantity(fine);
+    document.value(key, Value({value, std::abs(value - quantity(coarse))}, format));
+  };
+  const double area = std::numbers::pi * hertz.radius() * hertz.radius();
+  with_error(
+      "rough.area", [&](const auto& s) { return s.contact_area() / area; }, percent(0));
+  with_error(
+      "rough.peak", [&](const auto& s) { return s.peak_pressure() / hertz.peak_pressure(); },
+      significant(2));
+  document.figure("rough-sphere", rough_figure(fine, hertz));
+}
+
+}  // namespace paper

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search for the load of the finite-element run, on displacements whose load is known.
+#include "paper/load_contest.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <string>
+#include <vector>
+
+#include "block/load_shapes.hpp"
+#include "parameters/case.hpp"
+
+BOOST_AUTO_TEST_SUITE(load_contest_test)
+
+namespace {
+
+using block::Support;
+
+const std::string source_dir = HALFSPACE_SOURCE_DIR;
+
+parameters::Case coarse_case() {
+  parameters::Case c = parameters::read_case(source_dir + "/report/ruggiero2001.toml");
+  c.block->discretization.order = 6;
+  c.block->discretization.refine = 0;
+  return c;
+}
+
+// A study whose observed displacements are those under 600 + 400·(1 − |x/a|ᵐ).
+paper::BlockStudy study_of(const parameters::Case& c, double exponent) {
+  const double a = c.half_space.load.half_width();
+  const paper::BlockStudy unloaded(c.half_space, *c.block, {});
+  const block::SupportedBlock& block = unloaded.on(c.block->sides);
+  const auto under = block::RefinedSolution::combination(
+      {block.solve(block::linear_fall(1, 1, a)), block.solve(block::power_fall(1, exponent, a))},
+      {600, 400});
+  std::vector<block::SurfaceDisplacement> observed;
+  for (const double x : c.half_space.points) {
+    observed.push_back({x, under.displacement_z(x, 0).value});
+  }
+  return {c.half_space, *c.block, observed};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_exponent_of_a_known_load_is_found_and_lies_in_its_interval) {
+  const parameters::Case c = coarse_case();
+  const paper::BlockStudy study = study_of(c, 1.37);
+
+  const paper::ExponentFit fit =
+      paper::fit_exponent(study, c.half_space.load.half_width(), c.block->sides, 1e-3);
+
+  BOOST_TEST(fit.best.value == 1.37, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(fit.misfit.value < 1e-5);
+  BOOST_TEST(fit.least.value < 1.2);
+  BOOST_TEST(fit.most.value > 1.5);
+  const paper::ExponentFit closer =
+      paper::fit_exponent(study, c.half_space.load.half_width(), c.block->sides, 1e-4);
+  BOOST_TEST(closer.least.value > fit.least.value);
+  BOOST_TEST(closer.most.value < fit.most.value);
+}
+
+BOOST_AUTO_TEST_CASE(the_shape_that_made_the_displacements_wins_on_its_supports) {
+  const parameters::Case c = coarse_case();
+  const paper::BlockStudy study = study_of(c, 2);
+
+  const auto contestants = paper::contest(study, c.half_space, c.block->sides);
+
+  const auto best = std::ranges::min_element(
+      contestants, {},
+      [](const paper::Contestant& contestant) { return contestant.largest_misfit.value; });
+  BOOST_TEST(best->shape == "uniform + parabola");
+  BOOST_TEST(best->largest_misfit.value < 1e-9);
+  const auto n_own = std::ranges::count(contestants, block::with_sides(c.block->sides),
+                                        &paper::Contestant::supports);
+  BOOST_TEST(n_own == 9);
+  BOOST_TEST(contestants.size() == 13U);
+  // 600 at the ends and 400 more in the middle
+  BOOST_TEST(best->peak.value == 1000, boost::test_tools::tolerance(1e-8));
+}
+
+BOOST_AUTO_TEST_CASE(displacements_do_not_tell_falls_about_half_way_apart) {
+  const parameters::Case c = coarse_case();
+  const paper::BlockStudy study = study_of(c, 1);
+
+  int n_alike = 0;
+  for (const auto& contestant : paper::contest(study, c.half_space, c.block->sides)) {
+    if (contestant.supports != block::with_sides(c.block->sides) || contestant.n_free != 2)
+      continue;
+    BOOST_TEST_CONTEXT(contestant.shape) {
+      BOOST_TEST((contestant.largest_misfit.value < 1e-3) == contestant.falls_about_half);
+    }
+    n_alike += contestant.falls_about_half ? 1 : 0;
+  }
+  BOOST_TEST(n_alike == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_load_as_it_is_misses_by_as_much_as_it_is_too_small) {
+  const parameters::Case c = coarse_case();
+  const paper::BlockStudy study = study_of(c, 1);
+  const double a = c.half_space.load.half_width();
+
+  BOOST_TEST(paper::misfit_of(study, block::linear_fall(1000, 0.6, a), c.block->sides).value <
+             1e-9);
+  BOOST_TEST(paper::misfit_of(study, block::linear_fall(990, 0.6, a), c.block->sides).value == 0.01,
+             boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
