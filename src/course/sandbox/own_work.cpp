@@ -8,9 +8,11 @@
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 
 #include "system/descriptor.hpp"
 #include "system/error.hpp"
+#include "system/proc_file.hpp"
 
 namespace course {
 namespace {
@@ -20,12 +22,20 @@ void limit(int resource, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
 }
 
+/// The address space that this process has already; a sanitizer alone takes terabytes of it.
+rlim_t address_space() {
+  const std::string text = sys::read_proc_file("/proc/self/statm");
+  rlim_t pages = 0;
+  std::from_chars(text.data(), text.data() + text.size(), pages);
+  return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+}
+
 [[noreturn]] void work_in_child(const std::function<std::string()>& work, int to,
                                 unsigned cpu_seconds, unsigned memory_mb) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, cpu_seconds);
-  limit(RLIMIT_AS, memory_mb * rlim_t{1048576});
   try {
+    limit(RLIMIT_AS, address_space() + memory_mb * rlim_t{1048576});
     const std::string result = work();
     for (std::size_t at = 0; at < result.size();) {
       const ssize_t n = ::write(to, result.data() + at, result.size() - at);
