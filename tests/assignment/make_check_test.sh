@@ -33,3 +33,33 @@ grep -q 'your program printed "nu = 0.3"' check.log || { cat check.log; fail 'it
 echo 207e9 0.3 6.9e6 2.54e-4 1e-4 | build/assignment gradient >answer 2>printed
 [[ $(wc -l <answer) == 1 ]] || fail 'what the program prints is among its answer'
 grep -q '^nu = 0.3$' printed || fail 'what the program prints is lost'
+
+# The numbers of the report have digits that hold: a grid eight times as fine moves none by more than a unit of the last one.
+# numbers_of: prints what the report says of half-width and approach, in millimetres.
+numbers_of() {
+  make >make.log 2>&1 || { cat make.log; fail 'the solution does not compile'; }
+  mkdir -p numbers
+  build/figures numbers 2>warnings >/dev/null
+  sed -n 's/^.newcommand.*{\([0-9.]*\).*/\1/p' numbers/numbers.tex
+}
+mapfile -t coarse < <(numbers_of)
+sed -i.nominal 's/{"nodes", 91.0}/{"nodes", 721.0}/; s/{"spacing", 7.6e-06}/{"spacing", 9.5e-07}/' provided/variant_of_this_handout.hpp
+mapfile -t fine < <(numbers_of)
+mv provided/variant_of_this_handout.hpp.nominal provided/variant_of_this_handout.hpp
+touch provided/variant_of_this_handout.hpp
+for i in 0 1; do
+  [[ ${#fine[i]} -gt ${#coarse[i]} ]] || fail "a finer grid confirms no more digits than ${coarse[i]}: ${fine[i]}"
+  python3 -c 'import decimal, sys
+coarse, fine = map(decimal.Decimal, sys.argv[1:])
+sys.exit(abs(coarse - fine) > decimal.Decimal(1).scaleb(coarse.as_tuple().exponent))' "${coarse[i]}" "${fine[i]}" ||
+    fail "${coarse[i]} has a digit that a finer grid does not confirm: ${fine[i]}"
+done
+
+# A half-width that is wrong by a part of the spacing loses digits; one that the spacing alone decides has none, and it is said.
+sed -i.right 's/^\( *\)contact.half_width = \(.*\);$/\1contact.half_width = \2 + grid.spacing;/' src/contact_solver.cpp
+mapfile -t spoilt < <(numbers_of)
+[[ ${#spoilt[0]} -lt ${#coarse[0]} ]] || fail "${spoilt[0]} has as many digits as ${coarse[0]}"
+cp src/contact_solver.cpp.right src/contact_solver.cpp
+sed -i 's/^\( *\)contact.half_width = \(.*\);$/\1contact.half_width = 1e-9 \/ grid.spacing;/' src/contact_solver.cpp
+numbers_of >/dev/null
+grep -qF 'figures: half the spacing confirms no digit of \halfwidth' warnings || { cat warnings; fail 'it is not said that no digit holds'; }

@@ -3,6 +3,7 @@
 // report.
 #include <gsl/gsl_errno.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -60,33 +61,50 @@ void write_surface(const std::filesystem::path& file) {
   }
 }
 
-exercise::Contact write_contact(const std::filesystem::path& file) {
+exercise::Contact contact_on(const exercise::Grid& grid) {
   const exercise::Cylinders cylinders{material1, this_variant("radius1"), material2,
                                       this_variant("radius2")};
-  const exercise::Grid grid{static_cast<int>(std::lround(this_variant("nodes"))),
-                            this_variant("spacing")};
-  exercise::Contact contact =
-      exercise::solve_contact(cylinders, grid, datum, this_variant("line_load"));
+  return exercise::solve_contact(cylinders, grid, datum, this_variant("line_load"));
+}
+
+void write_pressure(const std::filesystem::path& file, const exercise::Grid& grid,
+                    exercise::Contact contact) {
   contact.pressure.resize(static_cast<std::size_t>(grid.n_nodes), std::nan(""));
   std::ofstream out = open(file);
   for (int i = 0; i < grid.n_nodes; ++i) {
     const double pressure = contact.pressure[static_cast<std::size_t>(i)];
     out << grid.x(i) << ' ' << number_of("5", pressure) << '\n';
   }
-  return contact;
 }
 
-// A TeX command \name that prints the number in millimetres.
-void define_length(std::ostream& out, const std::string& name, double length) {
-  out << "\\newcommand*\\" << name << "{" << std::setprecision(5) << 1e3 * length << "\\,mm}\n";
+// A TeX command \name that prints a length in millimetres, with the digits that half the spacing
+// confirms. `coarse` is the length found on your grid and `fine` the one at half the spacing. The
+// method is at least of first order, so twice their difference bounds the error of `coarse`; one
+// unit of the last digit is at least as much.
+void define_length(std::ostream& out, const std::string& name, double coarse, double fine) {
+  const double length = 1e3 * number_of("5", coarse);
+  const double error = 2 * std::abs(length - 1e3 * number_of("5", fine));
+  if (error > std::abs(length)) {
+    std::cerr << "figures: half the spacing confirms no digit of \\" << name << '\n';
+  }
+  const double most_decimals = length == 0 ? 0 : 9;
+  const double decimals =
+      error > 0 ? std::clamp(std::floor(-std::log10(error)), 0., most_decimals) : most_decimals;
+  out << "\\newcommand*\\" << name << "{" << std::fixed
+      << std::setprecision(static_cast<int>(decimals)) << length << "\\,mm}\n";
 }
 
 void write_all(const std::filesystem::path& folder) {
   write_surface(folder / "surface.dat");
-  const exercise::Contact contact = write_contact(folder / "contact.dat");
+  const exercise::Grid grid{static_cast<int>(std::lround(this_variant("nodes"))),
+                            this_variant("spacing")};
+  const exercise::Grid finer{2 * grid.n_nodes - 1, grid.spacing / 2};
+  const exercise::Contact contact = contact_on(grid);
+  const exercise::Contact confirming = contact_on(finer);
+  write_pressure(folder / "contact.dat", grid, contact);
   std::ofstream numbers = open(folder / "numbers.tex");
-  define_length(numbers, "halfwidth", number_of("5", contact.half_width));
-  define_length(numbers, "approach", number_of("5", contact.approach));
+  define_length(numbers, "halfwidth", contact.half_width, confirming.half_width);
+  define_length(numbers, "approach", contact.approach, confirming.approach);
 }
 
 }  // namespace
