@@ -114,11 +114,11 @@ void claim_size(literate::Document& document, const parameters::HalfSpaceCase& h
   document.value("block.larger.share", Value(quotient(level, middle), percent(0)));
   document.claim(
       "geometry-large-enough",
-      {.route = "the block by finite elements under the triangle, in its size and e times as wide "
+      {.route = "the block by finite elements under the triangle, in its size and 𝑒 times as wide "
                 "and high; the change of displacements over the largest one",
        .expected = Verdict::partly,
        .criteria = {
-           Criterion::at_most("level: the change at x = 0",
+           Criterion::at_most("level: the change at 𝑥 = 0",
                               Value(quotient(magnitude(level), middle), percent(0)), unaffected),
            Criterion::at_most("shape: how much the change varies over the points",
                               Value(quotient(shape, middle), percent(2).rounded_up()),
@@ -225,7 +225,7 @@ void claim_run(literate::Document& document, const config::UnitSystem& units,
                   "twice the misfit that is allowed to the displacements"),
            agrees("strain energy", "strain_energy",
                   Value(named(fitted, "strain_energy"), scientific(4), units.force), units.force,
-                  2 * small_misfit, "as for the resultant: half the integral of p times u")}});
+                  2 * small_misfit, "as for the resultant: half the integral of 𝑝 times 𝑢")}});
 }
 
 // The largest principal stress of a half-space at points around the ends of the fitted load, on
@@ -293,7 +293,7 @@ void claim_maxima(literate::Document& document, const parameters::HalfSpaceCase&
   document.claim(
       "convergence-is-no-bound",
       {.route = "the largest shear stress of the block under the fitted load, which is inside the "
-                "body, and p/π, that of a half-space under the uniform pressure p of the printed "
+                "body, and 𝑝/π, that of a half-space under the uniform pressure 𝑝 of the printed "
                 "resultant",
        .expected = Verdict::confirmed,
        .criteria = {

@@ -85,7 +85,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
   document.claim(
       "insensitive-to-c",
       {.route = "eq. (2) by quadrature less the printed FEA (z) at the last point, for the "
-                "datum of the case and one a factor e nearer, both far from the load",
+                "datum of the case and one a factor 𝑒 nearer, both far from the load",
        .expected = Verdict::refuted,
        .criteria = {Criterion::at_most("change of the error, over the error",
                                        Value(quotient(shift, difference), percent(0)),
@@ -146,9 +146,9 @@ void compare_tangential(literate::Document& document, const parameters::HalfSpac
                                      Value(largest_excess, percent(1).rounded_up()), negligible)},
                  "the printed magnitudes are nearly the displacements in the z-direction");
   document.claim("tangential-negligible",
-                 {.route = "the x-displacement recovered from the printed magnitude and z",
+                 {.route = "the 𝑥-displacement recovered from the printed magnitude and 𝑧",
                   .expected = Verdict::refuted,
-                  .criteria = {Criterion::at_most("largest x-displacement, over z",
+                  .criteria = {Criterion::at_most("largest 𝑥-displacement, over 𝑧",
                                                   Value(largest_share, percent(0)), negligible)}});
   document.value("tangential.largest-excess", Value(largest_excess, percent(1)));
   document.value("tangential.largest-share", Value(largest_share, percent(0)));
@@ -178,14 +178,14 @@ void claim_resultant(literate::Document& document, const parameters::HalfSpaceCa
           "load", Value(stated.value * ratio, significant(3), unit),
           Value(with, significant(3), unit),
           {LimitKind::convention, 2e-2,
-           "far from the load the influence of its shape is (a/x)²/6; the rest is for the mesh of "
+           "far from the load the influence of its shape is (𝑎/𝑥)²/6; the rest is for the mesh of "
            "the run, which is coarse there"}));
     }
     return Criterion::in_each("load that the slopes tell", "pairs of points", pairs);
   };
   document.claim("same-load",
                  {.route = "the printed columns: the slope of FEA (z) over that of the analytical "
-                           "column at the outermost points, times p₀a; against the p₀a of eq. (4)",
+                           "column at the outermost points, times 𝑝₀𝑎; against the 𝑝₀𝑎 of eq. (4)",
                   .expected = Verdict::refuted,
                   .criteria = {each_agrees(stated)}});
   document.check("slopes-tell-the-load", {each_agrees(of_summary)},

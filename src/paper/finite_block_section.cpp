@@ -366,7 +366,7 @@ void claim_fall(literate::Document& document, const config::UnitSystem& units,
                 "stress",
        .expected = Verdict::confirmed,
        .criteria = {
-           Criterion::in_each("largest misfit of the shapes that fall symmetrically about a/2",
+           Criterion::in_each("largest misfit of the shapes that fall symmetrically about 𝑎/2",
                               "falls", met),
            Criterion::at_least("least misfit of another shape",
                                Value(outcome.least_misfit_of_others, percent(2)),

@@ -173,7 +173,7 @@ void claim_force(literate::Document& document, const parameters::HalfSpaceCase& 
         "one step", Value(gain, scientific(3), units.length), expected,
         {LimitKind::convention, 1e-9,
          "nine digits: beside a force the gradient is proportional to "
-         "1/x, so that each step adds K ln(1000), and the "
+         "1/𝑥, so that each step adds 𝐾 ln(1000), and the "
          "quadrature reports much smaller errors"});
   };
   document.claim(
@@ -200,7 +200,7 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
                 "where the gradient is infinite, and a distance ε beside it",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
-           "change of the displacement from the end to ε = 10⁻⁹ half-widths beside it, over K",
+           "change of the displacement from the end to ε = 10⁻⁹ half-widths beside it, over 𝐾",
            Value(magnitude(1 / unit * difference), scientific(2).rounded_up()),
            {LimitKind::derived, beside * (1 + std::log(2 / beside)),
             "ε[1 + ln(2/ε)], twice what a gradient adds that grows logarithmically"})}});
@@ -214,8 +214,8 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
     return Criterion::agrees_relatively(
         "one step", Value(gain, scientific(3)), expected,
         {LimitKind::derived, 1e-3,
-         "beside the end the gradient is logarithmic, and each step adds Kp/P ln(1000); what else "
-         "changes is smooth and of the order d/a, d the distance at which the steps begin"});
+         "beside the end the gradient is logarithmic, and each step adds 𝐾𝑝/𝑃 ln(1000); what else "
+         "changes is smooth and of the order 𝑑/𝑎, 𝑑 the distance at which the steps begin"});
   };
   document.claim(
       "uniform-gradient-infinite",
@@ -242,7 +242,7 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
           "change of the slope",
           Value(1 / (d * (1 + std::log(1 / d))) * jump(kink, d), significant(2)),
           {LimitKind::derived, 8.0,
-           "twice that of eq. (3) at the peak, 4d[1 + ln(1/d)]K/a, which vanishes with d"}));
+           "twice that of eq. (3) at the peak, 4𝑑[1 + ln(1/𝑑)]𝐾/𝑎, which vanishes with 𝑑"}));
     }
     sharp.push_back(Criterion::at_least(
         "growth", Value(1e6 * jump(kink, 1e-6) - 1e3 * jump(kink, 1e-3), significant(3)),
@@ -251,11 +251,11 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
   }
   document.claim(
       "triangles-smooth",
-      {.route = "eq. (2) by quadrature at distances d (over a) on both sides of the triangle's "
+      {.route = "eq. (2) by quadrature at distances 𝑑 (over 𝑎) on both sides of the triangle's "
                 "ends and of its peak; smooth is taken to mean that the slope is continuous",
        .expected = Verdict::confirmed,
        .criteria = {
-           Criterion::in_each("change of the slope across a kink, over K/a and over d[1 + ln(1/d)]",
+           Criterion::in_each("change of the slope across a kink, over 𝐾/𝑎 and over 𝑑[1 + ln(1/𝑑)]",
                               "pairs of points", continuous)}});
   document.check("triangles-curvature",
                  {Criterion::in_each("growth of the slope's change over d, over K/a², when d falls "

@@ -175,13 +175,13 @@ Criterion within_errors(const std::vector<const Comparisons*>& all) {
 void claim_quadrature(literate::Document& document, const Comparisons& gradients,
                       const Comparisons& displacements, const Comparisons& from_gradients,
                       double displacement_unit) {
-  const char* const reason = "ten digits of the scale K, for which the quadratures are written";
+  const char* const reason = "ten digits of the scale 𝐾, for which the quadratures are written";
   document.claim(
       "equation-3-follows",
       {.route = "eq. (2) by quadrature, integrated from the datum by quadrature, at the points of "
                 "the case; and the integral of the logarithm over eight decades of distance",
        .expected = Verdict::confirmed,
-       .criteria = {Criterion::at_most("largest difference from eq. (3) by the gradient, over K",
+       .criteria = {Criterion::at_most("largest difference from eq. (3) by the gradient, over 𝐾",
                                        Value(largest_over(from_gradients, displacement_unit),
                                              scientific(1).rounded_up()),
                                        promised(reason)),

@@ -153,14 +153,14 @@ void claim_load(literate::Document& document, const parameters::HalfSpaceCase& c
                 "thickness of a plane model is a force per length of edge",
        .expected = Verdict::partly,
        .criteria = {
-           Criterion::agrees_relatively("the program's peak p₀, on unit thickness",
+           Criterion::agrees_relatively("the program's peak 𝑝₀, on unit thickness",
                                         Value(peak, significant(4), units.line_load), in_words,
                                         apart),
            Criterion::agrees_relatively("the run's largest vertical stress, on unit thickness",
                                         Value(magnitude(as_estimate(run.at("max_stress_yy"))),
                                               significant(4), units.line_load),
                                         in_words, apart),
-           Criterion::agrees_relatively("the program's whole load P",
+           Criterion::agrees_relatively("the program's whole load 𝑃",
                                         Value(load, significant(4), units.line_load), in_words,
                                         apart),
            Criterion::agrees_relatively("the run's resultant",
@@ -318,8 +318,8 @@ void compute_results(literate::Document& document, const parameters::HalfSpaceCa
     std::vector<Criterion> digits = compare_tri_dist(document, c, units, *printed_data);
     digits.push_back(compare_figure5(document, c, units, *printed_data));
     document.claim("tri-dist-is-equation-3",
-                   {.route = "eq. (3) as this report evaluates it, with its limits at x = 0 and "
-                             "x = ±a, against every printed digit",
+                   {.route = "eq. (3) as this report evaluates it, with its limits at 𝑥 = 0 and "
+                             "𝑥 = ±𝑎, against every printed digit",
                     .expected = Verdict::partly,
                     .criteria = std::move(digits)});
   } else {
