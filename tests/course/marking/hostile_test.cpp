@@ -11,6 +11,7 @@
 #include <chrono>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -279,6 +280,16 @@ std::vector<std::string> processes() {
   return names;
 }
 
+/// The first lines that differ, one beside the other.
+std::string first_difference(const std::string& one, const std::string& other) {
+  std::istringstream left(one), right(other);
+  std::string left_line, right_line;
+  while (std::getline(left, left_line) && std::getline(right, right_line)) {
+    if (left_line != right_line) return left_line + " | " + right_line;
+  }
+  return "one ends early";
+}
+
 class Class {
  public:
   Class() {
@@ -335,7 +346,8 @@ BOOST_AUTO_TEST_CASE(no_hostile_submission_gains_a_point_does_harm_or_hinders_th
          {"results.json", "junit.xml", "feedback.html", "mark.json", "log.txt"}) {
       const std::string forwards = sys::read_file(grades.path() / "forwards" / name / file);
       const std::string backwards = sys::read_file(grades.path() / "backwards" / name / file);
-      BOOST_TEST(forwards == backwards, name << "/" << file << " depends on order or parallelism");
+      BOOST_TEST(forwards == backwards, name << "/" << file << " depends on order or parallelism: "
+                                             << first_difference(forwards, backwards));
       for (const char* turning : {"\u202E", "\u2066"}) {
         BOOST_TEST(forwards.find(turning) == forwards.npos, name << "/" << file << " is turned");
       }

@@ -5,18 +5,28 @@
 #include <cstring>
 #include <thread>
 
-// The children of a thread that is not the first; each stays within its own limit.
+// The children of a thread that is not the first; each stays within its own limit. None ends before
+// all have had their memory for longer than it is between two looks, also on a busy machine.
 double square(double x) {
   int n_full = 0;
   std::thread([&] {
-    for (int i = 0; i < 4; ++i) {
+    int full[2], release[2];
+    if (pipe(full) != 0 || pipe(release) != 0) return;
+    for (int i = 0; i < 3; ++i) {
       if (fork() != 0) continue;
       char* memory = new char[200 << 20];
       std::memset(memory, 1, 200 << 20);
-      usleep(700000);
-      _exit(memory[i] == 1 ? 0 : 1);
+      char byte = memory[i];
+      close(release[1]);
+      if (write(full[1], &byte, 1) == 1 && read(release[0], &byte, 1) == 0) _exit(0);
+      _exit(1);
     }
-    for (int status = 0; wait(&status) > 0;) n_full += status == 0;
+    char byte = 0;
+    for (int i = 0; i < 3; ++i) n_full += read(full[0], &byte, 1) == 1;
+    usleep(1500000);
+    close(release[1]);
+    while (wait(nullptr) > 0) {
+    }
   }).join();
-  return n_full == 4 ? x * x : 0;
+  return n_full == 3 ? x * x : 0;
 }
