@@ -7,7 +7,7 @@ set xrange [8:1000]
 set xtics (10, 20, 50, 100, 200, 500, 1000)
 set yrange [1e-8:0.5]
 set ytics 1e-7,10
-set xlabel 'elements over the half-width, $a/c$'
+set xlabel 'elements over the half-width'
 set ylabel 'error of $p/p_0$'
 set style fill solid 0.45 noborder
 set lmargin at screen 0.13

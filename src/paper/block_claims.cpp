@@ -54,7 +54,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
     const Estimate below = study.under_triangle().displacement_z(0, share * r.height());
     depths.push_back(Criterion::at_least(
         "displacement", Value(quotient(below, middle), percent(1)),
-        {LimitKind::convention, 0.1, "one of ten shades of the paper's Fig. 3"}));
+        {LimitKind::convention, 0.1, "a tenth, which a plot of contours would show"}));
   }
   document.claim("felt-throughout",
                  {.route = "the block by finite elements of high order under the triangle, on the "
@@ -114,7 +114,7 @@ void claim_size(literate::Document& document, const parameters::HalfSpaceCase& h
   document.value("block.larger.share", Value(quotient(level, middle), percent(0)));
   document.claim(
       "geometry-large-enough",
-      {.route = "the block by finite elements under the triangle, in its size and 𝑒 times as wide "
+      {.route = "the block by finite elements under the triangle, in its size and e times as wide "
                 "and high; the change of displacements over the largest one",
        .expected = Verdict::partly,
        .criteria = {

@@ -10,9 +10,9 @@ inline literate::Limit less_than_a_plot_shows() {
   return {literate::LimitKind::convention, 1e-2, "less than a plot shows"};
 }
 
-/// What the paper calls nearly identical, or negligible, of curves that its Fig. 4 compares.
+/// What the paper calls nearly identical, or negligible, of curves that a plot compares.
 inline literate::Limit nearly_identical() {
-  return {literate::LimitKind::convention, 3e-2, "the height of two marks in the paper's Fig. 4"};
+  return {literate::LimitKind::convention, 3e-2, "about what can be read off the axes of a plot"};
 }
 
 /// To how much a fitted pressure has to reproduce the printed displacements, relatively. The run
@@ -22,8 +22,9 @@ constexpr double small_misfit = 1e-3;
 /// The square of the element width over the half-width of the contact, for errors of linear
 /// elements.
 inline literate::Limit of_second_order(double square) {
-  return {literate::LimitKind::derived, square,
-          "(𝑐/𝑎)², eight times what straight lines between the nodes miss of Hertz's peak"};
+  return {literate::LimitKind::convention, square,
+          "(𝑐/𝑎)², the order of the elements; straight lines between the nodes miss an eighth of it "
+          "at Hertz's peak"};
 }
 
 }  // namespace paper

@@ -18,11 +18,11 @@ contact::Solution solve_cylinders(const parameters::ContactCase& c, const contac
       c.line_load, tolerance);
 }
 
-std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes) {
+std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes, int n_places) {
   const double elements = static_cast<double>(n_nodes) / cylinder_domain;
   std::vector<contact::Grid> grids;
-  for (int k = 0; k < n_edge_places; ++k) {
-    const double part = elements / (elements + static_cast<double>(k) / n_edge_places);
+  for (int k = 0; k < n_places; ++k) {
+    const double part = elements / (elements + static_cast<double>(k) / n_places);
     grids.push_back(contact::grid_of_width(part * cylinder_domain * hertz.half_width(), n_nodes));
   }
   return grids;

@@ -32,9 +32,11 @@ inline constexpr int n_edge_places = 10;
 
 /// Grids of n_nodes over this domain, the first, and over ones that are narrower by up to one
 /// element of the half-width, on which the edge falls at evenly spaced places between two nodes:
-/// a/c is n_nodes/cylinder_domain + k/n_edge_places. Where the edge falls changes the errors by an
-/// order of magnitude, so that a single grid tells little.
-std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes);
+/// a/c is n_nodes/cylinder_domain + k/n_places. Where the edge falls changes the errors by an order
+/// of magnitude, so that a single grid tells little. Means over ten places are good; the largest
+/// errors are those just before a node comes into contact, which only many places meet.
+std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes,
+                                    int n_places = n_edge_places);
 
 HertzErrors errors_against(const contact::Hertz& hertz, const contact::Solution& solution);
 

@@ -167,7 +167,7 @@ EdgeErrors study_edge(literate::Document& document, const ContactCase& c, const 
   std::vector<Column> columns{Column::text("nodes"), Column::text("pressure on an element")};
   for (const long n : n_elements) {
     columns.push_back(
-        Column(std::to_string(n), scientific(1)).under("largest error of $p/p_0$ for $a/c$ of"));
+        Column(std::to_string(n), scientific(1)).under("elements over the half-width"));
   }
   columns.push_back(Column("order", fixed(2)));
   literate::Table table("graded", columns);

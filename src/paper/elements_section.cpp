@@ -196,7 +196,8 @@ Estimate finest_over_fit(literate::Document& document, const parameters::Contact
   }
   const double ratio = std::sqrt(squares);
   const Estimate of_fit{ratio, bound + of_factors * ratio};
-  document.value("large.over-fit", Value(of_fit, fixed(1)));
+  const Estimate off{std::abs(ratio - 1) + of_fit.abs_error, 0};
+  document.value("large.off-fit", Value(off, percent(0).rounded_up()));
   document.value("large.n-grids", Value(n_edge_places, integer()));
   return of_fit;
 }

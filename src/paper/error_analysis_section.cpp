@@ -85,7 +85,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
   document.claim(
       "insensitive-to-c",
       {.route = "eq. (2) by quadrature less the printed FEA (z) at the last point, for the "
-                "datum of the case and one a factor 𝑒 nearer, both far from the load",
+                "datum of the case and one a factor e nearer, both far from the load",
        .expected = Verdict::refuted,
        .criteria = {Criterion::at_most("change of the error, over the error",
                                        Value(quotient(shift, difference), percent(0)),

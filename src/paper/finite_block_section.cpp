@@ -161,9 +161,9 @@ void tabulate_measures(literate::Document& document, const PrintedData& printed_
       if (!has_limit(fitted[i])) return "–";
       return percent_off(computed, found->second);
     };
-    const bool is_beyond =
-        is_told && has_limit(fitted[i]) &&
-        std::abs(percent_off(fitted[i].value, found->second).value) > converged->second.value();
+    const Estimate by = magnitude(percent_off(fitted[i].value, found->second));
+    const bool is_beyond = is_told && has_limit(fitted[i]) &&
+                           by.value - by.abs_error > converged->second.value();
     n_beyond += is_beyond ? 1 : 0;
     const Cell deviation = off(fitted[i].value);
     table.add_row({description_of(name), shortened(found->second),
@@ -172,10 +172,10 @@ void tabulate_measures(literate::Document& document, const PrintedData& printed_
   }
   if (n_beyond > 0)
     table.note("*",
-               "More than the printed convergence. Deviations have no more digits than the mesh "
+               "More than the printed convergence, whatever the error of the deviation. Deviations have no more digits than the mesh "
                "of the block warrants.");
   table.note(
-      "A dash: this tension belongs to the mesh, as the text explains. Four measures that "
+      "A dash: the value of this tension depends on the mesh, as the text explains. Four measures that "
       "repeat another are left out.");
   document.table(table);
   document.value("fit.n-beyond", Value(n_beyond, integer()));
@@ -319,8 +319,8 @@ void tabulate_contest(literate::Document& document, const PrintedData& printed_d
     farthest_energy = farther(farthest_energy, 0.01 * energy);
   }
   document.table(table);
-  document.value("fit.any-resultant", Value(farthest_resultant, percent(2)));
-  document.value("fit.any-energy", Value(farthest_energy, percent(2)));
+  document.value("fit.any-resultant", Value(farthest_resultant, percent(2).rounded_up()));
+  document.value("fit.any-energy", Value(farthest_energy, percent(2).rounded_up()));
 }
 
 // How the pressure falls from the middle to the ends of the load: what the displacements tell of
@@ -366,7 +366,7 @@ void claim_fall(literate::Document& document, const config::UnitSystem& units,
                 "stress",
        .expected = Verdict::confirmed,
        .criteria = {
-           Criterion::in_each("largest misfit of the shapes that fall symmetrically about 𝑎/2",
+           Criterion::in_each("largest misfit of the three point-symmetric falls",
                               "falls", met),
            Criterion::at_least("least misfit of another shape",
                                Value(outcome.least_misfit_of_others, percent(2)),
@@ -374,10 +374,10 @@ void claim_fall(literate::Document& document, const config::UnitSystem& units,
            Criterion::at_least(
                "least exponent that meets all displacements to a tenth of a per cent",
                Value(fit.least, fixed(2)),
-               {LimitKind::derived, of_root + 0.01, "above the exponent 1/2 of a root"}),
+               {LimitKind::convention, of_root + 0.01, "a hundredth above that of a root"}),
            Criterion::at_most(
                "largest such exponent", Value(fit.most, fixed(2)),
-               {LimitKind::derived, of_parabola - 0.01, "below the exponent 2 of a parabola"}),
+               {LimitKind::convention, of_parabola - 0.01, "a hundredth below that of a parabola"}),
            Criterion::at_most("peak of the linear fall, off the printed stress by",
                               Value(of_linear, percent(2).rounded_up()),
                               {LimitKind::convention, 2 * small_misfit,

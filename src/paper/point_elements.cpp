@@ -109,14 +109,12 @@ void claim_elements(literate::Document& document,
   constexpr std::size_t inside = 0;
   constexpr std::size_t slope = 5;
   const char* const scatter = "where the edge lies between the nodes differs from grid to grid";
-  const char* const same = "the same";
-  const auto of_order = [&](std::size_t error, std::size_t element, double tolerance,
-                            const char* reason) {
+  const auto of_order = [&](std::size_t error, std::size_t element, const literate::Limit& limit) {
     const StudiedError& e = studied_errors[error];
     return Criterion::agrees(
         std::string(e.name) + ", " + std::string(name_of(point_elements[element])) + ": order",
         Value(fits[error][element].order_estimate(), fixed(2)),
-        Value(e.expected[element], exact()).within(0), {LimitKind::regression, tolerance, reason});
+        Value(e.expected[element], exact()).within(0), limit);
   };
   std::vector<Criterion> orders;
   for (std::size_t error = 0; error < studied_errors.size(); ++error) {
@@ -124,7 +122,8 @@ void claim_elements(literate::Document& document,
       if (std::isnan(studied_errors[error].expected[element])) continue;
       // The area is that of whole cells, whose number scatters with each grid.
       const bool is_count = studied_errors[error].errors == &ElementStudy::radius_by_area;
-      orders.push_back(of_order(error, element, is_count ? 0.5 : 0.35, scatter));
+      orders.push_back(
+          of_order(error, element, {LimitKind::regression, is_count ? 0.5 : 0.35, scatter}));
     }
   }
   document.check("orders-of-point-elements", orders,
@@ -132,13 +131,17 @@ void claim_elements(literate::Document& document,
   const auto ratio = [&](std::size_t element, std::size_t other) {
     return quotient(fits[inside][element].factor_estimate(), fits[inside][other].factor_estimate());
   };
+  const auto nearest = [&](std::size_t element, const char* reason) {
+    return of_order(slope, element, {LimitKind::convention, 0.25, reason});
+  };
+  const char* const same = "the same";
   document.claim(
       "pyramids-gain-between-nodes",
       {.route = "powers fitted to the errors against Hertz: of the pressure over 𝑟 ≤ 0.8𝑎, of the "
                 "slope at eighths between the nodes",
        .expected = Verdict::confirmed,
-       .criteria = {of_order(slope, 0, 0.35, scatter), of_order(slope, 1, 0.35, same),
-                    of_order(slope, 2, 0.35, same), of_order(slope, 3, 0.35, same),
+       .criteria = {nearest(0, "nearer to it than to any other half order"),
+                    nearest(1, same), nearest(2, same), nearest(3, same),
                     Criterion::at_least(
                         "pressure inside: factor 𝐵 of pyramids over that of uniform elements",
                         Value(ratio(0, 2), significant(2)),

@@ -15,6 +15,7 @@
 #include "literate/document/document.hpp"
 #include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
+#include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
 #include "paper/greatest_shear.hpp"
 #include "parameters/case.hpp"
@@ -169,12 +170,10 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
            Criterion::agrees("shear over 𝑝₀",
                              Value({found.shear / p0, shear_bound * shear}, significant(6)),
                              Value(closed_form(shear), significant(6)),
-                             {LimitKind::regression, 0.25 * shear * square,
-                              "(𝑐/𝑎)² with the factor that was found and a margin"}),
+                             of_second_order(square)),
            Criterion::agrees("depth over 𝑎", Value({found.z / a, depth_bound}, significant(6)),
                              Value(closed_form(exact.depth / a), significant(6)),
-                             {LimitKind::regression, 0.06 * square,
-                              "(𝑐/𝑎)² with the factor that was found and a margin"})}});
+                             of_second_order(square))}});
 }
 
 void fit_order(literate::Document& document, const parameters::ContactCase& c, const Hertz& hertz) {
