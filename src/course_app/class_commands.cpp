@@ -56,9 +56,11 @@ bool is_filled_in(const fs::path& form) {
   return false;
 }
 
-/// Makes the report of one submission ready for markers. Nothing if there is none.
+/// Makes the report of one submission ready for markers. Nothing if there is none; why a submission
+/// cannot be read is a problem.
 course::Files report_of(const MarkingOptions& options, const course::Assignment& assignment,
-                        const course::ReportTypesetting& typesetting, const course::Entry& entry) {
+                        const course::ReportTypesetting& typesetting, const course::Entry& entry,
+                        std::vector<std::string>& problems) {
   const course::ScratchFolder scratch;
   for (const char* part : {"report", "exercises", "making"}) {
     fs::create_directory(scratch.path() / part);
@@ -67,10 +69,15 @@ course::Files report_of(const MarkingOptions& options, const course::Assignment&
   task.isolation = options.is_unsafe ? course::Isolation::none : course::Isolation::sandbox;
   task.report =
       course::take_report(assignment, entry.path, scratch.path() / "report", task.isolation);
-  if (!task.report.is_there()) return {};
-  task.exercises =
-      course::take_submission(assignment, entry.path, scratch.path() / "exercises", task.isolation)
-          .files;
+  const course::Submission submission =
+      course::take_submission(assignment, entry.path, scratch.path() / "exercises", task.isolation);
+  if (!task.report.is_there()) {
+    for (const std::string& problem : submission.problems) {
+      problems.push_back(fmt::format("{}: there is no report: {}", entry.student, problem));
+    }
+    return {};
+  }
+  task.exercises = submission.files;
   task.variant = options.is_nominal ? course::nominal_variant(assignment)
                                     : course::variant_of(assignment, entry.student,
                                                          seed_of(options), assignment::is_valid);
@@ -89,7 +96,7 @@ ExitCode marking(const MarkingOptions& options) {
   if (is_filled_in(form)) {
     throw sys::InputError(fmt::format("'{}' holds points; move it away first", form.string()));
   }
-  const course::Listing listing =
+  course::Listing listing =
       course::list_submissions(options.submissions, roster_of(options.roster));
   std::vector<std::string> units;
   for (const course::Entry& entry : listing.entries) units.push_back(entry.student);
@@ -103,7 +110,8 @@ ExitCode marking(const MarkingOptions& options) {
   sys::Staging staging(options.output);
   std::vector<std::string> with_report;
   for (const course::Entry& entry : listing.entries) {
-    const course::Files files = report_of(options, assignment, typesetting, entry);
+    const course::Files files =
+        report_of(options, assignment, typesetting, entry, listing.problems);
     const std::string& name = names.at(entry.student);
     if (!files.empty()) with_report.push_back(name);
     for (const auto& [file, text] : files) {

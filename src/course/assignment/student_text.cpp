@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/assignment/student_text.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 
 #include "system/utf8.hpp"
@@ -48,9 +50,14 @@ std::string shown_name(std::string_view name) {
 
 std::string beginning_of(const std::filesystem::path& file, std::size_t max_bytes) {
   std::ifstream stream(file, std::ios::binary);
-  std::string text(max_bytes, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(max_bytes));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  std::string text;
+  std::array<char, 65536>
+      chunk{};  // most files are small, and max_bytes is what a large one may be
+  while (text.size() < max_bytes && stream) {
+    const std::size_t most = std::min(chunk.size(), max_bytes - text.size());
+    stream.read(chunk.data(), static_cast<std::streamsize>(most));
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   return text;
 }
 

@@ -11,6 +11,7 @@
 #include "course/reporting/report_findings.hpp"
 #include "course/reporting/report_numbers.hpp"
 #include "course/sandbox/own_work.hpp"
+#include "literate/typesetting/latex_log.hpp"
 #include "system/files.hpp"
 
 namespace course {
@@ -83,10 +84,16 @@ class Desk {
     const ReportNumbers numbers = report_numbers(assignment_, task_.toolkit, task_.exercises,
                                                  task_.variant, numbers_folder, task_.isolation);
     for (const std::string& problem : numbers.problems) tell(problem);
-    texts_.computed = of_this_size(text_of(numbers.files, "numbers.tex"));
+    const std::string computed = text_of(numbers.files, "numbers.tex");
+    texts_.computed = of_this_size(computed);
+    if (texts_.computed != computed) {
+      tell(fmt::format("report/figures.cpp: generated/numbers.tex is larger than {} kB",
+                       assignment_.limits.file_kb));
+    }
     if (!texts_.computed.empty()) given_["numbers.tex"] = texts_.computed;
     fs::create_directories(folder_ / "generated");
     for (const auto& [name, text] : numbers.files) {
+      if (name == "numbers.tex" && texts_.computed.empty()) continue;
       sys::write_file_atomically(folder_ / "generated" / name, text);
     }
   }
@@ -120,22 +127,30 @@ class Desk {
     if (!made.pdf.empty()) given_["typeset.pdf"] = made.pdf;
     given_["typeset.log"] = shown(made.log, most_shown_of_log);
     texts_.log = made.log;
+    if (made.has_errors && literate::latex_errors(made.log, "report").empty()) {
+      tell("report/report.tex: LaTeX met errors that its log does not hold");
+    }
   }
 
   /// In a process of its own: a matcher may take long, or deep recursion, over what means harm.
   void check() {
+    check("commands", findings_of_commands);
+    check("numbers", findings_of_numbers);
+  }
+
+  void check(const char* what, std::vector<std::string> (*findings_of)(const ReportTexts&)) {
     const auto seconds = static_cast<unsigned>(assignment_.limits.report_seconds);
-    const auto all = [this] {
+    const auto work = [&] {
       std::string lines;
-      for (const std::string& finding : report_findings(texts_)) lines += finding + "\n";
+      for (const std::string& finding : findings_of(texts_)) lines += finding + "\n";
       return lines;
     };
     const std::optional<std::string> found =
-        apart(all, seconds, static_cast<unsigned>(assignment_.limits.memory_mb));
+        apart(work, seconds, static_cast<unsigned>(assignment_.limits.memory_mb));
     if (found) {
       findings_ += *found;
     } else {
-      tell(fmt::format("report/report.tex: its text cannot be checked within {} s", seconds));
+      tell(fmt::format("report/report.tex: its {} cannot be checked within {} s", what, seconds));
     }
   }
 

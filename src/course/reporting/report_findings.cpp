@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
@@ -147,7 +148,10 @@ std::vector<std::string> told_by_latex(const ReportTexts& texts,
   const std::vector<std::string_view> lines = sys::lines_of(texts.report);
   std::vector<std::string> findings;
   for (const std::string& error : literate::latex_errors(texts.log, "report")) {
-    if (findings.size() == most) break;
+    if (findings.size() == most) {
+      findings.push_back(std::string(report_file) + ": there are more errors in typeset.log");
+      break;
+    }
     findings.push_back(LoggedError(error).told(lines, names));
   }
   return findings;
@@ -171,30 +175,84 @@ std::vector<std::string> differences(const std::vector<Definition>& handed_in,
   return findings;
 }
 
+/// Commands that reach under LaTeX's surface: they make names and characters of others, skip text,
+/// or read and write files. Those of pdfTeX all begin with «pdf».
+bool is_unusual(std::string_view command) {
+  static const std::set<std::string_view> all = {
+      "csname",          "expandafter",    "let",         "futurelet",     "catcode",
+      "lccode",          "uccode",         "lowercase",   "uppercase",     "scantokens",
+      "makeatletter",    "@namedef",       "@nameuse",    "iffalse",       "number",
+      "romannumeral",    "char",           "chardef",     "numexpr",       "dimexpr",
+      "openin",          "openout",        "read",        "write",         "immediate",
+      "special",         "jobname",        "endlinechar", "escapechar",    "include",
+      "everypar",        "everyeof",       "everyjob",    "ExplSyntaxOn",  "renewenvironment",
+      "primitive",       "AtEndDocument",  "batchmode",   "errorstopmode", "scrollmode",
+      "interactionmode", "AtBeginDocument"};
+  return all.contains(command) || command.starts_with("pdf");
+}
+
+/// Each of them once, where it stands first; so too notations of characters by their codes, and
+/// other files that are read.
+std::vector<std::string> unusual_commands(std::string_view text) {
+  std::vector<std::string> findings;
+  std::set<std::string, std::less<>> told;
+  const auto tell = [&](std::string_view what, std::string_view place) {
+    if (!told.emplace(what).second) return;
+    findings.push_back(
+        at(report_file, literate::place_in(text, place),
+           fmt::format("{} is not needed in an ordinary report; see what it does", what)));
+  };
+  literate::TexScanner scanner(text);
+  while (const auto token = scanner.next()) {
+    if (token->kind == literate::TexKind::command) {
+      const bool reads_another = token->name == "input" &&
+                                 literate::argument_at(scanner.rest()) != "generated/numbers.tex";
+      if (reads_another || is_unusual(token->name)) tell(token->text, token->text);
+    }
+  }
+  if (const auto code = text.find("^^"); code != text.npos) tell("^^", text.substr(code));
+  return findings;
+}
+
+/// The texts, those of the report in UTF-8.
+ReportTexts readable(ReportTexts texts) {
+  if (place_of_no_utf8(texts.report)) {
+    texts.report = shown(texts.report, std::numeric_limits<std::size_t>::max());
+  }
+  return texts;
+}
+
+void append(std::vector<std::string>& findings, std::vector<std::string> more) {
+  for (const std::string& finding : more) findings.push_back(shown_name(finding));
+}
+
 }  // namespace
 
-std::vector<std::string> report_findings(const ReportTexts& given) {
+std::vector<std::string> findings_of_commands(const ReportTexts& given) {
   std::vector<std::string> findings;
-  ReportTexts texts = given;
   if (const auto place = place_of_no_utf8(given.report)) {
     findings.push_back(at(report_file, *place, "this is no UTF-8"));
-    texts.report = shown(given.report, std::numeric_limits<std::size_t>::max());
   }
-  const std::vector<Definition> computed = definitions_in(texts.computed);
-  const std::set<std::string> names = names_of(computed);
-  const auto add = [&](std::vector<std::string> more) {
-    std::ranges::move(more, std::back_inserter(findings));
-  };
-  add(told_by_latex(texts, names));
+  const ReportTexts texts = readable(given);
+  const std::set<std::string> names = names_of(definitions_in(texts.computed));
+  append(findings, told_by_latex(texts, names));
   for (const Definition& anew : definitions_in(texts.report)) {
     if (!names.contains(anew.name)) continue;
     findings.push_back(
         at(report_file, anew.place,
-           fmt::format("\\{} is defined anew, but numbers.tex gives it", anew.name)));
+           fmt::format("\\{} is defined anew, but numbers.tex gives it", shown_name(anew.name))));
   }
-  add(literate::typed_numbers(texts.report, report_file));
-  if (!texts.computed.empty()) add(differences(definitions_in(texts.handed_in), computed));
-  for (std::string& finding : findings) finding = shown_name(finding);
+  append(findings, unusual_commands(texts.report));
+  return findings;
+}
+
+std::vector<std::string> findings_of_numbers(const ReportTexts& given) {
+  const ReportTexts texts = readable(given);
+  std::vector<std::string> findings;
+  append(findings, literate::typed_numbers(texts.report, report_file));
+  if (!texts.computed.empty()) {
+    append(findings, differences(definitions_in(texts.handed_in), definitions_in(texts.computed)));
+  }
   return findings;
 }
 

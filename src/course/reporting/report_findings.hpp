@@ -14,11 +14,17 @@ struct ReportTexts {
   std::string log;        ///< what LaTeX said of report.tex
 };
 
-/// What a marker should look at, «report/report.tex:line:column: what», in this order: bytes that
-/// are no UTF-8; what LaTeX says, with the nearest name for an unknown command; commands of
-/// numbers.tex that the report defines anew; typed numbers, by the engine's lint; numbers that were
-/// handed in and differ from those computed. The line stands alone where the log tells no column.
-/// Texts of any bytes are taken.
-std::vector<std::string> report_findings(const ReportTexts& texts);
+// What a marker should look at, «report/report.tex:line:column: what». Texts of any bytes are
+// taken.
+
+/// In this order: bytes that are no UTF-8; what LaTeX says, with the nearest name for an unknown
+/// command, the line alone where the log tells no column; commands of numbers.tex that the report
+/// defines anew; commands that an ordinary report does not need, and by which one could hide
+/// something from the other findings.
+std::vector<std::string> findings_of_commands(const ReportTexts& texts);
+
+/// Typed numbers, by the engine's lint; and numbers that were handed in and differ from those
+/// computed.
+std::vector<std::string> findings_of_numbers(const ReportTexts& texts);
 
 }  // namespace course

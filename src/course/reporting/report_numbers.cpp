@@ -22,14 +22,19 @@ constexpr const char* program_file = "report/figures.cpp";
 constexpr std::size_t most_files = 100;
 constexpr std::size_t most_said = 4000;  ///< bytes of what a program says that a marker reads
 
-/// Whether a name is one that the report can ask for, and nothing else to any program.
-bool is_plain(const std::string& name) {
+/// Whether a file is one that the scripts and the report can ask for: numbers.tex or NAME.dat, with
+/// a name that means nothing else to any program. What else a student's functions leave beside
+/// them, such as drawings of their own, is not taken.
+bool is_wanted(const std::string& name) {
+  constexpr std::size_t longest = 100;
+  if (name.empty()) return false;
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   };
-  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [&](char c) {
-    return is_letter(c) || c == '.' || c == '-' || c == '_';
-  });
+  const bool is_plain = is_letter(name.front()) && std::ranges::all_of(name, [&](char c) {
+                          return is_letter(c) || c == '.' || c == '-' || c == '_';
+                        });
+  return is_plain && name.size() <= longest && (name == "numbers.tex" || name.ends_with(".dat"));
 }
 
 std::string why_it_ended(const Limits& limits, const JobEnd& end) {
@@ -102,13 +107,33 @@ class FiguresRun {
     fs::create_directories(unpacking);
     try {
       const Archive files(limits_, archive(), unpacking, isolation_);
+      std::size_t n_bytes = 0;  // an archive is small although its files have holes
       for (const std::string& name : files.entries()) {
-        if (!is_plain(name) || numbers.files.size() == most_files) continue;
-        numbers.files[name] = files.read(name);
+        if (!is_wanted(name) || numbers.files.size() == most_files) continue;
+        const std::string bytes = bytes_of(files, name, numbers);
+        n_bytes += bytes.size();
+        if (n_bytes > static_cast<std::size_t>(limits_.submission_mb) << 20U) {
+          numbers.problems.push_back(fmt::format("{}: its files hold more than {} MB", program_file,
+                                                 limits_.submission_mb));
+          break;
+        }
+        if (!bytes.empty()) numbers.files[name] = bytes;
       }
     } catch (const std::invalid_argument& error) {
       numbers.problems.push_back(
           fmt::format("{}: its files cannot be read: {}", program_file, error.what()));
+    }
+  }
+
+  /// Empty if it cannot be read, which is told.
+  static std::string bytes_of(const Archive& files, const std::string& name,
+                              ReportNumbers& numbers) {
+    try {
+      return files.read(name);
+    } catch (const std::invalid_argument& fault) {
+      numbers.problems.push_back(
+          fmt::format("{}: generated/{} {}", program_file, name, fault.what()));
+      return "";
     }
   }
 
@@ -120,6 +145,26 @@ class FiguresRun {
   Sandbox sandbox_;
 };
 
+/// Runs the program twice, and tells what differs.
+ReportNumbers run_twice(const Assignment& assignment, const fs::path& program,
+                        const fs::path& scratch, Isolation isolation) {
+  const auto run = [&](const char* name) {
+    const fs::path work = scratch / name;
+    fs::create_directories(work);
+    return FiguresRun(assignment, work, isolation).run(program);
+  };
+  ReportNumbers numbers = run("figures");
+  if (numbers.files.empty()) return numbers;
+  const Files again = run("again").files;
+  for (const auto& [name, bytes] : numbers.files) {
+    const auto found = again.find(name);
+    if (found != again.end() && found->second == bytes) continue;
+    numbers.problems.push_back(
+        fmt::format("{}: generated/{} differs from run to run", program_file, name));
+  }
+  return numbers;
+}
+
 }  // namespace
 
 ReportNumbers report_numbers(const Assignment& assignment, const fs::path& toolkit,
@@ -130,9 +175,10 @@ ReportNumbers report_numbers(const Assignment& assignment, const fs::path& toolk
   const Built built = build(assignment, toolkit, exercises, scratch / "build", isolation, figures);
   ReportNumbers numbers;
   if (built.link_error.empty()) {
-    const fs::path work = scratch / "figures";
-    fs::create_directories(work);
-    numbers = FiguresRun(assignment, work, isolation).run(built.program);
+    numbers = run_twice(assignment, built.program, scratch, isolation);
+    if (!numbers.files.empty() && !numbers.files.contains("numbers.tex")) {
+      numbers.problems.push_back(fmt::format("{}: there is no numbers.tex", program_file));
+    }
   } else {
     numbers.problems.push_back("the submission does not link: " + built.link_error);
   }

@@ -34,28 +34,35 @@ constexpr const char* gnuplot_script = R"sh(
 cp -R "$1" "$2" && chmod -R u+w "$2" && mkdir -p "$2/generated" && cd "$2" &&
 env LC_ALL=C.UTF-8 TZ=UTC gnuplot --default-settings "$3.gp" >&2 && cat "generated/$3.pdf")sh";
 
-// Trailer and figures of the PDF would else tell folder and time. The kernel ends LaTeX alone, so
-// that its log can still be told. `p` keeps it from files that are named by an absolute path or lie
-// above, also where there are no walls.
+// Trailer, figures and random numbers of the PDF would else tell folder and time. The kernel ends
+// LaTeX alone, so that its log can still be told. A report can write report.pdf and report.log
+// itself, but not what LaTeX prints after the report's end: how many bytes the PDF has. `p` keeps
+// it from files that are named by an absolute path or lie above, also where there are no walls.
 constexpr const char* latex_script = R"sh(
 scratch=$1
 export openin_any=p openout_any=p max_print_line=1000 TZ=UTC FORCE_SOURCE_DATE=1 SOURCE_DATE_EPOCH="$3"
 for pass in 1 2; do
-  status=0
-  prlimit --cpu="$2:$(($2 + 1))" pdflatex -jobname=report -no-shell-escape -no-parse-first-line -interaction=nonstopmode \
-    -file-line-error -output-directory="$scratch" '\pdftrailerid{}\pdfsuppressptexinfo=-1 \input{report.tex}' \
-    >"$scratch/said" || status=$?
-  if [ "$status" -gt 1 ] || [ ! -s "$scratch/report.pdf" ]; then break; fi
+  said=$({
+    prlimit --cpu="$2:$(($2 + 1))" pdflatex -jobname=report -no-shell-escape -no-parse-first-line -interaction=nonstopmode \
+      -file-line-error -output-directory="$scratch" '\pdftrailerid{}\pdfsuppressptexinfo=-1 \pdfsetrandomseed 1 \input{report.tex}'
+    printf '\n%s\n' "$?"
+  } | tail -n 4)
+  status=${said##*[!0-9]}
+  size=$(printf '%s\n' "$said" | sed -n 's/^Output written on .* (.* \([0-9]*\) bytes)\.$/\1/p')
+  if [ "$status" -gt 1 ] || [ -z "$size" ]; then break; fi
 done
-if [ -s "$scratch/report.log" ]; then cat "$scratch/report.log" >&2; else cat "$scratch/said" >&2; fi
-[ ! -s "$scratch/report.pdf" ] || cat "$scratch/report.pdf" || exit
+if [ -s "$scratch/report.log" ]; then cat "$scratch/report.log" >&2; else printf '%s\n' "$said" >&2; fi
+if [ -n "$size" ] && [ "$(wc -c <"$scratch/report.pdf")" -eq "$size" ]; then cat "$scratch/report.pdf" || exit; fi
 exit "$status")sh";
 
-std::string without(std::string text, const std::string& words) {
-  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
-    text.erase(at, words.size());
+std::string without(const std::string& text, const std::string& words) {
+  std::string result;
+  std::size_t begin = 0;
+  for (auto at = text.find(words); at != text.npos; at = text.find(words, begin)) {
+    result.append(text, begin, at - begin);
+    begin = at + words.size();
   }
-  return text;
+  return result.append(text, begin);
 }
 
 }  // namespace
@@ -126,7 +133,7 @@ Typeset ReportTypesetting::typeset(const fs::path& folder) const {
   const Limits& limits = assignment_.limits;
   const Product made = latex(folder);
   Typeset typeset{made.output.starts_with("%PDF") ? made.output : "",
-                  without(made.errors, sandbox_.scratch() + "/"), ""};
+                  without(made.errors, sandbox_.scratch() + "/"), "", made.end.status == 1};
   const Ending ending = made.end.ending;
   const int status = made.end.status;
   const auto is_ended_by = [&](int signal) { return ending == Ending::crash && status == signal; };
@@ -139,7 +146,7 @@ Typeset ReportTypesetting::typeset(const fs::path& folder) const {
   } else if (ending != Ending::normal) {
     typeset.problem = "LaTeX crashed, or started too many processes";
   } else if (typeset.pdf.empty() && status == 0) {
-    typeset.problem = "there is no page";
+    typeset.problem = "LaTeX says of no page that it is written";
   }
   // A PDF that LaTeX had not finished is none.
   if (!typeset.problem.empty()) typeset.pdf.clear();

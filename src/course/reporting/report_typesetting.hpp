@@ -15,11 +15,13 @@ struct Typeset {
   std::string pdf;      ///< empty if there is none
   std::string log;      ///< as LaTeX wrote it; not for anybody's eyes before shown()
   std::string problem;  ///< what the log cannot tell: a limit that was exceeded; empty if none was
+  bool has_errors = false;  ///< whether LaTeX met any, whatever the log tells
 };
 
 /// Runs gnuplot and pdfLaTeX on folders of reports, in the sandbox and within
 /// Limits::report_seconds, memory_mb, processes and submission_mb. They see the system's TeX and
-/// fonts and the report's folder, write nothing but their product, and LaTeX starts no program.
+/// fonts and the report's folder, write nothing but their product; what LaTeX starts, to make a
+/// font for instance, is in the sandbox too.
 class ReportTypesetting {
  public:
   /// `work` is a folder for its own files. Tries both programs, and throws ToolError with what they

@@ -140,8 +140,10 @@ const std::map<std::string, Expected> hostile = {
     {"dumps_the_checkout", {"LICENSE", ""}},
     {"floods_pages", {"report/report.tex: LaTeX writes a file of more than 1 MB", ""}},
     {"floods_the_log", {"report/report.tex: LaTeX writes a file of more than 1 MB", ""}},
+    {"forges_its_pdf", {"report/report.tex: LaTeX says of no page that it is written", ""}},
     {"has_no_end", {"Emergency stop", ""}},
-    {"hides_its_errors", {"report/report.tex:4:1: Undefined control sequence.", "", true}},
+    {"hides_its_errors", {"report/report.tex:4:1: Undefined control sequence.", ""}},
+    {"hides_its_log", {"report/report.tex: LaTeX met errors that its log does not hold", "", true}},
     {"memory_bomb", {"TeX capacity exceeded", ""}},
     {"never_ends", {"report/report.tex: LaTeX takes longer than 2 s", ""}},
     {"reads_from_the_shell", {"not found", ""}},
@@ -187,6 +189,22 @@ BOOST_AUTO_TEST_CASE(the_same_submission_gives_the_same_bytes_and_the_pdf_names_
       BOOST_TEST(!holds(bytes, word), name << " holds " << word);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(chance_and_time_give_the_same_bytes_or_are_told) {
+  const Desk desk;
+  const std::string chance = replaced(handout_report(), "\\area{}", "\\pdfuniformdeviate 1000000 ");
+  const fs::path finn = desk.submission("finn", chance);
+  BOOST_TEST((desk.marked(finn).at("typeset.pdf") == desk.marked(finn).at("typeset.pdf")));
+
+  desk.made().write("finn/src/square.cpp",
+                    "#include <ctime>\n#include \"toy.hpp\"\n"
+                    "double square(double x) {\n  timespec now{};\n"
+                    "  clock_gettime(CLOCK_MONOTONIC, &now);\n"
+                    "  return x * x + now.tv_nsec;\n}\n");
+  const std::string findings = desk.marked(finn).at("findings.txt");
+  BOOST_TEST(holds(findings, "report/figures.cpp: generated/numbers.tex differs from run to run\n"),
+             findings);
 }
 
 BOOST_AUTO_TEST_CASE(what_was_handed_in_is_held_against_what_the_functions_give) {
@@ -344,25 +362,41 @@ BOOST_AUTO_TEST_CASE(files_that_a_program_leaves_are_read_as_a_submission_is) {
   const Desk desk;
   const fs::path eve = desk.submission("eve", handout_report());
   const auto leaves = [&](const std::string& statement) {
-    desk.made().write("eve/src/square.cpp",
-                      "#include <cstdlib>\n#include <unistd.h>\n#include \"toy.hpp\"\n"
-                      "struct Last {\n  ~Last() { " +
-                          statement +
-                          "; }\n} last;\n"
-                          "double square(double x) { return x * x; }\n");
+    desk.made().write(
+        "eve/src/square.cpp",
+        "#include <fcntl.h>\n#include <unistd.h>\n#include <cstdlib>\n#include <string>\n"
+        "#include \"toy.hpp\"\n"
+        "struct Last {\n  ~Last() { " +
+            statement +
+            "; }\n} last;\n"
+            "double square(double x) { return x * x; }\n");
     return desk.marked(eve);
   };
 
   const Files link = leaves(
       "unlink(\"/tmp/generated/numbers.tex\"); "
       "symlink(\"/etc/passwd\", \"/tmp/generated/numbers.tex\")");
-  BOOST_TEST(holds(link.at("findings.txt"), "its files cannot be read: is empty, or not a file"),
+  BOOST_TEST(holds(link.at("findings.txt"), "generated/numbers.tex is empty, or not a file"),
              link.at("findings.txt"));
   BOOST_TEST(!link.contains("numbers.tex"));
 
   const Files large = leaves("truncate(\"/tmp/generated/numbers.tex\", 4000000)");
   BOOST_TEST(holds(large.at("findings.txt"), "report/figures.cpp: "), large.at("findings.txt"));
   BOOST_TEST(!large.contains("numbers.tex"));
+
+  const Files long_name = leaves(
+      "close(creat((\"/tmp/generated/\" + std::string(250, 'x') + \".dat\").c_str(), 0600))");
+  BOOST_TEST(long_name.at("findings.txt") == "");
+
+  const Files holes = leaves(
+      "for (const char* file : {\"/tmp/generated/a.dat\", \"/tmp/generated/b.dat\"}) "
+      "if (const int d = creat(file, 0600); d >= 0) pwrite(d, \"x\", 1, 900000)");
+  BOOST_TEST(holds(holes.at("findings.txt"), "report/figures.cpp: its files hold more than 1 MB"),
+             holes.at("findings.txt"));
+
+  const Files none = leaves("unlink(\"/tmp/generated/numbers.tex\")");
+  BOOST_TEST(holds(none.at("findings.txt"), "report/figures.cpp: there is no numbers.tex"),
+             none.at("findings.txt"));
 
   const Files flood = leaves("std::system(\"yes >/tmp/generated/more.dat\")");
   BOOST_TEST(holds(flood.at("findings.txt"), "report/figures.cpp: "), flood.at("findings.txt"));

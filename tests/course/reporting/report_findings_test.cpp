@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/reporting/report_findings.hpp"
 
+#include <fmt/core.h>
+
 #include <boost/test/unit_test.hpp>
 
 BOOST_AUTO_TEST_SUITE(report_findings_test)
@@ -14,12 +16,19 @@ using Lines = std::vector<std::string>;
 const std::string computed =
     "\\newcommand*\\halfwidth{0.52221\\,mm}\n\\newcommand*\\approach{0.0538\\,mm}\n";
 
+Lines all_findings(const ReportTexts& texts) {
+  Lines findings = findings_of_commands(texts);
+  const Lines of_numbers = findings_of_numbers(texts);
+  findings.insert(findings.end(), of_numbers.begin(), of_numbers.end());
+  return findings;
+}
+
 std::string report(const std::string& body) {
   return "\\documentclass{article}\n\\begin{document}\n" + body + "\n\\end{document}\n";
 }
 
 void check(const ReportTexts& texts, const Lines& expected) {
-  const Lines findings = report_findings(texts);
+  const Lines findings = all_findings(texts);
   BOOST_TEST(findings == expected, boost::test_tools::per_element());
 }
 
@@ -64,9 +73,9 @@ BOOST_AUTO_TEST_CASE(a_number_that_the_report_defines_anew_is_told_however_that_
   for (const char* definition :
        {"\\renewcommand*\\approach{5}", "\\renewcommand{\\approach}{5}", "\\def\\approach{5}",
         "\\gdef \\approach{5}", "\\let\\approach=\\relax", "\\newcommand% why\n\\approach{5}"}) {
-    const Lines findings = report_findings(
+    const Lines findings = findings_of_commands(
         {.report = report(definition), .handed_in = "", .computed = computed, .log = ""});
-    BOOST_REQUIRE(findings.size() == 1U);
+    BOOST_REQUIRE(!findings.empty());
     BOOST_TEST(findings[0].ends_with(": \\approach is defined anew, but numbers.tex gives it"),
                findings[0]);
   }
@@ -75,6 +84,37 @@ BOOST_AUTO_TEST_CASE(a_number_that_the_report_defines_anew_is_told_however_that_
          .computed = computed,
          .log = ""},
         {});
+}
+
+BOOST_AUTO_TEST_CASE(a_command_that_could_hide_something_is_told_once_where_it_stands_first) {
+  const std::string says = " is not needed in an ordinary report; see what it does";
+  for (const std::string command :
+       {"\\csname", "\\catcode", "\\iffalse", "\\openout", "\\pdfcatalog", "\\expandafter",
+        "\\renewenvironment", "\\number", "\\input"}) {
+    check({.report = report("It is " + command + " so, " + command + " and so."),
+           .handed_in = "",
+           .computed = computed,
+           .log = ""},
+          {"report/report.tex:3:7: " + command + says});
+  }
+  check({.report = report("It is ^^30."), .handed_in = "", .computed = computed, .log = ""},
+        {"report/report.tex:3:7: ^^" + says});
+  check({.report = report("\\input{generated/numbers.tex} \\section{x} \\verb|catcode|"),
+         .handed_in = "",
+         .computed = computed,
+         .log = ""},
+        {});
+}
+
+BOOST_AUTO_TEST_CASE(more_errors_than_are_told_are_said_to_be_there) {
+  std::string log;
+  for (int i = 0; i < 101; ++i) log += fmt::format("./report.tex:{}: Missing $ inserted.\n", i + 1);
+
+  const Lines findings =
+      findings_of_commands({.report = report("x"), .handed_in = "", .computed = "", .log = log});
+
+  BOOST_REQUIRE(findings.size() == 101U);
+  BOOST_TEST(findings.back() == "report/report.tex: there are more errors in typeset.log");
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_were_handed_in_and_are_not_computed_are_told) {
@@ -105,10 +145,10 @@ BOOST_AUTO_TEST_CASE(bytes_that_are_no_utf8_are_told_and_hinder_nothing) {
 
 BOOST_AUTO_TEST_CASE(a_finding_is_one_line_that_turns_no_text) {
   const Lines findings =
-      report_findings({.report = report("x"),
-                       .handed_in = "\\newcommand*\\halfwidth{1\u202E\n\x1b[31m2}\n",
-                       .computed = computed,
-                       .log = "./report.tex:3: say \x1b[31m it\u202E.\n"});
+      all_findings({.report = report("x"),
+                    .handed_in = "\\newcommand*\\halfwidth{1\u202E\n\x1b[31m2}\n",
+                    .computed = computed,
+                    .log = "./report.tex:3: say \x1b[31m it\u202E.\n"});
   BOOST_TEST(!findings.empty());
   for (const std::string& finding : findings) {
     for (const char* bad : {"\n", "\x1b", "\u202E"}) {
