@@ -8,8 +8,9 @@
 #   ONLY=id          mutants: this one alone
 #   NAME=name        figure: which
 #   TARGET=name      why: another target, or a file that is built
-#   STUDENT=id SEED=text   handout: that student's own; SEED also of handouts, check-variants and grade;
-#                    SEED_FILE=file instead keeps it off the command line, which everybody on the machine can read
+#   STUDENT=id       handout: that student's own; needs the seed
+#   SEED_FILE=file   handout, handouts, check-variants, grade, marking, results, release-feedback, gradescope: file of the seed
+#   SEED=text        the same, on the command line, which everybody on the machine can read
 #   UPDATE=1         handout: write to wrong_solutions.toml what the wrong solutions score, for review
 #   ROSTER=file      handouts, check-variants, grade, results, release-feedback: who the students are; J=n of them at a time
 #   SUBMISSIONS=dir  grade, likeness, marking, results, release-feedback: what they handed in

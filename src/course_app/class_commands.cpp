@@ -177,10 +177,21 @@ course::ClassMarks marks_of(const ClassOptions& options, const course::Assignmen
   return marks;
 }
 
+/// What is said if there is a rubric and --marks is not given; empty otherwise.
+std::string missing_marks(const ClassOptions& options, const course::Assignment& assignment) {
+  return options.marks.empty() ? course::without_markers_file(assignment) : "";
+}
+
+void warn_of_missing_marks(const ClassOptions& options, const course::Assignment& assignment) {
+  const std::string missing = missing_marks(options, assignment);
+  if (!missing.empty()) fmt::print(stderr, "{}: warning: {}\n", program_name(), missing);
+}
+
 ExitCode collect(const ClassOptions& options) {
   const course::Assignment assignment = read_assignment(options);
   const course::ClassMarks marks = marks_of(options, assignment);
   sys::write_file_atomically(options.output, course::marks_csv(assignment, marks));
+  warn_of_missing_marks(options, assignment);
   return answer_faults(marks.problems);
 }
 
@@ -211,13 +222,16 @@ ExitCode results(const ClassOptions& options) {
   std::error_code none;  // an old one must not look like a new one
   fs::remove(fs::path(options.output) / "canvas.csv", none);
   if (canvas) put("canvas.csv", canvas->csv);
+  warn_of_missing_marks(options, assignment);
   return answer_faults(marks.problems);
 }
 
 ExitCode release_feedback(const ClassOptions& options) {
   const course::Assignment assignment = read_assignment(options);
   const course::ClassMarks marks = marks_of(options, assignment);
-  const std::vector<std::string> reasons = course::reasons_to_wait(marks);
+  std::vector<std::string> reasons = course::reasons_to_wait(marks);
+  const std::string missing = missing_marks(options, assignment);
+  if (!missing.empty()) reasons.push_back(missing);
   if (!reasons.empty()) return answer_faults(reasons);
   course::release_feedback(assignment, options.grades, marks, regrades_of(options, assignment),
                            options.output);

@@ -18,6 +18,9 @@ claim 'help succeeds' "$status" -eq 0
 for target in report reports html figures figure check-report test test-all mutants bench verify fresh dist why watch tidy format setup clean help; do
   claim "help tells what $target does" "$(says "make $target ")" = yes
 done
+for variable in STUDENT=id SEED_FILE=file SEED=text ROSTER=file MARKS=file; do
+  claim "help has a line for $variable" "$(printf '%s\n' "$said" | grep -c "^ *$variable ")" = 1
+done
 
 # Names that CMake or Ninja would take for something else, such as a[bc].toml for a pattern
 for name in 'a;b' 'a\b' 'a|b' 'a?b' 'a[bc]' 'a

@@ -38,6 +38,39 @@ std::string outcome_text(const Regrade& regrade) {
   return fmt::format("It stays as it is. {} ({})", regrade.answer, regrade.marker);
 }
 
+/// The child of that name, counted from 0; none if there are fewer.
+pugi::xml_node nth_child(pugi::xml_node parent, const char* name, std::size_t n) {
+  pugi::xml_node child = parent.child(name);
+  while (n-- > 0) child = child.next_sibling(name);
+  return child;
+}
+
+/// Writes what a check gives that was marked again into its row. Throws OutputError if there is no
+/// such row.
+void write_regraded(pugi::xml_node row, const CheckEntry& check, double points) {
+  if (!row || row.first_child() == row.last_child()) {
+    throw sys::OutputError(fmt::format("there is no row of {}", check.id));
+  }
+  row.remove_attribute("class");
+  if (points < check.points) row.append_attribute("class") = "lost";
+  add_element(row.first_child(), "div", "marked again", "note");
+  row.last_child().text().set(fmt::format("{} / {}", points, check.points).c_str());
+}
+
+/// Makes the rows add up to the mark. The page does not hold the ids of checks, since students do
+/// not know those of hidden ones, but it has a table for each exercise and a row for each check.
+void write_all_regraded(pugi::xml_node body, const Assignment& assignment, const Mark& mark) {
+  for (std::size_t i = 0; i < assignment.exercises.size(); ++i) {
+    const std::vector<CheckEntry>& checks = assignment.exercises[i].checks;
+    const pugi::xml_node table = nth_child(body, "table", i);
+    for (std::size_t k = 0; k < checks.size(); ++k) {
+      const std::string& id = checks[k].id;
+      if (std::ranges::find(mark.regraded, id) == mark.regraded.end()) continue;
+      write_regraded(nth_child(table, "tr", k), checks[k], mark.checks.at(id));
+    }
+  }
+}
+
 void add_regrades(pugi::xml_node body, const Assignment& assignment,
                   const std::vector<Regrade>& regrades) {
   if (regrades.empty()) return;
@@ -89,6 +122,10 @@ std::string final_feedback(const Assignment& assignment, const std::string& page
   if (!is_read || !mark) throw sys::OutputError("it is no feedback that `grade` wrote");
   write_mark(mark, most, student);
   body.remove_child(body.find_child_by_attribute("p", "id", "deduction"));  // the mark tells it
+  if (!student.mark->criteria.empty()) {
+    body.remove_child(body.find_child_by_attribute("p", "id", "report"));  // the criteria tell it
+  }
+  write_all_regraded(body, assignment, *student.mark);
   add_report(body, assignment, *student.mark);
   add_regrades(body, assignment, regrades);
   return page_text(document);

@@ -23,11 +23,19 @@ bool holds(const std::vector<std::string>& list, const std::string& text) {
   return std::ranges::find(list, text) != list.end();
 }
 
+/// Whether none of an exercise's checks gave a point.
+bool has_no_point(const Exercise& exercise, const Mark& mark) {
+  return std::ranges::all_of(exercise.checks, [&](const CheckEntry& check) {
+    return are_same_points(mark.checks.at(check.id), 0);
+  });
+}
+
 bool is_met(const Assignment& assignment, const MistakePattern& pattern, const Mark& mark) {
   bool loses = false;
   for (const Exercise& exercise : assignment.exercises) {
     if (!holds(pattern.exercises, exercise.id)) continue;
     if (holds(mark.missing, exercise.id) || holds(mark.not_compiling, exercise.id)) return false;
+    if (has_no_point(exercise, mark)) return false;
     for (const CheckEntry& check : exercise.checks) {
       const Part part = part_of(check, pattern.points.at(check.id));
       if (part_of(check, mark.checks.at(check.id)) != part) return false;
@@ -35,6 +43,20 @@ bool is_met(const Assignment& assignment, const MistakePattern& pattern, const M
     }
   }
   return loses;
+}
+
+/// Who has no point in an exercise, although the file that was handed in, if any, compiles.
+Met not_done(const Exercise& exercise, const ClassMarks& marks) {
+  Met none{.pattern = {.id = "not done",
+                       .says = "no point in " + exercise.id,
+                       .exercises = {exercise.id},
+                       .points = {}},
+           .students = {}};
+  for (const StudentMark& student : marks.students) {
+    if (!student.mark || holds(student.mark->not_compiling, exercise.id)) continue;
+    if (has_no_point(exercise, *student.mark)) none.students.push_back(student.student);
+  }
+  return none;
 }
 
 }  // namespace
@@ -51,6 +73,11 @@ std::vector<Met> met_mistakes(const Assignment& assignment,
       }
     }
     all.push_back(std::move(met));
+  }
+  if (patterns.empty()) return all;
+  for (const Exercise& exercise : assignment.exercises) {
+    Met none = not_done(exercise, marks);
+    if (!none.students.empty()) all.push_back(std::move(none));
   }
   return all;
 }

@@ -116,10 +116,12 @@ void add_mistakes(pugi::xml_node body, const std::vector<Met>& met) {
     add_element(body, "p", "Nothing is known of wrong solutions; make handout tries them.", "note");
     return;
   }
-  add_element(body, "p",
-              "Who lost points in the same checks as a wrong solution. Those with one pattern "
-              "cannot be told apart.",
-              "note");
+  add_element(
+      body, "p",
+      "Who lost points in the same checks as a wrong solution. Those with one pattern "
+      "cannot be told apart. Who has no point in an exercise has not done it, and made none of "
+      "its mistakes.",
+      "note");
   pugi::xml_node table = add_table(body, {"wrong solution", "students", "how many"});
   Row never;
   for (const Met& one : met) {

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "course/assignment/student_text.hpp"
@@ -20,6 +21,15 @@ namespace {
 
 constexpr std::array<const char*, 5> rubric_columns = {"student", "criterion", "points", "comment",
                                                        "marker"};
+
+constexpr const char* drawn_name = "report-";
+constexpr std::size_t n_drawn_digits = 10;
+
+/// Whether a name looks like one of anonymous_names.
+bool is_drawn(std::string_view name) {
+  return name.starts_with(drawn_name) &&
+         name.size() == std::string_view(drawn_name).size() + n_drawn_digits;
+}
 
 [[noreturn]] void fail_at(const CsvField& field, const std::string& message) {
   throw sys::SourceError(field.place + ": " + message);
@@ -81,7 +91,8 @@ class RubricReader {
             .mark = {.points = points_of_line(row, *known),
                      .comment = row[at_["comment"]].text,
                      .marker = row[at_["marker"]].text},
-            .place = student.place};
+            .place = student.place,
+            .is_drawn_name = units_.empty() && is_drawn(student.text)};
   }
 
   double points_of_line(const CsvRow& row, const Criterion& criterion) {
@@ -122,12 +133,11 @@ std::string what_is_open(const Assignment& assignment, const StudentMark& studen
 
 std::map<std::string, std::string> anonymous_names(const std::vector<std::string>& units,
                                                    const std::string& seed) {
-  constexpr std::size_t n_digits = 10;
   std::map<std::string, std::string> names;
   std::set<std::string> known;
   for (const std::string& unit : units) {
     const std::string digest = sys::sha256_of_text("report\n" + seed + "\n" + unit);
-    names[unit] = "report-" + digest.substr(0, n_digits);
+    names[unit] = drawn_name + digest.substr(0, n_drawn_digits);
     if (!known.insert(names[unit]).second) throw std::logic_error("two reports have one name");
   }
   return names;
@@ -139,9 +149,18 @@ std::vector<RubricLine> read_rubric_lines(const Assignment& assignment,
   return RubricReader(assignment, file, names).read();
 }
 
+std::string without_markers_file(const Assignment& assignment) {
+  if (assignment.criteria.empty()) return "";
+  return fmt::format(
+      "the rubric has criteria worth {} points for the report, and MARKS=file (--marks), which "
+      "says what each report has of them, is missing",
+      assignment.report_points());
+}
+
 void apply_rubric(const Assignment& assignment, const std::vector<RubricLine>& lines,
                   ClassMarks& marks) {
   marks.most += assignment.report_points();
+  bool is_seed_missing = false;
   for (const RubricLine& line : lines) {
     bool is_found = false;
     for (StudentMark& student : marks.students) {
@@ -149,7 +168,13 @@ void apply_rubric(const Assignment& assignment, const std::vector<RubricLine>& l
       is_found = true;
       student.mark->criteria[line.criterion] = line.mark;
     }
-    if (!is_found) {
+    if (!is_found && line.is_drawn_name) {
+      if (is_seed_missing) continue;
+      is_seed_missing = true;
+      marks.problems.push_back(fmt::format(
+          "{}: student: these names are drawn from the seed: give SEED_FILE=file (--seed-file)",
+          line.place));
+    } else if (!is_found) {
       marks.problems.push_back(
           fmt::format("{}: student: {} has no mark", line.place, shown_name(line.unit)));
     }
@@ -162,7 +187,7 @@ void apply_rubric(const Assignment& assignment, const std::vector<RubricLine>& l
       }
     }
     std::string open = what_is_open(assignment, student);
-    if (!open.empty()) marks.problems.push_back(std::move(open));
+    if (!open.empty() && !is_seed_missing) marks.problems.push_back(std::move(open));
     student.mark->add_up();
   }
 }

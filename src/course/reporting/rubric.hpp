@@ -22,7 +22,8 @@ struct RubricLine {
   std::string unit;  ///< student or group
   std::string criterion;
   CriterionMark mark;
-  std::string place;  ///< «file:line:column» of the student
+  std::string place;           ///< «file:line:column» of the student
+  bool is_drawn_name = false;  ///< the student is a name that was drawn, and the seed is not given
 };
 
 /// Reads the markers' file, CSV with the columns student, criterion, points, comment and marker;
@@ -34,9 +35,14 @@ std::vector<RubricLine> read_rubric_lines(const Assignment& assignment,
                                           const std::filesystem::path& file,
                                           const std::map<std::string, std::string>& names);
 
+/// Says that the points of the report are missing where the rubric has criteria and no markers'
+/// file is given; empty without a rubric.
+std::string without_markers_file(const Assignment& assignment);
+
 /// Gives each student with a mark, or all members of a group, what the lines say, and adds up anew;
 /// who handed in no report has nothing for each criterion. What is still to be marked, and a line
-/// for somebody without a mark, become problems of the class.
+/// for somebody without a mark, become problems of the class; of lines whose names were drawn from
+/// a seed that is not given only the first one does.
 void apply_rubric(const Assignment& assignment, const std::vector<RubricLine>& lines,
                   ClassMarks& marks);
 

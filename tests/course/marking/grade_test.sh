@@ -124,8 +124,22 @@ claim 'whose folder has it' "$(find "$scratch/one/marking" -name report.tex | wc
 claim 'each is typeset' "$(find "$scratch/one/marking" -name typeset.pdf | wc -l | tr -d ' ')" = 2
 claim 'and what does not compile is told beside it' "$(cat "$scratch"/one/marking/*/findings.txt | grep -c "'nothing' was not declared")" = 1
 claim 'and nothing tells whose it is' -z "$(find "$scratch/one/marking" -name '*alice*' -o -name '*bob*')"
+course_script results
+claim 'who forgets what markers gave is warned' \
+  "$status $(says 'warning: the rubric has criteria worth 6 points for the report, and MARKS=file (--marks)')" = '0 yes'
+cp -R "$scratch/one/feedback" "$scratch/feedback.before"
+course_script release-feedback
+claim 'and no feedback goes out without it' \
+  "$status $(says 'the rubric has criteria worth 6 points for the report, and MARKS=file (--marks)')" = '1 yes'
+claim 'then the old pages stay' -z "$(diff -r "$scratch/feedback.before" "$scratch/one/feedback" 2>&1)"
+runs "$course" collect "$scratch/one/grades" --assignment "$scratch/marked" --output "$scratch/collected.csv"
+claim 'nor is the table made without a word' "$status $(printf '%s\n' "$said" | grep -c 'warning: the rubric')" = '0 1'
 course_script results MARKS=one/marking/marks.csv
 claim 'what is not marked yet is told' "$status $(says 'the report of alice is not marked: words')" = '1 yes'
+sed 's/words,,,/words,4.5,,br/' "$form" >"$scratch/drawn.csv"
+course_script results MARKS=drawn.csv SEED=
+claim 'who forgets the seed of drawn names is told once' \
+  "$status $(printf '%s\n' "$said" | grep -c 'student: these names are drawn from the seed: give SEED_FILE=file')" = '1 1'
 sed -i 's/words,,,/words,4.5,"good, short",br/' "$form"
 course_script release-feedback MARKS=one/marking/marks.csv
 claim 'the points of the report count' "$status $(grep -c 'alice: 104.5 of 106 points' "$scratch/one/feedback/alice.html")" = '0 1'

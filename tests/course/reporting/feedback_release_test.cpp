@@ -24,6 +24,7 @@ std::string page() {
                     {"square-values", 1.5, "hidden message"},
                     {"sum-order", 0, "is no\n  sum"},
                     {"sum-values", 0, ""}};
+  graded.submission.has_report = true;
   graded.compile_errors = {{"sum", "  error:\n\n  a < b && c"}};
   return feedback_html(toy_grading::assignment(), graded, {"<svg><text>  x </text></svg>"});
 }
@@ -73,6 +74,50 @@ BOOST_AUTO_TEST_CASE(a_decision_is_told_with_its_reason_and_changes_the_mark) {
   BOOST_TEST(
       has(final_page({regrade(RegradeOutcome::refused)}), "It stays as it is. So it is. (br)"));
   BOOST_TEST(has(final_page({regrade(RegradeOutcome::open)}), "It is not decided yet."));
+}
+
+BOOST_AUTO_TEST_CASE(the_row_of_a_check_that_was_marked_again_has_its_new_points) {
+  const std::string before = "<div class=\"note\">hidden check</div>";
+  BOOST_REQUIRE(has(page(), before + "</td><td>1.5 / 6</td>"));
+
+  const std::string granted = final_page({regrade(RegradeOutcome::granted)});
+
+  const std::string again = before + "<div class=\"note\">marked again</div></td>";
+  BOOST_TEST(has(granted, again + "<td>5 / 6</td>"));
+  BOOST_TEST(!has(granted, "1.5 / 6"));
+  BOOST_TEST(!has(granted, "square-values"));  // the id of a hidden check
+  Regrade in_full = regrade(RegradeOutcome::granted);
+  in_full.points = 6;
+  BOOST_TEST(has(final_page({in_full}),
+                 "<tr><td><div>squares at points of your own</div>" + again + "<td>6 / 6</td>"));
+  BOOST_TEST(has(final_page({regrade(RegradeOutcome::refused)}), before + "</td><td>1.5 / 6</td>"));
+}
+
+BOOST_AUTO_TEST_CASE(a_page_without_the_row_of_a_check_is_refused) {
+  ClassMarks marks = toy_class::marks();
+  const std::vector<Regrade> regrades = {regrade(RegradeOutcome::granted)};
+  apply_regrades(regrades, marks);
+
+  const std::string message = message_of<sys::OutputError>([&] {
+    final_feedback(toy_grading::assignment(), "<html><body><p id=\"mark\"/></body></html>",
+                   marks.most, marks.students[1], regrades);
+  });
+
+  BOOST_TEST(message == "there is no row of square-values");
+}
+
+BOOST_AUTO_TEST_CASE(the_report_is_said_to_be_marked_until_its_points_are_there) {
+  BOOST_TEST(has(page(), "The report is marked by a person."));
+  BOOST_TEST(has(final_page({}), "The report is marked by a person."));
+  Assignment assignment = toy_grading::assignment();
+  assignment.criteria = {{.id = "words", .title = "Words", .says = "is it said?", .points = 4}};
+  ClassMarks marks = toy_class::marks();
+  marks.students[1].mark->criteria["words"] = {.points = 3, .comment = {}, .marker = "br"};
+
+  const std::string marked = final_feedback(assignment, page(), 24, marks.students[1], {});
+
+  BOOST_TEST(!has(marked, "is marked by a person"));
+  BOOST_TEST(has(marked, "<td>3 / 4</td>"));
 }
 
 BOOST_AUTO_TEST_CASE(students_get_their_pages_and_nothing_else) {

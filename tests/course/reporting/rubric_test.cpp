@@ -122,6 +122,32 @@ BOOST_AUTO_TEST_CASE(what_is_not_marked_is_told) {
   BOOST_TEST(all.problems[2] == "the report of bob is not marked: words, figures");
 }
 
+BOOST_AUTO_TEST_CASE(drawn_names_without_the_seed_are_told_once) {
+  const auto names = anonymous_names({"alice", "bob"}, "autumn 27");
+  const std::string lines =
+      names.at("alice") + ",words,4,,br\n" + names.at("bob") + ",words,3,,br\nzoe,words,1,,br\n";
+  ClassMarks all = marks();
+
+  apply_rubric(assignment(), read(lines), all);
+
+  BOOST_REQUIRE(all.problems.size() == 2U);
+  BOOST_TEST(all.problems[0].ends_with(
+      "marks.csv:2:1: student: these names are drawn from the seed: give SEED_FILE=file "
+      "(--seed-file)"));
+  BOOST_TEST(all.problems[1].ends_with("marks.csv:4:1: student: zoe has no mark"));
+  all = marks();
+  apply_rubric(assignment(), read(lines, anonymous_names({"alice"}, "autumn 28")), all);
+  BOOST_TEST(all.problems[0].ends_with(names.at("alice") + " has no mark"));
+}
+
+BOOST_AUTO_TEST_CASE(a_rubric_without_the_markers_file_is_told) {
+  BOOST_TEST(without_markers_file(toy_grading::assignment()).empty());
+  BOOST_TEST(
+      without_markers_file(assignment()) ==
+      "the rubric has criteria worth 10 points for the report, and MARKS=file (--marks), which "
+      "says what each report has of them, is missing");
+}
+
 BOOST_AUTO_TEST_CASE(names_of_reports_do_not_tell_the_student_and_stand_for_them) {
   const auto names = anonymous_names({"alice", "bob"}, "autumn 27");
 
