@@ -6,7 +6,8 @@
 #include <thread>
 
 // The children of a thread that is not the first; each stays within its own limit. None ends before
-// all have had their memory for longer than it is between two looks, also on a busy machine.
+// all have had their memory for longer than it is between two looks, also on a busy machine. They are
+// no larger than they must be, since more would take long enough to be told as too slow there.
 double square(double x) {
   int n_full = 0;
   std::thread([&] {
@@ -14,8 +15,9 @@ double square(double x) {
     if (pipe(full) != 0 || pipe(release) != 0) return;
     for (int i = 0; i < 3; ++i) {
       if (fork() != 0) continue;
-      char* memory = new char[200 << 20];
-      std::memset(memory, 1, 200 << 20);
+      constexpr std::size_t n_bytes = 175 << 20;
+      char* memory = new char[n_bytes];
+      std::memset(memory, 1, n_bytes);
       char byte = memory[i];
       close(release[1]);
       if (write(full[1], &byte, 1) == 1 && read(release[0], &byte, 1) == 0) _exit(0);
