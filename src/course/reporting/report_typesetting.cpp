@@ -146,7 +146,7 @@ Typeset ReportTypesetting::typeset(const fs::path& folder) const {
   } else if (ending != Ending::normal) {
     typeset.problem = "LaTeX crashed, or started too many processes";
   } else if (typeset.pdf.empty() && status == 0) {
-    typeset.problem = "LaTeX says of no page that it is written";
+    typeset.problem = "LaTeX does not say that it wrote a page";
   }
   // A PDF that LaTeX had not finished is none.
   if (!typeset.problem.empty()) typeset.pdf.clear();

@@ -140,7 +140,7 @@ const std::map<std::string, Expected> hostile = {
     {"dumps_the_checkout", {"LICENSE", ""}},
     {"floods_pages", {"report/report.tex: LaTeX writes a file of more than 1 MB", ""}},
     {"floods_the_log", {"report/report.tex: LaTeX writes a file of more than 1 MB", ""}},
-    {"forges_its_pdf", {"report/report.tex: LaTeX says of no page that it is written", ""}},
+    {"forges_its_pdf", {"report/report.tex: LaTeX does not say that it wrote a page", ""}},
     {"has_no_end", {"Emergency stop", ""}},
     {"hides_its_errors", {"report/report.tex:4:1: Undefined control sequence.", ""}},
     {"hides_its_log", {"report/report.tex: LaTeX met errors that its log does not hold", "", true}},
