@@ -319,8 +319,8 @@ void tabulate_contest(literate::Document& document, const PrintedData& printed_d
     farthest_energy = farther(farthest_energy, 0.01 * energy);
   }
   document.table(table);
-  document.value("fit.any-resultant", Value(farthest_resultant, percent(2).rounded_up()));
-  document.value("fit.any-energy", Value(farthest_energy, percent(2).rounded_up()));
+  document.value("fit.any-resultant", Value(farthest_resultant, percent(2)));
+  document.value("fit.any-energy", Value(farthest_energy, percent(2)));
 }
 
 // How the pressure falls from the middle to the ends of the load: what the displacements tell of
