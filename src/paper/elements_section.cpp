@@ -196,8 +196,7 @@ Estimate finest_over_fit(literate::Document& document, const parameters::Contact
   }
   const double ratio = std::sqrt(squares);
   const Estimate of_fit{ratio, bound + of_factors * ratio};
-  const Estimate off{std::abs(ratio - 1), of_fit.abs_error};
-  document.value("large.off-fit", Value(off, percent(0).rounded_up()));
+  document.value("large.over-fit", Value(of_fit, fixed(1)));
   document.value("large.n-grids", Value(n_edge_places, integer()));
   return of_fit;
 }
