@@ -102,15 +102,19 @@ class LevelSolver {
     contact::ContactSearch search;
     for (int revision = 0; revision < contact::max_revisions; ++revision) {
       gradients_.start(state_);
-      bool settled = gradients_.error() > tolerance / 2 || revise(search, tolerance);
-      for (double wanted = gradients_.error(); settled && wanted > tolerance / 2;) {
-        wanted = std::max(tolerance / 2, enough_to_look * wanted);
+      bool is_done = revision == 0 && gradients_.error() <= tolerance / 2;
+      bool settled = !is_done || revise(search, tolerance);
+      while (settled && !is_done) {
+        // At least a step after a revision, before which nodes that have entered carry nothing
+        const double error = gradients_.error();
+        const double least = error > tolerance / 2 ? tolerance / 2 : 0;
+        const double wanted = std::max(least, enough_to_look * error);
         for (int step = 0; step < max_steps && gradients_.error() > wanted; ++step) {
           gradients_.step();
         }
         settled = revise(search, tolerance);
         // If rounding stops the convergence, the caller checks the error that is left.
-        if (settled && !(gradients_.error() <= wanted)) return;
+        is_done = wanted <= tolerance / 2 || !(gradients_.error() <= wanted);
       }
       if (settled) return;
     }

@@ -10,6 +10,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// The share θ of w that is taken off. All of it would leave a uniform residual without an answer.
+constexpr double share_taken_off = 0.8;
+
 }  // namespace
 
 template <class RowSum>
@@ -34,28 +37,27 @@ ProjectedCg::ProjectedCg(InfluenceOperator& influence, const Grid& grid, const R
       control_(control),
       correction_(grid.size()),
       direction_(grid.size()),
-      product_(grid.size()) {}
+      product_(grid.size()),
+      weight_(grid.size()) {}
 
 // begin excerpt: projected-cg-3d
 void ProjectedCg::start(ContactState& state) {
   state_ = &state;
   const ContactMask& in_contact = state.in_contact;
-  if (control_ == Control::load) {
-    // The preconditioned uniform gap, of which a multiple is later subtracted to keep Σφ constant.
-    for_rows([&](Index from, Index to) {
-      for (Index i = from; i < to; ++i) product_[i] = in_contact[i] ? 1 : 0;
-    });
-    influence_.precondition(product_, uniform_answer_);
-    ++work_.preconditionings;
-    total_of_uniform_answer_ = sum([&](Index from, Index to) {
-      double total = 0;
-      for (Index i = from; i < to; ++i) {
-        if (!in_contact[i]) uniform_answer_[i] = 0;
-        total += uniform_answer_[i];
-      }
-      return total;
-    });
-  }
+  // w = C⁻¹1 in contact
+  for_rows([&](Index from, Index to) {
+    for (Index i = from; i < to; ++i) product_[i] = in_contact[i] ? 1 : 0;
+  });
+  influence_.precondition(product_, weight_);
+  ++work_.preconditionings;
+  total_weight_ = sum([&](Index from, Index to) {
+    double row = 0;
+    for (Index i = from; i < to; ++i) {
+      if (!in_contact[i]) weight_[i] = 0;
+      row += weight_[i];
+    }
+    return row;
+  });
   precondition_gap();
   direction_ = correction_;
 }
@@ -92,8 +94,8 @@ void ProjectedCg::step() {
   ++work_.products;
 }
 
-// z = M r with the residual r = −gap in contact, shifted so that Σz = 0, which changes δ and every
-// gap by a constant. Keeps (r, z) as well.
+// z = M r = C⁻¹r − θ w r with the residual r = −gap in contact, shifted so that Σz = 0, which changes
+// δ and every gap by a constant; M1 = (1 − θ)w. Keeps (r, z) as well.
 void ProjectedCg::precondition_gap() {
   VectorXd& gap = state_->gap;
   const ContactMask& in_contact = state_->in_contact;
@@ -105,16 +107,17 @@ void ProjectedCg::precondition_gap() {
   const double total = sum([&](Index from, Index to) {
     double row = 0;
     for (Index i = from; i < to; ++i) {
-      if (!in_contact[i]) correction_[i] = 0;
+      correction_[i] = in_contact[i] ? correction_[i] + share_taken_off * weight_[i] * gap[i] : 0;
       row += correction_[i];
     }
     return row;
   });
   if (control_ == Control::load) {
-    const double shift = total / total_of_uniform_answer_;
+    const double share_left = 1 - share_taken_off;
+    const double shift = total / (share_left * total_weight_);
     for_rows([&](Index from, Index to) {
       const Index n = to - from;
-      correction_.segment(from, n) -= shift * uniform_answer_.segment(from, n);
+      correction_.segment(from, n) -= shift * share_left * weight_.segment(from, n);
       gap.segment(from, n).array() += shift;
     });
     state_->approach -= shift;

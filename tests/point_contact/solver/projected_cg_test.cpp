@@ -25,18 +25,18 @@ const ElementPotential element(Element::pyramid, grid.lattice);
 const RowTeam team(1);
 
 // A disk of nodes in contact, half of them with a pressure of 1, on a paraboloid.
-ContactState first_guess(InfluenceOperator& influence, double approach) {
+ContactState first_guess(InfluenceOperator& influence, double approach, const Grid& nodes = grid) {
   ContactState state;
-  state.phi = VectorXd::Zero(grid.size());
-  state.in_contact.resize(grid.size());
-  VectorXd h(grid.size());
-  for (Index j = 0; j < grid.n2; ++j) {
-    for (Index i = 0; i < grid.n1; ++i) {
-      const Index k = grid.index(i, j);
-      const double r = grid.node(i, j).norm();
+  state.phi = VectorXd::Zero(nodes.size());
+  state.in_contact.resize(nodes.size());
+  VectorXd h(nodes.size());
+  for (Index j = 0; j < nodes.n2; ++j) {
+    for (Index i = 0; i < nodes.n1; ++i) {
+      const Index k = nodes.index(i, j);
+      const double r = nodes.node(i, j).norm();
       h[k] = r * r / 2;
       state.in_contact[k] = r < 0.3;
-      state.phi[k] = state.in_contact[k] && i < 8 ? 1 : 0;
+      state.phi[k] = state.in_contact[k] && i < nodes.n1 / 2 ? 1 : 0;
     }
   }
   influence.displacements(state.phi, state.gap);
@@ -110,6 +110,24 @@ BOOST_AUTO_TEST_CASE(the_error_it_tells_is_about_the_error) {
     BOOST_TEST(gradients.error() > error / 2);
     BOOST_TEST(gradients.error() < error * 2);
     gradients.step();
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_sixteen_times_as_fine_takes_no_more_than_three_steps_more) {
+  const auto steps_on = [](Index n, Control control) {
+    const Grid nodes = hexagonal_grid(1, n);
+    InfluenceOperator influence(ElementPotential(Element::pyramid, nodes.lattice), nodes, team);
+    ContactState state = first_guess(influence, 0.7, nodes);
+    ProjectedCg gradients(influence, nodes, team, control);
+    gradients.start(state);
+    int steps = 0;
+    for (; gradients.error() > 1e-8 && steps < 100; ++steps) gradients.step();
+    return steps;
+  };
+  for (const Control control : {Control::load, Control::approach}) {
+    const int on_few = steps_on(32, control);
+    const int on_many = steps_on(512, control);
+    BOOST_TEST(on_many <= on_few + 3, on_many << " steps, " << on_few << " on few nodes");
   }
 }
 
