@@ -59,4 +59,12 @@ claim 'nothing of it is left' "$(cat "$toy/build/report/generated/tables/t.tex")
 toy_make report
 claim 'once is enough' "$(says 'by hand')" = no
 
+# Results that were computed before drawing failed differ from the list of those before.
+mkdir -p "$toy/build/report/state"
+echo '# done' >"$toy/build/report/state/compute"
+echo 'E = 29' >"$toy/build/report/generated/tables/t.tex"
+toy_make report
+claim 'what was computed before drawing failed was not changed by hand' "$(says 'by hand')" = no
+claim 'it is computed again' "$(cat "$toy/build/report/generated/tables/t.tex")" = 'E = 30'
+
 finish
