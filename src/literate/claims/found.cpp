@@ -23,7 +23,11 @@ Format with_digits(Notation notation, int n_digits, bool is_percentage) {
 
 /// The number that a reader reads.
 double as_printed(const Value& value) {
-  return number_of(rounded_to_place(*value.number(), value.last_place()));
+  if (!value.format()->rounds_up()) {
+    return number_of(rounded_to_place(*value.number(), value.last_place()));
+  }
+  const double bound = *value.number() + value.abs_error().value_or(0);
+  return number_of(rounded_up_to_place(bound, value.last_place()));
 }
 
 bool is_allowed(double number, double limit, Side side) {
@@ -60,7 +64,15 @@ Phrase bound_phrase(const Value& quantity, Estimate estimate, double limit) {
   return from_above ? phrase("at most {}", printed) : phrase("at least {}", printed);
 }
 
-/// The quantity to the nearest number with the digits of its format and `n_more` besides.
+/// How many significant digits of a number other than zero are printed.
+int n_printed_digits(const Value& value) {
+  const double magnitude = std::abs(as_printed(value));
+  if (magnitude == 0) return 0;
+  return static_cast<int>(std::floor(std::log10(magnitude))) - value.last_place() + 1;
+}
+
+/// The quantity as it is printed elsewhere if it is rounded up to two digits or more, else to the
+/// nearest number with the digits of its format and `n_more` besides.
 Value nearest(const Value& quantity, Estimate estimate, int n_more) {
   const Format& format = *quantity.format();
   const Notation notation = format.notation();
@@ -76,6 +88,7 @@ Value nearest(const Value& quantity, Estimate estimate, int n_more) {
     return n_more == 0 ? quantity : with(notation, format.digits() + n_more);
   }
   constexpr int least_digits = 2;
+  if (n_more == 0 && n_printed_digits(quantity) >= least_digits) return quantity;
   if (notation != Notation::fixed) {
     return with(notation, std::max(format.digits(), least_digits) + n_more);
   }

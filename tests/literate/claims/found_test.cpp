@@ -50,6 +50,12 @@ BOOST_AUTO_TEST_CASE(the_value_is_printed_and_not_the_decade_above_it) {
   BOOST_TEST(at_most(Value(4.7e-5, scientific(1).rounded_up()).within(0), 1) == "4.7e-5");
 }
 
+BOOST_AUTO_TEST_CASE(a_bound_of_two_digits_is_printed_as_in_the_text_unless_it_crosses_the_limit) {
+  BOOST_TEST(at_most(Value({7.41e-5, 1e-9}, scientific(2).rounded_up()), 1e-3) == "7.5e-5");
+  BOOST_TEST(at_most(Value({0.00206, 1e-6}, percent(2).rounded_up()), 0.01) == "0.21 %");
+  BOOST_TEST(at_most(Value({7.41e-5, 1e-9}, scientific(2).rounded_up()), 7.45e-5) == "7.41e-5");
+}
+
 BOOST_AUTO_TEST_CASE(the_digits_of_the_format_are_kept_where_the_verdict_can_be_read_off) {
   BOOST_TEST(at_most(Value({0.00074, 1e-6}, percent(3)), 0.001) == "0.074 %");
   BOOST_TEST(at_least(Value({15.987, 1e-3}, significant(4), "lbf/in"), 10) == "15.99 lbf/in");
