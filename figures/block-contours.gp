@@ -20,7 +20,7 @@ plot whole using "x":"y":(factor * column("u_z")) with filledcurves closed lc pa
 
 set colorbox
 set cbtics tick_step(factor * largest)
-set cblabel sprintf('$u_z$ (%s), both', unit_of(largest, unit)) offset 1.6,0
+set cblabel sprintf('$u_z$ (%s)', unit_of(largest, unit)) offset 1.6,0
 set xtics 4 * half_width
 set ytics (0, -2 * half_width, -4 * half_width)
 set xlabel sprintf('$x$ (%s)', unit)

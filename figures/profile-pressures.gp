@@ -2,7 +2,6 @@
 # Contacts of four profiles under one load, over p₀ and against x/a of the cylinders, x ≥ 0: elements as
 # circles, the closed form solid, the cylinders dash-dotted.
 set xrange [0:1.1]
-set xtics 0.5
 set yrange [0:1.9]
 set ytics 0.5
 unset key
@@ -14,6 +13,9 @@ do for [k = 1:4] {
   set format y (is_left ? '$%g$' : '')
   set ylabel (is_left ? '$p/p_0$' : '')
   set xlabel '$x/a$'
+  # a 0 would touch the 1 of the panel before
+  least_tic = is_left ? 0 : 0.5
+  set xtics least_tic,0.5
   set label 1 value(sprintf('title_%d', k)) at graph 0.5,0.94 center
   plot exact using "x":"hertz" with lines ls 4 title 'cylinders', \
        exact using "x":"pressure" with lines ls 1 title 'closed form', \

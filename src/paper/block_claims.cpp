@@ -58,7 +58,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
   }
   document.claim("felt-throughout",
                  {.route = "the block by finite elements of high order under the triangle, on the "
-                           "supports of the case; the share of the largest displacement is nearly "
+                           "supports assumed; the share of the largest displacement is nearly "
                            "the same under the fitted load",
                   .expected = Verdict::partly,
                   .criteria = {Criterion::in_each(
@@ -82,7 +82,7 @@ void claim_mass(literate::Document& document, const parameters::BlockCase& block
   document.value("mass.n", Value(std::ssize(properties), integer()));
   document.claim(
       "mass-properties",
-      {.route = "closed forms for a rectangle of the case's size and density and of unit "
+      {.route = "closed forms for a rectangle of the block's size and density and of unit "
                 "thickness; at most five of the eight numbers are independent",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::in_each("difference in units of the last printed place",

@@ -373,8 +373,9 @@ void claim_mended(literate::Document& document, const parameters::ContactCase& c
   register_error("contact-m.peak-error", own);
   register_error("contact-m.finer-peak-error", fine);
   const auto peak_error = [&](const char* what, const MendedErrors& errors) {
-    return Criterion::at_most(what, Value(Estimate{errors.peak, of_system}, scientific(2)),
-                              less_than_a_plot_shows());
+    return Criterion::at_most(
+        what, Value(Estimate{errors.peak, of_system}, scientific(2).rounded_up()),
+        less_than_a_plot_shows());
   };
   const double ratio = own.misfit / fine.misfit;
   document.claim(

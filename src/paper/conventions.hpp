@@ -23,8 +23,7 @@ constexpr double small_misfit = 1e-3;
 /// elements.
 inline literate::Limit of_second_order(double square) {
   return {literate::LimitKind::convention, square,
-          "(𝑐/𝑎)², the order of the elements; straight lines between the nodes miss an eighth of it "
-          "at Hertz's peak"};
+          "(𝑐/𝑎)²; at the peak linear interpolation has an eighth of it"};
 }
 
 }  // namespace paper

@@ -54,15 +54,15 @@ void cross_cylinders(literate::Document& document, const ContactCase& c, double 
   const Estimate long_error{std::abs(axes[0] / a - 1), of_axis};
   const Estimate short_error{std::abs(axes[1] / b - 1), of_axis};
   document.value("crossed.axes", Value(closed, fixed(3)));
-  document.value("crossed.long-error", Value(long_error, scientific(1).rounded_up()));
-  document.value("crossed.short-error", Value(short_error, scientific(1).rounded_up()));
+  document.value("crossed.long-error", Value(long_error, scientific(2).rounded_up()));
+  document.value("crossed.short-error", Value(short_error, scientific(2).rounded_up()));
   document.value("crossed.peak-error",
                  Value({std::abs(solution.peak_pressure() / hertz.peak_pressure() - 1), bound},
-                       scientific(2)));
+                       scientific(2).rounded_up()));
   // In units of the elements along each axis: c = √(area), and the cells are stretched like it.
   const double square = solution.grid.lattice.cell_area() / (a * b);
   const auto small = [&](const char* what, Estimate error, const literate::Limit& limit) {
-    return Criterion::at_most(what, Value(error, scientific(2)), limit);
+    return Criterion::at_most(what, Value(error, scientific(2).rounded_up()), limit);
   };
   const literate::Limit same(literate::LimitKind::convention, square, "the same");
   document.claim(

@@ -182,7 +182,7 @@ EdgeErrors study_edge(literate::Document& document, const ContactCase& c, const 
   add("uniform", "linear", even);
   add("$x = a\\sin\\theta$", "linear", sine);
   add("closer still", "linear", closer);
-  add("closer still", "with a parabola", graded.pressure);
+  add("closer still", "parabola; edge unknown", graded.pressure);
   document.table(std::move(table));
 
   const auto order = [&](const std::vector<double>& errors) {
@@ -198,7 +198,7 @@ EdgeErrors study_edge(literate::Document& document, const ContactCase& c, const 
        .criteria = {of_order("order, uniform grid of triangles", even, 0.5,
                              "nearer to it than to any other half order"),
                     of_order("graded grid of triangles", sine, 1, "the same"),
-                    of_order("the same with parabolas", graded.pressure, 2, "the same")}});
+                    of_order("the same with parabolas and the edge as an unknown", graded.pressure, 2, "the same")}});
   check_graded(document, graded);
   return graded.pressure;
 }

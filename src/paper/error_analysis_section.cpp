@@ -85,7 +85,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
   document.claim(
       "insensitive-to-c",
       {.route = "eq. (2) by quadrature less the printed FEA (z) at the last point, for the "
-                "datum of the case and one a factor e nearer, both far from the load",
+                "datum given and one a factor e nearer, both far from the load",
        .expected = Verdict::refuted,
        .criteria = {Criterion::at_most("change of the error, over the error",
                                        Value(quotient(shift, difference), percent(0)),
@@ -181,7 +181,7 @@ void claim_resultant(literate::Document& document, const parameters::HalfSpaceCa
            "far from the load the influence of its shape is (𝑎/𝑥)²/6; the rest is for the mesh of "
            "the run, which is coarse there"}));
     }
-    return Criterion::in_each("load that the slopes tell", "pairs of points", pairs);
+    return Criterion::in_each("load that follows from the slopes", "pairs of points", pairs);
   };
   document.claim("same-load",
                  {.route = "the printed columns: the slope of FEA (z) over that of the analytical "

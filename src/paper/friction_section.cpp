@@ -114,7 +114,7 @@ void claim_small_loss(literate::Document& document, const std::vector<Criterion>
     criteria.push_back(Criterion::in_each("shift and widening of the contact, over its half-width",
                                           "pairs with β ≠ 0", losses));
   }
-  criteria.push_back(Criterion::at_most("rise of the largest shear beneath, for like materials",
+  criteria.push_back(Criterion::at_most("rise of the largest shear stress beneath, for like materials",
                                         Value({sliding / still - 1, of_closed_forms}, percent(0)),
                                         small_loss()));
   const bool is_in_part = mu > friction_of_large_rise && !losses.empty();

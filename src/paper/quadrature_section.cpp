@@ -161,7 +161,7 @@ Criterion within_errors(const std::vector<const Comparisons*>& all) {
       const double allowed = c.quadrature.abs_error + c.closed_form_error;
       shares.push_back(Criterion::at_most(
           "share", Value(std::abs(c.difference()) / allowed, significant(1)).within(0),
-          {LimitKind::stated, 1.0,
+          {LimitKind::derived, 1.0,
            "the error that the quadrature reports at the same point, and the rounding of the "
            "closed form"}));
     }

@@ -167,6 +167,9 @@ void claim_load(literate::Document& document, const parameters::HalfSpaceCase& c
                                         Value(magnitude(as_estimate(run.at("resultant_load_y"))),
                                               significant(4), units.line_load),
                                         in_words, apart)}});
+  // a pressure on a model of unit thickness, per length of its edge
+  document.value("load-in-words.per-edge",
+                 Value(c.load.peak_pressure(), literate::exact(), units.line_load));
   document.value("load-in-words.factor",
                  Value(quotient(Estimate{stated, 0}, load), significant(3)));
 }

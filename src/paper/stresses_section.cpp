@@ -107,7 +107,7 @@ void compare_depths(literate::Document& document, const PiecewiseLinearTraction&
   document.value("stresses.at-greatest.difference", Value(deep, scientific(1).rounded_up()));
   document.check("stresses-decay",
                  {Criterion::at_least("largest difference near the surface over that at the "
-                                      "depth of the largest shear",
+                                      "depth of the largest shear stress",
                                       Value(quotient(near, deep), significant(1)),
                                       {LimitKind::convention, 10.0, "an order of magnitude"})},
                  "the largest difference falls down to the largest shear");

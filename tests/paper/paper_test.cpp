@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(hertz_and_the_scale_of_eq_3_are_those_of_the_textbook) {
 BOOST_AUTO_TEST_CASE(grids_that_end_on_the_edge_have_orders_of_a_half_one_and_two) {
   // The rows: nodes, pressure on an element, four errors with their bounds, order and its bound.
   const std::string csv = computed(steel_text).tables().at("graded").csv();
-  const std::regex row(R"((?:"linear"|parabola"),.*,([\d.]+),[\d.e-]+\n)");
+  const std::regex row(R"((?:"linear"|"parabola[^"]*"),.*,([\d.]+),[\d.e-]+\n)");
   std::vector<double> orders;
   for (auto at = std::sregex_iterator(csv.begin(), csv.end(), row); at != std::sregex_iterator();
        ++at) {
