@@ -53,7 +53,7 @@ std::string with_material(const std::string& text, const std::string& body,
 BOOST_AUTO_TEST_CASE(of_the_papers_own_case_everything_is_said) {
   check_report(
       papers_text,
-      {"Two cylinders in contact, solved with", "Two cylinders of radii",
+      {"Two cylinders in contact are solved on grids with", "Two cylinders of radii",
        "of the smaller radius, which is consistent with treating the bodies as half-spaces",
        "The datum was chosen where", "5 The finite block", "We analyse it in plane strain",
        "it is zero. Between bodies of like materials"},
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_on_a_plane_with_a_block_and_a_datum_of_the_users
 
   check_report(
       with(datum_at_point, "radius = {value = 3, unit = \"in\"}", "radius = \"plane\""),
-      {"A cylinder on a plane, solved with", "A cylinder and a plane, R",
+      {"A cylinder on a plane is solved on grids with", "A cylinder and a plane, R",
        "The plane counts as a cylinder of infinite radius",
        "The plane counts as a sphere of infinite radius", "of the cylinder’s radius, which",
        "The paper puts its datum where", "At x = 0.05 in, the datum of this case",
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_in_a_hollow_that_is_nearly_as_wide) {
   text = with(text, "first = {value = 0,", "first = {value = -0.05,");  // points that end at 0
 
   check_report(text,
-               {"A cylinder in a hollow, solved with", "a hollow that it lies in",
+               {"A cylinder in a hollow is solved on grids with", "a hollow that it lies in",
                 "The hollow counts as a cylinder of negative radius", "questionable"},
                {"Two cylinders", "is consistent with treating", "The finite block"});
 }
