@@ -21,7 +21,7 @@
 #   NOMINAL=1        marking: the handouts had the nominal numbers
 #   UNSAFE=1         grade, likeness, marking: without bubblewrap
 #   N=300            check-variants: how many
-#   TIMEOUT=seconds  how long gnuplot or LaTeX may take before they are stopped; TIMEOUT= for any time
+#   TIMEOUT=seconds  how long the computation, gnuplot or LaTeX may take before they are stopped; TIMEOUT= for any time
 #   V=1              show the commands
 
 # The scripts read the paths and CALLER from the environment, because make would split paths at spaces.
@@ -38,8 +38,13 @@ export LC_ALL := C
 # Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
 .DEFAULT_GOAL := report
-.PHONY: report halfspace reports html site figures figure check-report test test-all faults mutants bench peers verify fresh dist why watch handout handouts check-variants grade likeness marking results release-feedback gradescope \
-  tidy format setup clean help
+targets = report halfspace reports html site figures figure check-report test test-all faults mutants bench peers verify fresh dist why watch \
+  handout handouts check-variants grade likeness marking results release-feedback gradescope tidy format setup clean help
+.PHONY: $(targets)
+
+# Before anything is installed or made.
+unknown := $(firstword $(filter-out $(targets),$(MAKECMDGOALS)))
+$(if $(unknown),$(error there is no target $(unknown); 'make help' lists them))
 
 report: ## the report, build/report/report.pdf
 	@bash src/toolchain/build report
@@ -50,7 +55,7 @@ halfspace: ## the command line of the mechanics, build/release/halfspace
 reports: ## the report of each case in CASES, side by side: build/reports/cases.csv
 	@bash src/toolchain/build reports
 
-html: ## the report as one page, build/report/report.html (first make setup STAGES=html)
+html: ## the report as one page, build/report/report.html (first: make setup html)
 	@bash src/toolchain/build html
 
 site: ## page, PDF, data and assignment sheet for any static host, build/report/site; SITE=https://… is its address
@@ -80,7 +85,7 @@ mutants: ## plants faults, each of which must turn a test or the report red
 bench: ## benchmarks, results in build/bench/bench.json
 	@bash src/toolchain/build bench
 
-peers: ## what an author's edits cost here and with knitr (first make setup STAGES=peers)
+peers: ## what an author's edits cost here and with knitr (first: make setup peers)
 	@bash src/toolchain/build peers
 
 verify: ## makes the report again elsewhere and asks for the same bytes
@@ -131,8 +136,8 @@ tidy: ## clang-tidy on every source
 format: ## clang-format on every source
 	@bash src/toolchain/build format
 
-setup: ## install the Debian packages that are missing
-	@sh src/toolchain/setup $(STAGES)
+setup: ## installs what the targets behind it lack, and they are made: make setup report, make setup test
+	@sh src/toolchain/setup $(filter-out setup clean help,$(MAKECMDGOALS))
 
 clean: ## remove everything built
 	@bash src/toolchain/build clean

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The right half of the mesh, since the left is its mirror image, and what of it lies about the load.
+# outside: the right half, and a close-up beside it
 set size ratio -1
 unset grid
 unset key

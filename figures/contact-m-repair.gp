@@ -2,6 +2,7 @@
 # The pressures of Contact.m from its printed state to its mended one, a panel a state: on the shaded
 # pressure of Hertz under the right load, and dashed the Hertz of the program's own lines. A pressure
 # that leaves the frame has its greatest value written beside it.
+# outside: the greatest value of what leaves the frame is written beside it
 top = 2.5
 across = 3
 n = int(n_panels)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the same load does to the surface as a force, a uniform pressure and a triangle, against x/c and
 # all dimensionless: displacements on the left, gradients on the right.
+# outside: a force has no finite displacement
 stats displacement using (column("x")) nooutput
 set multiplot layout 1,2 margins 0.10,0.985,0.21,0.90 spacing 0.14
 set xrange [STATS_min:STATS_max]

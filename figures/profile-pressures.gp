@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Contacts of four profiles under one load, over p₀ and against x/a of the cylinders, x ≥ 0: elements as
 # circles, the closed form solid, the cylinders dash-dotted.
+# outside: a closed form is infinite at its corner
 set xrange [0:1.1]
 set yrange [0:1.9]
 set ytics 0.5

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The pyramid over a lattice of equilateral triangles with one of its neighbours, drawn from above, and
 # what it does to the surface beside a uniform square and a force of the same load, against d/c.
+# outside: a force has no finite displacement
 across(x, y) = 0.94 * x + 0.34 * y
 up(x, y, z) = 0.42 * y - 0.16 * x + 0.9 * z
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The pressure between wavy cylinders at growing loads, the least on top, over p₀ and against x/λ.
+# outside: there is no pressure
 n = int(n_panels)
 set xrange [-1.15 * waves:1.15 * waves]
 set xtics 1

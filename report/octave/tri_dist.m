@@ -44,7 +44,7 @@ for i = 1:11
           abs_error(i));
 end
 fprintf(file, "\n  },\n  \"tables\": {\n    \"displacement\": {\n      \"columns\": [\n");
-fprintf(file, "        {\"heading\": \"$x$\", \"unit\": \"in\", \"decimals\": 7},\n");
+fprintf(file, "        {\"heading\": \"$x$\", \"unit\": \"in\", \"decimals\": 7, \"exact\": true},\n");
 fprintf(file, "        {\"heading\": \"$u_z$\", \"unit\": \"in\", \"digits\": 8}\n      ],\n      \"rows\": [\n");
 for i = 1:11
   fprintf(file, "        [%.17g, {\"value\": %.17g, \"abs_error\": %.2g}]%s\n", x(i), u(i), abs_error(i),

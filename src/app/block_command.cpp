@@ -12,12 +12,12 @@
 
 #include "app/commands.hpp"
 #include "app/json_text.hpp"
+#include "app/load_choices.hpp"
 #include "app/output_file.hpp"
 #include "app/output_format.hpp"
 #include "app/picture.hpp"
 #include "block/analysis.hpp"
 #include "block/calculix_deck.hpp"
-#include "block/load_shapes.hpp"
 #include "block/supports.hpp"
 #include "block/vtu.hpp"
 #include "command_line/options.hpp"
@@ -36,11 +36,11 @@ struct BlockOptions {
         height(command, "--height", "Height of the block (default: the case's)"),
         order(command, "--order",
               "Polynomial order of the elements, 2 to 10 (default: the case's)"),
-        refine(command, "--refine", "Level of refinement, 0 to 6 (default: the case's)") {
+        refine(command, "--refine", "Level of refinement, 0 to 6 (default: the case's)"),
+        load(command, "--load", "triangular", "Shape of the load, with the case's peak and width",
+             choices_of(wide_load_choices())) {
     add_required_text(command, "--case", case_file, "FILE",
                       "Case file; flags override what it says");
-    add_text(command, "--load", load, "SHAPE",
-             "triangular, uniform, elliptic, or linear:EDGE_FRACTION");
     add_choice(command, "--sides", sides, {"", "clamped", "roller", "free"},
                "How left and right are held (default: the case's)");
     add_text(command, "--ccx", ccx_file, "FILE", "Write the model as a CalculiX deck");
@@ -51,23 +51,11 @@ struct BlockOptions {
   }
 
   NumberOption width, height, order, refine;
-  std::string case_file, load = "triangular", sides, ccx_file, vtu_file;
+  ChoiceOption load;
+  std::string case_file, sides, ccx_file, vtu_file;
   OutputOptions output;
   PlotOption plot;
 };
-
-elasticity::Load load_of(const std::string& shape, double peak, double half_width) {
-  if (shape == "triangular") return block::linear_fall(peak, 0, half_width);
-  if (shape == "uniform") return block::linear_fall(peak, 1, half_width);
-  if (shape == "elliptic") return block::elliptic(peak, half_width);
-  const std::string prefix = "linear:";
-  if (shape.starts_with(prefix)) {
-    const double edge_fraction = parse_number("--load linear", shape.substr(prefix.size()));
-    return block::linear_fall(peak, edge_fraction, half_width);
-  }
-  throw sys::InputError("--load: \"" + shape +
-                        "\" must be triangular, uniform, elliptic or linear:EDGE_FRACTION");
-}
 
 Support sides_of(const std::string& name, Support from_case) {
   if (name == "clamped") return Support::clamped;
@@ -94,7 +82,12 @@ Problem problem_of(const BlockOptions& options) {
     discretization.refine = static_cast<int>(*refine);
   const block::Rectangle rectangle(options.width.number_or(c.block->rectangle.width()),
                                    options.height.number_or(c.block->rectangle.height()));
-  elasticity::Load load = load_of(options.load, h.load.peak_pressure(), h.load.half_width());
+  elasticity::Load load = wide_load_choices()[options.load.row()]
+                              .make(options.load, {.peak_pressure = h.load.peak_pressure(),
+                                                   .half_width = h.load.half_width(),
+                                                   .line_load = {},
+                                                   .parameter = {}})
+                              .load;
   const block::Supports supports = block::with_sides(sides_of(options.sides, c.block->sides));
   return {std::move(c), rectangle, discretization, std::move(load), supports};
 }

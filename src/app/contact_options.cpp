@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/profile_file.hpp"
 #include "contact/dense_system.hpp"
 #include "contact/fft_solver.hpp"
 #include "contact/hertz.hpp"
@@ -18,19 +17,6 @@ namespace app {
 namespace {
 
 using parameters::CylinderCase;
-
-constexpr const char* file_prefix = "file:";
-
-bool is_file(const std::string& profile) {
-  return profile.starts_with(file_prefix);
-}
-
-// What --profile may name, as the help and the message for a wrong name have it.
-std::string names_of_profiles(std::string_view between, std::string_view before_last) {
-  std::string names = "cylinder";
-  for (const ProfileChoice& choice : profile_choices()) names.append(between).append(choice.name);
-  return names.append(before_last) + "file:PATH";
-}
 
 contact::Element element_named(const std::string& name) {
   for (const auto element : {contact::Element::point, contact::Element::uniform}) {
@@ -53,7 +39,9 @@ ContactOptions::ContactOptions(CLI::App& command)
       load_(command, "--load", "Load P per unit length"),
       approach_(command, "--approach", "Approach of the bodies instead of the load; needs --datum"),
       datum_(command, "--datum", "Where the points lie whose approach is meant"),
-      profile_numbers_(command),
+      profile_(command, "--profile", "cylinder",
+               "Shape of the gap; file: a CSV file with the columns x,gap",
+               choices_of(profile_choices())),
       nodes_(command, "--nodes", "Number of nodes"),
       domain_(command, "--domain",
               "Total width that the nodes fill [a little more than the contact]"),
@@ -61,8 +49,6 @@ ContactOptions::ContactOptions(CLI::App& command)
                  "Error of the pressure allowed to fft, relative to the peak [1e-10]"),
       friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
       tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
-  add_text(command, "--profile", profile_, names_of_profiles("|", "|"),
-           "Shape of the gap; file: a CSV file with the columns x,gap");
   add_choice(command, "--element", element_, {"triangular", "uniform", "point"},
              "What stands at a node for the pressure around it");
   add_choice(command, "--method", method_, {"matrix-inversion", "variational", "fft"},
@@ -89,20 +75,12 @@ contact::Radius ContactOptions::Body::radius_or(const std::optional<CylinderCase
   return contact::Radius::of_cylinder(radius.flag().c_str() + 2, length);
 }
 
-// Refuse radii for a profile that has none: the user made a mistake.
-void ContactOptions::refuse_radii() const {
-  for (const NumberOption* option : {&body1_.radius, &body2_.radius}) {
-    if (option->text().empty()) continue;
-    throw sys::InputError(
-        fmt::format("{} has no meaning for --profile {}", option->flag(), profile_));
-  }
-}
-
 void ContactOptions::set_profile(ContactInput& input,
                                  const std::optional<parameters::Case>& from_file) const {
-  profile_numbers_.refuse_flags_of_others(profile_);
+  profile_.refuse_flags_of_others();
   contact::Profile& profile = input.problem.profile;
-  if (profile_ == "cylinder") {
+  const ProfileChoice& choice = profile_choices()[profile_.row()];
+  if (!choice.choose) {
     std::optional<CylinderCase> given1, given2;
     if (from_file) {
       given1 = from_file->contact.body1;
@@ -118,19 +96,9 @@ void ContactOptions::set_profile(ContactInput& input,
     input.closed_form = closed_form("hertz", *input.hertz, input.hertz->peak_pressure());
     return;
   }
-  refuse_radii();
-  if (is_file(profile_)) {
-    profile = read_profile(profile_.substr(std::string(file_prefix).size()));
-    return;
-  }
-  const auto& choices = profile_choices();
-  const auto choice = std::ranges::find(choices, profile_, &ProfileChoice::name);
-  if (choice == choices.end()) {
-    throw sys::InputError(
-        fmt::format("--profile = {}: must be {}", profile_, names_of_profiles(", ", " or ")));
-  }
-  ChosenProfile chosen =
-      choice->choose(profile_numbers_, input.problem.contact_modulus, input.line_load);
+  profile_.refuse(body1_.radius);
+  profile_.refuse(body2_.radius);
+  ChosenProfile chosen = choice.choose(profile_, input.problem.contact_modulus, input.line_load);
   profile = std::move(chosen.profile);
   input.closed_form = std::move(chosen.closed_form);
 }
@@ -176,7 +144,7 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
       .material1 = material1,
       .material2 = material2,
       .problem = {contact::Profile::parabola(1), modulus, {}, element_named(element_)},
-      .profile = profile_,
+      .profile = profile_.text(),
       .method = method_,
       .tolerance = tolerance_.number_or(contact::default_tolerance),
       .line_load = {},

@@ -53,14 +53,12 @@ class ContactOptions {
   };
 
   void set_profile(ContactInput& input, const std::optional<parameters::Case>& from_file) const;
-  void refuse_radii() const;
   void set_grid(ContactInput& input, Eigen::Index n_nodes) const;
 
   Body body1_, body2_;
   NumberOption load_, approach_, datum_;
-  ProfileNumbers profile_numbers_;
+  ChoiceOption profile_;
   NumberOption nodes_, domain_, tolerance_, friction_, tangential_;
-  std::string profile_ = "cylinder";
   std::string element_ = "triangular";
   std::string method_;
   std::string grid_ = "symmetric";

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/compared_load.hpp"
 #include "app/displacement_table.hpp"
+#include "app/load_choices.hpp"
 #include "app/output_format.hpp"
 #include "app/picture.hpp"
 #include "command_line/options.hpp"
@@ -27,28 +27,24 @@ struct DisplacementOptions {
   explicit DisplacementOptions(CLI::App& command)
       : young(command, "--young", "Young's modulus E"),
         poisson(command, "--poisson", "Poisson's ratio, between -1 and 0.5"),
-        peak_pressure(command, "--peak-pressure", "p0 of the triangle, or the uniform pressure"),
-        half_width(command, "--half-width", "a: the load acts on |x| <= a"),
-        line_load(command, "--line-load", "P of a concentrated load"),
-        datum(command, "--datum", "The x at which the displacement u_z is zero") {
+        datum(command, "--datum", "The x at which the displacement u_z is zero"),
+        shape(command, "--shape", "triangular",
+              "Shape of the load; file: a CSV file with the columns x,pressure, linear between; "
+              "expression: pressure on |x| <= a as a formula of x, a, p0, as p0*(1-(x/a)^4)",
+              choices_of(load_choices())) {
     add_text(command, "--x", x, "LIST", "Points on the surface, as a list 0,0.005,0.01");
     add_text(command, "--x-file", x_file, "FILE",
              "File of points, one a line; - reads standard input");
     add_text(command, "--case", case_file, "FILE", "Case file; flags override what it says");
-    add_text(command, "--shape", shape,
-             "triangular|uniform|elliptic|parabolic|concentrated|file:PATH|expression:FORMULA",
-             "Shape of the load; file: a CSV file with the columns x,pressure, linear between; "
-             "expression: pressure on |x| <= a as a formula of x, a, p0, as p0*(1-(x/a)^4)");
-    add_text(command, "--kinks", kinks, "LIST", "Expression: where it has kinks, besides x = 0");
     add_choice(command, "--component", component, {"normal", "tangential"},
                "normal: u_z; tangential: u_x");
     output.add_to(command);
     plot.add_to(command);
   }
 
-  NumberOption young, poisson, peak_pressure, half_width, line_load, datum;
-  std::string x, x_file, case_file, kinks;
-  std::string shape = "triangular";
+  NumberOption young, poisson, datum;
+  ChoiceOption shape;
+  std::string x, x_file, case_file;
   std::string component = "normal";
   OutputOptions output;
   PlotOption plot;
@@ -56,18 +52,46 @@ struct DisplacementOptions {
 
 using OptionalCase = std::optional<parameters::Case>;
 
+// The ends of all pieces, the points midway between them, and one outside each end.
+std::vector<double> key_points_of(const elasticity::Load& load) {
+  const auto& pieces = load.normal.pieces();
+  if (pieces.empty()) return {};
+  const double width = pieces.back().end - pieces.front().begin;
+  std::vector<double> points{pieces.front().begin - width / 2, pieces.back().end + width / 2};
+  for (const numerics::Piece& piece : pieces) {
+    points.insert(points.end(), {piece.begin, (piece.begin + piece.end) / 2, piece.end});
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+// The same load, whose pressure is counted each time that it is asked for.
+elasticity::Load counted(elasticity::Load load, const std::shared_ptr<long>& n_evaluations) {
+  std::vector<numerics::Piece> pieces = load.normal.pieces();
+  for (numerics::Piece& piece : pieces) {
+    piece.value = [value = piece.value, n_evaluations](double s) {
+      ++*n_evaluations;
+      return value(s);
+    };
+  }
+  load.normal = numerics::PiecewiseFunction(pieces);
+  *n_evaluations = 0;
+  return load;
+}
+
 // The points given, or else the case's, or else those of the load itself: nothing is known where
 // they lie in a file or under an expression.
 std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file,
-                              const ComparedLoad& compared) {
+                              const elasticity::Load& load) {
   if (!options.x.empty() && !options.x_file.empty()) {
     throw sys::InputError("--x and --x-file: give one of them");
   }
   if (!options.x.empty()) return parse_numbers("--x", options.x);
   if (!options.x_file.empty()) return read_numbers(options.x_file);
   if (from_file) return from_file->half_space.points;
-  const bool is_users_own = options.shape.find(':') != std::string::npos;
-  if (is_users_own) return compared.key_points;
+  const bool is_users_own = !options.shape.argument().empty();
+  if (is_users_own) return key_points_of(load);
   throw sys::InputError("no points: give --x, --x-file, or a --case that has them");
 }
 
@@ -81,36 +105,50 @@ elasticity::Material material_of(const DisplacementOptions& options,
           options.poisson.number_or(from_case(&elasticity::Material::poisson))};
 }
 
-// Refuse a flag that the shape of the load does not use: the user made a mistake.
-void require_used(const DisplacementOptions& options) {
-  const LoadFlags flags = flags_of(options.shape);
-  const auto refuse_unless = [&](bool is_used, const std::string& flag, const std::string& text) {
-    if (is_used || text.empty()) return;
-    throw sys::InputError(flag + ": not used with --shape " + options.shape);
-  };
-  for (const auto& [is_used, option] : {std::pair{flags.line_load, &options.line_load},
-                                        {flags.peak_pressure, &options.peak_pressure},
-                                        {flags.half_width, &options.half_width}}) {
-    refuse_unless(is_used, option->flag(), option->text());
+elasticity::LoadNumbers numbers_of(const DisplacementOptions& options,
+                                   const OptionalCase& from_file) {
+  elasticity::LoadNumbers of_case;
+  if (from_file) {
+    const elasticity::TriangularLoad& load = from_file->half_space.load;
+    of_case = {.peak_pressure = load.peak_pressure(),
+               .half_width = load.half_width(),
+               .line_load = load.line_load(),
+               .parameter = {}};
   }
-  refuse_unless(flags.kinks, "--kinks", options.kinks);
+  return app::numbers_of(options.shape, of_case);
 }
 
-LoadChoice choice_of(const DisplacementOptions& options, const OptionalCase& from_file) {
-  const auto number = [&](const NumberOption& option,
-                          double (elasticity::TriangularLoad::*of_case)() const) {
-    std::optional<double> given = option.number();
-    if (!given && from_file) given = (from_file->half_space.load.*of_case)();
-    return given;
-  };
-  using elasticity::TriangularLoad;
-  return {.shape = options.shape,
-          .peak_pressure = number(options.peak_pressure, &TriangularLoad::peak_pressure),
-          .half_width = number(options.half_width, &TriangularLoad::half_width),
-          .line_load = number(options.line_load, &TriangularLoad::line_load),
-          .kinks = options.kinks.empty() ? std::vector<double>()
-                                         : parse_numbers("--kinks", options.kinks)};
-}
+// The surface under the load, as its closed forms and the quadrature have it.
+struct BothWays {
+  elasticity::ClosedSurface closed;
+  elasticity::SurfaceQuadrature quadrature;
+  bool is_normal;
+
+  numerics::Estimate gradient(double x) const {
+    return is_normal ? quadrature.normal_gradient(x) : quadrature.tangential_gradient(x);
+  }
+  numerics::Estimate displacement(double x) const {
+    return is_normal ? quadrature.normal_displacement(x) : quadrature.tangential_displacement(x);
+  }
+  const std::function<double(double)>& closed_gradient() const {
+    return is_normal ? closed.normal_gradient : closed.tangential_gradient;
+  }
+  const std::function<double(double)>& closed_displacement() const {
+    return is_normal ? closed.normal_displacement : closed.tangential_displacement;
+  }
+
+  DisplacementRow at(double x) const {
+    const auto value = [x](const std::function<double(double)>& form) -> std::optional<double> {
+      if (!form) return std::nullopt;
+      return form(x);
+    };
+    return {.x = x,
+            .gradient_quadrature = gradient(x),
+            .gradient_closed_form = value(closed_gradient()),
+            .displacement_quadrature = displacement(x),
+            .displacement_closed_form = value(closed_displacement())};
+  }
+};
 
 struct ComparedRows {
   std::vector<DisplacementRow> rows;
@@ -119,22 +157,16 @@ struct ComparedRows {
 };
 
 // The displacement from the first to the last of the points: in closed form, or else by quadrature.
-std::vector<std::pair<double, double>> curve_of(const ComparedLoad& compared,
-                                                const elasticity::SurfaceQuadrature& surface,
-                                                Component component,
+std::vector<std::pair<double, double>> curve_of(const BothWays& surface, bool has_force,
                                                 const std::vector<double>& points) {
-  const bool is_normal = component == Component::normal;
-  const auto& closed = is_normal ? compared.normal_displacement : compared.tangential_displacement;
+  const auto& closed = surface.closed_displacement();
   const auto [low, high] = std::minmax_element(points.begin(), points.end());
   std::vector<std::pair<double, double>> curve;
   constexpr int n = 400;
   for (int i = 0; i <= n; ++i) {
     const double x = *low + (*high - *low) * i / n;
-    if (x == 0 && !compared.load.forces.empty()) continue;  // infinite there
-    const double u = closed      ? closed(x)
-                     : is_normal ? surface.normal_displacement(x).value
-                                 : surface.tangential_displacement(x).value;
-    curve.emplace_back(x, u);
+    if (x == 0 && has_force) continue;  // infinite there
+    curve.emplace_back(x, closed ? closed(x) : surface.displacement(x).value);
   }
   return curve;
 }
@@ -164,26 +196,33 @@ ComparedRows rows_of(const DisplacementOptions& options, const OptionalCase& fro
   std::optional<double> datum;
   if (from_file) datum = from_file->half_space.datum;
   const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
+  const LoadChoice& choice = load_choices()[options.shape.row()];
+  const elasticity::KnownLoad known = choice.make(options.shape, numbers_of(options, from_file));
+  const bool has_force = !known.load.forces.empty();
   const bool is_tangential = options.component == "tangential";
-  if (is_tangential && options.shape == "concentrated") {
-    throw sys::InputError("--component tangential: not with --shape concentrated");
+  if (is_tangential && has_force) {
+    throw sys::InputError("--component tangential: not with --shape " + options.shape.text());
   }
-  const ComparedLoad compared = compared_load(choice_of(options, from_file), material, zero_at);
-  const std::vector<double> points = points_of(options, from_file, compared);
+  const std::vector<double> points = points_of(options, from_file, known.load);
 
   const auto begin = std::chrono::steady_clock::now();
-  const elasticity::SurfaceQuadrature surface(material, compared.load, zero_at);
+  const auto n_evaluations = std::make_shared<long>(0);
+  const BothWays surface{
+      known.surface ? known.surface(material, zero_at) : elasticity::ClosedSurface(),
+      {material, counted(known.load, n_evaluations), zero_at},
+      !is_tangential};
   ComparedRows result;
-  const Component component = is_tangential ? Component::tangential : Component::normal;
   for (const double x : points) {
-    result.rows.push_back(compare_at(compared, surface, component, x));
+    *n_evaluations = 0;
+    result.rows.push_back(surface.at(x));
+    result.rows.back().n_evaluations = *n_evaluations;
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   result.notes = {.closed_form = is_tangential ? "Johnson 2.24a, 2.25a with the load's own integral"
-                                               : compared.normal_source,
+                                               : choice.source,
                   .seconds = elapsed.count()};
   if (options.plot.is_given() && !points.empty()) {
-    result.curve = curve_of(compared, surface, component, points);
+    result.curve = curve_of(surface, has_force, points);
   }
   return result;
 }
@@ -192,7 +231,7 @@ ExitCode run(const DisplacementOptions& options) {
   OptionalCase from_file;
   if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
   const config::UnitSystem units = options.output.units(from_file);
-  require_used(options);
+  options.shape.refuse_flags_of_others();
   options.plot.require_drawable(options.output);
   const ComparedRows result = rows_of(options, from_file);
   const std::vector<DisplacementRow>& rows = result.rows;

@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "config/units.hpp"
-#include "elasticity/surface_quadrature.hpp"
 #include "numerics/estimate.hpp"
 
 namespace app {
-
-/// Which displacement of the surface: u_z or u_x.
-enum class Component { normal, tangential };
 
 /// The two ways to the same numbers at one point: eq. (2) by quadrature, and in closed form, where
 /// there is one.

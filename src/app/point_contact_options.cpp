@@ -5,16 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "app/height_map_file.hpp"
-#include "point_contact/closed_forms/cone.hpp"
-#include "point_contact/closed_forms/flat_punch.hpp"
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
-#include "point_contact/closed_forms/power_law.hpp"
 #include "point_contact/solver/fft_solver.hpp"
 #include "point_contact/solver/memory.hpp"
 #include "system/require.hpp"
@@ -24,19 +19,6 @@ namespace {
 
 using parameters::CylinderCase;
 using point_contact::Profile;
-
-constexpr std::string_view gap_prefix = "file:";
-constexpr std::string_view height_prefix = "heights:";
-
-bool is_measured(const std::string& profile) {
-  return profile.starts_with(gap_prefix) || profile.starts_with(height_prefix);
-}
-
-double needed(const NumberOption& option) {
-  const auto number = option.number();
-  if (!number) throw sys::InputError(option.flag() + " is missing");
-  return *number;
-}
 
 // Threads beyond this are not used.
 constexpr long most_threads = 64;
@@ -57,25 +39,6 @@ std::optional<double> curvature_of(const NumberOption& radius) {
   return contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length).curvature();
 }
 
-// A closed form for the load that is given, or for the one that makes the given approach: that
-// grows with a power of the load.
-template <class Contact, class Describe>
-PointClosedForm closed_form_for(const PointContactInput& input, double power,
-                                const Contact& contact_under, const Describe& describe) {
-  double load = input.load.value_or(1);
-  if (!input.load) {
-    const double scale = input.problem.contact_modulus;  // a load of the right order of magnitude
-    const double approach = contact_under(scale).approach();
-    if (!(*input.approach > 0))
-      throw sys::InvalidQuantity("approach", *input.approach,
-                                 "greater than 0, or there is no contact");
-    load = scale * std::pow(*input.approach / approach, 1 / power);
-  }
-  return describe(contact_under(load), load);
-}
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 PointContactOptions::CurvedBody::CurvedBody(CLI::App& command, const std::string& number)
@@ -90,15 +53,12 @@ PointContactOptions::CurvedBody::CurvedBody(CLI::App& command, const std::string
 PointContactOptions::PointContactOptions(CLI::App& command)
     : body1_(command, "1"),
       body2_(command, "2"),
-      angle_(command, "--angle", "Degrees from the x axis of body 1 to that of body 2 [0]"),
       load_(command, "--load", "Load P, a force"),
       approach_(command, "--approach", "Approach of distant points instead of the load"),
-      slope_(command, "--slope", "Cone: tangent of the angle between its side and the surface"),
-      flat_(command, "--flat", "Flat and rounded punch: radius of its flat end"),
-      edge_radius_(command, "--edge-radius", "Rounded punch: radius of its edge's rounding"),
-      power_(command, "--power", "Power law A r^2n: n"),
-      coefficient_(command, "--coefficient", "Power law A r^2n: A"),
-      spacing_(command, "--spacing", "Measured surface: distance between its points"),
+      profile_(command, "--profile", "sphere",
+               "Shape of the gap. sphere: spheres, ellipsoids, crossed cylinders, by their radii; "
+               "file: a CSV grid of gaps, a line for each y; heights: of heights above the surface",
+               choices_of(body_choices())),
       nodes_(command, "--nodes", "Number of nodes along a side of the domain [256]"),
       domain_(command, "--domain",
               "Width W of the square that the nodes fill [the contact's and a ninth more]"),
@@ -108,11 +68,6 @@ PointContactOptions::PointContactOptions(CLI::App& command)
       threads_(command, "--threads", "Number of threads; changes no digit of the result [1]"),
       friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
       tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
-  add_text(
-      command, "--profile", profile_,
-      "sphere|cone|flat-punch|rounded-punch|power|file:PATH|heights:PATH",
-      "Shape of the gap. sphere: spheres, ellipsoids, crossed cylinders, by their radii; file: "
-      "a CSV grid of gaps, a line for each y; heights: of heights above the surface");
   add_choice(command, "--grid", grid_, {"hexagonal", "square"},
              "Nodes as corners of equilateral triangles or of squares");
   add_choice(command, "--element", element_, {"pyramid", "bilinear", "uniform", "point"},
@@ -136,10 +91,6 @@ elasticity::Material PointContactOptions::CurvedBody::material(
   return {young.number_or(given_young), poisson.number_or(given_poisson)};
 }
 
-bool PointContactOptions::CurvedBody::has_radius() const {
-  return !(radius.text().empty() && radius_x.text().empty() && radius_y.text().empty());
-}
-
 point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
     const std::optional<CylinderCase>& given) const {
   const bool has_two = !radius_x.text().empty() || !radius_y.text().empty();
@@ -160,32 +111,6 @@ point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
   return {*curvature, *curvature};
 }
 
-// Refuse a flag that would be ignored: the user made a mistake.
-void PointContactOptions::refuse_flags_of_other_bodies() const {
-  const auto is = [&](std::string_view name) { return profile_ == name; };
-  const bool is_sphere = is("sphere");
-  const bool is_power = is("power");
-  const std::vector<std::pair<const NumberOption*, bool>> flags = {
-      {&body1_.radius, is_sphere},
-      {&body1_.radius_x, is_sphere},
-      {&body1_.radius_y, is_sphere},
-      {&body2_.radius, is_sphere},
-      {&body2_.radius_x, is_sphere},
-      {&body2_.radius_y, is_sphere},
-      {&angle_, is_sphere},
-      {&slope_, is("cone")},
-      {&flat_, is("flat-punch") || is("rounded-punch")},
-      {&edge_radius_, is("rounded-punch")},
-      {&power_, is_power},
-      {&coefficient_, is_power},
-      {&spacing_, is_measured(profile_)}};
-  for (const auto& [option, has_meaning] : flags) {
-    if (has_meaning || option->text().empty()) continue;
-    throw sys::InputError(
-        fmt::format("{} has no meaning for --profile {}", option->flag(), profile_));
-  }
-}
-
 void PointContactOptions::set_curved_bodies(
     PointContactInput& input, const std::optional<parameters::Case>& from_file) const {
   std::optional<CylinderCase> given1, given2;
@@ -195,7 +120,7 @@ void PointContactOptions::set_curved_bodies(
   }
   const auto body1 = body1_.curvatures(given1);
   const auto body2 = body2_.curvatures(given2);
-  const double angle = angle_.number().value_or(0) * std::numbers::pi / 180;
+  const double angle = profile_.given("--angle").value_or(0) * std::numbers::pi / 180;
   auto relative = point_contact::relative_curvatures(body1, body2, angle);
   // Axes that are turned by rounding alone are those of body 1.
   constexpr double rounding = 1e-14;
@@ -210,108 +135,49 @@ void PointContactOptions::set_curved_bodies(
   }
   input.least_radius = 1 / greatest;
 
-  const double modulus = input.problem.contact_modulus;
+  const Pressing pressing{input.problem.contact_modulus, input.load, input.approach};
   constexpr double hertzs_power = 2.0 / 3;
   if (input.is_of_revolution) {
-    input.closed_form = closed_form_for(
-        input, hertzs_power,
-        [&](double load) { return point_contact::Hertz(modulus, relative.y, load); },
-        [&](const point_contact::Hertz& hertz, double load) {
-          input.hertz = hertz;
-          return PointClosedForm{"hertz",          hertz.radius(),
-                                 hertz.radius(),   hertz.peak_pressure(),
-                                 hertz.approach(), load};
-        });
+    const auto under = [&](double load) {
+      return point_contact::Hertz(pressing.contact_modulus, relative.y, load);
+    };
+    const double load =
+        load_of(pressing, hertzs_power, [&](double p) { return under(p).approach(); });
+    input.hertz = under(load);
+    input.closed_form = {"hertz",
+                         input.hertz->radius(),
+                         input.hertz->radius(),
+                         input.hertz->peak_pressure(),
+                         input.hertz->approach(),
+                         load};
     return;
   }
-  input.closed_form = closed_form_for(
-      input, hertzs_power,
-      [&](double load) {
-        return point_contact::HertzElliptic(modulus, relative.x, relative.y, load);
-      },
-      [&](const point_contact::HertzElliptic& hertz, double load) {
-        return PointClosedForm{"hertz",
-                               hertz.semi_axis_x(),
-                               hertz.semi_axis_y(),
-                               hertz.peak_pressure(),
-                               hertz.approach(),
-                               load};
-      });
-}
-
-void PointContactOptions::set_measured_surface(PointContactInput& input) const {
-  const double spacing = sys::require_positive("spacing", needed(spacing_));
-  if (profile_.starts_with(gap_prefix)) {
-    const auto gaps = read_grid(profile_.substr(gap_prefix.size()));
-    input.problem.profile = Profile::height_map(gaps, spacing);
-    return;
-  }
-  const auto heights = read_grid(profile_.substr(height_prefix.size()));
-  input.problem.profile = Profile::height_map(heights.maxCoeff() - heights, spacing);
+  const auto under = [&](double load) {
+    return point_contact::HertzElliptic(pressing.contact_modulus, relative.x, relative.y, load);
+  };
+  const double load =
+      load_of(pressing, hertzs_power, [&](double p) { return under(p).approach(); });
+  const point_contact::HertzElliptic hertz = under(load);
+  input.closed_form = {
+      "hertz", hertz.semi_axis_x(), hertz.semi_axis_y(), hertz.peak_pressure(), hertz.approach(),
+      load};
 }
 
 void PointContactOptions::set_profile(PointContactInput& input,
                                       const std::optional<parameters::Case>& from_file) const {
-  refuse_flags_of_other_bodies();
-  const double modulus = input.problem.contact_modulus;
-  Profile& profile = input.problem.profile;
-  input.is_of_revolution = !is_measured(profile_);
-  if (profile_ == "sphere") {
-    set_curved_bodies(input, from_file);
-  } else if (profile_ == "cone") {
-    const double slope = needed(slope_);
-    profile = Profile::cone(slope);
-    input.closed_form = closed_form_for(
-        input, 0.5, [&](double load) { return point_contact::Cone(modulus, slope, load); },
-        [](const point_contact::Cone& cone, double load) {
-          return PointClosedForm{"cone",   cone.radius(),   cone.radius(),
-                                 infinite, cone.approach(), load};
-        });
-  } else if (profile_ == "flat-punch") {
-    const double radius = needed(flat_);
-    profile = Profile::flat_punch(radius);
-    input.closed_form = closed_form_for(
-        input, 1, [&](double load) { return point_contact::FlatPunch(modulus, radius, load); },
-        [&](const point_contact::FlatPunch& punch, double load) {
-          return PointClosedForm{"flat-punch", radius, radius, infinite, punch.approach(), load};
-        });
-  } else if (profile_ == "rounded-punch") {
-    const double flat = needed(flat_);
-    const double radius = sys::require_positive("edge-radius", needed(edge_radius_));
-    profile = Profile::rounded_punch(flat, 1 / radius);
-  } else if (profile_ == "power") {
-    const auto n = power_.integer();
-    if (!n) throw sys::InputError("--power is missing");
-    if (*n < 1 || *n > Profile::max_power) {
-      throw sys::InputError(
-          fmt::format("--power = {}: must be from 1 to {}", *n, Profile::max_power));
+  profile_.refuse_flags_of_others();
+  const BodyChoice& choice = body_choices()[profile_.row()];
+  if (!choice.choose) return set_curved_bodies(input, from_file);
+  for (const CurvedBody* body : {&body1_, &body2_}) {
+    for (const NumberOption* radius : {&body->radius, &body->radius_x, &body->radius_y}) {
+      profile_.refuse(*radius);
     }
-    const double coefficient = needed(coefficient_);
-    profile = Profile::power_law(coefficient, static_cast<int>(*n));
-    const double exponent = 2 * static_cast<double>(*n);
-    input.closed_form = closed_form_for(
-        input, exponent / (exponent + 1),
-        [&](double load) {
-          return point_contact::PowerLaw(modulus, coefficient, static_cast<int>(*n), load);
-        },
-        [](const point_contact::PowerLaw& power, double load) {
-          // The pressure is greatest inside, between the middle and the edge if n > 1.
-          double peak = 0;
-          constexpr int enough = 4000;
-          for (int i = 0; i < enough; ++i) {
-            peak = std::max(peak, power.pressure(power.radius() * i / enough));
-          }
-          return PointClosedForm{"power", power.radius(),   power.radius(),
-                                 peak,    power.approach(), load};
-        });
-  } else if (is_measured(profile_)) {
-    set_measured_surface(input);
-  } else {
-    throw sys::InputError(fmt::format(
-        "--profile = {}: must be sphere, cone, flat-punch, rounded-punch, power, file:PATH or "
-        "heights:PATH",
-        profile_));
   }
+  ChosenBody chosen =
+      choice.choose(profile_, {input.problem.contact_modulus, input.load, input.approach});
+  input.is_of_revolution = choice.is_of_revolution;
+  input.problem.profile = std::move(chosen.profile);
+  input.closed_form = std::move(chosen.closed_form);
 }
 
 long PointContactOptions::n_nodes() const {
@@ -365,7 +231,7 @@ PointContactInput PointContactOptions::read(
       .material1 = material1,
       .material2 = material2,
       .problem = {Profile::paraboloid(1), modulus, {}, point_element_named(element_)},
-      .profile = profile_,
+      .profile = profile_.text(),
       .grid = grid_,
       .method = method_,
       .accuracy = {},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/body_choices.hpp"
 #include "command_line/options.hpp"
 #include "parameters/case.hpp"
 #include "point_contact/bodies/curvatures.hpp"
@@ -15,16 +16,6 @@
 
 namespace app {
 using namespace command_line;
-
-/// A point contact that has a closed form, to compare with.
-struct PointClosedForm {
-  std::string name;  ///< "hertz", or the profile's
-  double half_width_x;
-  double half_width_y;
-  double peak_pressure;  ///< infinite at a cone's tip and at a flat end's edge
-  double approach;
-  double load;
-};
 
 /// A point contact to be solved, as the command line and the case file describe it.
 struct PointContactInput {
@@ -65,24 +56,20 @@ class PointContactOptions {
     elasticity::Material material(const std::optional<parameters::CylinderCase>& given) const;
     point_contact::PrincipalCurvatures curvatures(
         const std::optional<parameters::CylinderCase>& given) const;
-    bool has_radius() const;
     NumberOption young, poisson, radius, radius_x, radius_y;
   };
 
-  void refuse_flags_of_other_bodies() const;
   void set_profile(PointContactInput& input,
                    const std::optional<parameters::Case>& from_file) const;
   void set_curved_bodies(PointContactInput& input,
                          const std::optional<parameters::Case>& from_file) const;
-  void set_measured_surface(PointContactInput& input) const;
   void set_grid(PointContactInput& input) const;
   long n_nodes() const;
 
   CurvedBody body1_, body2_;
-  NumberOption angle_, load_, approach_;
-  NumberOption slope_, flat_, edge_radius_, power_, coefficient_, spacing_;
+  NumberOption load_, approach_;
+  ChoiceOption profile_;
   NumberOption nodes_, domain_, domain_y_, tolerance_, threads_, friction_, tangential_;
-  std::string profile_ = "sphere";
   std::string grid_ = "hexagonal";
   std::string element_ = "pyramid";
   std::string method_ = "fft";

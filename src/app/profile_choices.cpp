@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <limits>
-#include <stdexcept>
 
+#include "app/csv_columns.hpp"
+#include "command_line/number_text.hpp"
 #include "contact/power_law.hpp"
 #include "contact/rounded_punch.hpp"
 #include "contact/wedge.hpp"
@@ -15,8 +15,8 @@
 namespace app {
 namespace {
 
-ChosenProfile wedge(const ProfileNumbers& numbers, double modulus, std::optional<double> load) {
-  const double slope = numbers.number("--slope");
+ChosenProfile wedge(const ChoiceOption& given, double modulus, std::optional<double> load) {
+  const double slope = given.number("--slope");
   ChosenProfile chosen{contact::Profile::wedge(slope), {}};
   if (load) {
     chosen.closed_form = closed_form("wedge", contact::Wedge(modulus, slope, *load),
@@ -25,11 +25,9 @@ ChosenProfile wedge(const ProfileNumbers& numbers, double modulus, std::optional
   return chosen;
 }
 
-ChosenProfile rounded_punch(const ProfileNumbers& numbers, double modulus,
-                            std::optional<double> load) {
-  const double flat = numbers.number("--flat");
-  const double curvature =
-      1 / sys::require_positive("edge-radius", numbers.number("--edge-radius"));
+ChosenProfile rounded_punch(const ChoiceOption& given, double modulus, std::optional<double> load) {
+  const double flat = given.number("--flat");
+  const double curvature = 1 / sys::require_positive("edge-radius", given.number("--edge-radius"));
   ChosenProfile chosen{contact::Profile::rounded_punch(flat, curvature), {}};
   if (load) {
     const contact::RoundedPunch punch(modulus, flat, curvature, *load);
@@ -38,9 +36,9 @@ ChosenProfile rounded_punch(const ProfileNumbers& numbers, double modulus,
   return chosen;
 }
 
-ChosenProfile power_law(const ProfileNumbers& numbers, double modulus, std::optional<double> load) {
-  const int n = numbers.integer("--power", 1, contact::Profile::max_power);
-  const double coefficient = numbers.number("--coefficient");
+ChosenProfile power_law(const ChoiceOption& given, double modulus, std::optional<double> load) {
+  const int n = given.integer("--power", 1, contact::Profile::max_power);
+  const double coefficient = given.number("--coefficient");
   ChosenProfile chosen{contact::Profile::power_law(coefficient, n), {}};
   if (load) {
     const contact::PowerLaw power(modulus, coefficient, n, *load);
@@ -49,58 +47,46 @@ ChosenProfile power_law(const ProfileNumbers& numbers, double modulus, std::opti
   return chosen;
 }
 
+// A measured profile from a CSV file: x and the gap h there, in the unit of length of the case.
+contact::Profile read_profile(const std::string& file) {
+  const CsvColumns points = read_columns(file, "x", "gap");
+  const std::vector<double>& x = points.first;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (x[i] > x[i - 1]) continue;
+    throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the one before, {}",
+                                      file, points.lines[i], command_line::shortest(x[i]),
+                                      command_line::shortest(x[i - 1])));
+  }
+  constexpr std::size_t min_points = 4;
+  if (x.size() < min_points) {
+    throw sys::InputError(
+        fmt::format("{}: holds {} points, {} or more are needed", file, x.size(), min_points));
+  }
+  return contact::Profile::tabulated(x, points.second);
+}
+
+ChosenProfile measured(const ChoiceOption& given, double /*modulus*/,
+                       std::optional<double> /*load*/) {
+  return {read_profile(given.argument())};
+}
+
 }  // namespace
 
 const std::vector<ProfileChoice>& profile_choices() {
   static const std::vector<ProfileChoice> choices = {
-      {"wedge", {{"--slope", "Wedge: tangent of the angle between face and surface"}}, wedge},
-      {"rounded-punch",
-       {{"--flat", "Rounded punch: half-width of its flat"},
-        {"--edge-radius", "Rounded punch: radius of its edges"}},
+      {{"cylinder"}, nullptr},
+      {{"wedge", "", {{"--slope", "Wedge: tangent of the angle between face and surface"}}}, wedge},
+      {{"rounded-punch",
+        "",
+        {{"--flat", "Rounded punch: half-width of its flat"},
+         {"--edge-radius", "Rounded punch: radius of its edges"}}},
        rounded_punch},
-      {"power",
-       {{"--power", "Power law A x^2n: n"}, {"--coefficient", "Power law A x^2n: A"}},
-       power_law}};
+      {{"power",
+        "",
+        {{"--power", "Power law A x^2n: n"}, {"--coefficient", "Power law A x^2n: A"}}},
+       power_law},
+      {{"file", "PATH"}, measured}};
   return choices;
-}
-
-ProfileNumbers::ProfileNumbers(CLI::App& command) {
-  for (const ProfileChoice& choice : profile_choices()) {
-    for (const auto& [flag, help] : choice.flags) {
-      options_.push_back(std::make_unique<NumberOption>(command, flag, help));
-    }
-  }
-}
-
-const NumberOption& ProfileNumbers::option(const std::string& flag) const {
-  const auto found = std::ranges::find(options_, flag, [](const auto& it) { return it->flag(); });
-  if (found == options_.end()) throw std::logic_error("no profile has the flag " + flag);
-  return **found;
-}
-
-double ProfileNumbers::number(const std::string& flag) const {
-  const auto number = option(flag).number();
-  if (!number) throw sys::InputError(flag + " is missing");
-  return *number;
-}
-
-int ProfileNumbers::integer(const std::string& flag, int least, int most) const {
-  const auto integer = option(flag).integer();
-  if (!integer) throw sys::InputError(flag + " is missing");
-  if (*integer < least || *integer > most) {
-    throw sys::InputError(
-        fmt::format("{} = {}: must be from {} to {}", flag, *integer, least, most));
-  }
-  return static_cast<int>(*integer);
-}
-
-void ProfileNumbers::refuse_flags_of_others(const std::string& profile) const {
-  for (const ProfileChoice& choice : profile_choices()) {
-    for (const auto& [flag, help] : choice.flags) {
-      if (choice.name == profile || option(flag).text().empty()) continue;
-      throw sys::InputError(fmt::format("{} has no meaning for --profile {}", flag, profile));
-    }
-  }
 }
 
 }  // namespace app

@@ -94,9 +94,10 @@ void add_choice(CLI::App& command, const std::string& flag, std::string& chosen,
   add(command, flag, chosen, help)->check(CLI::IsMember(choices));
 }
 
-NumberOption::NumberOption(CLI::App& command, const std::string& flag, const std::string& help)
+NumberOption::NumberOption(CLI::App& command, const std::string& flag, const std::string& help,
+                           const std::string& type)
     : flag_(flag) {
-  add_text(command, flag, text_, "NUMBER", help);
+  add_text(command, flag, text_, type, help);
 }
 
 std::optional<double> NumberOption::number() const {

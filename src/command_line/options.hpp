@@ -60,7 +60,9 @@ void add_choice(CLI::App& command, const std::string& flag, std::string& chosen,
 /// A numeric flag that may be left out, such as --young 30e6.
 class NumberOption {
  public:
-  NumberOption(CLI::App& command, const std::string& flag, const std::string& help);
+  /// `type` is shown in the help.
+  NumberOption(CLI::App& command, const std::string& flag, const std::string& help,
+               const std::string& type = "NUMBER");
   NumberOption(const NumberOption&) = delete;
   NumberOption& operator=(const NumberOption&) = delete;
 

@@ -6,8 +6,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <map>
 #include <set>
 #include <sstream>
+
+#include "system/nearest_name.hpp"
 
 namespace config {
 namespace {
@@ -63,6 +67,7 @@ struct Table::Node {
     std::string file;
     toml::table root;
     std::set<const toml::node*> asked_for;
+    std::map<std::string, std::set<std::string>> asked_names;  // of each table, by its path
   };
   std::shared_ptr<Document> document;
   const toml::table* table;
@@ -73,10 +78,46 @@ struct Table::Node {
   }
 
   const toml::node& get(const Table& self, const std::string& key) const {
+    document->asked_names[path].insert(key);
     const toml::node* node = table->get(key);
-    if (node == nullptr) self.fail(key, "missing");
+    if (node == nullptr) self.fail(key, "missing" + sys::suggestion(key, unknown_keys()));
     document->asked_for.insert(node);
     return *node;
+  }
+
+  /// The keys that nobody has asked for so far.
+  std::set<std::string> unknown_keys() const {
+    std::set<std::string> keys;
+    for (const auto& [key, node] : *table) {
+      if (!document->asked_for.contains(&node)) keys.emplace(key.str());
+    }
+    return keys;
+  }
+
+  /// The names that were asked for and are not there.
+  std::set<std::string> missing_keys() const {
+    std::set<std::string> keys = document->asked_names[path];
+    std::erase_if(keys, [this](const std::string& key) { return table->contains(key); });
+    return keys;
+  }
+
+  /// The finite number that stands at a node.
+  double number_at(const toml::node& node, const std::string& key) const {
+    const auto refuse = [&](const std::string& message) {
+      throw Error(fmt::format("{}: {}: {}", place_in(document->file, node.source()), path_of(key),
+                              message));
+    };
+    if (!node.is_number()) refuse("must be a number, not " + type_name(node));
+    if (const auto integer = node.value_exact<std::int64_t>()) {
+      constexpr std::int64_t most = std::int64_t{1} << std::numeric_limits<double>::digits;
+      if (*integer > most || *integer < -most) {
+        refuse(fmt::format("{}: a number holds no integer beyond 2^53 = {}", *integer, most));
+      }
+      return static_cast<double>(*integer);
+    }
+    const double number = *node.value_exact<double>();
+    if (!std::isfinite(number)) refuse(fmt::format("{}: must be a finite number", number));
+    return number;
   }
 
   [[noreturn]] void wrong_type(const Table& self, const std::string& key,
@@ -91,7 +132,8 @@ Table Table::parse_file(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   const bool is_empty = stream && stream.peek() == std::ifstream::traits_type::eof();
-  if (!std::filesystem::is_regular_file(path) || !(is_empty || text << stream.rdbuf())) {
+  // A pipe, as of «<(…)», is read as a file is.
+  if (std::filesystem::is_directory(path) || !(is_empty || text << stream.rdbuf())) {
     throw Error(fmt::format("{}: cannot be read", document->file));
   }
   try {
@@ -107,6 +149,7 @@ Table Table::parse_file(const std::filesystem::path& path) {
 }
 
 bool Table::has(const std::string& key) const {
+  node_->document->asked_names[node_->path].insert(key);
   return node_->table->contains(key);
 }
 
@@ -148,11 +191,15 @@ bool Table::is_text(const std::string& key, const std::string& text) const {
 }
 
 double Table::number(const std::string& key) const {
-  const toml::node& node = node_->get(*this, key);
-  if (!node.is_number()) node_->wrong_type(*this, key, "a number");
-  const double number = *node.value<double>();
-  if (!std::isfinite(number)) fail(key, fmt::format("{}: must be a finite number", number));
-  return number;
+  return node_->number_at(node_->get(*this, key), key);
+}
+
+std::vector<double> Table::numbers(const std::string& key) const {
+  const toml::array* array = node_->get(*this, key).as_array();
+  if (array == nullptr) node_->wrong_type(*this, key, "an array of numbers");
+  std::vector<double> numbers;
+  for (const toml::node& element : *array) numbers.push_back(node_->number_at(element, key));
+  return numbers;
 }
 
 long Table::integer(const std::string& key) const {
@@ -169,9 +216,21 @@ double Table::quantity(const std::string& key, const std::string& unit) const {
   const std::string wanted = fmt::format("a quantity such as {{value = 1.0, unit = \"{}\"}}", unit);
   if (node_->get(*this, key).as_table() == nullptr) node_->wrong_type(*this, key, wanted);
   const Table given = table(key);
-  const double factor =
-      given.at("unit", [&] { return conversion_factor(given.text("unit"), unit); });
-  return factor * given.number("value");
+  const double number = given.number("value");
+  return given.at("unit", [&] { return converted(number, given.text("unit"), unit); });
+}
+
+std::vector<double> Table::quantities(const std::string& key, const std::string& unit) const {
+  if (node_->get(*this, key).as_table() == nullptr) {
+    node_->wrong_type(
+        *this, key, fmt::format("quantities such as {{value = [1.0, 2.0], unit = \"{}\"}}", unit));
+  }
+  const Table given = table(key);
+  std::vector<double> quantities = given.numbers("value");
+  for (double& number : quantities) {
+    number = given.at("unit", [&] { return converted(number, given.text("unit"), unit); });
+  }
+  return quantities;
 }
 
 PrintedNumber Table::printed_number(const std::string& key) const {
@@ -232,8 +291,9 @@ void Table::reject_unknown_keys(const std::set<std::string>& left_to_others) con
     const std::string name(key.str());
     if (left_to_others.contains(name)) continue;
     if (!node_->document->asked_for.contains(&node)) {
-      throw Error(fmt::format("{}: {}: unknown key", place_in(node_->document->file, key.source()),
-                              node_->path_of(name)));
+      throw Error(fmt::format("{}: {}: unknown key{}",
+                              place_in(node_->document->file, key.source()), node_->path_of(name),
+                              sys::suggestion(name, node_->missing_keys())));
     }
     if (node.is_table()) table(name).reject_unknown_keys();
     if (!node.is_array_of_tables()) continue;

@@ -22,10 +22,12 @@ class Error : public sys::InputError {
 };
 
 /// A table of a TOML file that is read strictly: a key that is missing, has the wrong type or unit,
-/// or was never asked for is an error with its place in the file.
+/// or was never asked for is an error with its place in the file. The nearest key that may be meant
+/// is told.
 ///
 /// A quantity is written {value = 30e6, unit = "psi"}; it may have any unit of the right dimension
-/// and is converted to that of the given system. A copy is a view of the same file.
+/// and is converted to that of the given system as config::converted does. A copy is a view of the
+/// same file.
 class Table {
  public:
   /// Parses a file; throws Error if it cannot be read or is not TOML (doubled keys included).
@@ -43,6 +45,9 @@ class Table {
   double quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const;
   /// The same in any unit that UDUNITS-2 knows, such as "m/s2".
   double quantity(const std::string& key, const std::string& unit) const;
+  std::vector<double> numbers(const std::string& key) const;
+  /// Several quantities of one unit: {value = [1, 2.5], unit = "in"}.
+  std::vector<double> quantities(const std::string& key, const std::string& unit) const;
   std::vector<PrintedNumber> printed_numbers(const std::string& key) const;
   PrintedNumber printed_number(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;

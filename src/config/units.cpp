@@ -5,10 +5,14 @@
 #include <fmt/ranges.h>
 #include <udunits2.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace config {
 namespace {
@@ -45,6 +49,66 @@ double without_rounding(double factor) {
   const double short_factor = std::strtod(fmt::format("{:.12g}", factor).c_str(), nullptr);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * factor;
   return std::abs(short_factor - factor) <= rounding ? short_factor : factor;
+}
+
+/// digits · 10^exponent. A product of two doubles' digits, 34 at most, fits in.
+struct Decimal {
+  __extension__ using Digits = unsigned __int128;
+  Digits digits = 0;
+  int exponent = 0;
+};
+
+/// The shortest decimal number that reads back as `number` ≥ 0.
+Decimal shortest(double number) {
+  std::array<char, 32> buffer{};
+  const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                        std::chars_format::scientific)
+                              .ptr;
+  Decimal decimal;
+  const char* c = buffer.data();
+  for (bool is_behind_point = false; *c != 'e'; ++c) {
+    if (*c == '.') {
+      is_behind_point = true;
+    } else {
+      decimal.digits = 10 * decimal.digits + static_cast<unsigned>(*c - '0');
+      decimal.exponent -= is_behind_point ? 1 : 0;
+    }
+  }
+  c += c[1] == '+' ? 2 : 1;
+  int exponent = 0;
+  std::from_chars(c, end, exponent);
+  decimal.exponent += exponent;
+  return decimal;
+}
+
+bool is_short(const Decimal& factor) {
+  constexpr Decimal::Digits first_of_16_digits = 1'000'000'000'000'000;
+  return factor.digits < first_of_16_digits;
+}
+
+double nearest(const Decimal& decimal) {
+  std::string text;
+  for (Decimal::Digits rest = decimal.digits; rest > 0; rest /= 10) {
+    text.insert(text.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
+  }
+  text = fmt::format("{}e{}", text.empty() ? "0" : text, decimal.exponent);
+  double number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+Decimal product(const Decimal& a, const Decimal& b) {
+  return {a.digits * b.digits, a.exponent + b.exponent};
+}
+
+/// The quotient to 19 digits or more; a last digit 1 stands for all that follow, so that it is
+/// rounded to the right side.
+Decimal quotient(Decimal a, const Decimal& b) {
+  constexpr Decimal::Digits most = ~Decimal::Digits{0} / 10;
+  for (; a.digits > 0 && a.digits <= most; a.digits *= 10) --a.exponent;
+  const Decimal::Digits digits = a.digits / b.digits;
+  const bool is_exact = a.digits % b.digits == 0;
+  return {is_exact ? digits : digits / 10 * 10 + 1, a.exponent - b.exponent};
 }
 
 }  // namespace
@@ -92,8 +156,7 @@ double conversion_factor(const std::string& from, const std::string& to) {
   const Unit from_unit = parse(from);
   const Unit to_unit = parse(to);
   if (!ut_are_convertible(from_unit.get(), to_unit.get())) {
-    throw UnitError(
-        fmt::format("a unit of \"{}\" wanted, \"{}\" measures something else", to, from));
+    throw UnitError(fmt::format("\"{}\" cannot be converted into \"{}\"", from, to));
   }
   const Converter converter(ut_get_converter(from_unit.get(), to_unit.get()));
   const double factor = cv_convert_double(converter.get(), 1);
@@ -109,6 +172,15 @@ double conversion_factor(const std::string& from, const std::string& to) {
                                 from, factor, to));
   }
   return without_rounding(factor);
+}
+
+double converted(double number, const std::string& from, const std::string& to) {
+  const Decimal factor = shortest(conversion_factor(from, to));
+  const Decimal reciprocal = shortest(conversion_factor(to, from));
+  const Decimal given = shortest(std::abs(number));
+  const bool divides = !is_short(factor) && is_short(reciprocal);
+  return std::copysign(nearest(divides ? quotient(given, reciprocal) : product(given, factor)),
+                       number);
 }
 
 }  // namespace config

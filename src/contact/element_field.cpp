@@ -3,7 +3,7 @@
 
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/interior_stress.hpp"
-#include "elasticity/uniform_load.hpp"
+#include "elasticity/load_shapes.hpp"
 
 namespace contact {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticity/load.hpp"
 
+#include "numerics/kernel_integrals.hpp"
 #include "system/require.hpp"
 
 namespace elasticity {
@@ -11,6 +12,14 @@ numerics::PiecewiseFunction split_at(const std::vector<double>& breakpoints,
   std::vector<numerics::Piece> pieces;
   for (std::size_t i = 0; function && i + 1 < breakpoints.size(); ++i) {
     pieces.push_back({breakpoints[i], breakpoints[i + 1], function});
+  }
+  return numerics::PiecewiseFunction(pieces);
+}
+
+numerics::PiecewiseFunction scaled(const numerics::PiecewiseFunction& function, double factor) {
+  std::vector<numerics::Piece> pieces = function.pieces();
+  for (numerics::Piece& piece : pieces) {
+    piece.value = [factor, value = piece.value](double s) { return factor * value(s); };
   }
   return numerics::PiecewiseFunction(pieces);
 }
@@ -26,5 +35,26 @@ Load distributed_load(const std::function<double(double)>& pressure,
   }
   return {split_at(breakpoints, pressure), split_at(breakpoints, shear), {}};
 }
+
+Load scaled(const Load& load, double factor) {
+  sys::require_finite("factor", factor);
+  Load result{scaled(load.normal, factor), scaled(load.tangential, factor), load.forces};
+  for (LineForce& force : result.forces) force.magnitude *= factor;
+  return result;
+}
+
+double normal_resultant(const Load& load) {
+  double sum = numerics::KernelIntegrals(load.normal).total().value;
+  for (const LineForce& force : load.forces) sum += force.magnitude;
+  return sum;
+}
+
+double tangential_gradient(const Material& material, const Load& load, double x) {
+  return -material.local_compliance() * load.normal(sys::require_finite("x", x));
+}
+
+PeakedLoad::PeakedLoad(double peak_pressure, double half_width)
+    : peak_pressure_(sys::require_positive("peak_pressure", peak_pressure)),
+      half_width_(sys::require_positive("half_width", half_width)) {}
 
 }  // namespace elasticity

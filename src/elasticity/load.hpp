@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "elasticity/material.hpp"
 #include "numerics/piecewise.hpp"
 
 namespace elasticity {
@@ -33,5 +34,29 @@ struct Load {
 Load distributed_load(const std::function<double(double)>& pressure,
                       const std::function<double(double)>& shear,
                       const std::vector<double>& breakpoints);
+
+/// The load with all its tractions and forces multiplied by a finite factor.
+Load scaled(const Load& load, double factor);
+
+/// ∫ p dx and the concentrated forces, force per unit length; exact to 1e-12 of the load's scale.
+double normal_resultant(const Load& load);
+
+/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) of a half-space's surface under any load without friction:
+/// Johnson (2.25a) with q = 0; at a jump the mean of both sides. Dimensionless; any finite x.
+double tangential_gradient(const Material& material, const Load& load, double x);
+
+/// What loads on |x| ≤ a with a greatest pressure share.
+class PeakedLoad {
+ public:
+  /// peak_pressure p₀ (stress) and half_width a (length), both > 0, or InvalidQuantity is thrown.
+  PeakedLoad(double peak_pressure, double half_width);
+
+  double peak_pressure() const { return peak_pressure_; }
+  double half_width() const { return half_width_; }
+
+ private:
+  double peak_pressure_;
+  double half_width_;
+};
 
 }  // namespace elasticity

@@ -65,15 +65,6 @@ PiecewiseLinearLoad::PiecewiseLinearLoad(std::vector<double> positions,
   }
 }
 
-double PiecewiseLinearLoad::pressure(double x) const {
-  if (x < positions_.front() || x > positions_.back()) return 0;
-  if (x == positions_.front()) return pressures_.front() / 2;
-  if (x == positions_.back()) return pressures_.back() / 2;
-  const auto next = std::upper_bound(positions_.begin(), positions_.end(), x);
-  const auto i = static_cast<std::size_t>(next - positions_.begin());
-  return interpolated(positions_[i - 1], positions_[i], pressures_[i - 1], pressures_[i], x);
-}
-
 double PiecewiseLinearLoad::resultant_below(double x) const {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < positions_.size() && positions_[i] < x; ++i) {
@@ -130,10 +121,6 @@ double normal_displacement(const Material& material, const PiecewiseLinearLoad& 
   const double here = potential(load, sys::require_finite("x", x));
   const double there = potential(load, sys::require_finite("datum", datum));
   return -material.integral_compliance() * load.width() * (here - there);
-}
-
-double tangential_gradient(const Material& material, const PiecewiseLinearLoad& load, double x) {
-  return -material.local_compliance() * load.pressure(sys::require_finite("x", x));
 }
 
 double tangential_displacement(const Material& material, const PiecewiseLinearLoad& load,

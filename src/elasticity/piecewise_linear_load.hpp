@@ -22,9 +22,6 @@ class PiecewiseLinearLoad {
   /// From the first position to the last, a length.
   double width() const { return positions_.back() - positions_.front(); }
 
-  /// p(x).
-  double pressure(double x) const;
-
   /// ∫ p ds over s < x, force per unit length.
   double resultant_below(double x) const;
 
@@ -48,9 +45,6 @@ double normal_gradient(const Material& material, const PiecewiseLinearLoad& load
 /// A length, positive into the body; any finite x and datum. Accuracy: 1e-14 of the greatest term.
 double normal_displacement(const Material& material, const PiecewiseLinearLoad& load, double x,
                            double datum);
-
-/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x): Johnson (2.25a) with q = 0; at a jump the mean of both sides.
-double tangential_gradient(const Material& material, const PiecewiseLinearLoad& load, double x);
 
 /// u_x = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p], Johnson (2.24a) with q = 0. A length,
 /// positive along x.

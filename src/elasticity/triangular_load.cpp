@@ -60,13 +60,9 @@ double displacement_bracket(double x, double a) {
 
 }  // namespace
 
-TriangularLoad::TriangularLoad(double peak_pressure, double half_width)
-    : peak_pressure_(sys::require_positive("peak_pressure", peak_pressure)),
-      half_width_(sys::require_positive("half_width", half_width)) {}
-
 TriangularLoad::operator Load() const {
-  const double p0 = peak_pressure_;
-  const double a = half_width_;
+  const double p0 = peak_pressure();
+  const double a = half_width();
   Load load;
   // begin excerpt: equation-4
   load.normal = numerics::PiecewiseFunction({
@@ -92,12 +88,6 @@ double normal_displacement(const Material& material, const TriangularLoad& load,
   const double here = displacement_bracket(std::abs(sys::require_finite("x", x)), a);
   const double there = displacement_bracket(std::abs(sys::require_finite("datum", datum)), a);
   return -scale / 2 * (here - there);
-}
-
-double tangential_gradient(const Material& material, const TriangularLoad& load, double x) {
-  const double a = load.half_width();
-  const double inside = std::max(0.0, a - std::abs(sys::require_finite("x", x)));
-  return -material.local_compliance() * load.peak_pressure() * inside / a;
 }
 
 double tangential_displacement(const Material& material, const TriangularLoad& load, double x) {

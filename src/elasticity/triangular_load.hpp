@@ -7,22 +7,14 @@
 namespace elasticity {
 
 /// The triangular pressure p(x) = (p₀/a)(a − |x|) for |x| ≤ a. This is eq. (4) of the paper.
-class TriangularLoad {
+class TriangularLoad : public PeakedLoad {
  public:
-  /// peak_pressure p₀ (stress) and half_width a (length), both > 0, or InvalidQuantity is thrown.
-  TriangularLoad(double peak_pressure, double half_width);
-
-  double peak_pressure() const { return peak_pressure_; }
-  double half_width() const { return half_width_; }
+  using PeakedLoad::PeakedLoad;
 
   /// The resultant p₀·a, force per unit length.
-  double line_load() const { return peak_pressure_ * half_width_; }
+  double line_load() const { return peak_pressure() * half_width(); }
 
   operator Load() const;  // NOLINT(google-explicit-constructor): a triangular load is a load
-
- private:
-  double peak_pressure_;
-  double half_width_;
 };
 
 /// ∂u_z/∂x of a half-space's surface under a triangular load: the derivative of eq. (3),
@@ -42,10 +34,6 @@ double normal_gradient(const Material& material, const TriangularLoad& load, dou
 /// absolute for |x|/a up to 1e9, K as above.
 double normal_displacement(const Material& material, const TriangularLoad& load, double x,
                            double datum);
-
-/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) of a half-space's surface under a triangular load without
-/// friction: Johnson (2.25a) with q = 0. Dimensionless; any finite x.
-double tangential_gradient(const Material& material, const TriangularLoad& load, double x);
 
 /// u_x = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p], Johnson (2.24a) with q = 0: zero at x = 0,
 /// ∓[(1−2ν)(1+ν)/(2E)] P outside the load on the right and left. A length, positive along x.

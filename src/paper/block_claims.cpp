@@ -8,33 +8,20 @@
 #include "elasticity/interior_stress.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
+#include "paper/prelude.hpp"
 #include "paper/quoted.hpp"
 
 namespace paper {
 namespace {
 
 using block::MeasureEstimate;
-using config::PrintedNumber;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::Limit;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
 
 Estimate named(const std::vector<MeasureEstimate>& measures, const std::string& name) {
   return std::ranges::find(measures, name, &MeasureEstimate::name)->value;
 }
 
-void claim_body(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                const parameters::BlockCase& block_case, const PrintedData& printed_data,
-                const BlockStudy& study) {
+void claim_body(Document& document, const HalfSpaceCase& half_space, const BlockCase& block_case,
+                const PrintedData& printed_data, const BlockStudy& study) {
   const auto& printed = printed_data.appendix2.measures;
   const double nu = half_space.material.poisson();
   const Estimate in_plane =
@@ -67,8 +54,7 @@ void claim_body(literate::Document& document, const parameters::HalfSpaceCase& h
                       "depths", depths)}});
 }
 
-void claim_mass(literate::Document& document, const parameters::BlockCase& block_case,
-                const PrintedData& printed_data) {
+void claim_mass(Document& document, const BlockCase& block_case, const PrintedData& printed_data) {
   const auto& printed = printed_data.appendix2.mass_properties;
   std::vector<Criterion> properties;
   for (const auto& [name, value] : mass_by_name(block_case)) {
@@ -90,9 +76,8 @@ void claim_mass(literate::Document& document, const parameters::BlockCase& block
 }
 
 // A block e times as large in both directions under the same load: the shape, and the level.
-void claim_size(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                const parameters::BlockCase& block_case, const config::UnitSystem& units,
-                const BlockStudy& study) {
+void claim_size(Document& document, const HalfSpaceCase& half_space, const BlockCase& block_case,
+                const UnitSystem& units, const BlockStudy& study) {
   constexpr double factor = std::numbers::e;
   const block::RefinedSolution larger =
       study.enlarged(factor, block_case.sides).solve(half_space.load);
@@ -125,7 +110,7 @@ void claim_size(literate::Document& document, const parameters::HalfSpaceCase& h
                               unaffected)}});
 }
 
-void claim_comparison(literate::Document& document, const parameters::HalfSpaceCase& half_space,
+void claim_comparison(Document& document, const HalfSpaceCase& half_space,
                       const PrintedData& printed_data, const SharesOnBothMeshes& shares) {
   const auto& printed = printed_data.figure5;
   const double a = half_space.load.half_width();
@@ -182,9 +167,8 @@ void claim_comparison(literate::Document& document, const parameters::HalfSpaceC
 }
 
 // The run's own measures against the block under the fitted load.
-void claim_run(literate::Document& document, const config::UnitSystem& units,
-               const PrintedData& printed_data, const BlockStudy& study,
-               const std::vector<MeasureEstimate>& fitted) {
+void claim_run(Document& document, const UnitSystem& units, const PrintedData& printed_data,
+               const BlockStudy& study, const std::vector<MeasureEstimate>& fitted) {
   const auto& printed = printed_data.appendix2.measures;
   const block::LinearFit& fit = *study.fit();
   Estimate least{HUGE_VAL, 0};
@@ -248,9 +232,9 @@ double largest_tension_beside_ends(const block::LinearFit& fit, double a) {
 }
 
 // Where the run's maxima are, and whether they have converged.
-void claim_maxima(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                  const config::UnitSystem& units, const BlockStudy& study,
-                  const PrintedData& printed_data, const std::vector<MeasureEstimate>& fitted) {
+void claim_maxima(Document& document, const HalfSpaceCase& half_space, const UnitSystem& units,
+                  const BlockStudy& study, const PrintedData& printed_data,
+                  const std::vector<MeasureEstimate>& fitted) {
   const auto& printed = printed_data.appendix2;
   const double half_width = half_space.load.half_width();
   const block::LinearFit& fit = *study.fit();
@@ -310,9 +294,8 @@ void claim_maxima(literate::Document& document, const parameters::HalfSpaceCase&
 
 }  // namespace
 
-void claim_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                 const parameters::BlockCase& block_case, const config::UnitSystem& units,
-                 const PrintedData& printed_data, const BlockStudy& study,
+void claim_block(Document& document, const HalfSpaceCase& half_space, const BlockCase& block_case,
+                 const UnitSystem& units, const PrintedData& printed_data, const BlockStudy& study,
                  const std::vector<MeasureEstimate>& fitted, const SharesOnBothMeshes& shares) {
   claim_body(document, half_space, block_case, printed_data, study);
   claim_mass(document, block_case, printed_data);

@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "block/analysis.hpp"
-#include "literate/document/document.hpp"
 #include "paper/block_study.hpp"
+#include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
-#include "parameters/case.hpp"
 
 namespace paper {
 
@@ -29,7 +28,7 @@ class SharesOnBothMeshes {
   double x(std::size_t i) const { return fine_[i].x; }
   const std::vector<Share>& fine() const { return fine_; }
 
-  numerics::Estimate part(double Share::*which, std::size_t i) const {
+  Estimate part(double Share::*which, std::size_t i) const {
     return {fine_[i].*which, std::abs(fine_[i].*which - coarse_[i].*which) + of_half_space_};
   }
 
@@ -40,9 +39,8 @@ class SharesOnBothMeshes {
 
 /// What the paper says of its body, of its run and of the comparison, tried on the block. `fitted`
 /// are the measures under the fitted load.
-void claim_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                 const parameters::BlockCase& block_case, const config::UnitSystem& units,
-                 const PrintedData& printed_data, const BlockStudy& study,
+void claim_block(Document& document, const HalfSpaceCase& half_space, const BlockCase& block_case,
+                 const UnitSystem& units, const PrintedData& printed_data, const BlockStudy& study,
                  const std::vector<block::MeasureEstimate>& fitted,
                  const SharesOnBothMeshes& shares);
 

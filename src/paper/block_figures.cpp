@@ -6,13 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "paper/prelude.hpp"
 #include "system/parallel.hpp"
 
 namespace paper {
 namespace {
-
-using literate::Figure;
-using literate::FigureData;
 
 constexpr double no_point = std::numeric_limits<double>::quiet_NaN();
 
@@ -70,19 +68,16 @@ Enlargements enlargements_of(double a, double height, double largest) {
           rounded_down_to_a_digit(0.8 * a / largest)};
 }
 
-Figure contours(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                const parameters::BlockCase& block_case, const config::UnitSystem& units,
-                const BlockStudy& study) {
+Figure contours(Document& document, const HalfSpaceCase& half_space, const BlockCase& block_case,
+                const UnitSystem& units, const BlockStudy& study) {
   const block::Solution& solution =
       study.fit() ? study.fit()->fit.solution.fine() : study.under_triangle().fine();
   const block::Rectangle& r = block_case.rectangle;
   const double a = half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
   const Enlargements enlargements = enlargements_of(a, r.height(), largest);
-  document.value("contours.enlargement.whole",
-                 literate::Value(enlargements.whole, literate::significant(1)).within(0));
-  document.value("contours.enlargement.close",
-                 literate::Value(enlargements.close, literate::significant(1)).within(0));
+  document.value("contours.enlargement.whole", Value(enlargements.whole, significant(1)).within(0));
+  document.value("contours.enlargement.close", Value(enlargements.close, significant(1)).within(0));
   return {.width_cm = 15,
           .height_cm = 5,
           .data = {{"whole", sample(solution, r.left(), r.right(), r.height(), enlargements.whole)},
@@ -95,8 +90,8 @@ Figure contours(literate::Document& document, const parameters::HalfSpaceCase& h
 }
 
 // What each order of the elements leaves, on one mesh that is graded for this load alone.
-Figure convergence(const parameters::HalfSpaceCase& half_space,
-                   const parameters::BlockCase& block_case, const BlockStudy& study) {
+Figure convergence(const HalfSpaceCase& half_space, const BlockCase& block_case,
+                   const BlockStudy& study) {
   const auto options = study.measure_options();
   const auto measures_of = [&](int order) {
     const block::Analysis analysis(block_case.rectangle, half_space.material, {half_space.load},
@@ -139,8 +134,8 @@ Figure convergence(const parameters::HalfSpaceCase& half_space,
 }
 
 // The boundaries of the elements, each a line with a gap after it.
-Figure mesh(const parameters::HalfSpaceCase& half_space, const parameters::BlockCase& block_case,
-            const config::UnitSystem& units, const BlockStudy& study) {
+Figure mesh(const HalfSpaceCase& half_space, const BlockCase& block_case, const UnitSystem& units,
+            const BlockStudy& study) {
   const block::Mesh& m = study.on(block_case.sides).fine().model()->mesh();
   const auto& x_lines = m.x_lines();
   const auto& z_lines = m.z_lines();
@@ -160,8 +155,8 @@ Figure mesh(const parameters::HalfSpaceCase& half_space, const parameters::Block
 }
 
 // The curves of the half-space and of the block, and the three printed columns of Fig. 5.
-Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSystem& units,
-                      const BlockStudy& study, const PrintedFigure5& printed) {
+Figure like_with_like(const HalfSpaceCase& h, const UnitSystem& units, const BlockStudy& study,
+                      const PrintedFigure5& printed) {
   std::vector<double> x, half_space, block_stated, block_fitted;
   constexpr int n = 240;
   for (int i = 0; i <= n; ++i) {
@@ -170,9 +165,9 @@ Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSyst
     block_stated.push_back(study.under_triangle().displacement_z(x.back(), 0).value);
     block_fitted.push_back(study.fit()->fit.solution.displacement_z(x.back(), 0).value);
   }
-  const auto values_of_column = [](const std::vector<config::PrintedNumber>& column) {
+  const auto values_of_column = [](const std::vector<PrintedNumber>& column) {
     std::vector<double> values;
-    for (const config::PrintedNumber& number : column) values.push_back(number.value());
+    for (const PrintedNumber& number : column) values.push_back(number.value());
     return values;
   };
   return {.width_cm = 14,
@@ -192,12 +187,10 @@ Figure like_with_like(const parameters::HalfSpaceCase& h, const config::UnitSyst
 
 }  // namespace
 
-void register_block_figures(literate::Document& document,
-                            const parameters::HalfSpaceCase& half_space,
-                            const parameters::BlockCase& block_case,
-                            const config::UnitSystem& units, const BlockStudy& study,
-                            const std::optional<PrintedData>& printed) {
-  document.value("block.highest-order", literate::Value(highest_order, literate::integer()));
+void register_block_figures(Document& document, const HalfSpaceCase& half_space,
+                            const BlockCase& block_case, const UnitSystem& units,
+                            const BlockStudy& study, const std::optional<PrintedData>& printed) {
+  document.value("block.highest-order", Value(highest_order, integer()));
   document.figure("block-contours", contours(document, half_space, block_case, units, study));
   document.figure("block-mesh", mesh(half_space, block_case, units, study));
   document.figure("block-convergence", convergence(half_space, block_case, study));

@@ -3,19 +3,16 @@
 
 #include <optional>
 
-#include "literate/document/document.hpp"
 #include "paper/block_study.hpp"
+#include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
-#include "parameters/case.hpp"
 
 namespace paper {
 
 /// The deformed block with contours of u_z (Fig. 3), its mesh, the convergence of its measures, and
 /// for printed data the displacements of half-space and block beside the printed ones.
-void register_block_figures(literate::Document& document,
-                            const parameters::HalfSpaceCase& half_space,
-                            const parameters::BlockCase& block_case,
-                            const config::UnitSystem& units, const BlockStudy& study,
-                            const std::optional<PrintedData>& printed);
+void register_block_figures(Document& document, const HalfSpaceCase& half_space,
+                            const BlockCase& block_case, const UnitSystem& units,
+                            const BlockStudy& study, const std::optional<PrintedData>& printed);
 
 }  // namespace paper

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "block/load_shapes.hpp"
 #include "block/mass_properties.hpp"
+#include "elasticity/load_shapes.hpp"
+#include "paper/prelude.hpp"
 #include "system/parallel.hpp"
 
 namespace paper {
@@ -14,12 +15,11 @@ namespace {
 
 using block::Support;
 
-block::Analysis analysis_of(const parameters::HalfSpaceCase& half_space,
-                            const parameters::BlockCase& block_case) {
+block::Analysis analysis_of(const HalfSpaceCase& half_space, const BlockCase& block_case) {
   const double a = half_space.load.half_width();
   return {block_case.rectangle,
           half_space.material,
-          {block::linear_fall(1, 0, a)},
+          {elasticity::linear_fall(1, 0, a)},
           block_case.discretization};
 }
 
@@ -40,7 +40,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 }  // namespace
 
-std::vector<block::SurfaceDisplacement> observed_in(const parameters::HalfSpaceCase& half_space,
+std::vector<block::SurfaceDisplacement> observed_in(const HalfSpaceCase& half_space,
                                                     const PrintedFigure5& printed) {
   std::vector<block::SurfaceDisplacement> observed;
   for (std::size_t i = 0; i < half_space.points.size(); ++i) {
@@ -49,7 +49,7 @@ std::vector<block::SurfaceDisplacement> observed_in(const parameters::HalfSpaceC
   return observed;
 }
 
-std::vector<std::pair<std::string, double>> mass_by_name(const parameters::BlockCase& block_case) {
+std::vector<std::pair<std::string, double>> mass_by_name(const BlockCase& block_case) {
   const block::MassProperties mass =
       block::mass_properties(block_case.rectangle, block_case.density);
   return {{"mass", mass.mass},
@@ -67,8 +67,7 @@ std::string name_of(Support sides) {
   return sides == Support::roller ? "roller" : "free";
 }
 
-BlockStudy::BlockStudy(const parameters::HalfSpaceCase& half_space,
-                       const parameters::BlockCase& block_case,
+BlockStudy::BlockStudy(const HalfSpaceCase& half_space, const BlockCase& block_case,
                        std::vector<block::SurfaceDisplacement> observed)
     : half_space_(half_space),
       block_case_(block_case),
@@ -83,15 +82,15 @@ BlockStudy::BlockStudy(const parameters::HalfSpaceCase& half_space,
   const Support sides = block_case.sides;
   fit_ = fit_on(sides);
   const double a = half_space_.load.half_width();
-  const block::Fit coarse = coarse_fit(
-      {on(sides).solve(block::linear_fall(1, 0, a)), on(sides).solve(block::linear_fall(1, 1, a))},
-      observed_);
+  const block::Fit coarse = coarse_fit({on(sides).solve(elasticity::linear_fall(1, 0, a)),
+                                        on(sides).solve(elasticity::linear_fall(1, 1, a))},
+                                       observed_);
   under_fit_.emplace(fit_->fit.solution.fine(), coarse.solution.fine());
   misfit_error_ = largest_difference(fit_->fit.residuals, coarse.residuals);
 }
 
 block::SupportedBlock BlockStudy::enlarged(double factor, Support sides) const {
-  parameters::BlockCase larger = block_case_;
+  BlockCase larger = block_case_;
   larger.rectangle = {factor * block_case_.rectangle.width(),
                       factor * block_case_.rectangle.height()};
   return analysis_of(half_space_, larger).on(block::with_sides(sides));

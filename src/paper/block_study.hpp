@@ -11,8 +11,8 @@
 #include "block/analysis.hpp"
 #include "block/fit.hpp"
 #include "block/supports.hpp"
+#include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
-#include "parameters/case.hpp"
 
 namespace paper {
 
@@ -24,7 +24,7 @@ class BlockStudy {
  public:
   /// `observed` are the printed displacements, none without printed data. Throws as
   /// block::Analysis.
-  BlockStudy(const parameters::HalfSpaceCase& half_space, const parameters::BlockCase& block_case,
+  BlockStudy(const HalfSpaceCase& half_space, const BlockCase& block_case,
              std::vector<block::SurfaceDisplacement> observed);
 
   /// The block with these sides on a clamped bottom.
@@ -60,8 +60,8 @@ class BlockStudy {
   block::MeasureOptions measure_options() const;
 
  private:
-  parameters::HalfSpaceCase half_space_;
-  parameters::BlockCase block_case_;
+  HalfSpaceCase half_space_;
+  BlockCase block_case_;
   block::Analysis analysis_;
   std::array<std::optional<block::SupportedBlock>, 3> sides_;  // as block::Support counts them
   std::optional<block::RefinedSolution> under_triangle_;
@@ -72,12 +72,12 @@ class BlockStudy {
 };
 
 /// The printed z-displacements of Fig. 5 at the points of the half-space.
-std::vector<block::SurfaceDisplacement> observed_in(const parameters::HalfSpaceCase& half_space,
+std::vector<block::SurfaceDisplacement> observed_in(const HalfSpaceCase& half_space,
                                                     const PrintedFigure5& printed);
 
 /// Mass, centre and moments of inertia of the case's block, named and ordered as in the printed
 /// summary; in the units of the case, for unit thickness.
-std::vector<std::pair<std::string, double>> mass_by_name(const parameters::BlockCase& block_case);
+std::vector<std::pair<std::string, double>> mass_by_name(const BlockCase& block_case);
 
 /// "clamped", "roller" or "free".
 std::string name_of(block::Support sides);

@@ -6,10 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "paper/prelude.hpp"
+
 namespace paper {
 namespace {
-
-using numerics::Estimate;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -23,7 +23,7 @@ Estimate closed_form(double x) {
   return {x, rounded(x)};
 }
 
-double rounded(const parameters::ContactCase& c, double x) {
+double rounded(const ContactCase& c, double x) {
   const double magnitudes =
       std::abs(c.body1.radius.curvature()) + std::abs(c.body2.radius.curvature());
   return rounded(x) * magnitudes / c.cylinders.relative_curvature();
@@ -37,7 +37,7 @@ Estimate quotient(Estimate a, Estimate b) {
   return {value, (a.abs_error + std::abs(value) * b.abs_error) / least + rounded(value)};
 }
 
-Estimate percent_off(Estimate a, const config::PrintedNumber& b) {
+Estimate percent_off(Estimate a, const PrintedNumber& b) {
   return 100 * (quotient(a, as_estimate(b)) - Estimate{1, 0});
 }
 
@@ -45,8 +45,7 @@ Estimate magnitude(Estimate a) {
   return {std::abs(a.value), a.abs_error};
 }
 
-Estimate other_component(const config::PrintedNumber& magnitude,
-                         const config::PrintedNumber& component) {
+Estimate other_component(const PrintedNumber& magnitude, const PrintedNumber& component) {
   const auto root = [](double difference, double sum) {
     return std::sqrt(std::max(0.0, difference) * sum);
   };
@@ -58,17 +57,17 @@ Estimate other_component(const config::PrintedNumber& magnitude,
   return {value, std::max(value - least, most - value)};
 }
 
-Estimate as_estimate(const config::PrintedNumber& number) {
+Estimate as_estimate(const PrintedNumber& number) {
   return {number.value(), number.last_place() / 2};
 }
 
-Estimate displacement(const parameters::HalfSpaceCase& c, double x) {
+Estimate displacement(const HalfSpaceCase& c, double x) {
   const double scale = c.material.integral_compliance() * c.load.line_load();
   const double logarithm = std::abs(std::log(c.datum / c.load.half_width()));
   return {normal_displacement(c.material, c.load, x, c.datum), 1e-14 * scale * (1 + logarithm)};
 }
 
-Estimate gradient(const parameters::HalfSpaceCase& c, double x) {
+Estimate gradient(const HalfSpaceCase& c, double x) {
   const double value = normal_gradient(c.material, c.load, x);
   return {value, 1e-13 * std::abs(value)};
 }

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "contact/solution.hpp"
-#include "numerics/estimate.hpp"
-#include "parameters/case.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
@@ -13,32 +12,31 @@ namespace paper {
 double rounded(double x);
 
 /// The same with x itself.
-numerics::Estimate closed_form(double x);
+Estimate closed_form(double x);
 
 /// The same of what depends on the cylinders' relative curvature, where 1/R₁ + 1/R₂ cancels if one
 /// body lies in a hollow of the other.
-double rounded(const parameters::ContactCase& c, double x);
+double rounded(const ContactCase& c, double x);
 
 /// a/b with the errors of both and of the division; b must be farther from zero than its error.
-numerics::Estimate quotient(numerics::Estimate a, numerics::Estimate b);
+Estimate quotient(Estimate a, Estimate b);
 
 /// a/b − 1, in per cent: how far the computed number a is off the printed one.
-numerics::Estimate percent_off(numerics::Estimate a, const config::PrintedNumber& b);
+Estimate percent_off(Estimate a, const PrintedNumber& b);
 
 /// |a|, as wrong as a.
-numerics::Estimate magnitude(numerics::Estimate a);
+Estimate magnitude(Estimate a);
 
 /// √(magnitude² − component²), the other component of a displacement of which two printed numbers
 /// are known, as far as their last places leave it open.
-numerics::Estimate other_component(const config::PrintedNumber& magnitude,
-                                   const config::PrintedNumber& component);
+Estimate other_component(const PrintedNumber& magnitude, const PrintedNumber& component);
 
 /// A printed number: half a unit of its last place.
-numerics::Estimate as_estimate(const config::PrintedNumber& number);
+Estimate as_estimate(const PrintedNumber& number);
 
 /// u_z by eq. (3) and its derivative, with the accuracy that elasticity/triangular_load.hpp states.
-numerics::Estimate displacement(const parameters::HalfSpaceCase& c, double x);
-numerics::Estimate gradient(const parameters::HalfSpaceCase& c, double x);
+Estimate displacement(const HalfSpaceCase& c, double x);
+Estimate gradient(const HalfSpaceCase& c, double x);
 
 /// How wrong the nodal pressures may be as the solution of the discrete equations, over their peak:
 /// four times what the method's residual stands for, and rounding that the residual does not see.

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "contact/contact_error.hpp"
-#include "contact/hertz.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "numerics/dense_lu.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 namespace {
@@ -31,7 +31,7 @@ Index first_in_tension(const VectorXd& p) {
 }
 
 ContactM to_result(double c, const VectorXd& sides, const VectorXd& p, Index aa,
-                   const contact::Hertz& hertz) {
+                   const Hertz& hertz) {
   ContactM result{.x = {},
                   .pressure = {p.begin(), p.end()},
                   .has_mirror_images = sides[1] > 1,
@@ -51,7 +51,7 @@ ContactMInput as_printed(const PrintedData& printed) {
           static_cast<Index>(listed.zero_node.value()), printed.tri_dist.step.value()};
 }
 
-ContactM run_contact_m(const parameters::ContactCase& contact, const ContactMInput& input,
+ContactM run_contact_m(const ContactCase& contact, const ContactMInput& input,
                        const ContactMRepairs& mended) {
   const Index nn = input.n_nodes;
   const double c = input.spacing;
@@ -89,7 +89,7 @@ ContactM run_contact_m(const parameters::ContactCase& contact, const ContactMInp
     p = pressure_up_to(aa = first_in_tension(p));
   }
   const double times = mended.hertz_load ? 1 : 2;  // repair 6
-  const contact::Hertz hertz(contact.cylinders, times * contact.line_load);
+  const Hertz hertz(contact.cylinders, times * contact.line_load);
   require_edge_within(nn, aa);
   return to_result(c, sides, p, aa, hertz);
 }

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
-#include "parameters/case.hpp"
 
 namespace paper {
 
@@ -46,7 +46,7 @@ struct ContactM {
 ///
 /// With every repair it is solve_by_matrix_inversion on a one-sided grid. Throws
 /// contact::ContactError when aa, typed or found, is not 3 to nn.
-ContactM run_contact_m(const parameters::ContactCase& contact, const ContactMInput& input,
+ContactM run_contact_m(const ContactCase& contact, const ContactMInput& input,
                        const ContactMRepairs& mended = {});
 
 }  // namespace paper

@@ -8,33 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
 #include "paper/conventions.hpp"
-#include "paper/printed_data.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
-
-using contact::Hertz;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::Limit;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::uncertain;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
 
 // The program with the corrections up to one of them.
 struct Row {
@@ -43,8 +24,8 @@ struct Row {
   double misfit;  // ∫|p − Hertz| over x ≥ 0, over P/2
 };
 
-// ∫|l − p| dx from x₁ to x₂, where the line l goes from l₁ to l₂ and p is the pressure of Hertz. The
-// pieces end where the two cross: (l₁ + s(x − x₁))² = p₀²[1 − (x/a)²] there, s the slope.
+// ∫|l − p| dx from x₁ to x₂, where the line l goes from l₁ to l₂ and p is the pressure of Hertz.
+// The pieces end where the two cross: (l₁ + s(x − x₁))² = p₀²[1 − (x/a)²] there, s the slope.
 double between_line_and_hertz(double x1, double l1, double x2, double l2, const Hertz& hertz) {
   const double p0 = hertz.peak_pressure();
   const double a = hertz.half_width();
@@ -91,8 +72,7 @@ double misfit(const ContactM& program, const Hertz& hertz, double line_load) {
 }
 
 // As printed; each correction with those before it; and the last on a grid four times as fine.
-std::vector<Row> repair(const parameters::ContactCase& contact, ContactMInput input,
-                        const Hertz& hertz) {
+std::vector<Row> repair(const ContactCase& contact, ContactMInput input, const Hertz& hertz) {
   std::vector<Row> rows;
   ContactMRepairs mended;
   const auto add = [&](const char* name) {
@@ -130,17 +110,17 @@ double edge(const ContactM& program) {
   return program.x[static_cast<std::size_t>(program.zero_node - 1)];
 }
 
-// The mended program on a grid of the case's spacing over `refinement`, and on others of nearly that
-// spacing, on which the edge of the contact falls at other places between two nodes: the largest
-// difference of the peak from Hertz's, and the mean misfit. On a single grid they may be small by
-// chance.
+// The mended program on a grid of the case's spacing over `refinement`, and on others of nearly
+// that spacing, on which the edge of the contact falls at other places between two nodes: the
+// largest difference of the peak from Hertz's, and the mean misfit. On a single grid they may be
+// small by chance.
 struct MendedErrors {
   double peak = 0;
   double misfit = 0;
 };
 
-MendedErrors errors_of_mended(const parameters::ContactCase& contact, ContactMInput input,
-                              const Hertz& hertz, int refinement) {
+MendedErrors errors_of_mended(const ContactCase& contact, ContactMInput input, const Hertz& hertz,
+                              int refinement) {
   constexpr int n_grids = 100;
   const double elements = refinement * hertz.half_width() / input.spacing;
   input.n_nodes *= refinement;
@@ -162,7 +142,7 @@ double pressure_beside_edge(const ContactM& program) {
 // agrees to this part of the peak when it is mended: the check contact-m-is-matrix-inversion.
 constexpr double of_system = 1e-10;
 
-literate::Table repair_table(const std::vector<Row>& rows, const parameters::ContactCase& c,
+literate::Table repair_table(const std::vector<Row>& rows, const ContactCase& c,
                              const Hertz& hertz) {
   literate::Table table("contact-m-repair",
                         {Column("", integer()), Column::text("change"),
@@ -183,8 +163,8 @@ literate::Table repair_table(const std::vector<Row>& rows, const parameters::Con
 }
 
 // One panel for each row whose pressure or whose Hertz differs from the last.
-literate::Figure repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
-  literate::Figure figure{.width_cm = 15.2, .height_cm = 7.6};
+Figure repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
+  Figure figure{.width_cm = 15.2, .height_cm = 7.6};
   int number = 0;
   for (const std::size_t i : {printed, mirror_images, both_bodies, weight, free_edge, all}) {
     const ContactM& program = rows[i].program;
@@ -228,9 +208,8 @@ double largest_difference(std::span<const double> p, std::span<const double> oth
 }
 
 // What the listing says, and what it computes as it stands.
-void describe_listing(literate::Document& document, const parameters::ContactCase& c,
-                      const config::UnitSystem& units, const ContactMInput& input,
-                      const ContactM& program, const Hertz& hertz) {
+void describe_listing(Document& document, const ContactCase& c, const UnitSystem& units,
+                      const ContactMInput& input, const ContactM& program, const Hertz& hertz) {
   const double load = c.line_load;
   const auto weight = static_cast<double>(input.zero_node - 2);
   document.value("contact-m.spacing", Value(input.spacing, exact(), units.length));
@@ -260,9 +239,9 @@ void describe_listing(literate::Document& document, const parameters::ContactCas
 }
 
 // Where p >= 0 puts the edge: in the program as printed, mended, and under the load of its Hertz.
-void find_edges(literate::Document& document, const parameters::ContactCase& contact,
-                const ContactMInput& input, const ContactM& mended) {
-  parameters::ContactCase twice = contact;
+void find_edges(Document& document, const ContactCase& contact, const ContactMInput& input,
+                const ContactM& mended) {
+  ContactCase twice = contact;
   twice.line_load *= 2;
   const ContactM wider = run_contact_m(twice, input, {true, true, true, true, true, true});
   const ContactM own = run_contact_m(contact, input, {.free_edge = true});
@@ -280,8 +259,8 @@ void find_edges(literate::Document& document, const parameters::ContactCase& con
 }
 
 // The mended program against this report's solver, and against Hertz.
-void compare_mended(literate::Document& document, const parameters::ContactCase& contact,
-                    const ContactMInput& input, const std::vector<Row>& rows, const Hertz& hertz) {
+void compare_mended(Document& document, const ContactCase& contact, const ContactMInput& input,
+                    const std::vector<Row>& rows, const Hertz& hertz) {
   const contact::Solution solution = contact::solve_by_matrix_inversion(
       {contact.cylinders.profile(),
        contact.cylinders.contact_modulus(),
@@ -302,7 +281,7 @@ void compare_mended(literate::Document& document, const parameters::ContactCase&
 }
 
 // What the prose says of single rows.
-void check_rows(literate::Document& document, const std::vector<Row>& rows, double p0) {
+void check_rows(Document& document, const std::vector<Row>& rows, double p0) {
   const auto& before = rows[printed].program.pressure;
   const double step_effect = largest_difference(before, rows[limits].program.pressure) / p0;
   document.value("contact-m.step-effect",
@@ -339,9 +318,8 @@ void check_rows(literate::Document& document, const std::vector<Row>& rows, doub
 }
 
 // What it computes, for what it says that it computes.
-void claim_program(literate::Document& document, const parameters::ContactCase& c,
-                   const config::UnitSystem& units, const ContactMInput& input, const Row& row,
-                   const Hertz& hertz) {
+void claim_program(Document& document, const ContactCase& c, const UnitSystem& units,
+                   const ContactMInput& input, const Row& row, const Hertz& hertz) {
   const double carried = row.program.line_load;
   const double share = edge(row.program) / hertz.half_width();
   document.claim(
@@ -363,8 +341,8 @@ void claim_program(literate::Document& document, const parameters::ContactCase& 
                                        less_than_a_plot_shows())}});
 }
 
-void claim_mended(literate::Document& document, const parameters::ContactCase& contact,
-                  const ContactMInput& input, const Hertz& hertz) {
+void claim_mended(Document& document, const ContactCase& contact, const ContactMInput& input,
+                  const Hertz& hertz) {
   const MendedErrors own = errors_of_mended(contact, input, hertz, 1);
   const MendedErrors fine = errors_of_mended(contact, input, hertz, 4);
   const auto register_error = [&](const char* key, const MendedErrors& errors) {
@@ -373,9 +351,9 @@ void claim_mended(literate::Document& document, const parameters::ContactCase& c
   register_error("contact-m.peak-error", own);
   register_error("contact-m.finer-peak-error", fine);
   const auto peak_error = [&](const char* what, const MendedErrors& errors) {
-    return Criterion::at_most(
-        what, Value(Estimate{errors.peak, of_system}, scientific(2).rounded_up()),
-        less_than_a_plot_shows());
+    return Criterion::at_most(what,
+                              Value(Estimate{errors.peak, of_system}, scientific(2).rounded_up()),
+                              less_than_a_plot_shows());
   };
   const double ratio = own.misfit / fine.misfit;
   document.claim(
@@ -395,9 +373,11 @@ void claim_mended(literate::Document& document, const parameters::ContactCase& c
 
 }  // namespace
 
-void compute_contact_m(literate::Document& document, const parameters::ContactCase& contact,
-                       const config::UnitSystem& units, const PrintedData& printed_data) {
-  const ContactMInput input = as_printed(printed_data);
+void compute_contact_m(Document& document, const Case& from) {
+  if (!from.printed_data) return;
+  const ContactCase& contact = from.contact;
+  const UnitSystem& units = from.units;
+  const ContactMInput input = as_printed(*from.printed_data);
   const Hertz hertz(contact.cylinders, contact.line_load);
   const std::vector<Row> rows = repair(contact, input, hertz);
 

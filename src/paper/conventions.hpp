@@ -2,16 +2,17 @@
 #pragma once
 
 #include "literate/claims/criterion.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
 /// What one would not see in a plot: a hundredth of what it shows.
-inline literate::Limit less_than_a_plot_shows() {
+inline Limit less_than_a_plot_shows() {
   return {literate::LimitKind::convention, 1e-2, "less than a plot shows"};
 }
 
 /// What the paper calls nearly identical, or negligible, of curves that a plot compares.
-inline literate::Limit nearly_identical() {
+inline Limit nearly_identical() {
   return {literate::LimitKind::convention, 3e-2, "about what can be read off the axes of a plot"};
 }
 
@@ -21,7 +22,7 @@ constexpr double small_misfit = 1e-3;
 
 /// The square of the element width over the half-width of the contact, for errors of linear
 /// elements.
-inline literate::Limit of_second_order(double square) {
+inline Limit of_second_order(double square) {
   return {literate::LimitKind::convention, square,
           "(𝑐/𝑎)²; at the peak linear interpolation has an eighth of it"};
 }

@@ -6,10 +6,11 @@
 
 #include "contact/fft_solver.hpp"
 #include "paper/bounds.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
-contact::Solution solve_cylinders(const parameters::ContactCase& c, const contact::Hertz& hertz,
+contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
                                   contact::Element element, long n_nodes) {
   constexpr double tolerance = 1e-12;
   return contact::solve_by_fft(
@@ -18,7 +19,7 @@ contact::Solution solve_cylinders(const parameters::ContactCase& c, const contac
       c.line_load, tolerance);
 }
 
-std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes, int n_places) {
+std::vector<contact::Grid> grids_of(const Hertz& hertz, long n_nodes, int n_places) {
   const double elements = static_cast<double>(n_nodes) / cylinder_domain;
   std::vector<contact::Grid> grids;
   for (int k = 0; k < n_places; ++k) {
@@ -28,7 +29,7 @@ std::vector<contact::Grid> grids_of(const contact::Hertz& hertz, long n_nodes, i
   return grids;
 }
 
-HertzErrors errors_against(const contact::Hertz& hertz, const contact::Solution& solution) {
+HertzErrors errors_against(const Hertz& hertz, const contact::Solution& solution) {
   constexpr double inner_part = 0.9;
   const double a = hertz.half_width();
   double squares = 0;
@@ -52,7 +53,7 @@ HertzErrors errors_against(const contact::Hertz& hertz, const contact::Solution&
           solution.half_width() / a - 1};
 }
 
-ConvergenceStudy convergence_study(const parameters::ContactCase& c, const contact::Hertz& hertz,
+ConvergenceStudy convergence_study(const ContactCase& c, const Hertz& hertz,
                                    contact::Element element) {
   constexpr int n_grids = 80;
   constexpr double coarsest = 33;

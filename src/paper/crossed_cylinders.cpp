@@ -7,6 +7,7 @@
 
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
+#include "paper/prelude.hpp"
 #include "point_contact/bodies/curvatures.hpp"
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
 #include "point_contact/solver/fft_solver.hpp"
@@ -15,19 +16,11 @@
 namespace paper {
 
 using Eigen::Index;
-using literate::Criterion;
-using literate::fixed;
-using literate::scientific;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using parameters::ContactCase;
 using point_contact::Vector2;
 
 using PointSolution = point_contact::Solution;
 
-void cross_cylinders(literate::Document& document, const ContactCase& c, double load,
-                     Index n_nodes) {
+void cross_cylinders(Document& document, const ContactCase& c, double load, Index n_nodes) {
   constexpr double longest = 1e3;  // the greater curvature over the smaller
   const double first = c.body1.radius.curvature();
   const double second = c.body2.radius.curvature();
@@ -61,10 +54,10 @@ void cross_cylinders(literate::Document& document, const ContactCase& c, double 
                        scientific(2).rounded_up()));
   // In units of the elements along each axis: c = √(area), and the cells are stretched like it.
   const double square = solution.grid.lattice.cell_area() / (a * b);
-  const auto small = [&](const char* what, Estimate error, const literate::Limit& limit) {
+  const auto small = [&](const char* what, Estimate error, const Limit& limit) {
     return Criterion::at_most(what, Value(error, scientific(2).rounded_up()), limit);
   };
-  const literate::Limit same(literate::LimitKind::convention, square, "the same");
+  const Limit same(literate::LimitKind::convention, square, "the same");
   document.claim(
       "crossed-cylinders",
       {.route = "an array of pyramids stretched like the ellipse, against Hertz's elliptic "

@@ -5,41 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
-#include "paper/printed_data.hpp"
+#include "paper/sections.hpp"
 #include "paper/sphere_errors.hpp"
-#include "parameters/case.hpp"
 
 namespace paper {
 namespace {
 
-using contact::Hertz;
 using contact::Solution;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::Limit;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
 
-Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
+Solution solve(const ContactCase& c, const Hertz& hertz, long n_nodes) {
   return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
                                              contact::grid_around(hertz.half_width(), n_nodes)},
                                             c.line_load);
 }
 
 // The pressure over p₀ against x/a of Hertz, and its difference from Hertz at the nodes.
-literate::Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
+Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
   std::vector<double> node_x, pressure, difference;
   for (Eigen::Index i = 0; i < solution.grid.n_nodes; ++i) {
     const double x = solution.grid.x(i);
@@ -61,7 +45,7 @@ literate::Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
 }
 
 // What the elements make of something that Hertz has in closed form: wrong by the difference.
-Estimate against(const parameters::ContactCase& c, double elements, double exact) {
+Estimate against(const ContactCase& c, double elements, double exact) {
   return {elements, std::abs(elements - exact) + rounded(c, exact)};
 }
 
@@ -75,7 +59,7 @@ struct EdgeSweep {
   int n_grids;
 };
 
-EdgeSweep sweep_edge(const parameters::ContactCase& c, const Hertz& hertz, double elements) {
+EdgeSweep sweep_edge(const ContactCase& c, const Hertz& hertz, double elements) {
   constexpr int n_grids = 100;  // the errors are largest just before a node comes into contact
   const double a = hertz.half_width();
   EdgeSweep sweep{elements, elements, {}, {}, {}, {}, 1 / (elements * elements), n_grids};
@@ -101,8 +85,8 @@ EdgeSweep sweep_edge(const parameters::ContactCase& c, const Hertz& hertz, doubl
   return sweep;
 }
 
-void register_residuals(literate::Document& document, const Solution& solution, const Hertz& hertz,
-                        const parameters::ContactCase& c, const config::UnitSystem& units) {
+void register_residuals(Document& document, const Solution& solution, const Hertz& hertz,
+                        const ContactCase& c, const UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
   document.value("cylinders.residual.contact",
@@ -133,11 +117,11 @@ void register_residuals(literate::Document& document, const Solution& solution, 
 }
 
 // The theory of half-spaces wants a contact that is small beside either body.
-double smaller_radius(const parameters::ContactCase& c) {
+double smaller_radius(const ContactCase& c) {
   return 1 / std::max(std::abs(c.body1.radius.curvature()), std::abs(c.body2.radius.curvature()));
 }
 
-void claim_cylinders(literate::Document& document, const parameters::ContactCase& c,
+void claim_cylinders(Document& document, const ContactCase& c,
                      const std::optional<PrintedData>& printed_data, const Solution& solution,
                      const Hertz& hertz) {
   const Estimate half_width = against(c, solution.half_width(), hertz.half_width());
@@ -173,9 +157,8 @@ void claim_cylinders(literate::Document& document, const parameters::ContactCase
 
 // Peak and half-width against Hertz wherever the edge lies, and those of spheres if the case has
 // any.
-void verify_by_hertz(literate::Document& document, const parameters::ContactCase& c,
-                     const std::optional<parameters::PointContactCase>& point_contact,
-                     const EdgeSweep& sweep) {
+void verify_by_hertz(Document& document, const ContactCase& c,
+                     const std::optional<PointContactCase>& point_contact, const EdgeSweep& sweep) {
   const auto against_hertz = [](const std::string& what, Estimate error, double square) {
     return Criterion::at_most(what, Value(error, scientific(2)), of_second_order(square));
   };
@@ -206,8 +189,7 @@ Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   return Value(closed_form(1 / body.radius.curvature()), significant(4), unit);
 }
 
-void describe_bodies(literate::Document& document, const parameters::ContactCase& c,
-                     const config::UnitSystem& units) {
+void describe_bodies(Document& document, const ContactCase& c, const UnitSystem& units) {
   document.value("cylinders.radius1", radius_of(c.body1, units.length));
   document.value("cylinders.radius2", radius_of(c.body2, units.length));
   const bool hollow = c.body1.radius.curvature() < 0 || c.body2.radius.curvature() < 0;
@@ -219,10 +201,9 @@ void describe_bodies(literate::Document& document, const parameters::ContactCase
 
 }  // namespace
 
-void compute_cylinders(literate::Document& document, const parameters::ContactCase& c,
-                       const config::UnitSystem& units,
-                       const std::optional<PrintedData>& printed_data,
-                       const std::optional<parameters::PointContactCase>& point_contact) {
+void compute_cylinders(Document& document, const Case& from) {
+  const ContactCase& c = from.contact;
+  const UnitSystem& units = from.units;
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
 
@@ -266,8 +247,8 @@ void compute_cylinders(literate::Document& document, const parameters::ContactCa
   document.value("cylinders.datum", Value(c.datum, exact(), units.length));
   register_residuals(document, solution, hertz, c, units);
 
-  claim_cylinders(document, c, printed_data, solution, hertz);
-  verify_by_hertz(document, c, point_contact, sweep);
+  claim_cylinders(document, c, from.printed_data, solution, hertz);
+  verify_by_hertz(document, c, from.point_contact, sweep);
   document.value(
       "cylinders.peak",
       Value(Estimate{solution.peak_pressure(), pressure_error(solution) * solution.peak_pressure()},

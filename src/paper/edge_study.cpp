@@ -10,24 +10,11 @@
 #include "contact/graded_contact.hpp"
 #include "elasticity/linear_potential.hpp"
 #include "numerics/dense_lu.hpp"
-#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 namespace {
-
-using contact::Hertz;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::LimitKind;
-using literate::scientific;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using numerics::fit_power;
-using parameters::ContactCase;
 
 constexpr std::array n_elements = {12L, 25L, 50L, 100L};  // over the half-width
 
@@ -105,7 +92,7 @@ Criterion of_order(const char* what, const EdgeErrors& errors, double expected,
                            {LimitKind::convention, 0.25, reason});
 }
 
-void check_graded(literate::Document& document, const Graded& graded) {
+void check_graded(Document& document, const Graded& graded) {
   const auto small = [&](const char* what, double error, double limit) {
     return Criterion::at_most(
         what, Value({error, of_graded_pressure}, scientific(1).rounded_up()),
@@ -158,7 +145,7 @@ std::vector<double> pressures_on_nodes(const ContactCase& c, const std::vector<d
   return pressure;
 }
 
-EdgeErrors study_edge(literate::Document& document, const ContactCase& c, const Hertz& hertz) {
+EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& hertz) {
   const EdgeErrors even = errors_of_triangles(c, hertz, evenly);
   const EdgeErrors sine = errors_of_triangles(c, hertz, by_sine);
   const EdgeErrors closer = errors_of_triangles(c, hertz, more_closely);
@@ -172,7 +159,7 @@ EdgeErrors study_edge(literate::Document& document, const ContactCase& c, const 
   columns.push_back(Column("order", fixed(2)));
   literate::Table table("graded", columns);
   const auto add = [&](const char* nodes, const char* element, const EdgeErrors& errors) {
-    std::vector<literate::Cell> row{literate::Cell::latex(nodes), element};
+    std::vector<Cell> row{literate::Cell::latex(nodes), element};
     for (std::size_t i = 0; i < errors.largest.size(); ++i) {
       row.emplace_back(Estimate{errors.largest[i], errors.bounds[i]});
     }
@@ -190,15 +177,15 @@ EdgeErrors study_edge(literate::Document& document, const ContactCase& c, const 
     return fit_power(graded.pressure.elements, errors, bounds).order_estimate();
   };
   document.value("graded.width-order", Value(order(graded.half_width), fixed(1)));
-  document.claim(
-      "graded-order",
-      {.route = "powers fitted to the largest errors of the pressure against Hertz, on "
-                "grids of a dozen to a hundred elements over the half-width",
-       .expected = Verdict::confirmed,
-       .criteria = {of_order("order, uniform grid of triangles", even, 0.5,
-                             "nearer to it than to any other half order"),
-                    of_order("graded grid of triangles", sine, 1, "the same"),
-                    of_order("the same with parabolas and the edge as an unknown", graded.pressure, 2, "the same")}});
+  document.claim("graded-order",
+                 {.route = "powers fitted to the largest errors of the pressure against Hertz, on "
+                           "grids of a dozen to a hundred elements over the half-width",
+                  .expected = Verdict::confirmed,
+                  .criteria = {of_order("order, uniform grid of triangles", even, 0.5,
+                                        "nearer to it than to any other half order"),
+                               of_order("graded grid of triangles", sine, 1, "the same"),
+                               of_order("the same with parabolas and the edge as an unknown",
+                                        graded.pressure, 2, "the same")}});
   check_graded(document, graded);
   return graded.pressure;
 }

@@ -4,9 +4,7 @@
 
 #include <vector>
 
-#include "contact/hertz.hpp"
-#include "literate/document/document.hpp"
-#include "parameters/case.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
@@ -19,12 +17,10 @@ struct EdgeErrors {
 /// The pressures of unequal triangles between the case's cylinders at the given nodes, x rising,
 /// with no pressure at the two outermost: eq. (1a) at the others, Σ V_ij p_j + δ = h_i, and
 /// equilibrium. Accuracy: rounding of the dense system, 1e-9 of p₀ for 200 nodes.
-std::vector<double> pressures_on_nodes(const parameters::ContactCase& c,
-                                       const std::vector<double>& nodes);
+std::vector<double> pressures_on_nodes(const ContactCase& c, const std::vector<double>& nodes);
 
 /// Registers the table, the values and the claim about grids that end on the edge, and returns the
 /// errors of the graded grid with a parabola on each element.
-EdgeErrors study_edge(literate::Document& document, const parameters::ContactCase& c,
-                      const contact::Hertz& hertz);
+EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& hertz);
 
 }  // namespace paper

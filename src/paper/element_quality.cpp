@@ -5,17 +5,16 @@
 
 #include "contact/element_field.hpp"
 #include "contact/mcewen.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 namespace {
-
-using numerics::Estimate;
 
 constexpr double span = 0.9;  // of the half-width
 
 // The means by the midpoint rule with so many points to an element. At the ends of uniform elements
 // the slope is infinite like a logarithm, which has an integral; no point lies there.
-ElementQuality mean_errors(const parameters::ContactCase& c, const contact::Hertz& hertz,
+ElementQuality mean_errors(const ContactCase& c, const Hertz& hertz,
                            const contact::Solution& solution, int n_points) {
   const contact::McEwen mcewen(hertz);
   const contact::Grid& grid = solution.grid;
@@ -41,7 +40,7 @@ ElementQuality mean_errors(const parameters::ContactCase& c, const contact::Hert
 
 }  // namespace
 
-ElementQuality quality_of(const parameters::ContactCase& c, const contact::Hertz& hertz,
+ElementQuality quality_of(const ContactCase& c, const Hertz& hertz,
                           const contact::Solution& solution) {
   constexpr int n_points = 16;
   const ElementQuality first = mean_errors(c, hertz, solution, n_points);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact/hertz.hpp"
 #include "contact/solution.hpp"
-#include "numerics/estimate.hpp"
-#include "parameters/case.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
@@ -13,12 +11,12 @@ namespace paper {
 /// The slope of uniform elements is infinite at their ends, so that a largest error would belong to
 /// the points at which it is sought. Means over |x| ≤ 0.9 a are finite for all elements but forces.
 struct ElementQuality {
-  numerics::Estimate slope;  ///< mean |error| of ∂(u_z1 + u_z2)/∂x, over a/R, its value at the edge
-  numerics::Estimate shear;  ///< mean |error| of τ₁ half a spacing below the surface, over p₀
+  Estimate slope;  ///< mean |error| of ∂(u_z1 + u_z2)/∂x, over a/R, its value at the edge
+  Estimate shear;  ///< mean |error| of τ₁ half a spacing below the surface, over p₀
 };
 
 /// By the midpoint rule, extrapolated; wrong by the difference from half as many points.
-ElementQuality quality_of(const parameters::ContactCase& c, const contact::Hertz& hertz,
+ElementQuality quality_of(const ContactCase& c, const Hertz& hertz,
                           const contact::Solution& solution);
 
 }  // namespace paper

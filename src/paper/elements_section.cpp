@@ -8,37 +8,20 @@
 #include "contact/element.hpp"
 #include "contact/fft_solver.hpp"
 #include "elasticity/concentrated_load.hpp"
-#include "elasticity/uniform_load.hpp"
-#include "literate/document/document.hpp"
-#include "numerics/power_fit.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/edge_study.hpp"
 #include "paper/element_quality.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using contact::Element;
-using contact::Hertz;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::Limit;
-using literate::LimitKind;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using numerics::fit_power;
-using numerics::PowerFit;
 
 // An element of load 1 at x = 0 and its influence: the displacement −T and its gradient −T′.
-literate::Figure element_figure() {
+Figure element_figure() {
   const elasticity::Material unit(2 / std::acos(-1.0), 0);  // K = load: 2/(πE) = 1
   constexpr double end = 2.5;
   constexpr int n = 500;
@@ -91,7 +74,7 @@ struct QualityStudy {
   Estimate slope_order() const { return fit_power(elements, slope, slope_bounds).order_estimate(); }
 };
 
-QualityStudy study_quality(const parameters::ContactCase& c, const Hertz& hertz, Element element,
+QualityStudy study_quality(const ContactCase& c, const Hertz& hertz, Element element,
                            long coarsest) {
   QualityStudy study;
   constexpr long finest = 89;  // a/c = 40.45
@@ -112,8 +95,7 @@ QualityStudy study_quality(const parameters::ContactCase& c, const Hertz& hertz,
 
 // What each kind of element says between and beneath the nodes of the same contact. The slope that
 // forces make has no mean: beside each of them it goes with 1/x.
-void register_quality(literate::Document& document, const parameters::ContactCase& c,
-                      const Hertz& hertz) {
+void register_quality(Document& document, const ContactCase& c, const Hertz& hertz) {
   const QualityStudy point = study_quality(c, hertz, Element::point, 89);
   const QualityStudy uniform = study_quality(c, hertz, Element::uniform, 21);
   const QualityStudy triangular = study_quality(c, hertz, Element::triangular, 21);
@@ -178,8 +160,8 @@ constexpr double of_factors = 1e-6;
 
 // The error inside on very fine grids over what the fitted power makes of it: root mean squares, as
 // those that were fitted.
-Estimate finest_over_fit(literate::Document& document, const parameters::ContactCase& c,
-                         const Hertz& hertz, const PowerFit& inside) {
+Estimate finest_over_fit(Document& document, const ContactCase& c, const Hertz& hertz,
+                         const PowerFit& inside) {
   constexpr long n_nodes = 1L << 16;
   // Rounding leaves up to a few 1e-12 on so many nodes, by the radii; the error inside is 1e-10.
   constexpr double tolerance = 1e-11;
@@ -201,7 +183,7 @@ Estimate finest_over_fit(literate::Document& document, const parameters::Contact
   return of_fit;
 }
 
-void claim_orders(literate::Document& document, PowerFit inside, double ratio, Estimate finest) {
+void claim_orders(Document& document, PowerFit inside, double ratio, Estimate finest) {
   const Limit eighth(LimitKind::convention, 2.0,
                      "an eighth of an order, from the middle of the 80 grids to these");
   document.claim(
@@ -225,8 +207,7 @@ constexpr std::size_t n_neighbours = 10;
 
 // How many times as large as the smallest the largest error inside is on grids that differ in where
 // the edge of the contact falls between two nodes, and hardly in anything else.
-void register_spread(literate::Document& document, const parameters::ContactCase& c,
-                     const Hertz& hertz) {
+void register_spread(Document& document, const ContactCase& c, const Hertz& hertz) {
   constexpr long n_nodes = 177;
   constexpr int n_places = 100;  // the least error is a narrow one
   constexpr double tolerance = 1e-12;
@@ -248,9 +229,8 @@ void register_spread(literate::Document& document, const parameters::ContactCase
   document.value("elements.spread.most", Value(closed_form(elements.back()), fixed(1)));
 }
 
-void register_orders(literate::Document& document, const parameters::ContactCase& c,
-                     const Hertz& hertz, const ConvergenceStudy& triangular,
-                     const ConvergenceStudy& uniform) {
+void register_orders(Document& document, const ContactCase& c, const Hertz& hertz,
+                     const ConvergenceStudy& triangular, const ConvergenceStudy& uniform) {
   literate::Table table(
       "element-orders",
       {Column::text("error of"), Column::text("expected"),
@@ -290,7 +270,7 @@ void register_orders(literate::Document& document, const parameters::ContactCase
 
 // The least and the greatest of the errors on each ten neighbouring grids: between two grids the
 // errors jump, as the edge of the contact falls elsewhere between two nodes.
-literate::FigureData band(const std::vector<double>& elements, const std::vector<double>& errors) {
+FigureData band(const std::vector<double>& elements, const std::vector<double>& errors) {
   std::vector<double> middle, least, greatest;
   for (std::size_t i = 0; i + n_neighbours <= elements.size(); i += n_neighbours) {
     const auto begin = errors.begin() + static_cast<std::ptrdiff_t>(i);
@@ -304,7 +284,8 @@ literate::FigureData band(const std::vector<double>& elements, const std::vector
 
 }  // namespace
 
-void compute_elements(literate::Document& document, const parameters::ContactCase& c) {
+void compute_elements(Document& document, const Case& from) {
+  const ContactCase& c = from.contact;
   const Hertz hertz(c.cylinders, c.line_load);
   document.figure("element-kinds", element_figure());
   register_quality(document, c, hertz);

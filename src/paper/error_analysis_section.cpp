@@ -7,36 +7,21 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
-#include "paper/printed_data.hpp"
 #include "paper/quoted.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
-using literate::Criterion;
-using literate::fixed;
-using literate::integer;
-using literate::Limit;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-
 // What one factor e in the datum does to every displacement: 2(1−ν²)P/(πE).
-double shift_per_e(const parameters::HalfSpaceCase& c) {
+double shift_per_e(const HalfSpaceCase& c) {
   return c.material.integral_compliance() * c.load.line_load();
 }
 
 // The sensitivity of u_z to the datum, by moving it and looking.
-void measure_datum(literate::Document& document, const parameters::HalfSpaceCase& c,
-                   const config::UnitSystem& units) {
+void measure_datum(Document& document, const HalfSpaceCase& c, const UnitSystem& units) {
   const double nearer = c.datum / std::numbers::e;
   double largest = 0;
   double smallest = HUGE_VAL;
@@ -72,7 +57,7 @@ void measure_datum(literate::Document& document, const parameters::HalfSpaceCase
       "a factor e in the datum shifts every displacement by 2(1-nu^2)P/(pi E)");
 }
 
-void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& c,
+void claim_datum(Document& document, const HalfSpaceCase& c,
                  const std::optional<PrintedData>& printed_data) {
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   const elasticity::SurfaceQuadrature nearer(c.material, c.load, c.datum / std::numbers::e);
@@ -102,8 +87,7 @@ void claim_datum(literate::Document& document, const parameters::HalfSpaceCase& 
 }
 
 // u_x outside the load, which the paper calls negligible.
-void measure_tangential(literate::Document& document, const parameters::HalfSpaceCase& c,
-                        const config::UnitSystem& units) {
+void measure_tangential(Document& document, const HalfSpaceCase& c, const UnitSystem& units) {
   // It is the same everywhere outside the load.
   const double end = std::max(c.farthest_point(), c.load.half_width());
   const Estimate u_x = closed_form(std::abs(tangential_displacement(c.material, c.load, end)));
@@ -127,8 +111,8 @@ void measure_tangential(literate::Document& document, const parameters::HalfSpac
 }
 
 // u_x in the finite-element columns, √(magnitude² − z²), against u_z and against the half-space's.
-void compare_tangential(literate::Document& document, const parameters::HalfSpaceCase& c,
-                        const config::UnitSystem& units, const PrintedData& printed_data) {
+void compare_tangential(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
+                        const PrintedData& printed_data) {
   const PrintedFigure5& printed = printed_data.figure5;
   const std::string& unit = units.length;
   Estimate largest_share, largest_excess;
@@ -159,16 +143,15 @@ void compare_tangential(literate::Document& document, const parameters::HalfSpac
       closed_form(std::abs(tangential_displacement(c.material, c.load, c.farthest_point())));
   document.value("tangential.last-share",
                  Value(quotient(half_space, displacement(c, c.farthest_point())), percent(1)));
-  const config::PrintedNumber& largest = printed_data.appendix2.measures.at("max_disp_x");
+  const PrintedNumber& largest = printed_data.appendix2.measures.at("max_disp_x");
   document.value("tangential.max-disp-x", Value(as_estimate(largest), scientific(4), unit));
   document.value("tangential.max-disp-x-ratio",
                  Value(quotient(as_estimate(largest), half_space), fixed(2)));
 }
 
 // What the slopes far from the load tell of it: the load that is stated, and that of the summary.
-void claim_resultant(literate::Document& document, const parameters::HalfSpaceCase& c,
-                     const config::UnitSystem& units, Estimate of_summary,
-                     const std::vector<Estimate>& slope_ratios) {
+void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
+                     Estimate of_summary, const std::vector<Estimate>& slope_ratios) {
   const Estimate stated = closed_form(c.load.line_load());
   const std::string& unit = units.line_load;
   const auto each_agrees = [&](Estimate with) {
@@ -193,11 +176,11 @@ void claim_resultant(literate::Document& document, const parameters::HalfSpaceCa
 }
 
 // Far from the load the slope goes with the resultant; the printed columns tell which they had.
-void compare_resultants(literate::Document& document, const parameters::HalfSpaceCase& c,
-                        const config::UnitSystem& units, const PrintedData& printed_data) {
+void compare_resultants(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
+                        const PrintedData& printed_data) {
   const Estimate resultant =
       magnitude(as_estimate(printed_data.appendix2.measures.at("resultant_load_y")));
-  const auto slope = [&](const std::vector<config::PrintedNumber>& column, std::size_t i) {
+  const auto slope = [&](const std::vector<PrintedNumber>& column, std::size_t i) {
     return 1 / (c.points[i] - c.points[i - 1]) *
            (as_estimate(column[i]) - as_estimate(column[i - 1]));
   };
@@ -223,12 +206,12 @@ void compare_resultants(literate::Document& document, const parameters::HalfSpac
 constexpr double stated_order = 1e-7;  // of the error, in words
 
 // Which datum would have made the two columns meet at the last point.
-void compare_error(literate::Document& document, const parameters::HalfSpaceCase& c,
-                   const config::UnitSystem& units, const PrintedData& printed_data) {
+void compare_error(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
+                   const PrintedData& printed_data) {
   const PrintedFigure5& printed = printed_data.figure5;
   const Estimate first = as_estimate(printed.error.front());
   const Estimate smallest = as_estimate(*std::ranges::min_element(
-      printed.error, {}, [](const config::PrintedNumber& error) { return error.value(); }));
+      printed.error, {}, [](const PrintedNumber& error) { return error.value(); }));
   const Estimate last = as_estimate(printed.error.back());
   const Estimate fea = as_estimate(printed.fea_z.back());
   const Estimate difference = displacement(c, c.farthest_point()) - fea;
@@ -239,7 +222,7 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
       rounded(closing) + closing * std::expm1(difference.abs_error / shift_per_e(c));
   const std::string& unit = units.length;
   std::vector<Criterion> of_order;
-  for (const config::PrintedNumber& error : printed.error) {
+  for (const PrintedNumber& error : printed.error) {
     const double decades = std::abs(std::log10(error.value() / stated_order));
     const double unsure = error.last_place() / error.value();
     of_order.push_back(Criterion::at_most(
@@ -265,9 +248,10 @@ void compare_error(literate::Document& document, const parameters::HalfSpaceCase
 
 }  // namespace
 
-void compute_error_analysis(literate::Document& document, const parameters::HalfSpaceCase& c,
-                            const config::UnitSystem& units,
-                            const std::optional<PrintedData>& printed_data) {
+void compute_error_analysis(Document& document, const Case& from) {
+  const HalfSpaceCase& c = from.half_space;
+  const UnitSystem& units = from.units;
+  const std::optional<PrintedData>& printed_data = from.printed_data;
   measure_datum(document, c, units);
   claim_datum(document, c, printed_data);
   measure_tangential(document, c, units);

@@ -8,36 +8,20 @@
 #include <utility>
 #include <vector>
 
-#include "block/load_shapes.hpp"
-#include "literate/document/document.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "paper/block_claims.hpp"
 #include "paper/block_figures.hpp"
 #include "paper/block_study.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/load_contest.hpp"
-#include "paper/printed_data.hpp"
 #include "paper/quoted.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using block::MeasureEstimate;
-using config::PrintedNumber;
-using literate::Cell;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
 
 // Names of measures hold underscores, which LaTeX would take for subscripts.
 std::string escaped(const std::string& name) {
@@ -46,9 +30,8 @@ std::string escaped(const std::string& name) {
   return text;
 }
 
-void register_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                    const parameters::BlockCase& b, const config::UnitSystem& units,
-                    const BlockStudy& study) {
+void register_block(Document& document, const HalfSpaceCase& half_space, const BlockCase& b,
+                    const UnitSystem& units, const BlockStudy& study) {
   document.value("block.width", Value(b.rectangle.width(), exact(), units.length));
   document.value("block.height", Value(b.rectangle.height(), exact(), units.length));
   document.value("block.order", Value(b.discretization.order, integer()));
@@ -136,8 +119,8 @@ void add_displacements(literate::Table& table, const PrintedData& printed_data,
 }
 
 // Every printed measure beside the computed one, under the stated load and under the fitted one.
-void tabulate_measures(literate::Document& document, const PrintedData& printed_data,
-                       const BlockStudy& study, const std::vector<MeasureEstimate>& fitted) {
+void tabulate_measures(Document& document, const PrintedData& printed_data, const BlockStudy& study,
+                       const std::vector<MeasureEstimate>& fitted) {
   const auto& printed = printed_data.appendix2.measures;
   const auto stated = study.under_triangle().measures(study.measure_options());
   const char* const group = "deviation from the printed value";
@@ -162,8 +145,8 @@ void tabulate_measures(literate::Document& document, const PrintedData& printed_
       return percent_off(computed, found->second);
     };
     const Estimate by = magnitude(percent_off(fitted[i].value, found->second));
-    const bool is_beyond = is_told && has_limit(fitted[i]) &&
-                           by.value - by.abs_error > converged->second.value();
+    const bool is_beyond =
+        is_told && has_limit(fitted[i]) && by.value - by.abs_error > converged->second.value();
     n_beyond += is_beyond ? 1 : 0;
     const Cell deviation = off(fitted[i].value);
     table.add_row({description_of(name), shortened(found->second),
@@ -172,10 +155,12 @@ void tabulate_measures(literate::Document& document, const PrintedData& printed_
   }
   if (n_beyond > 0)
     table.note("*",
-               "More than the printed convergence, whatever the error of the deviation. Deviations have no more digits than the mesh "
+               "More than the printed convergence, whatever the error of the deviation. Deviations "
+               "have no more digits than the mesh "
                "of the block warrants.");
   table.note(
-      "A dash: the value of this tension depends on the mesh, as the text explains. Four measures that "
+      "A dash: the value of this tension depends on the mesh, as the text explains. Four measures "
+      "that "
       "repeat another are left out.");
   document.table(table);
   document.value("fit.n-beyond", Value(n_beyond, integer()));
@@ -208,16 +193,16 @@ void tabulate_measures(literate::Document& document, const PrintedData& printed_
                  "the fit predicts the largest tangential displacement and the von Mises stress");
 }
 
-constexpr double of_resultant = 1e-12;  // relative, as block::normal_resultant states
+constexpr double of_resultant = 1e-12;  // relative, as elasticity::normal_resultant states
 
-void register_fit(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                  block::Support sides, const config::UnitSystem& units,
-                  const PrintedData& printed_data, const BlockStudy& study) {
+void register_fit(Document& document, const HalfSpaceCase& half_space, block::Support sides,
+                  const UnitSystem& units, const PrintedData& printed_data,
+                  const BlockStudy& study) {
   const block::LinearFit& fit = *study.fit();
   document.value("fit.peak", Value(fit.peak, significant(4), units.stress));
   document.value("fit.edge-fraction", Value(fit.edge_fraction, fixed(3)));
   // Peak and edge fraction err together: the resultant is taken of the fit on either mesh.
-  const double resultant = block::normal_resultant(fit.load);
+  const double resultant = elasticity::normal_resultant(fit.load);
   const double coarse_resultant = study.under_fit().coarse().applied().force.y();
   document.value("fit.resultant",
                  Value(Estimate{resultant, std::abs(resultant - std::abs(coarse_resultant)) +
@@ -225,8 +210,8 @@ void register_fit(literate::Document& document, const parameters::HalfSpaceCase&
                        significant(4), units.line_load));
   const double a = half_space.load.half_width();
   constexpr double six_tenths = 0.6;
-  const auto round = block::linear_fall(half_space.load.peak_pressure(), six_tenths, a);
-  const double round_resultant = block::normal_resultant(round);
+  const auto round = elasticity::linear_fall(half_space.load.peak_pressure(), six_tenths, a);
+  const double round_resultant = elasticity::normal_resultant(round);
   document.value("fit.round-resultant", Value(round_resultant, significant(4), units.line_load)
                                             .within(of_resultant * round_resultant));
   document.value("fit.round-misfit", Value(misfit_of(study, round, sides), percent(1)));
@@ -280,8 +265,8 @@ std::string name_of_shape(const Contestant& c) {
 }
 
 // All contestants.
-void tabulate_contest(literate::Document& document, const PrintedData& printed_data,
-                      const config::UnitSystem& units, const std::vector<Contestant>& contestants) {
+void tabulate_contest(Document& document, const PrintedData& printed_data, const UnitSystem& units,
+                      const std::vector<Contestant>& contestants) {
   const auto& printed = printed_data.appendix2.measures;
   const char* const misfit = "misfit, \\%";
   const char* const deviation = "deviation, \\%";
@@ -327,7 +312,7 @@ void tabulate_contest(literate::Document& document, const PrintedData& printed_d
 }
 
 // By how much the largest von Mises stress deviates from the printed one under the loads that fit.
-void register_von_mises(literate::Document& document, const PrintedData& printed_data,
+void register_von_mises(Document& document, const PrintedData& printed_data,
                         const BlockStudy& study, const std::vector<Contestant>& about_half,
                         double half_width) {
   const char* const measure = "max_stress_vm";
@@ -342,16 +327,15 @@ void register_von_mises(literate::Document& document, const PrintedData& printed
     document.value("fit." + name_of_shape(c) + ".von-mises",
                    Value(quotient(computed, printed) - Estimate{1, 0}, percent(1)));
   }
-  document.value("appendix2.von-mises.convergence",
-                 Value(printed_data.appendix2.convergence.at(measure).value() / 100, percent(1))
-                     .within(0));
+  document.value(
+      "appendix2.von-mises.convergence",
+      Value(printed_data.appendix2.convergence.at(measure).value() / 100, percent(1)).within(0));
 }
 
 // How the pressure falls from the middle to the ends of the load: what the displacements tell of
 // it, and what the largest stress of the run adds.
-void claim_fall(literate::Document& document, const config::UnitSystem& units,
-                const PrintedData& printed_data, const ContestOutcome& outcome,
-                const ExponentFit& fit) {
+void claim_fall(Document& document, const UnitSystem& units, const PrintedData& printed_data,
+                const ContestOutcome& outcome, const ExponentFit& fit) {
   const PrintedNumber& largest = printed_data.appendix2.measures.at("max_stress_yy");
   const Estimate stress = magnitude(as_estimate(largest));
   document.value("appendix2.largest-pressure", Value(stress, significant(4), units.stress));
@@ -390,8 +374,7 @@ void claim_fall(literate::Document& document, const config::UnitSystem& units,
                 "stress",
        .expected = Verdict::confirmed,
        .criteria = {
-           Criterion::in_each("largest misfit of the three antisymmetric shapes",
-                              "shapes", met),
+           Criterion::in_each("largest misfit of the three antisymmetric shapes", "shapes", met),
            Criterion::at_least("least misfit of another shape",
                                Value(outcome.least_misfit_of_others, percent(2)),
                                {LimitKind::convention, small_misfit, "the same"}),
@@ -412,7 +395,7 @@ void claim_fall(literate::Document& document, const config::UnitSystem& units,
                                 "far more than the printed convergence of that stress"})}});
 }
 
-literate::Figure exponent_figure(const ExponentFit& fit, double allowed) {
+Figure exponent_figure(const ExponentFit& fit, double allowed) {
   return {.width_cm = 6.2,
           .height_cm = 5,
           .data = {{"fits", {{"exponent", fit.exponents}, {"misfit", fit.misfits}}}},
@@ -420,7 +403,7 @@ literate::Figure exponent_figure(const ExponentFit& fit, double allowed) {
 }
 
 // On one of the two meshes.
-std::vector<Share> like_with_like(const parameters::HalfSpaceCase& h, const BlockStudy& study,
+std::vector<Share> like_with_like(const HalfSpaceCase& h, const BlockStudy& study,
                                   const block::Solution& (block::RefinedSolution::*mesh)() const) {
   const auto half_space = [&](double x) {
     return normal_displacement(h.material, h.load, x, h.datum);
@@ -441,15 +424,15 @@ std::vector<Share> like_with_like(const parameters::HalfSpaceCase& h, const Bloc
 
 // The datum at which the half-space would have the block's displacement in the middle: each factor
 // e moves the half-space by 2(1−ν²)P/(πE), and the part of the datum is what the block is below it.
-Estimate equivalent_datum(const parameters::HalfSpaceCase& h, Estimate part_of_datum) {
+Estimate equivalent_datum(const HalfSpaceCase& h, Estimate part_of_datum) {
   const double per_e = 2 * (1 - h.material.poisson() * h.material.poisson()) * h.load.line_load() /
                        (std::numbers::pi * h.material.young());
   const double datum = h.datum * std::exp(-part_of_datum.value / per_e);
   return {datum, datum * std::expm1(part_of_datum.abs_error / per_e) + rounded(datum)};
 }
 
-void register_shares(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                     const parameters::BlockCase& block_case, const config::UnitSystem& units,
+void register_shares(Document& document, const HalfSpaceCase& half_space,
+                     const BlockCase& block_case, const UnitSystem& units,
                      const SharesOnBothMeshes& shares) {
   double largest_gap = 0;
   for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -481,9 +464,12 @@ void register_shares(literate::Document& document, const parameters::HalfSpaceCa
 
 }  // namespace
 
-void compute_finite_block(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                          const parameters::BlockCase& block_case, const config::UnitSystem& units,
-                          const std::optional<PrintedData>& printed_data) {
+void compute_finite_block(Document& document, const Case& from) {
+  if (!from.block) return;
+  const HalfSpaceCase& half_space = from.half_space;
+  const BlockCase& block_case = *from.block;
+  const UnitSystem& units = from.units;
+  const std::optional<PrintedData>& printed_data = from.printed_data;
   const BlockStudy study(half_space, block_case,
                          printed_data ? observed_in(half_space, printed_data->figure5)
                                       : std::vector<block::SurfaceDisplacement>{});

@@ -3,30 +3,19 @@
 #include <limits>
 #include <vector>
 
-#include "contact/hertz.hpp"
 #include "elasticity/concentrated_load.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "elasticity/uniform_load.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using elasticity::SurfaceQuadrature;
-using literate::Criterion;
-using literate::exact;
-using literate::integer;
-using literate::LimitKind;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
 
-void register_parameters(literate::Document& document, const parameters::HalfSpaceCase& half_space,
-                         const config::UnitSystem& units) {
+void register_parameters(Document& document, const HalfSpaceCase& half_space,
+                         const UnitSystem& units) {
   document.value("units.length", Value::text(units.length));
   document.value("units.force", Value::text(units.force));
   document.value("units.stress", Value::text(units.stress));
@@ -46,11 +35,11 @@ void register_parameters(literate::Document& document, const parameters::HalfSpa
 
 // Two like cylinders under a load that makes the deformation visible; lengths over the half-width.
 // Heights are positive upwards.
-literate::Figure geometry() {
+Figure geometry() {
   const elasticity::Material material(1, 0);
   const auto radius = contact::Radius::of_cylinder("radius", 1);
   const contact::CylinderPair cylinders(material, radius, material, radius);
-  const contact::Hertz hertz(cylinders, 1);
+  const Hertz hertz(cylinders, 1);
   const double a = hertz.half_width();
   const double unit = cylinders.profile().gap(a);  // h at the edge of the contact
   constexpr double approach = 2.4;                 // δ in that unit: where the datum is chosen
@@ -87,7 +76,7 @@ literate::Figure geometry() {
 }
 
 // Nodes over an elliptic pressure, as many as can be told apart in print.
-literate::Figure elements() {
+Figure elements() {
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   constexpr int n_each_side = 5;
   constexpr int shown = 2;  // the node whose p_j and c are labelled
@@ -114,7 +103,7 @@ literate::Figure elements() {
 constexpr double steps_ratio = 1000;  // of distances, towards a point where something is infinite
 
 // Eq. (2) for a triangular, a uniform and a concentrated load of the same resultant, over K/a.
-literate::Figure gradients(const parameters::HalfSpaceCase& half_space) {
+Figure gradients(const HalfSpaceCase& half_space) {
   const double a = half_space.load.half_width();
   const double resultant = half_space.load.line_load();
   const double unit = half_space.material.integral_compliance() * resultant / a;
@@ -159,8 +148,7 @@ std::vector<Criterion> steps_towards(double from, const Step& step) {
 }
 
 // Three steps towards the force, each to a thousandth of the distance.
-void claim_force(literate::Document& document, const parameters::HalfSpaceCase& c,
-                 const config::UnitSystem& units) {
+void claim_force(Document& document, const HalfSpaceCase& c, const UnitSystem& units) {
   const SurfaceQuadrature surface(c.material, elasticity::ConcentratedLoad(c.load.line_load()),
                                   c.datum);
   const Value expected = Value(
@@ -186,7 +174,7 @@ void claim_force(literate::Document& document, const parameters::HalfSpaceCase& 
 }
 
 // Beside the end of a uniform pressure: what the gradient gains in each step, and u_z at the end.
-void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase& c) {
+void claim_uniform(Document& document, const HalfSpaceCase& c) {
   const double a = c.load.half_width();
   const double pressure = c.load.line_load() / (2 * a);
   const SurfaceQuadrature surface(c.material, elasticity::UniformLoad(pressure, a), c.datum);
@@ -227,7 +215,7 @@ void claim_uniform(literate::Document& document, const parameters::HalfSpaceCase
 }
 
 // On both sides of each kink of the triangle: is the gradient continuous, and its slope finite?
-void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase& c) {
+void claim_smooth(Document& document, const HalfSpaceCase& c) {
   const double a = c.load.half_width();
   const SurfaceQuadrature surface(c.material, c.load, c.datum);
   const double unit = c.material.integral_compliance() * c.load.line_load() / a;
@@ -266,8 +254,9 @@ void claim_smooth(literate::Document& document, const parameters::HalfSpaceCase&
 
 }  // namespace
 
-void compute_formulation(literate::Document& document, const parameters::HalfSpaceCase& c,
-                         const config::UnitSystem& units) {
+void compute_formulation(Document& document, const Case& from) {
+  const HalfSpaceCase& c = from.half_space;
+  const UnitSystem& units = from.units;
   register_parameters(document, c, units);
   document.figure("contact-geometry", geometry());
   document.figure("triangular-elements", elements());

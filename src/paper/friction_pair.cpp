@@ -2,14 +2,15 @@
 #include "paper/friction_pair.hpp"
 
 #include "contact/matrix_inversion.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
-Pair pair_of(const parameters::ContactCase& c, const elasticity::Material& first,
+Pair pair_of(const ContactCase& c, const elasticity::Material& first,
              const elasticity::Material& second) {
   const contact::CylinderPair cylinders(first, c.body1.radius, second, c.body2.radius);
   const double load = c.line_load * cylinders.contact_modulus() / c.cylinders.contact_modulus();
-  const contact::Hertz hertz(cylinders, load);
+  const Hertz hertz(cylinders, load);
   const contact::Problem problem{cylinders.profile(), cylinders.contact_modulus(),
                                  contact::grid_around(hertz.half_width(), c.n_nodes)};
   return {cylinders,

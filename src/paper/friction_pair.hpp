@@ -2,10 +2,9 @@
 #pragma once
 
 #include "contact/cylinder_pair.hpp"
-#include "contact/hertz.hpp"
 #include "contact/problem.hpp"
 #include "contact/solution.hpp"
-#include "parameters/case.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
@@ -16,7 +15,7 @@ namespace paper {
 struct Pair {
   contact::CylinderPair cylinders;
   double line_load;
-  contact::Hertz hertz;
+  Hertz hertz;
   contact::Problem problem;
   contact::Solution solution;
   double beta;
@@ -25,7 +24,7 @@ struct Pair {
 /// The pair of these two materials, solved without friction by matrix inversion on the case's
 /// nodes. The load is the case's times the ratio of the contact moduli, so that Hertz's half-width
 /// is the case's. Throws what solve_by_matrix_inversion() throws.
-Pair pair_of(const parameters::ContactCase& c, const elasticity::Material& first,
+Pair pair_of(const ContactCase& c, const elasticity::Material& first,
              const elasticity::Material& second);
 
 }  // namespace paper

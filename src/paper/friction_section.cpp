@@ -13,32 +13,18 @@
 #include "contact/mcewen.hpp"
 #include "contact/sliding_hertz.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/friction_pair.hpp"
 #include "paper/greatest_shear.hpp"
 #include "paper/partial_slip.hpp"
-#include "paper/printed_data.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using contact::CoupledSliding;
-using contact::Hertz;
 using elasticity::Material;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using parameters::FrictionCase;
 
 contact::Slopes sliding_slopes(const Pair& pair, double mu) {
   return contact::surface_slopes(pair.problem, pair.solution,
@@ -87,7 +73,7 @@ double departure_from_beta_mu(const Pair& pair, double mu) {
 
 // A number that rounds to zero in its column is said to be near zero; its digits and their power of
 // ten would make the column too wide for the page.
-literate::Cell near_zero_or(Estimate value, int n_decimals) {
+Cell near_zero_or(Estimate value, int n_decimals) {
   const double size = std::abs(value.value);
   if (size > value.abs_error && size < std::pow(10.0, -n_decimals) / 2) {
     return literate::Cell::latex("$\\approx 0$");
@@ -95,7 +81,7 @@ literate::Cell near_zero_or(Estimate value, int n_decimals) {
   return value;
 }
 
-literate::Limit small_loss() {
+Limit small_loss() {
   return {LimitKind::convention, 0.1, "a tenth, which a plot would show"};
 }
 
@@ -103,8 +89,8 @@ literate::Limit small_loss() {
 constexpr double friction_of_large_rise = 0.25;
 
 // What the contact loses, of pairs for which it loses anything, and what the stresses beneath do.
-void claim_small_loss(literate::Document& document, const std::vector<Criterion>& losses,
-                      const Hertz& hertz, double mu) {
+void claim_small_loss(Document& document, const std::vector<Criterion>& losses, const Hertz& hertz,
+                      double mu) {
   const double a = hertz.half_width();
   const double still = contact::McEwen(hertz).greatest_shear().shear;
   const double sliding = greatest_shear(contact::SlidingHertz(hertz, mu), a).shear;
@@ -114,9 +100,9 @@ void claim_small_loss(literate::Document& document, const std::vector<Criterion>
     criteria.push_back(Criterion::in_each("shift and widening of the contact, over its half-width",
                                           "pairs with β ≠ 0", losses));
   }
-  criteria.push_back(Criterion::at_most("rise of the largest shear stress beneath, for like materials",
-                                        Value({sliding / still - 1, of_closed_forms}, percent(0)),
-                                        small_loss()));
+  criteria.push_back(
+      Criterion::at_most("rise of the largest shear stress beneath, for like materials",
+                         Value({sliding / still - 1, of_closed_forms}, percent(0)), small_loss()));
   const bool is_in_part = mu > friction_of_large_rise && !losses.empty();
   document.claim("friction-small-loss",
                  {.route = "the closed forms for bodies that slide on one another",
@@ -126,15 +112,15 @@ void claim_small_loss(literate::Document& document, const std::vector<Criterion>
                   .criteria = criteria});
 }
 
-void compare_pairs(literate::Document& document, const parameters::ContactCase& c,
-                   const FrictionCase& friction, const Pair& own) {
+void compare_pairs(Document& document, const ContactCase& c, const FrictionCase& friction,
+                   const Pair& own) {
   const double mu = friction.coefficient;
   const char* const of_slopes = "ratio of slopes, \\%";
   const char* const of_contact = "of the contact, \\%";
   literate::Table table(
       "friction-pairs",
-      {Column::text("bodies"), Column("$E_1/E_2$", fixed(2)), Column("$\\nu_1$", fixed(3)).exact(),
-       Column("$\\nu_2$", fixed(3)).exact(), Column("$\\beta$", fixed(3)),
+      {Column::text("bodies"), Column("$E_1/E_2$", fixed(2)), Column("$\\nu_1$", fixed(3)),
+       Column("$\\nu_2$", fixed(3)), Column("$\\beta$", fixed(3)),
        Column(fmt::format("$\\mu = {}$", friction.light), fixed(2)).under(of_slopes),
        Column(fmt::format("$\\mu = {}$", mu), fixed(2)).under(of_slopes),
        Column("shift", fixed(2)).under(of_contact),
@@ -142,7 +128,7 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
   std::vector<Criterion> losses;
   double departure_of_ratio = 0;
   Estimate departure_of_exact;
-  const auto add = [&](const std::string& name, const Pair& pair, literate::Cell young_ratio,
+  const auto add = [&](const std::string& name, const Pair& pair, Cell young_ratio,
                        const Material& first, const Material& second) {
     const CoupledSliding exact(pair.cylinders, pair.line_load, mu, pair.beta);
     const double closed = rounded(c, 1);
@@ -151,7 +137,7 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
         pressure_error(pair.solution) + half_width_error(pair.solution) + closed;
     const double a = pair.hertz.half_width();
     table.add_row(
-        {name, young_ratio, first.poisson(), second.poisson(),
+        {name, young_ratio, Estimate{first.poisson(), 0}, Estimate{second.poisson(), 0},
          near_zero_or(Estimate{pair.beta, rounded(1)}, 3),
          near_zero_or(100 * Estimate{slope_ratio(pair, friction.light), friction.light * of_ratio},
                       2),
@@ -205,14 +191,13 @@ void compare_pairs(literate::Document& document, const parameters::ContactCase& 
            {LimitKind::rounding, 1e-11, "what the quadrature loses at singular ends"})}});
 }
 
-bool are_alike(const parameters::ContactCase& c) {
+bool are_alike(const ContactCase& c) {
   return c.body1.material.young() == c.body2.material.young() &&
          c.body1.material.poisson() == c.body2.material.poisson();
 }
 
 // What the shear does to each body's slope, and to their sum, at the middle of the contact.
-void compare_bodies(literate::Document& document, const parameters::ContactCase& c, const Pair& own,
-                    double mu) {
+void compare_bodies(Document& document, const ContactCase& c, const Pair& own, double mu) {
   const contact::Friction sliding = contact::sliding(own.solution, mu);
   const double peak = sliding.shear.maxCoeff() / edge_slope(own);
   const double slope1 = c.body1.material.local_compliance() * peak;
@@ -259,14 +244,14 @@ void compare_bodies(literate::Document& document, const parameters::ContactCase&
 
 }  // namespace
 
-void compute_friction(literate::Document& document, const parameters::ContactCase& c,
-                      const FrictionCase& friction,
-                      const std::optional<PrintedData>& printed_data) {
+void compute_friction(Document& document, const Case& from) {
+  const ContactCase& c = from.contact;
+  const FrictionCase& friction = c.friction.value();
   const Pair own = pair_of(c, c.body1.material, c.body2.material);
   document.value("friction.mu", Value(friction.coefficient, exact()));
   compare_bodies(document, c, own, friction.coefficient);
   compare_pairs(document, c, friction, own);
-  compute_partial_slip(document, c, own, friction.coefficient, printed_data.has_value());
+  compute_partial_slip(document, c, own, friction.coefficient, from.printed_data.has_value());
 }
 
 }  // namespace paper

@@ -7,7 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "block/load_shapes.hpp"
+#include "elasticity/load_shapes.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 using block::RefinedSolution;
 using block::Support;
 using block::Supports;
-using numerics::Estimate;
 
 // The same fit on the coarser mesh alone.
 block::Fit coarse_fit(const std::vector<RefinedSolution>& solutions,
@@ -176,24 +176,24 @@ ExponentOnOneMesh fit_exponent(const FallsByExponent& falls, const Ratios& unifo
 
 }  // namespace
 
-std::vector<Contestant> contest(const BlockStudy& study,
-                                const parameters::HalfSpaceCase& half_space, Support sides) {
+std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& half_space,
+                                Support sides) {
   const double a = half_space.load.half_width();
   const block::SupportedBlock& own = study.on(sides);
   const Supports own_supports = block::with_sides(sides);
-  const RefinedSolution uniform = own.solve(block::linear_fall(1, 1, a));
+  const RefinedSolution uniform = own.solve(elasticity::linear_fall(1, 1, a));
   struct Shape {
     std::string name;
     elasticity::Load load;
     bool falls_about_half;
   };
-  const Shape shapes[] = {{"triangle", block::linear_fall(1, 0, a), true},
-                          {"cosine", block::cosine_fall(1, a), true},
-                          {"step", block::linear_fall(1, 1, a / 2), true},
-                          {"root", block::power_fall(1, 0.5, a), false},
-                          {"ellipse", block::elliptic(1, a), false},
-                          {"parabola", block::power_fall(1, 2, a), false},
-                          {"quartic", block::power_fall(1, 4, a), false}};
+  const Shape shapes[] = {{"triangle", elasticity::linear_fall(1, 0, a), true},
+                          {"cosine", elasticity::cosine_fall(1, a), true},
+                          {"step", elasticity::linear_fall(1, 1, a / 2), true},
+                          {"root", elasticity::power_fall(1, 0.5, a), false},
+                          {"ellipse", elasticity::EllipticLoad(1, a), false},
+                          {"parabola", elasticity::power_fall(1, 2, a), false},
+                          {"quartic", elasticity::power_fall(1, 4, a), false}};
 
   std::vector<Contestant> contestants;
   for (const Shape& shape : shapes) {
@@ -210,9 +210,9 @@ std::vector<Contestant> contest(const BlockStudy& study,
   const auto add = [&](const Supports& supports) {
     if (supports == own_supports) return;
     const block::SupportedBlock block = study.on(supports);
-    contestants.push_back(fitted(
-        study, "uniform + triangle", true, supports,
-        {block.solve(block::linear_fall(1, 1, a)), block.solve(block::linear_fall(1, 0, a))}));
+    contestants.push_back(fitted(study, "uniform + triangle", true, supports,
+                                 {block.solve(elasticity::linear_fall(1, 1, a)),
+                                  block.solve(elasticity::linear_fall(1, 0, a))}));
   };
   for (const Support other : {Support::clamped, Support::roller, Support::free}) {
     add(block::with_sides(other));
@@ -226,11 +226,11 @@ std::vector<Contestant> contest(const BlockStudy& study,
 ExponentFit fit_exponent(const BlockStudy& study, double half_width, Support sides,
                          double allowed) {
   const block::SupportedBlock& block = study.on(sides);
-  const RefinedSolution uniform = block.solve(block::linear_fall(1, 1, half_width));
+  const RefinedSolution uniform = block.solve(elasticity::linear_fall(1, 1, half_width));
   FallsByExponent fine, coarse;
   for (int k = 0; k < n_exponents; ++k) {
     const double m = chebyshev_exponent(k);
-    const RefinedSolution fall = block.solve(block::power_fall(1, m, half_width));
+    const RefinedSolution fall = block.solve(elasticity::power_fall(1, m, half_width));
     fine.add(m, ratios_of(fall.fine(), study.observed()));
     coarse.add(m, ratios_of(fall.coarse(), study.observed()));
   }

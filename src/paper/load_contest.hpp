@@ -8,8 +8,8 @@
 
 #include "block/fit.hpp"
 #include "block/supports.hpp"
-#include "numerics/estimate.hpp"
 #include "paper/block_study.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
@@ -20,16 +20,16 @@ struct Contestant {
   /// Whether what falls does so about half-way: its share at t = |x|/a is 1 less that at 1 − t.
   bool falls_about_half;
   block::Supports supports;
-  numerics::Estimate largest_misfit;  ///< relative; wrong by its distance from the coarser mesh
-  numerics::Estimate rms_misfit;
-  numerics::Estimate peak;  ///< the largest pressure, in the middle or at the ends of the load
+  Estimate largest_misfit;  ///< relative; wrong by its distance from the coarser mesh
+  Estimate rms_misfit;
+  Estimate peak;  ///< the largest pressure, in the middle or at the ends of the load
   block::RefinedSolution refitted;  ///< under the fits made on each of the two meshes
 };
 
 /// All shapes on the supports of the case, each alone or on a uniform pressure, then the linear
 /// fall on other supports.
-std::vector<Contestant> contest(const BlockStudy& study,
-                                const parameters::HalfSpaceCase& half_space, block::Support sides);
+std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& half_space,
+                                block::Support sides);
 
 /// p = p_e + (p_0 − p_e)(1 − |x/a|ᵐ) with the exponent m fitted besides p_0 and p_e.
 ///
@@ -37,8 +37,8 @@ std::vector<Contestant> contest(const BlockStudy& study,
 /// and p_e meets every displacement to `allowed`; both are `best` if not even that does. Each
 /// number is wrong by its distance from the coarser mesh.
 struct ExponentFit {
-  numerics::Estimate best, least, most;
-  numerics::Estimate misfit;               ///< the largest at `best`, relative
+  Estimate best, least, most;
+  Estimate misfit;                         ///< the largest at `best`, relative
   std::vector<double> exponents, misfits;  ///< the largest misfit for each of many exponents
 };
 
@@ -53,7 +53,6 @@ ExponentFit fit_exponent(const BlockStudy& study, double half_width, block::Supp
                          double allowed);
 
 /// The largest relative misfit of a load as it is, without any fit.
-numerics::Estimate misfit_of(const BlockStudy& study, const elasticity::Load& load,
-                             block::Support sides);
+Estimate misfit_of(const BlockStudy& study, const elasticity::Load& load, block::Support sides);
 
 }  // namespace paper

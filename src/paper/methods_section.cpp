@@ -4,40 +4,23 @@
 #include <vector>
 
 #include "contact/fft_solver.hpp"
-#include "contact/hertz.hpp"
 #include "contact/influence_operator.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/variational.hpp"
-#include "literate/document/document.hpp"
-#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
-using contact::Hertz;
 using contact::Problem;
 using contact::Solution;
 using Eigen::Index;
 using Eigen::VectorXd;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::LimitKind;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using numerics::fit_power;
-using parameters::ContactCase;
 
 // The same discrete contact by three methods.
-void register_methods(literate::Document& document, const ContactCase& c, const Hertz& hertz) {
+void register_methods(Document& document, const ContactCase& c, const Hertz& hertz) {
   constexpr Index n_nodes = 181;
   const Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
                         contact::grid_around(hertz.half_width(), n_nodes)};
@@ -68,7 +51,7 @@ void register_methods(literate::Document& document, const ContactCase& c, const 
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_most(
                       "largest difference of the pressures, over 𝑝₀",
-                      Value(numerics::Estimate{pressure, of_pressures}, scientific(1).rounded_up()),
+                      Value(Estimate{pressure, of_pressures}, scientific(1).rounded_up()),
                       {LimitKind::convention, 1e-9,
                        "ten times the tolerance of the iterations; all three solve the same "
                        "discrete problem"})}});
@@ -98,7 +81,7 @@ double rounding_of_displacements(const Problem& problem, const Solution& solutio
   return change.cwiseProduct(in_contact).lpNorm<Eigen::Infinity>() / phi.maxCoeff();
 }
 
-void register_large_grids(literate::Document& document, const ContactCase& c, const Hertz& hertz) {
+void register_large_grids(Document& document, const ContactCase& c, const Hertz& hertz) {
   // What the rounding of u_z leaves is rounding itself, and has no bound.
   literate::Table table("large-grids",
                         {Column("$N$", integer()), Column("tried", integer()),
@@ -106,7 +89,7 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
                          Column("$p$, inside", scientific(2)).under("error against Hertz"),
                          Column("peak", scientific(2)).under("error against Hertz"),
                          Column("half-width", scientific(2)).under("error against Hertz"),
-                         Column("rounding", scientific(1)).exact()});
+                         Column("rounding", scientific(1))});
   std::vector<double> n, inside, bounds, rounding;
   std::vector<int> products;
   double left_over = 0;
@@ -123,12 +106,13 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
     products.push_back(solution.work.products);
     left_over = solution.residuals.pressure / hertz.peak_pressure();
     const double closed = rounded(c, 1);
+    const literate::Decimal left = literate::rounded_to_digits(rounding.back(), 1);
     table.add_row(
         {n_nodes, solution.work.solves, solution.work.iterations, products.back(),
          Estimate{errors.inside, bounds.back() + closed},
          Estimate{std::abs(errors.peak), bounds.back() + closed},
          Estimate{std::abs(errors.half_width_moment), half_width_error(solution) + closed},
-         rounding.back()});
+         literate::Cell::quoted(literate::number_of(left), left.place)});
   }
   const auto [least, most] = std::minmax_element(products.begin() + 1, products.end());
   document.table(std::move(table));
@@ -167,7 +151,8 @@ void register_large_grids(literate::Document& document, const ContactCase& c, co
 
 }  // namespace
 
-void compute_methods(literate::Document& document, const parameters::ContactCase& c) {
+void compute_methods(Document& document, const Case& from) {
+  const ContactCase& c = from.contact;
   const Hertz hertz(c.cylinders, c.line_load);
   register_methods(document, c, hertz);
   register_large_grids(document, c, hertz);

@@ -3,29 +3,21 @@
 #include <cmath>
 #include <string>
 
-#include "literate/document/document.hpp"
 #include "literate/imports/import_json.hpp"
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
-#include "paper/paper.hpp"
-#include "paper/printed_data.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
-using literate::Criterion;
-using literate::LimitKind;
-using literate::scientific;
-using literate::Value;
-
-double number(const literate::Document& octave, const std::string& key) {
+double number(const Document& octave, const std::string& key) {
   return octave.values().at(key).number().value();
 }
 
 // Whether the case has the numbers that are typed into the listing, in its units.
-bool is_case_of_listing(const literate::Document& octave, const parameters::ContactCase& c,
-                        const config::UnitSystem& units, const ContactMInput& input) {
+bool is_case_of_listing(const Document& octave, const ContactCase& c, const UnitSystem& units,
+                        const ContactMInput& input) {
   const auto is_body = [&](const parameters::CylinderCase& body, const std::string& radius) {
     return body.material.young() == number(octave, "EE") &&
            body.material.poisson() == number(octave, "v") &&
@@ -40,7 +32,7 @@ bool is_case_of_listing(const literate::Document& octave, const parameters::Cont
 }
 
 // How far our transcription is from Octave's pressures, over the largest of them.
-void compare(literate::Document& document, const literate::Document& octave, const ContactM& ours) {
+void compare(Document& document, const Document& octave, const ContactM& ours) {
   double largest = 0, difference = 0, error = 0;
   for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(ours.zero_node); ++i) {
     const Value& theirs = octave.values().at("p" + std::to_string(i + 1));
@@ -60,18 +52,17 @@ void compare(literate::Document& document, const literate::Document& octave, con
 
 }  // namespace
 
-void compute_octave(literate::Document& document, const parameters::ContactCase& contact,
-                    const config::UnitSystem& units, const PrintedData& printed_data,
-                    const Listings& listings) {
-  literate::Document octave;
-  literate::import_json(octave, listings.source / "report/octave/contact_m.json",
-                        {.root = listings.source});
+void compute_octave(Document& document, const Case& from) {
+  if (!from.printed_data || !from.listings) return;
+  const std::filesystem::path& source = from.listings->source;
+  Document octave;
+  literate::import_json(octave, source / "report/octave/contact_m.json", {.root = source});
   document.attach(octave.attachments());
   document.value("octave.version", Value::text(octave.values().at("octave-version").printed()));
-  const ContactMInput input = as_printed(printed_data);
-  const bool is_same = is_case_of_listing(octave, contact, units, input);
+  const ContactMInput input = as_printed(*from.printed_data);
+  const bool is_same = is_case_of_listing(octave, from.contact, from.units, input);
   document.flag("octave.same-case", is_same);
-  if (is_same) compare(document, octave, run_contact_m(contact, input, {}));
+  if (is_same) compare(document, octave, run_contact_m(from.contact, input, {}));
 }
 
 }  // namespace paper

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "literate/document/document.hpp"
-#include "literate/excerpts/excerpt.hpp"
 #include "literate/main/paper.hpp"
+#include "paper/sections.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
-
-/// The sources, a checkout, and the excerpts of them that the report may show.
-struct Listings {
-  std::filesystem::path source;
-  std::vector<literate::Excerpt> excerpts;
-};
 
 /// Throws config::Error, with file, line, column and key, for a case that the commands can compute
 /// but the report cannot be made of: one that is too large for it, whose title or file name LaTeX

@@ -12,27 +12,15 @@
 #include "contact/friction.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 namespace {
 
 using contact::CattaneoMindlin;
 using contact::Solution;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::LimitKind;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using numerics::fit_power;
-using numerics::PowerFit;
 
 // One load on one grid, against the closed form.
 struct SlipErrors {
@@ -114,8 +102,7 @@ SlipCurve curve_of(const Pair& pair, double mu, const Slip& slip) {
 constexpr double parts_of_sliding[] = {0.3, 0.6, 0.9};
 
 // The largest errors of the strips, relative, and of the shear's mean, over μp₀.
-void register_errors(literate::Document& document, const std::vector<Slip>& slips,
-                     const Pair& pair) {
+void register_errors(Document& document, const std::vector<Slip>& slips, const Pair& pair) {
   // The shear is the difference of two pressures. What is taken away has its peak in proportion to
   // the strip's half-width aₛ, which is wrong as half_width_error() says with a/aₛ times the error.
   const double of_shears = 2 * pressure_error(pair.solution) + closed_form(1).abs_error;
@@ -137,7 +124,7 @@ void register_errors(literate::Document& document, const std::vector<Slip>& slip
 }
 
 // The errors of the middle one of the loads over grids on which the edges fall anywhere.
-void fit_slip_orders(literate::Document& document, parameters::ContactCase c, double mu) {
+void fit_slip_orders(Document& document, ContactCase c, double mu) {
   std::vector<double> elements, largest, mean, bounds;
   double root_factor = 0;
   for (double n = 21; n < 190; n *= 1.08) {
@@ -226,9 +213,9 @@ double stick_error(const Pair& pair, double stick_half_width) {
 
 }  // namespace
 
-void compute_partial_slip(literate::Document& document, const parameters::ContactCase& c,
-                          const Pair& own, double mu, bool is_papers_case) {
-  literate::Figure figure{.width_cm = 13.5, .height_cm = 5.0};
+void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu,
+                          bool is_papers_case) {
+  Figure figure{.width_cm = 13.5, .height_cm = 5.0};
   std::vector<Slip> slips;
   std::vector<double> sliding_x, sliding;
   Estimate worst_stick;

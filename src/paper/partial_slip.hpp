@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "literate/document/document.hpp"
 #include "paper/friction_pair.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
@@ -11,7 +11,7 @@ namespace paper {
 ///
 /// `own` is the case's pair of bodies, `mu` their coefficient of friction, greater than 0. Throws
 /// what contact::partial_slip() and contact::solve_by_matrix_inversion() throw.
-void compute_partial_slip(literate::Document& document, const parameters::ContactCase& c,
-                          const Pair& own, double mu, bool is_papers_case);
+void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu,
+                          bool is_papers_case);
 
 }  // namespace paper

@@ -8,25 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
+#include "paper/prelude.hpp"
 #include "point_contact/study/element_study.hpp"
 
 namespace paper {
 namespace {
 
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::LimitKind;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::fit_power;
-using numerics::PowerFit;
-using parameters::ContactCase;
 using point_contact::ElementStudy;
 using point_contact::TwoSpheres;
 
@@ -104,12 +92,11 @@ PowerFit fit(const ElementStudy& study, const StudiedError& error) {
   return fit_power(study.*error.elements, values, bounds);
 }
 
-void claim_elements(literate::Document& document,
-                    const std::array<std::array<PowerFit, 4>, 7>& fits) {
+void claim_elements(Document& document, const std::array<std::array<PowerFit, 4>, 7>& fits) {
   constexpr std::size_t inside = 0;
   constexpr std::size_t slope = 5;
   const char* const scatter = "where the edge lies between the nodes differs from grid to grid";
-  const auto of_order = [&](std::size_t error, std::size_t element, const literate::Limit& limit) {
+  const auto of_order = [&](std::size_t error, std::size_t element, const Limit& limit) {
     const StudiedError& e = studied_errors[error];
     return Criterion::agrees(
         std::string(e.name) + ", " + std::string(name_of(point_elements[element])) + ": order",
@@ -140,8 +127,8 @@ void claim_elements(literate::Document& document,
       {.route = "powers fitted to the errors against Hertz: of the pressure over 𝑟 ≤ 0.8𝑎, of the "
                 "slope at eighths between the nodes",
        .expected = Verdict::confirmed,
-       .criteria = {nearest(0, "nearer to it than to any other half order"),
-                    nearest(1, same), nearest(2, same), nearest(3, same),
+       .criteria = {nearest(0, "nearer to it than to any other half order"), nearest(1, same),
+                    nearest(2, same), nearest(3, same),
                     Criterion::at_least(
                         "pressure inside: factor 𝐵 of pyramids over that of uniform elements",
                         Value(ratio(0, 2), significant(2)),
@@ -152,7 +139,7 @@ void claim_elements(literate::Document& document,
 
 }  // namespace
 
-void study_elements(literate::Document& document, const ContactCase& c, const TwoSpheres& spheres) {
+void study_elements(Document& document, const ContactCase& c, const TwoSpheres& spheres) {
   std::vector<ElementStudy> studies;
   for (const PointElement element : point_elements) {
     studies.push_back(study_element(spheres, c.body1.material, element));
@@ -170,7 +157,7 @@ void study_elements(literate::Document& document, const ContactCase& c, const Tw
        Column("$B$", fixed(3)).under(forces)});
   std::array<std::array<PowerFit, 4>, 7> fits{};
   for (std::size_t error = 0; error < studied_errors.size(); ++error) {
-    std::vector<literate::Cell> row = {studied_errors[error].name};
+    std::vector<Cell> row = {studied_errors[error].name};
     for (std::size_t element = 0; element < studies.size(); ++element) {
       const PowerFit power = fit(studies[element], studied_errors[error]);
       fits[error][element] = power;
@@ -191,7 +178,7 @@ void study_elements(literate::Document& document, const ContactCase& c, const Tw
   count("spheres.finest", first.elements.back());
   count("spheres.finest-surface", first.surface_elements.back());
 
-  literate::Figure figure{.width_cm = 14, .height_cm = 5.2};
+  Figure figure{.width_cm = 14, .height_cm = 5.2};
   for (std::size_t i = 0; i < studies.size(); ++i) {
     const std::string name(name_of(point_elements[i]));
     figure.data[name] = {{"elements", studies[i].elements}, {"inside", studies[i].inside}};

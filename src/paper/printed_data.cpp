@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "config/table.hpp"
-#include "contact/hertz.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 namespace {
@@ -19,7 +19,7 @@ constexpr double greatest = 1e50;
 enum class Sign { any, not_zero, positive };
 
 void require_in_range(const config::Table& table, const std::string& key,
-                      const config::PrintedNumber& number, Sign sign) {
+                      const PrintedNumber& number, Sign sign) {
   const double size = std::abs(number.value());
   if (size != 0 && !(size >= least && size <= greatest)) {
     table.fail(key, fmt::format("{}: its magnitude must be from {} to {}", number.text(), least,
@@ -33,19 +33,19 @@ void require_in_range(const config::Table& table, const std::string& key,
   }
 }
 
-std::vector<config::PrintedNumber> read_column(const config::Table& table, const std::string& key,
-                                               std::size_t n_points, Sign sign) {
-  std::vector<config::PrintedNumber> column = table.printed_numbers(key);
+std::vector<PrintedNumber> read_column(const config::Table& table, const std::string& key,
+                                       std::size_t n_points, Sign sign) {
+  std::vector<PrintedNumber> column = table.printed_numbers(key);
   if (column.size() != n_points) {
     table.fail(key, fmt::format("{} numbers for {} points", column.size(), n_points));
   }
-  for (const config::PrintedNumber& number : column) require_in_range(table, key, number, sign);
+  for (const PrintedNumber& number : column) require_in_range(table, key, number, sign);
   return column;
 }
 
 // The report divides by the slopes between the last five points.
 void require_slopes(const config::Table& table, const std::string& key,
-                    const std::vector<config::PrintedNumber>& column) {
+                    const std::vector<PrintedNumber>& column) {
   constexpr std::size_t n_last = 5;
   for (std::size_t i = std::max(n_last, column.size()) - n_last + 1; i < column.size(); ++i) {
     const double step = std::abs(column[i].value() - column[i - 1].value());
@@ -74,7 +74,7 @@ PrintedFigure5 read_figure5(const config::Table& table, const std::vector<double
   return figure;
 }
 
-PrintedTriDist read_tri_dist(const config::Table& table, const parameters::HalfSpaceCase& c,
+PrintedTriDist read_tri_dist(const config::Table& table, const HalfSpaceCase& c,
                              const std::string& unit) {
   PrintedTriDist printed{table.text("source"),
                          read_column(table, "displacement", c.points.size(), Sign::positive),
@@ -89,9 +89,9 @@ PrintedTriDist read_tri_dist(const config::Table& table, const parameters::HalfS
 }
 
 // Reads numbers under any names, of which some are needed, because the report divides by them.
-std::map<std::string, config::PrintedNumber> read_numbers(const config::Table& table,
-                                                          const std::vector<std::string>& needed) {
-  std::map<std::string, config::PrintedNumber> numbers;
+std::map<std::string, PrintedNumber> read_numbers(const config::Table& table,
+                                                  const std::vector<std::string>& needed) {
+  std::map<std::string, PrintedNumber> numbers;
   for (const std::string& key : table.keys()) {
     require_in_range(table, key, numbers.emplace(key, table.printed_number(key)).first->second,
                      Sign::any);
@@ -103,16 +103,16 @@ std::map<std::string, config::PrintedNumber> read_numbers(const config::Table& t
   return numbers;
 }
 
-std::map<std::string, config::PrintedNumber> read_measures(const config::Table& table,
-                                                           std::size_t n_points) {
+std::map<std::string, PrintedNumber> read_measures(const config::Table& table,
+                                                   std::size_t n_points) {
   std::vector<std::string> needed = {"resultant_load_y", "max_disp_mag",    "max_disp_x",
                                      "max_disp_y",       "max_stress_prin", "max_stress_vm",
                                      "max_stress_xx",    "max_stress_xy",   "max_stress_yy",
                                      "max_stress_zz",    "strain_energy"};
   for (std::size_t i = 1; i <= n_points; ++i) needed.push_back(fmt::format("measure{}", i));
-  std::map<std::string, config::PrintedNumber> measures = read_numbers(table, needed);
-  const config::PrintedNumber& xx = measures.at("max_stress_xx");
-  const config::PrintedNumber& yy = measures.at("max_stress_yy");
+  std::map<std::string, PrintedNumber> measures = read_numbers(table, needed);
+  const PrintedNumber& xx = measures.at("max_stress_xx");
+  const PrintedNumber& yy = measures.at("max_stress_yy");
   if (!(std::abs(xx.value() + yy.value()) > xx.last_place() + yy.last_place())) {
     table.fail("max_stress_xx", fmt::format("{}: must not be the opposite of max_stress_yy, {}",
                                             xx.text(), yy.text()));
@@ -129,7 +129,7 @@ PrintedAppendix2 read_appendix2(const config::Table& table, std::size_t n_points
                     "ixx_about_centre", "iyy_about_centre", "izz_about_centre"})};
 }
 
-PrintedContactM read_contact_m(const config::Table& table, const parameters::ContactCase& c,
+PrintedContactM read_contact_m(const config::Table& table, const ContactCase& c,
                                const std::string& unit) {
   PrintedContactM printed{table.text("source"), table.printed_number("spacing"),
                           table.printed_number("n_nodes"), table.printed_number("zero_node")};
@@ -143,7 +143,7 @@ PrintedContactM read_contact_m(const config::Table& table, const parameters::Con
     table.fail("zero_node", fmt::format("{}: must be a whole number from 3 to n_nodes", zero_node));
   }
   // The listed program's last node but one is the edge of the contact under 2P.
-  const double twice = contact::Hertz(c.cylinders, 2 * c.line_load).half_width();
+  const double twice = Hertz(c.cylinders, 2 * c.line_load).half_width();
   const double least_spacing = twice / (n_nodes - 2);
   const double most_spacing = twice / (n_nodes - 4);
   if (!(printed.spacing.value() >= least_spacing && printed.spacing.value() <= most_spacing)) {
@@ -161,14 +161,14 @@ PrintedContactM read_contact_m(const config::Table& table, const parameters::Con
 std::optional<PrintedData> read_printed(const parameters::Case& from_file) {
   if (!from_file.printed) return std::nullopt;
   const config::Table& table = *from_file.printed;
-  const config::UnitSystem& units = from_file.units;
+  const UnitSystem& units = from_file.units;
   if (!table.is_text("units", units.name)) {
     table.fail("units", fmt::format("\"{}\": printed data in other units than the case's {} cannot "
                                     "be compared; leave [printed] out",
                                     table.text("units"), units.name));
   }
   table.text("units");
-  const parameters::HalfSpaceCase& half_space = from_file.half_space;
+  const HalfSpaceCase& half_space = from_file.half_space;
   PrintedData printed{read_figure5(table.table("figure5"), half_space.points, units.length),
                       read_tri_dist(table.table("tri_dist"), half_space, units.length),
                       read_appendix2(table.table("appendix2"), half_space.points.size()),

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "config/printed_number.hpp"
-#include "parameters/case.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
@@ -15,31 +14,30 @@ namespace paper {
 /// points.
 struct PrintedFigure5 {
   std::string source;
-  std::vector<config::PrintedNumber> x, fea_magnitude, fea_z, analytical, error;
+  std::vector<PrintedNumber> x, fea_magnitude, fea_z, analytical, error;
 };
 
 /// The output of Tri_dist.m, a number for each point.
 struct PrintedTriDist {
   std::string source;
-  std::vector<config::PrintedNumber> displacement;
-  config::PrintedNumber step;  ///< how far the program steps off a singular point
+  std::vector<PrintedNumber> displacement;
+  PrintedNumber step;  ///< how far the program steps off a singular point
 };
 
 /// The summary of the finite-element run.
 struct PrintedAppendix2 {
   std::string source;
-  std::map<std::string, config::PrintedNumber> measures;     ///< by their printed names
-  std::map<std::string, config::PrintedNumber> convergence;  ///< of those, in percent
-  std::map<std::string, config::PrintedNumber>
-      mass_properties;  ///< mass, centre_y, ixx_about_origin, …
+  std::map<std::string, PrintedNumber> measures;         ///< by their printed names
+  std::map<std::string, PrintedNumber> convergence;      ///< of those, in percent
+  std::map<std::string, PrintedNumber> mass_properties;  ///< mass, centre_y, ixx_about_origin, …
 };
 
 /// The numbers that are typed into Contact.m.
 struct PrintedContactM {
   std::string source;
-  config::PrintedNumber spacing;    ///< c
-  config::PrintedNumber n_nodes;    ///< n
-  config::PrintedNumber zero_node;  ///< aa: «node where p becomes zero»
+  PrintedNumber spacing;    ///< c
+  PrintedNumber n_nodes;    ///< n
+  PrintedNumber zero_node;  ///< aa: «node where p becomes zero»
 };
 
 /// What the paper prints about its own case. It is compared with, never computed from.

@@ -11,39 +11,20 @@
 #include <vector>
 
 #include "contact/fft_solver.hpp"
-#include "contact/hertz.hpp"
 #include "contact/power_law.hpp"
 #include "contact/rounded_punch.hpp"
 #include "contact/wedge.hpp"
-#include "literate/document/document.hpp"
-#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using contact::Grid;
-using contact::Hertz;
 using contact::Profile;
 using contact::Solution;
 using Eigen::Index;
-using literate::Cell;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using numerics::fit_power;
-using parameters::ContactCase;
 
 // A profile that has a closed form, scaled to have the half-width of the cylinders.
 struct KnownContact {
@@ -216,7 +197,7 @@ ProfileStudy study_of(const KnownContact& known, const ContactCase& c, const Her
   return study;
 }
 
-void check_orders(literate::Document& document, const std::vector<ProfileStudy>& studies) {
+void check_orders(Document& document, const std::vector<ProfileStudy>& studies) {
   // A pressure that is infinite like ln|x| is wrong by as much at a few nodes on every grid, one
   // whose slope is by c: root mean squares of orders 1/2 and 3/2.
   constexpr std::array<double, 5> expected = {2, 0.5, 1.5, 2, 2};
@@ -234,9 +215,9 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
     orders_away.push_back(of_order(study.elements, study.away, 2));
     for (const Estimate& edge : study.edges) {
       // The edge is extrapolated from p²; errors δp₀ of p move it by less than δa.
-      edges.push_back(Criterion::at_most(
-          "edge", Value(edge, significant(2)),
-          {LimitKind::convention, 0.5, "what counting nodes would have"}));
+      edges.push_back(
+          Criterion::at_most("edge", Value(edge, significant(2)),
+                             {LimitKind::convention, 0.5, "what counting nodes would have"}));
       worst_edge = std::max(worst_edge, edge, [](const Estimate& one, const Estimate& other) {
         return one.value < other.value;
       });
@@ -261,15 +242,15 @@ void check_orders(literate::Document& document, const std::vector<ProfileStudy>&
       "beside the wedge's apex the error is the same on all grids");
 }
 
-void add_panel(literate::Figure& figure, std::size_t number, const Panel& panel) {
+void add_panel(Figure& figure, std::size_t number, const Panel& panel) {
   figure.data[fmt::format("nodes_{}", number)] = {{"x", panel.x}, {"pressure", panel.pressure}};
   figure.data[fmt::format("exact_{}", number)] = {
       {"x", panel.exact_x}, {"pressure", panel.exact}, {"hertz", panel.hertz}};
   figure.texts[fmt::format("title_{}", number)] = panel.title;
 }
 
-void register_profiles(literate::Document& document, const ContactCase& c, const Hertz& hertz,
-                       const config::UnitSystem& units) {
+void register_profiles(Document& document, const ContactCase& c, const Hertz& hertz,
+                       const UnitSystem& units) {
   literate::Table table("profiles", {Column::text("profile"), Column("peak$/p_0$", fixed(4)),
                                      Column("peak", scientific(1)).under("error of"),
                                      Column("half-width", scientific(1)).under("error of"),
@@ -279,7 +260,7 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
                                      Column("order", fixed(1)).under("$p$, away")});
   const double p0 = hertz.peak_pressure();
   const double a = hertz.half_width();
-  literate::Figure figure{.width_cm = 15.4, .height_cm = 4.2};
+  Figure figure{.width_cm = 15.4, .height_cm = 4.2};
   std::vector<ProfileStudy> studies;
   std::vector<Criterion> half_widths;
   for (const KnownContact& known : known_contacts(c, hertz)) {
@@ -333,9 +314,9 @@ void register_profiles(literate::Document& document, const ContactCase& c, const
 
 }  // namespace
 
-void compute_profiles(literate::Document& document, const parameters::ContactCase& c,
-                      const config::UnitSystem& units) {
-  register_profiles(document, c, Hertz(c.cylinders, c.line_load), units);
+void compute_profiles(Document& document, const Case& from) {
+  register_profiles(document, from.contact, Hertz(from.contact.cylinders, from.contact.line_load),
+                    from.units);
 }
 
 }  // namespace paper

@@ -2,23 +2,21 @@
 #include <string>
 #include <utility>
 
-#include "literate/document/document.hpp"
 #include "literate/main/paper.hpp"
 #include "literate/main/platform.hpp"
+#include "paper/sections.hpp"
 #include "system/files.hpp"
 #include "system/tool_version.hpp"
 #include "toolchain/libraries.hpp"
 
 namespace paper {
-using literate::Value;
 
-void compute_provenance(literate::Document& document, const std::filesystem::path& file,
-                        const std::string& title, const literate::Paper& paper) {
-  document.value("provenance.version", Value::text(paper.version));
-  document.value("provenance.case", Value::text(file.filename().string()));
-  document.value("provenance.case-sha256", Value::text(sys::sha256_of_file(file)));
-  document.value("provenance.compiler", Value::text(paper.compiler));
-  document.value("provenance.flags", Value::text(paper.flags));
+void compute_provenance(Document& document, const Case& from) {
+  document.value("provenance.version", Value::text(from.paper.version));
+  document.value("provenance.case", Value::text(from.file.filename().string()));
+  document.value("provenance.case-sha256", Value::text(sys::sha256_of_file(from.file)));
+  document.value("provenance.compiler", Value::text(from.paper.compiler));
+  document.value("provenance.flags", Value::text(from.paper.flags));
   auto libraries = toolchain::libraries();
   libraries.merge(literate::engine_libraries());
   for (const auto& [key, name] :
@@ -27,7 +25,7 @@ void compute_provenance(literate::Document& document, const std::filesystem::pat
   }
   document.value("provenance.gnuplot", Value::text(sys::tool_version("gnuplot")));
   document.value("provenance.tex", Value::text(sys::tool_version("pdflatex")));
-  document.value("case.title", Value::text(title));
+  document.value("case.title", Value::text(from.title));
 }
 
 }  // namespace paper

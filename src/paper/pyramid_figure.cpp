@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "paper/prelude.hpp"
 #include "point_contact/elements/element.hpp"
 
 namespace paper {
@@ -15,7 +16,7 @@ using point_contact::Vector2;
 
 using PointElement = point_contact::Element;
 
-literate::Figure pyramid_figure() {
+Figure pyramid_figure() {
   const point_contact::Lattice lattice = point_contact::hexagonal_lattice(1);
   const auto at = [&](int i, int j) -> Vector2 {
     return static_cast<double>(i) * lattice.first + static_cast<double>(j) * lattice.second;
@@ -55,7 +56,7 @@ literate::Figure pyramid_figure() {
     return lines;
   };
   const auto data = [](const Lines& lines) {
-    return literate::FigureData({{"x", lines[0]}, {"y", lines[1]}, {"z", lines[2]}}, 2);
+    return FigureData({{"x", lines[0]}, {"y", lines[1]}, {"z", lines[2]}}, 2);
   };
 
   const point_contact::ElementPotential of_pyramid(PointElement::pyramid, lattice);

@@ -6,24 +6,13 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using elasticity::SurfaceQuadrature;
-using literate::Criterion;
-using literate::fixed;
-using literate::integer;
-using literate::Limit;
-using literate::LimitKind;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
 
 // A quadrature beside the closed form at one point.
 struct Comparison {
@@ -37,8 +26,7 @@ struct Comparison {
 
 using Comparisons = std::vector<Comparison>;
 
-Comparisons compare_gradients(const parameters::HalfSpaceCase& c,
-                              const std::vector<double>& points) {
+Comparisons compare_gradients(const HalfSpaceCase& c, const std::vector<double>& points) {
   const SurfaceQuadrature surface(c.material, c.load, c.datum);
   Comparisons comparisons;
   for (const double x : points) {
@@ -48,8 +36,8 @@ Comparisons compare_gradients(const parameters::HalfSpaceCase& c,
   return comparisons;
 }
 
-Comparisons compare_displacements(const parameters::HalfSpaceCase& c,
-                                  const std::vector<double>& points, bool from_gradient = false) {
+Comparisons compare_displacements(const HalfSpaceCase& c, const std::vector<double>& points,
+                                  bool from_gradient = false) {
   const SurfaceQuadrature surface(c.material, c.load, c.datum);
   Comparisons comparisons;
   for (const double x : points) {
@@ -89,7 +77,7 @@ std::vector<double> wide_points(double half_width) {
 }
 
 // How often the load is evaluated for one gradient and one displacement, on average.
-void count_evaluations(literate::Document& document, const parameters::HalfSpaceCase& c) {
+void count_evaluations(Document& document, const HalfSpaceCase& c) {
   auto n_evaluations = std::make_shared<long>(0);
   const elasticity::Load load = c.load;
   std::vector<numerics::Piece> counting;
@@ -118,11 +106,11 @@ void count_evaluations(literate::Document& document, const parameters::HalfSpace
 
 // How far the quadratures are from the closed forms and how far they say they may be, against x/a.
 // On logarithmic axes a difference of exactly zero is a gap.
-literate::Figure error_figure(const Comparisons& gradients, const Comparisons& displacements,
-                              double half_width, double displacement_unit) {
+Figure error_figure(const Comparisons& gradients, const Comparisons& displacements,
+                    double half_width, double displacement_unit) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double gradient_unit = displacement_unit / half_width;
-  const auto errors = [&](const Comparisons& comparisons, double unit) -> literate::FigureData {
+  const auto errors = [&](const Comparisons& comparisons, double unit) -> FigureData {
     std::vector<double> x, difference, estimate;
     for (const Comparison& c : comparisons) {
       x.push_back(c.x / half_width);
@@ -172,7 +160,7 @@ Criterion within_errors(const std::vector<const Comparisons*>& all) {
       "comparisons", shares);
 }
 
-void claim_quadrature(literate::Document& document, const Comparisons& gradients,
+void claim_quadrature(Document& document, const Comparisons& gradients,
                       const Comparisons& displacements, const Comparisons& from_gradients,
                       double displacement_unit) {
   const char* const reason = "ten digits of the scale 𝐾, for which the quadratures are written";
@@ -194,7 +182,8 @@ void claim_quadrature(literate::Document& document, const Comparisons& gradients
 
 }  // namespace
 
-void compute_quadrature(literate::Document& document, const parameters::HalfSpaceCase& c) {
+void compute_quadrature(Document& document, const Case& from) {
+  const HalfSpaceCase& c = from.half_space;
   const double a = c.load.half_width();
   const double unit = c.material.integral_compliance() * c.load.line_load();
 

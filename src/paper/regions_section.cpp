@@ -10,33 +10,16 @@
 
 #include "contact/approach_control.hpp"
 #include "contact/fft_solver.hpp"
-#include "contact/hertz.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
-using contact::Hertz;
 using contact::Problem;
 using contact::Profile;
 using contact::Solution;
 using Eigen::Index;
-using literate::Cell;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::LimitKind;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using parameters::ContactCase;
-using parameters::WavesCase;
 
 // The cylinders with waves on them: h = x²/(2R) + Δ[1 − cos(2πx/λ)], given by points.
 struct WavyCylinders {
@@ -91,8 +74,8 @@ int valleys_expected_closed(const WavyCylinders& wavy, const Hertz& smooth) {
 }
 
 // The pressure over p₀ and against x/λ, and that of smooth cylinders under the same load.
-literate::FigureData panel_of(const Solution& solution, const Hertz& smooth, const Hertz& hertz,
-                              double wave_length) {
+FigureData panel_of(const Solution& solution, const Hertz& smooth, const Hertz& hertz,
+                    double wave_length) {
   std::vector<double> node_x, pressure, smooth_pressure;
   for (Index i = 0; i < solution.grid.n_nodes; ++i) {
     const double x = solution.grid.x(i);
@@ -118,14 +101,14 @@ const std::array<Loading, 7> loadings = {{{"$P/64$", 1. / 64, false, false},
                                           {"$P$", 1, true, true},
                                           {"$3P/2$", 3. / 2, false, false}}};
 
-void register_regions(literate::Document& document, const ContactCase& c, const Hertz& hertz,
+void register_regions(Document& document, const ContactCase& c, const Hertz& hertz,
                       const WavyCylinders& wavy) {
   literate::Table table(
       "several-regions",
       {Column::text("load"), Column("regions", integer()),
        Column("closed", integer()).under("valleys"), Column("expected", integer()).under("valleys"),
        Column("outermost edge$/a$", fixed(2)), Column("share in contact", fixed(2))});
-  literate::Figure figure{.width_cm = 14, .height_cm = 6};
+  Figure figure{.width_cm = 14, .height_cm = 6};
   int n_panels = 0;
   std::vector<std::size_t> counts;
   std::vector<Criterion> loads_with_valleys_as_expected;
@@ -191,8 +174,7 @@ void register_regions(literate::Document& document, const ContactCase& c, const 
 }
 
 // Load → approach → load.
-void check_round_trip(literate::Document& document, const ContactCase& c,
-                      const WavyCylinders& wavy) {
+void check_round_trip(Document& document, const ContactCase& c, const WavyCylinders& wavy) {
   const auto method = [](const Problem& problem, double load) {
     constexpr double tolerance = 1e-12;
     return contact::solve_by_fft(problem, load, tolerance);
@@ -215,11 +197,12 @@ void check_round_trip(literate::Document& document, const ContactCase& c,
 
 }  // namespace
 
-void compute_regions(literate::Document& document, const parameters::ContactCase& c,
-                     const WavesCase& waves, const config::UnitSystem& units) {
+void compute_regions(Document& document, const Case& from) {
+  const ContactCase& c = from.contact;
+  const WavesCase& waves = c.waves.value();
   const Hertz hertz(c.cylinders, c.line_load);
   const WavyCylinders wavy = wavy_cylinders(c, waves, hertz);
-  const std::string& unit = units.length;
+  const std::string& unit = from.units.length;
   document.value("wavy.amplitude",
                  Value(wavy.amplitude, significant(3), unit).within(rounded(c, wavy.amplitude)));
   document.value("wavy.length",

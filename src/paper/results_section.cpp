@@ -8,32 +8,15 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/decimals.hpp"
-#include "paper/printed_data.hpp"
 #include "paper/quoted.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
-using config::PrintedNumber;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::Limit;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-
-double analytical(const parameters::HalfSpaceCase& c, double x) {
+double analytical(const HalfSpaceCase& c, double x) {
   return normal_displacement(c.material, c.load, x, c.datum);
 }
 
@@ -44,9 +27,8 @@ std::vector<double> values_of(const std::vector<PrintedNumber>& printed) {
 }
 
 // u_z by eq. (3) as a smooth curve, and what the paper prints of it, where the case has that.
-literate::Figure comparison_figure(const parameters::HalfSpaceCase& c,
-                                   const config::UnitSystem& units,
-                                   const std::optional<PrintedData>& printed_data) {
+Figure comparison_figure(const HalfSpaceCase& c, const UnitSystem& units,
+                         const std::optional<PrintedData>& printed_data) {
   std::vector<double> curve_x, u_z;
   constexpr int n = 300;
   const double end = 1.2 * c.farthest_point();
@@ -54,11 +36,11 @@ literate::Figure comparison_figure(const parameters::HalfSpaceCase& c,
     curve_x.push_back(end * i / n);
     u_z.push_back(analytical(c, curve_x.back()));
   }
-  literate::Figure figure{.width_cm = 12.5,
-                          .height_cm = 6,
-                          .data = {{"curve", {{"x", curve_x}, {"u_z", u_z}}}},
-                          .numbers = {{"half_width", c.load.half_width()}},
-                          .texts = {{"unit", units.length}}};
+  Figure figure{.width_cm = 12.5,
+                .height_cm = 6,
+                .data = {{"curve", {{"x", curve_x}, {"u_z", u_z}}}},
+                .numbers = {{"half_width", c.load.half_width()}},
+                .texts = {{"unit", units.length}}};
   if (printed_data) {
     const PrintedFigure5& printed = printed_data->figure5;
     figure.data["printed"] = {{"x", values_of(printed.x)},
@@ -70,7 +52,7 @@ literate::Figure comparison_figure(const parameters::HalfSpaceCase& c,
 }
 
 // Left and right by eq. (2), where nothing is known of the symmetry.
-void check_symmetry(literate::Document& document, const parameters::HalfSpaceCase& c) {
+void check_symmetry(Document& document, const HalfSpaceCase& c) {
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   const double unit = c.material.integral_compliance() * c.load.line_load();
   Estimate largest;
@@ -90,8 +72,7 @@ void check_symmetry(literate::Document& document, const parameters::HalfSpaceCas
 }
 
 // Eq. (3) at the points, for a case that has no printed data to stand beside.
-void tabulate_displacements(literate::Document& document, const parameters::HalfSpaceCase& c,
-                            const config::UnitSystem& units) {
+void tabulate_displacements(Document& document, const HalfSpaceCase& c, const UnitSystem& units) {
   literate::Table table("displacements",
                         {Column("$x$", fixed(decimals_of(c.points)), units.length).exact(),
                          Column("$u_z$, eq.~(3)", significant(8), units.length),
@@ -101,18 +82,16 @@ void tabulate_displacements(literate::Document& document, const parameters::Half
 }
 
 // The point whose printed value is farthest from eq. (3), in units of its last place.
-void describe_odd_point(literate::Document& document, const parameters::HalfSpaceCase& c,
-                        const config::UnitSystem& units, const PrintedData& printed_data,
-                        std::size_t i) {
+void describe_odd_point(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
+                        const PrintedData& printed_data, std::size_t i) {
   const std::string& unit = units.length;
   const double x = c.points[i];
-  const numerics::Estimate exact = displacement(c, x);
-  const numerics::Estimate slope = gradient(c, x);
-  const numerics::Estimate shift =
-      magnitude(displacement(c, x + printed_data.tri_dist.step.value()) - exact);
+  const Estimate exact = displacement(c, x);
+  const Estimate slope = gradient(c, x);
+  const Estimate shift = magnitude(displacement(c, x + printed_data.tri_dist.step.value()) - exact);
   // The printed number is meant as it stands, not as the interval of what rounds to it.
   const double printed = printed_data.figure5.analytical[i].value();
-  const numerics::Estimate low{std::abs(printed - exact.value), exact.abs_error};
+  const Estimate low{std::abs(printed - exact.value), exact.abs_error};
   document.value("tri-dist.odd.x", Value(x, fixed(decimals_of(c.points)), unit));
   document.value("tri-dist.odd.shift", Value(shift, scientific(2), unit));
   document.value("figure5.odd.difference", Value(low, scientific(2), unit));
@@ -134,15 +113,15 @@ Criterion rounds_to_print(const std::string& what, const std::vector<Criterion>&
 }
 
 // Which load the listed program's output shows, and which one the run of Appendix 2 reports.
-void claim_load(literate::Document& document, const parameters::HalfSpaceCase& c,
-                const config::UnitSystem& units, const PrintedData& printed_data) {
+void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
+                const PrintedData& printed_data) {
   const PrintedNumber& first = printed_data.tri_dist.displacement.front();
   const Estimate in_output = quotient(as_estimate(first), displacement(c, c.points.front()));
   const Estimate load = c.load.line_load() * in_output;
   const Estimate peak = c.load.peak_pressure() * in_output;
   constexpr double stated = 1000;
   const auto& run = printed_data.appendix2.measures;
-  const Value in_words = Value(stated, literate::exact(), units.line_load).within(0);
+  const Value in_words = Value(stated, exact(), units.line_load).within(0);
   const Limit apart(LimitKind::convention, 1e-2,
                     "the printed digits leave much less open, and the two readings differ by much "
                     "more");
@@ -168,17 +147,14 @@ void claim_load(literate::Document& document, const parameters::HalfSpaceCase& c
                                               significant(4), units.line_load),
                                         in_words, apart)}});
   // a pressure on a model of unit thickness, per length of its edge
-  document.value("load-in-words.per-edge",
-                 Value(c.load.peak_pressure(), literate::exact(), units.line_load));
+  document.value("load-in-words.per-edge", Value(c.load.peak_pressure(), exact(), units.line_load));
   document.value("load-in-words.factor",
                  Value(quotient(Estimate{stated, 0}, load), significant(3)));
 }
 
 // The program's output against eq. (3), at the point and where the program really took it.
-std::vector<Criterion> compare_tri_dist(literate::Document& document,
-                                        const parameters::HalfSpaceCase& c,
-                                        const config::UnitSystem& units,
-                                        const PrintedData& printed_data) {
+std::vector<Criterion> compare_tri_dist(Document& document, const HalfSpaceCase& c,
+                                        const UnitSystem& units, const PrintedData& printed_data) {
   const PrintedTriDist& printed = printed_data.tri_dist;
   long n_agree = 0;
   long n_agree_stepped = 0;
@@ -217,7 +193,7 @@ std::vector<Criterion> compare_tri_dist(literate::Document& document,
 }
 
 // The finite-element column of Fig. 5 against the summary of the run, digit by digit.
-void check_measures(literate::Document& document, const PrintedData& printed_data) {
+void check_measures(Document& document, const PrintedData& printed_data) {
   const std::vector<PrintedNumber>& fea_z = printed_data.figure5.fea_z;
   std::vector<Criterion> same;
   for (std::size_t i = 0; i < fea_z.size(); ++i) {
@@ -243,8 +219,8 @@ long n_holding(const std::vector<Criterion>& criteria) {
 
 // Fig. 5 rebuilt: the analytical column from eq. (3), the error column from the other columns, and
 // the tangential displacement that they imply.
-Criterion compare_figure5(literate::Document& document, const parameters::HalfSpaceCase& c,
-                          const config::UnitSystem& units, const PrintedData& printed_data) {
+Criterion compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
+                          const PrintedData& printed_data) {
   const PrintedFigure5& printed = printed_data.figure5;
   const std::string& unit = units.length;
   const auto column = [&](const char* heading, int exponent, int n_decimals) {
@@ -263,7 +239,7 @@ Criterion compare_figure5(literate::Document& document, const parameters::HalfSp
   std::vector<Criterion> analytical_points, errors_of_magnitude, errors_of_z;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const double exact = analytical(c, c.points[i]);
-    const numerics::Estimate u_z = displacement(c, c.points[i]);
+    const Estimate u_z = displacement(c, c.points[i]);
     table.add_row({quoted(printed.x[i]), quoted(printed.fea_magnitude[i]), quoted(printed.fea_z[i]),
                    quoted(printed.analytical[i]), quoted(printed.error[i]), u_z,
                    magnitude(u_z - as_estimate(printed.fea_z[i])),
@@ -307,12 +283,12 @@ Criterion compare_figure5(literate::Document& document, const parameters::HalfSp
 
 }  // namespace
 
-void compute_results(literate::Document& document, const parameters::HalfSpaceCase& c,
-                     const config::UnitSystem& units,
-                     const std::optional<PrintedData>& printed_data,
-                     const std::optional<parameters::BlockCase>& block) {
+void compute_results(Document& document, const Case& from) {
+  const HalfSpaceCase& c = from.half_space;
+  const UnitSystem& units = from.units;
+  const std::optional<PrintedData>& printed_data = from.printed_data;
   // With a block, the figure of the error analysis has the printed columns.
-  if (!printed_data || !block) {
+  if (!printed_data || !from.block) {
     document.figure("displacement-comparison", comparison_figure(c, units, printed_data));
   }
   check_symmetry(document, c);

@@ -6,17 +6,13 @@
 #include <vector>
 
 #include "paper/bounds.hpp"
+#include "paper/prelude.hpp"
 #include "point_contact/solver/fft_solver.hpp"
 
 namespace paper {
 namespace {
 
 using Eigen::Index;
-using literate::exact;
-using literate::integer;
-using literate::percent;
-using literate::significant;
-using literate::Value;
 using point_contact::TwoSpheres;
 using point_contact::Vector2;
 
@@ -46,7 +42,7 @@ PointSolution solve_rough(const TwoSpheres& spheres, const point_contact::Roughn
       spheres.load, {.tolerance = 1e-8});
 }
 
-literate::Figure rough_figure(const PointSolution& solution, const SphereHertz& hertz) {
+Figure rough_figure(const PointSolution& solution, const SphereHertz& hertz) {
   const double a = hertz.radius();
   const double p0 = hertz.peak_pressure();
   const point_contact::Grid& grid = solution.grid;
@@ -77,7 +73,7 @@ literate::Figure rough_figure(const PointSolution& solution, const SphereHertz& 
 
 }  // namespace
 
-void press_rough_sphere(literate::Document& document, const TwoSpheres& spheres,
+void press_rough_sphere(Document& document, const TwoSpheres& spheres,
                         const point_contact::Roughness& roughness) {
   constexpr Index n = 128;
   const SphereHertz hertz = spheres.hertz();

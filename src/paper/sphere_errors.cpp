@@ -4,18 +4,17 @@
 #include <cmath>
 
 #include "paper/bounds.hpp"
+#include "paper/prelude.hpp"
 
 namespace paper {
 
-point_contact::TwoSpheres two_spheres(const parameters::ContactCase& c,
-                                      const parameters::PointContactCase& p) {
+point_contact::TwoSpheres two_spheres(const ContactCase& c, const PointContactCase& p) {
   return {.contact_modulus = c.cylinders.contact_modulus(),
           .relative_curvature = c.cylinders.relative_curvature(),
           .load = p.load};
 }
 
-SphereErrors sphere_errors(const parameters::ContactCase& c,
-                           const parameters::PointContactCase& p) {
+SphereErrors sphere_errors(const ContactCase& c, const PointContactCase& p) {
   const point_contact::TwoSpheres spheres = two_spheres(c, p);
   const point_contact::Solution solution =
       solve_spheres(spheres, point_contact::Element::pyramid, nodes_of_contact);

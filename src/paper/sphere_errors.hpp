@@ -2,8 +2,7 @@
 // The two spheres of the case, pressed together with pyramids, against Hertz.
 #pragma once
 
-#include "numerics/estimate.hpp"
-#include "parameters/case.hpp"
+#include "paper/prelude.hpp"
 #include "point_contact/study/two_spheres.hpp"
 
 namespace paper {
@@ -13,14 +12,13 @@ namespace paper {
 inline constexpr Eigen::Index nodes_of_contact = 96;
 
 /// Spheres with the radii and the materials of the case's cylinders.
-point_contact::TwoSpheres two_spheres(const parameters::ContactCase& c,
-                                      const parameters::PointContactCase& p);
+point_contact::TwoSpheres two_spheres(const ContactCase& c, const PointContactCase& p);
 
 /// The magnitudes of the relative errors against Hertz, each with how wrong it may be.
 struct SphereErrors {
-  numerics::Estimate peak, radius, approach;
+  Estimate peak, radius, approach;
   double square;  ///< (c/a)², c² the area that belongs to a node
 };
-SphereErrors sphere_errors(const parameters::ContactCase& c, const parameters::PointContactCase& p);
+SphereErrors sphere_errors(const ContactCase& c, const PointContactCase& p);
 
 }  // namespace paper

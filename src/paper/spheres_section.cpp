@@ -5,32 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "literate/document/document.hpp"
 #include "paper/bounds.hpp"
 #include "paper/crossed_cylinders.hpp"
 #include "paper/point_elements.hpp"
 #include "paper/pyramid_figure.hpp"
 #include "paper/rough_sphere.hpp"
+#include "paper/sections.hpp"
 #include "paper/sphere_errors.hpp"
-#include "parameters/case.hpp"
 #include "point_contact/study/two_spheres.hpp"
 
 namespace paper {
 namespace {
 
 using Eigen::Index;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::integer;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using parameters::ContactCase;
-using parameters::PointContactCase;
 using point_contact::TwoSpheres;
 using point_contact::Vector2;
 
@@ -42,7 +29,7 @@ double least_radius(const ContactCase& c) {
   return 1 / std::max(std::abs(c.body1.radius.curvature()), std::abs(c.body2.radius.curvature()));
 }
 
-literate::Figure sphere_figure(const PointSolution& solution, const SphereHertz& hertz) {
+Figure sphere_figure(const PointSolution& solution, const SphereHertz& hertz) {
   constexpr double shown = 1.2;  // over a
   const double a = hertz.radius();
   const double p0 = hertz.peak_pressure();
@@ -79,8 +66,7 @@ literate::Figure sphere_figure(const PointSolution& solution, const SphereHertz&
           .numbers = {{"shown", shown}}};
 }
 
-void claim_spheres(literate::Document& document, const TwoSpheres& spheres,
-                   const PointSolution& solution) {
+void claim_spheres(Document& document, const TwoSpheres& spheres, const PointSolution& solution) {
   const SphereHertz hertz = spheres.hertz();
   const point_contact::Residuals& r = solution.residuals;
   // Displacements are sums of as many rounded terms as there are nodes along a side, in the mean.
@@ -102,9 +88,8 @@ void claim_spheres(literate::Document& document, const TwoSpheres& spheres,
                               {LimitKind::rounding, 1e-11, "a sum of thousands of terms"})}});
 }
 
-void compare_with_hertz(literate::Document& document, const ContactCase& c,
-                        const PointContactCase& p, const config::UnitSystem& units,
-                        const TwoSpheres& spheres) {
+void compare_with_hertz(Document& document, const ContactCase& c, const PointContactCase& p,
+                        const UnitSystem& units, const TwoSpheres& spheres) {
   const SphereHertz hertz = spheres.hertz();
   const PointSolution solution = solve_spheres(spheres, PointElement::pyramid, nodes_of_contact);
   const double a = hertz.radius();
@@ -131,11 +116,13 @@ void compare_with_hertz(literate::Document& document, const ContactCase& c,
 
 }  // namespace
 
-void compute_spheres(literate::Document& document, const ContactCase& c, const PointContactCase& p,
-                     const config::UnitSystem& units) {
+void compute_spheres(Document& document, const Case& from) {
+  if (!from.point_contact) return;
+  const ContactCase& c = from.contact;
+  const PointContactCase& p = *from.point_contact;
   const TwoSpheres spheres = two_spheres(c, p);
   document.figure("pyramid", pyramid_figure());
-  compare_with_hertz(document, c, p, units, spheres);
+  compare_with_hertz(document, c, p, from.units, spheres);
   study_elements(document, c, spheres);
   cross_cylinders(document, c, spheres.load, nodes_of_contact);
   press_rough_sphere(document, spheres, p.roughness);

@@ -12,39 +12,22 @@
 #include "contact/mcewen.hpp"
 #include "contact/sliding_hertz.hpp"
 #include "contact/traction.hpp"
-#include "literate/document/document.hpp"
-#include "numerics/power_fit.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
 #include "paper/greatest_shear.hpp"
-#include "parameters/case.hpp"
+#include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
-using contact::Hertz;
 using contact::McEwen;
 using contact::ShearPoint;
 using contact::SlidingHertz;
 using contact::Solution;
 using elasticity::PiecewiseLinearTraction;
-using literate::Column;
-using literate::Criterion;
-using literate::exact;
-using literate::fixed;
-using literate::LimitKind;
-using literate::percent;
-using literate::scientific;
-using literate::significant;
-using literate::Value;
-using literate::Verdict;
-using numerics::Estimate;
-using numerics::fit_power;
-using numerics::PowerFit;
-using parameters::FrictionCase;
 
-Solution solve(const parameters::ContactCase& c, const Hertz& hertz, long n_nodes) {
+Solution solve(const ContactCase& c, const Hertz& hertz, long n_nodes) {
   return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
                                              contact::grid_around(hertz.half_width(), n_nodes)},
                                             c.line_load);
@@ -84,7 +67,7 @@ Estimate friction_at_surface(const Hertz& hertz) {
 
 // How far the elements are from McEwen at all |x| ≤ 1.5 a near the surface, and at the depth of the
 // largest shear.
-void compare_depths(literate::Document& document, const PiecewiseLinearTraction& traction,
+void compare_depths(Document& document, const PiecewiseLinearTraction& traction,
                     const Solution& solution, const Hertz& hertz, double depth_of_greatest) {
   const McEwen mcewen(hertz);
   const double a = hertz.half_width();
@@ -115,7 +98,7 @@ void compare_depths(literate::Document& document, const PiecewiseLinearTraction&
 
 // Far below only the load and, next to it, the second moment of the pressure are felt:
 // τ₁ = (P/πz)(1 − 3⟨x²⟩/z²), and ⟨x²⟩ = a²/4.
-void compare_deep(literate::Document& document, const PiecewiseLinearTraction& traction,
+void compare_deep(Document& document, const PiecewiseLinearTraction& traction,
                   const Solution& solution, const Hertz& hertz) {
   constexpr double depth = 20;
   const double a = hertz.half_width();
@@ -142,7 +125,7 @@ void compare_deep(literate::Document& document, const PiecewiseLinearTraction& t
       "far below only the load and the second moment of the pressure are felt");
 }
 
-void compare_greatest(literate::Document& document, const PiecewiseLinearTraction& traction,
+void compare_greatest(Document& document, const PiecewiseLinearTraction& traction,
                       const contact::GreatestShear& exact, const Solution& solution,
                       const Hertz& hertz) {
   const double a = hertz.half_width();
@@ -169,14 +152,13 @@ void compare_greatest(literate::Document& document, const PiecewiseLinearTractio
        .criteria = {
            Criterion::agrees("shear over 𝑝₀",
                              Value({found.shear / p0, shear_bound * shear}, significant(6)),
-                             Value(closed_form(shear), significant(6)),
-                             of_second_order(square)),
+                             Value(closed_form(shear), significant(6)), of_second_order(square)),
            Criterion::agrees("depth over 𝑎", Value({found.z / a, depth_bound}, significant(6)),
                              Value(closed_form(exact.depth / a), significant(6)),
                              of_second_order(square))}});
 }
 
-void fit_order(literate::Document& document, const parameters::ContactCase& c, const Hertz& hertz) {
+void fit_order(Document& document, const ContactCase& c, const Hertz& hertz) {
   const McEwen mcewen(hertz);
   const auto exact = mcewen.greatest_shear();
   std::vector<double> elements, errors, bounds;
@@ -198,8 +180,8 @@ void fit_order(literate::Document& document, const parameters::ContactCase& c, c
                  "inside the body the stresses converge with order two");
 }
 
-void compare_sliding(literate::Document& document, const FrictionCase& friction,
-                     const Solution& solution, const Hertz& hertz) {
+void compare_sliding(Document& document, const FrictionCase& friction, const Solution& solution,
+                     const Hertz& hertz) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   const double square = std::pow(solution.grid.spacing / a, 2);
@@ -243,8 +225,7 @@ void compare_sliding(literate::Document& document, const FrictionCase& friction,
 }
 
 // The shear on the surface of sliding cylinders is μp₀ wherever they touch.
-void check_surface(literate::Document& document, const Solution& solution, const Hertz& hertz,
-                   double mu) {
+void check_surface(Document& document, const Solution& solution, const Hertz& hertz, double mu) {
   const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
   const double expected = mu * hertz.peak_pressure();
   double largest = 0;
@@ -275,7 +256,7 @@ struct ShearPoints {
     z.push_back(at_z);
     tau.push_back(value);
   }
-  operator literate::FigureData() const { return {{"x", x}, {"z", z}, {"tau", tau}}; }
+  operator FigureData() const { return {{"x", x}, {"z", z}, {"tau", tau}}; }
 };
 
 // Where τ₁/p₀ first falls through the level on the way from one point to another, if it does.
@@ -297,7 +278,7 @@ void add_label(ShearPoints& labels, const PiecewiseLinearTraction& traction, con
 }
 
 // Adds what one contact makes beneath: its field, the numbers of its contours, its greatest value.
-void add_field(literate::Figure& figure, const std::string& name, const Solution& solution,
+void add_field(Figure& figure, const std::string& name, const Solution& solution,
                const Hertz& hertz, double mu) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
@@ -321,16 +302,16 @@ void add_field(literate::Figure& figure, const std::string& name, const Solution
               is_high ? ShearPoint{greatest.x / a, greatest.z / a, 0} : ShearPoint{-1.6, 1.2, 0},
               is_high ? ShearPoint{-1.9, 2.45, 0} : ShearPoint{-1.6, 0, 0});
   }
-  figure.data[name] = {literate::FigureData(field).columns, n_along_x + 1};
+  figure.data[name] = {FigureData(field).columns, n_along_x + 1};
   figure.data[name + "_labels"] = labels;
   figure.data[name + "_greatest"] = peak;
   figure.numbers[name + "_friction"] = mu;
 }
 
-literate::Figure shear_figure(const Solution& solution, const Hertz& hertz, double mu) {
+Figure shear_figure(const Solution& solution, const Hertz& hertz, double mu) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
-  literate::Figure figure{.width_cm = 15.4, .height_cm = 4.6};
+  Figure figure{.width_cm = 15.4, .height_cm = 4.6};
   figure.texts["levels"] = fmt::format("{}", fmt::join(shear_levels, ", "));
   add_field(figure, "still", solution, hertz, 0);
   add_field(figure, "sliding", solution, hertz, mu);
@@ -354,8 +335,9 @@ literate::Figure shear_figure(const Solution& solution, const Hertz& hertz, doub
 
 }  // namespace
 
-void compute_stresses(literate::Document& document, const parameters::ContactCase& c,
-                      const FrictionCase& friction) {
+void compute_stresses(Document& document, const Case& from) {
+  const ContactCase& c = from.contact;
+  const FrictionCase& friction = c.friction.value();
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
   const PiecewiseLinearTraction traction = contact::traction_on(solution, {});

@@ -41,19 +41,9 @@ using Clock = std::chrono::steady_clock;
 /// When a program that begins now has to be ended; none for no limit.
 std::optional<Clock::time_point> deadline(const TimeLimit& limit) {
   if (limit.seconds == 0) return std::nullopt;
-  int seconds = limit.seconds;
-  if (const char* variable = std::getenv("LITERATE_TIMEOUT")) {
-    const std::string_view text = variable;
-    seconds = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    const bool is_number = error == std::errc() && end == text.data() + text.size();
-    if (!text.empty() && (!is_number || seconds < 0 || seconds > 10'000'000)) {
-      throw InputError(
-          fmt::format("TIMEOUT: '{}' is not a number of seconds, 0 to 10000000", text));
-    }
-    if (seconds == 0) return std::nullopt;
-  }
-  return Clock::now() + std::chrono::seconds(seconds);
+  const int allowed = given_limit().value_or(limit.seconds);
+  if (allowed == 0) return std::nullopt;
+  return Clock::now() + std::chrono::seconds(allowed);
 }
 
 /// Waits until something can be read; returns whether that was before the deadline.
@@ -118,6 +108,19 @@ int wait_for(pid_t child) {
 }
 
 }  // namespace
+
+std::optional<int> given_limit() {
+  const char* variable = std::getenv("LITERATE_TIMEOUT");
+  if (variable == nullptr) return std::nullopt;
+  const std::string_view text = variable;
+  int seconds = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  if (!text.empty() && (!is_number || seconds < 0 || seconds > 10'000'000)) {
+    throw InputError(fmt::format("TIMEOUT: '{}' is not a number of seconds, 0 to 10000000", text));
+  }
+  return seconds;
+}
 
 fs::path find_tool(std::string_view program) {
   const char* variable = std::getenv("PATH");

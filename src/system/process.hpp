@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,10 @@ struct TimeLimit {
   std::string what = {};  ///< begins the message: «figure 'x'», «LaTeX on report.tex»
   int seconds = 0;        ///< 0 for no limit
 };
+
+/// The seconds that the variable LITERATE_TIMEOUT gives to every tool; 0 for any time, none where
+/// it is not set. Throws InputError if it is anything else.
+std::optional<int> given_limit();
 
 /// A program to run as a child, without a shell and with an empty standard input.
 struct Command {

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -68,6 +67,26 @@ bool is_below(const fs::path& file) {
   return !normal.empty() && normal.is_relative() && *normal.begin() != "..";
 }
 
+// The list of all that a run is about to move into the output folder, or to remove from it.
+fs::path list_of(const fs::path& output_dir) {
+  fs::path list = output_dir;
+  list += ".publishing";
+  return list;
+}
+
+// Removes what a run that was killed while it published had moved already. Some of it may be whole
+// and look up to date, but nothing tells which, and names that no later run makes would stay for
+// ever.
+void remove_half_published(const fs::path& output_dir) {
+  const fs::path list = list_of(output_dir);
+  if (!fs::is_regular_file(list)) return;
+  const std::string text = read_file(list);
+  for (const std::string_view file : lines_of(text)) {
+    if (is_below(file) && fs::is_regular_file(output_dir / file)) fs::remove(output_dir / file);
+  }
+  fs::remove(list);
+}
+
 }  // namespace
 
 Staging::Staging(const fs::path& output_dir)
@@ -75,6 +94,7 @@ Staging::Staging(const fs::path& output_dir)
   path_ += ".part";
   try {
     require_writable(output_dir_);
+    remove_half_published(output_dir_);
     remove_stale(path_);
     fs::create_directory(path_);
     write_file_atomically(path_ / marker, "");
@@ -98,22 +118,12 @@ std::vector<std::string> Staging::files() const {
   return files;
 }
 
-void Staging::publish(const std::vector<std::string>& former_files) {
+void Staging::publish(const std::vector<std::string>& former) {
   const std::vector<std::string> made = files();
-  // A run that is killed in here leaves files that no later run would know for its own; the list
-  // tells the next one.
-  fs::path list = output_dir_;
-  list += ".publishing";
-  std::vector<std::string> former = former_files;
-  const std::string unfinished = fs::is_regular_file(list) ? read_file(list) : std::string();
-  for (const std::string_view file : lines_of(unfinished)) former.emplace_back(file);
-  std::string own;
-  for (const std::vector<std::string>* part : {&made, &std::as_const(former)}) {
-    for (const std::string& file : *part) own += file + "\n";
-  }
-  write_file_atomically(list, own);
+  const fs::path list = list_of(output_dir_);
   try {
-    // Find all that changes before changing anything.
+    // Find all that changes before changing anything. What is there already with the same bytes is
+    // nobody's to remove: draw has copies of what compute wrote.
     std::vector<std::string> changed;
     for (const std::string& file : made) {
       const fs::path place = output_dir_ / file;
@@ -121,6 +131,12 @@ void Staging::publish(const std::vector<std::string>& former_files) {
         changed.push_back(file);
       }
     }
+    std::string own;
+    for (const std::string& file : changed) own += file + "\n";
+    for (const std::string& file : former) {
+      if (!std::ranges::binary_search(made, file)) own += file + "\n";
+    }
+    write_file_atomically(list, own);
     for (const std::string& file : changed) {
       fs::create_directories((output_dir_ / file).parent_path());
       fs::rename(path_ / file, output_dir_ / file);

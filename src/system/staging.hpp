@@ -13,8 +13,10 @@ namespace sys {
 /// scope, so that a failure leaves the output folder as it was.
 class Staging {
  public:
-  /// Makes the folder, after removing one that a broken run left. Throws OutputError if it or the
-  /// output folder cannot be written, or if something else has its name.
+  /// Makes the folder, after removing one that a broken run left. What a run that was killed while
+  /// it published had moved to the output folder is removed too, so look there for what is up to
+  /// date only after this. Throws OutputError if either folder cannot be written, or if something
+  /// else has the folder's name.
   explicit Staging(const std::filesystem::path& output_dir);
   ~Staging();
   Staging(const Staging&) = delete;
@@ -26,9 +28,8 @@ class Staging {
   std::vector<std::string> files() const;
 
   /// Moves the files to the output folder by renaming, except those whose content is the same
-  /// there, and removes those of `former_files` that were not made again. What a run left here that
-  /// was killed meanwhile counts as former files of the next. Throws OutputError.
-  void publish(const std::vector<std::string>& former_files);
+  /// there, and removes those of `former` that were not made again. Throws OutputError.
+  void publish(const std::vector<std::string>& former);
 
  private:
   std::filesystem::path output_dir_;

@@ -3,12 +3,12 @@
 #include <benchmark/benchmark.h>
 
 #include "block/analysis.hpp"
-#include "block/load_shapes.hpp"
+#include "elasticity/load_shapes.hpp"
 
 namespace {
 
 const elasticity::Material material(30e6, 0.30);
-const elasticity::Load load = block::linear_fall(1000, 0.6, 0.01);
+const elasticity::Load load = elasticity::linear_fall(1000, 0.6, 0.01);
 const block::Supports clamped = block::with_sides(block::Support::clamped);
 
 block::Discretization discretization(const benchmark::State& state) {

@@ -6,8 +6,8 @@
 
 #include "block/analysis.hpp"
 #include "block/fit.hpp"
-#include "block/load_shapes.hpp"
 #include "block/rectangle.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/material.hpp"
 
 /// The block, material and printed results of Ruggiero (2001), Appendix 2, in inches and psi.

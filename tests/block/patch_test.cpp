@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "block/factorization.hpp"
-#include "block/load_shapes.hpp"
+#include "elasticity/load_shapes.hpp"
 
 BOOST_AUTO_TEST_SUITE(patch_test)
 

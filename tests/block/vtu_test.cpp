@@ -18,7 +18,7 @@ namespace {
 using boost::property_tree::ptree;
 
 block::Solution solve() {
-  const auto load = block::linear_fall(1000, 0.6, 0.01);
+  const auto load = elasticity::linear_fall(1000, 0.6, 0.01);
   const block::Analysis analysis(paper_block::rectangle, paper_block::material, {load},
                                  {.order = 3, .refine = 0});
   return analysis.on(block::with_sides(block::Support::clamped)).fine().solve(load);

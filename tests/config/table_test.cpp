@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "config/table.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <fstream>
 #include <functional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "temporary_folder.hpp"
@@ -43,6 +50,62 @@ BOOST_AUTO_TEST_CASE(a_quantity_is_converted_to_the_systems_unit) {
 
   BOOST_TEST(table.quantity("width", Dimension::length, unit_system("mm-N")) == 50.8);
   BOOST_TEST(table.quantity("young", Dimension::stress, unit_system("mm-N")) == 210e3);
+}
+
+BOOST_AUTO_TEST_CASE(a_converted_quantity_has_no_noise_of_the_conversion) {
+  const TemporaryFolder folder;
+  const auto converted = [&](const std::string& value, const char* from, const char* to) {
+    const std::string text = "q = {value = " + value + ", unit = \"" + from + "\"}\n";
+    return Table::parse_file(folder.write("case.toml", text)).quantity("q", to);
+  };
+
+  // By the definitions: an inch is 0.0254 m, a pound of force 4.4482216152605 N.
+  BOOST_TEST(converted("39.4", "in", "m") == 1.00076);
+  BOOST_TEST(converted("12", "in", "m") == 0.3048);
+  BOOST_TEST(converted("3", "ft", "m") == 0.9144);
+  BOOST_TEST(converted("5", "um", "m") == 5e-6);
+  BOOST_TEST(converted("-39.4", "lbf", "N") == -175.2599316412637);
+  BOOST_TEST(converted("6.02214076e23", "um", "m") == 6.02214076e17);
+  BOOST_TEST(converted("0", "in", "m") == 0);
+  // The factor is 1/3.6, 1/12 or 1/25.4, of which no decimal number is exact.
+  for (int i = 1; i < 1000; ++i) {
+    const std::string in_km_h = std::to_string(36 * i / 10) + "." + std::to_string(36 * i % 10);
+    BOOST_TEST(converted(in_km_h, "km/h", "m/s") == i);
+    BOOST_TEST(converted(std::to_string(12 * i), "in", "ft") == i);
+    const int tenths = 254 * i;
+    BOOST_TEST(converted(std::to_string(tenths / 10) + "." + std::to_string(tenths % 10), "mm",
+                         "in") == i);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_list_of_numbers_or_quantities_names_the_element_that_is_none) {
+  const TemporaryFolder folder;
+  const auto table = Table::parse_file(
+      folder.write("case.toml", "n = [1, 2.5]\nnone = []\nq = {value = [3, 5], unit = \"ft\"}\n"));
+
+  BOOST_TEST((table.numbers("n") == std::vector<double>{1, 2.5}));
+  BOOST_TEST(table.numbers("none").empty());
+  BOOST_TEST((table.quantities("q", "m") == std::vector<double>{0.9144, 1.524}));
+  table.reject_unknown_keys();
+
+  const auto read = [](const Table& t) { t.numbers("n"); };
+  check_error("n = [1,\n  'x']\n", read, "2:3: n: must be a number, not a string");
+  check_error("n = [1, nan]\n", read, "1:9: n: nan: must be a finite number");
+  check_error("n = 1\n", read, "1:5: n: must be an array of numbers, not an integer");
+  check_error(
+      "q = 1\n", [](const Table& t) { t.quantities("q", "m"); },
+      "1:5: q: must be quantities such as {value = [1.0, 2.0], unit = \"m\"}, not an integer");
+}
+
+BOOST_AUTO_TEST_CASE(an_integer_that_no_double_holds_is_not_read_as_another_number) {
+  const auto read = [](const Table& t) { t.number("seed"); };
+
+  check_error(
+      "seed = 9007199254740993\n", read,
+      "1:8: seed: 9007199254740993: a number holds no integer beyond 2^53 = 9007199254740992");
+  const TemporaryFolder folder;
+  const auto table = Table::parse_file(folder.write("case.toml", "seed = 9007199254740992\n"));
+  BOOST_TEST(table.number("seed") == 9007199254740992.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_of_the_wrong_kind_is_shown_with_its_place) {
@@ -99,6 +162,22 @@ BOOST_AUTO_TEST_CASE(a_key_that_nobody_asked_for_is_an_error) {
 
   check_error("a = 1\nyuong = 2\n[t]\nb = 3\n", read, "2:1: yuong: unknown key");
   check_error("a = 1\n[t]\nb = 3\nc = 4\n", read, "4:1: t.c: unknown key");
+}
+
+BOOST_AUTO_TEST_CASE(a_misspelt_key_is_told_with_the_nearest_one) {
+  check_error(
+      "lenght = 1\n", [](const Table& t) { t.number("length"); },
+      "1:1: length: missing, did you mean 'lenght'?");
+  const auto read = [](const Table& t) {
+    t.number("length");
+    if (t.has("gravity")) t.number("gravity");
+    t.reject_unknown_keys();
+  };
+  check_error("length = 1\ngravty = 2\n", read,
+              "2:1: gravty: unknown key, did you mean 'gravity'?");
+  check_error("length = 1\nmass = 2\n", read, "2:1: mass: unknown key");
+  // A key that stands there too is no misspelling of another one.
+  check_error("length = 1\nlength2 = 2\n", read, "2:1: length2: unknown key");
 }
 
 BOOST_AUTO_TEST_CASE(an_array_of_tables_is_read_in_its_order) {
@@ -165,6 +244,26 @@ BOOST_AUTO_TEST_CASE(a_place_is_that_of_the_value) {
   const auto file = folder.write("case.toml", "\na = 1\n");
 
   BOOST_TEST(Table::parse_file(file).place("a") == file.string() + ":2:5");
+}
+
+BOOST_AUTO_TEST_CASE(a_pipe_is_read_as_a_file_is) {
+  const TemporaryFolder folder;
+  const std::string pipe = (folder / "pipe").string();
+  BOOST_REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  std::thread writer([&] { std::ofstream(pipe) << "a = 31\n"; });
+
+  // A reader that never opens the pipe would leave the writer waiting for ever.
+  const int kept_open = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  writer.join();
+  std::thread closer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ::close(kept_open);
+  });
+  double read = 0;
+  BOOST_CHECK_NO_THROW(read = Table::parse_file(pipe).number("a"));
+  closer.join();
+
+  BOOST_TEST(read == 31);
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {

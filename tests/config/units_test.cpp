@@ -40,7 +40,9 @@ BOOST_AUTO_TEST_CASE(a_unit_of_something_else_is_refused) {
 BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
   // Zero of the one must be zero of the other: no offset, no logarithm, no turn of the axis.
   for (const char* const unit : {"in @ 1", "in from 3", "lg(re 1 mm)", "-1 in", "0 in"}) {
-    BOOST_TEST_CONTEXT(unit) { BOOST_CHECK_THROW(conversion_factor(unit, "in"), UnitError); }
+    BOOST_TEST_CONTEXT(unit) {
+      BOOST_CHECK_THROW(conversion_factor(unit, "in"), UnitError);
+    }
   }
   BOOST_TEST(conversion_factor("12 in", "in") == 12);
   BOOST_TEST(conversion_factor("1e-3 in", "in") == 1e-3);

@@ -4,13 +4,11 @@
 #pragma once
 
 #include <boost/test/unit_test.hpp>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include "course/sandbox/sandbox.hpp"
-#include "system/error.hpp"
-#include "system/process.hpp"
+#include "needed_tool.hpp"
 #include "temporary_folder.hpp"
 
 /// What keeps this machine from running jobs in walls; empty if nothing does.
@@ -29,10 +27,7 @@ inline std::string missing_walls() {
 inline void skip_for(const std::string& missing) {
   const char* ci = std::getenv("CI");
   if (ci != nullptr && std::string(ci) == "true") return;
-  constexpr int skipped = 77;
-  std::printf("skipped: what runs submissions in walls was not tested: %s\n", missing.c_str());
-  std::fflush(stdout);
-  std::_Exit(skipped);
+  skip_tests("what runs submissions in walls was not tested", missing);
 }
 
 /// Ends the program as skipped, with one line that says why, if there can be no walls here and CI

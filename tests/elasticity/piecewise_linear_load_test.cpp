@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "elasticity/uniform_load.hpp"
 #include "multiprecision.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "elasticity/concentrated_load.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "elasticity/uniform_load.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"

@@ -332,8 +332,8 @@ BOOST_AUTO_TEST_CASE(loads_that_are_wrong_are_refused_by_line_or_column) {
   check_refused(2, from_case + Words{"expression:p0/x"}, {"no finite value at x = "});
   check_refused(2, from_case + Words{"expression:p0", "--kinks", "1"}, {"--kinks: 1", "under"});
   check_refused(2, from_case + Words{"file:" + file, "--half-width", "1"},
-                {"--half-width", "not used"});
-  check_refused(2, from_case + Words{"triangular", "--kinks", "0.001"}, {"--kinks", "not used"});
+                {"--half-width", "no meaning"});
+  check_refused(2, from_case + Words{"triangular", "--kinks", "0.001"}, {"--kinks", "no meaning"});
 }
 
 BOOST_AUTO_TEST_CASE(a_file_of_the_block_in_a_folder_that_is_not_there_is_refused) {

@@ -21,7 +21,8 @@ manifest() { # manifest DATE
  "inputs": {"report/case.toml": "$(sum "$folder/case.toml")", "src/a b.cpp": "$(printf x | sum /dev/stdin)"},
  "outputs": {"report.pdf": "$(sum "$folder/report.pdf")",
              "generated/tables/50 % of it.csv": "$(sum "$folder/generated/tables/50 % of it.csv")"},
- "numbers": {}}
+ "numbers": {},
+ "verdicts": {}}
 END
 }
 manifest 2026-11-21T12:00:00Z >"$folder/manifest.json"

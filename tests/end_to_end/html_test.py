@@ -80,7 +80,7 @@ def check_names(browser, names):
     claim("there is one main part, and the contents lead to every heading that has a number", browser.evaluate(
         "document.querySelectorAll('main').length !== 1 ? ['main'] :"
         " [...document.querySelectorAll('h2 > .lit-number, h3 > .lit-number')].filter(e =>"
-        " !document.querySelector(`#contents a[href=\"#${e.parentNode.id}\"]`)).map(e => e.parentNode.id)"))
+        " !document.querySelector(`#contents a[href=\"#${e.closest('section').id}\"]`)).map(e => e.textContent)"))
     claim("no element of the table's head is empty", browser.evaluate(
         "[...document.querySelectorAll('th')].filter(e => !e.textContent.trim()).length || null"))
 
@@ -119,7 +119,7 @@ def check_as_read(browser, page):
 def main():
     program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if not program:
-        print('skipped: there is no chromium; "make setup STAGES=html-test" installs it')
+        print('skipped: there is no chromium; "make setup test-all" installs it')
         return SKIPPED
 
     page = pathlib.Path(sys.argv[1]).resolve().as_uri()
@@ -151,7 +151,7 @@ def main():
     if claim.n_failed:
         return 1
     if not has_axe:
-        print('skipped: there is no axe-core; "make setup STAGES=html-test" brings it')
+        print('skipped: there is no axe-core; "make setup test-all" brings it')
         return SKIPPED
     return 0
 

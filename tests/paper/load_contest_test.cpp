@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "block/load_shapes.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "parameters/case.hpp"
 
 BOOST_AUTO_TEST_SUITE(load_contest_test)
@@ -30,9 +30,10 @@ paper::BlockStudy study_of(const parameters::Case& c, double exponent) {
   const double a = c.half_space.load.half_width();
   const paper::BlockStudy unloaded(c.half_space, *c.block, {});
   const block::SupportedBlock& block = unloaded.on(c.block->sides);
-  const auto under = block::RefinedSolution::combination(
-      {block.solve(block::linear_fall(1, 1, a)), block.solve(block::power_fall(1, exponent, a))},
-      {600, 400});
+  const auto under =
+      block::RefinedSolution::combination({block.solve(elasticity::linear_fall(1, 1, a)),
+                                           block.solve(elasticity::power_fall(1, exponent, a))},
+                                          {600, 400});
   std::vector<block::SurfaceDisplacement> observed;
   for (const double x : c.half_space.points) {
     observed.push_back({x, under.displacement_z(x, 0).value});
@@ -99,10 +100,11 @@ BOOST_AUTO_TEST_CASE(a_load_as_it_is_misses_by_as_much_as_it_is_too_small) {
   const paper::BlockStudy study = study_of(c, 1);
   const double a = c.half_space.load.half_width();
 
-  BOOST_TEST(paper::misfit_of(study, block::linear_fall(1000, 0.6, a), c.block->sides).value <
+  BOOST_TEST(paper::misfit_of(study, elasticity::linear_fall(1000, 0.6, a), c.block->sides).value <
              1e-9);
-  BOOST_TEST(paper::misfit_of(study, block::linear_fall(990, 0.6, a), c.block->sides).value == 0.01,
-             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(
+      paper::misfit_of(study, elasticity::linear_fall(990, 0.6, a), c.block->sides).value == 0.01,
+      boost::test_tools::tolerance(1e-6));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,7 +5,7 @@ set -eu
 program=$1 source_dir=$2
 
 if ! command -v octave-cli >/dev/null; then
-  echo 'skipped: octave-cli is not installed (make setup STAGES=octave)' >&2
+  echo 'skipped: octave-cli is not installed (make setup test-all)' >&2
   [ "${CI:-}" = true ] && exit 1
   exit 77
 fi

@@ -90,25 +90,40 @@ BOOST_AUTO_TEST_CASE(an_output_folder_that_cannot_be_written_is_named) {
              "cannot write to the output folder '" + (scratch / "file").string() + "'");
 }
 
-BOOST_AUTO_TEST_CASE(what_a_killed_run_published_is_removed_by_the_next_that_does_not_make_it) {
+BOOST_AUTO_TEST_CASE(what_a_killed_run_published_is_gone_before_the_next_one_looks) {
   const TemporaryFolder scratch;
   const fs::path out = scratch / "out";
-  {
-    Staging staging(out);
-    write_file_atomically(staging.path() / "a", "of the first run");
-    staging.publish({});
-  }
-  BOOST_TEST(!fs::exists(scratch / "out.publishing"));
-  // The second was killed after it had moved b, and before the list of its own files was there.
+  write_file_atomically(scratch / "elsewhere", "");
+  write_file_atomically(out / "a", "of the first run");
+  // The second was killed after it had moved b.
   write_file_atomically(out / "b", "of the second run");
-  write_file_atomically(scratch / "out.publishing", "b\nc\n");
-  Staging staging(out);
-  write_file_atomically(staging.path() / "a", "of the third run");
+  write_file_atomically(scratch / "out.publishing", "b\nc\n../elsewhere\n");
 
-  staging.publish({"a"});
+  const Staging staging(out);
 
   BOOST_TEST(files_below(out) == std::vector<std::string>{"a"}, boost::test_tools::per_element());
+  BOOST_TEST(fs::exists(scratch / "elsewhere"));
   BOOST_TEST(!fs::exists(scratch / "out.publishing"));
+}
+
+// draw copies what compute wrote, and publishes the copies beside its drawings.
+BOOST_AUTO_TEST_CASE(what_was_there_before_survives_a_publishing_that_ended_half_way) {
+  const TemporaryFolder scratch;
+  const fs::path out = scratch / "out";
+  write_file_atomically(out / "computed", "by another stage");
+  write_file_atomically(out / "z/full", "");  // no file can take the place of this folder
+  {
+    Staging staging(out);
+    write_file_atomically(staging.path() / "computed", "by another stage");
+    write_file_atomically(staging.path() / "drawn", "new");
+    write_file_atomically(staging.path() / "z", "new");
+    BOOST_CHECK_THROW(staging.publish({}), OutputError);
+  }
+
+  const Staging next(out);
+
+  BOOST_TEST(files_below(out) == (std::vector<std::string>{"computed", "z/full"}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_was_left_while_its_marker_was_written_is_known) {

@@ -52,15 +52,39 @@ runs make figure NAME=none
 claim 'a figure without a script is named' "$(says 'NAME: there is no script figures/none.gp')" = yes
 
 # An exported variable without a value would be empty, and TIMEOUT= lifts the limits of all tools.
-printf 'include Makefile\nshown:\n\t@env | grep ^TIMEOUT || echo unset\n' >shown.mk
+printf 'include Makefile\n.DEFAULT_GOAL := shown\nshown:\n\t@env | grep ^TIMEOUT || echo unset\n' >shown.mk
 unset TIMEOUT
-runs make -f shown.mk shown
+runs make -f shown.mk
 claim 'without TIMEOUT the limits of the tools stay' "$said" = unset
-runs make -f shown.mk shown TIMEOUT=
+runs make -f shown.mk TIMEOUT=
 claim 'TIMEOUT= reaches the scripts' "$said" = TIMEOUT=
 rm shown.mk
 
+# A process that is told to end may have started another one since they were counted, as drawing starts gnuplot.
+require=src/toolchain/require
+mv "$require" kept
+cat >"$require" <<'END'
+trap 'sleep 30 & : >told; exit 1' TERM
+: >running
+while :; do sleep 0.05; done
+END
+setsid make report >said 2>&1 &
+make=$!
+for _ in $(seq 100); do if [ -e running ]; then break; fi; sleep 0.05; done
+begin=$(date +%s%N)
+kill -TERM "$make"
+wait "$make" 2>/dev/null
+status=$? said=$(cat said)
+for _ in $(seq 80); do if flock -n build/lock true; then break; fi; sleep 0.05; done
+tenths=$((($(date +%s%N) - begin) / 100000000))
+claim 'the process that held the lock was told to end' -e told
+claim "what it started last is ended with it, at once and not by force after two seconds ($tenths tenths)" "$tenths" -lt 15
+claim 'nothing holds the lock' "$(flock -n build/lock echo free)" = free
+mv kept "$require"
+
 runs bash "$scratch/check out/src/toolchain/build" nonsense
-claim 'an unknown target is named' "$(says 'unknown target nonsense')" = yes
+claim 'an unknown target is named' "$(says 'there is no target nonsense')" = yes
+runs make setup nonsense
+claim 'nothing is installed for an unknown target' "$status$(says "there is no target nonsense; 'make help' lists them")$(says setup)" = 2yesno
 
 finish

@@ -48,6 +48,19 @@ ask "$checkout"
 claim 'ignored files do not count, and an unchanged answer is not written again' \
   "$(stat -c %Y "$written")" = "$before"
 
+# The engine is another checkout, an installed folder, or the same checkout.
+engine=$scratch/engine
+ask_with_engine() { runs cmake "-DSOURCE=$checkout" "-DENGINE=$1" "-DOUTPUT=$state" -P "$source_dir/src/literate/cmake/WriteRepository.cmake"; }
+ask_with_engine "$checkout/src/literate"
+claim "an engine in the paper's checkout has its commit" "$(has "\"engine\": {\"commit\": \"$commit\", \"modified\": false}")" = yes
+mkdir -p "$engine/share/literate"
+ask_with_engine "$engine/share/literate"
+claim 'of an engine that nobody knows it is unknown' "$(has '"engine": {"commit": "unknown", "modified": false}')" = yes
+echo '{"commit": "abcdefabcdef", "modified": true}' >"$engine/share/literate/repository.json"
+ask_with_engine "$engine/share/literate"
+claim 'an installed one has kept it' "$(has '"engine": {"commit": "abcdefabcdef", "modified": true}')" = yes
+ask "$checkout"
+
 echo b >"$checkout/report/report.tex"
 ask "$checkout"
 claim 'changed prose counts' "$(has '"modified": true')" = yes

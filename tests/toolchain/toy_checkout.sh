@@ -52,6 +52,7 @@ file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/report.settings" CONTENT
 project=halfspace
 root=${PROJECT_SOURCE_DIR}
 build=${PROJECT_BINARY_DIR}
+latex=pdflatex
 program=${PROJECT_BINARY_DIR}/halfspace-report
 document=${PROJECT_SOURCE_DIR}/report
 main=report.tex
@@ -62,6 +63,7 @@ repository=${PROJECT_BINARY_DIR}/repository
 engine=${PROJECT_SOURCE_DIR}/src/literate
 ")
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/repository/repository.tex" CONTENT "")
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/repository/repository.json" CONTENT "")
 add_custom_target(ask_for_commit COMMAND "${CMAKE_COMMAND}" -E true)
 add_custom_target(halfspace-report DEPENDS ask_for_commit)
 add_custom_target(report_linked)
@@ -72,7 +74,7 @@ add_custom_command(OUTPUT "${to}/generated/names.json" "${to}/generated.sha256"
 add_custom_target(report-figures DEPENDS "${to}/generated.sha256")
 add_custom_command(OUTPUT "${to}/report.pdf" "${to}/manifest.json"
   COMMAND "${PROJECT_SOURCE_DIR}/typeset" "${PROJECT_SOURCE_DIR}/report" "${to}"
-  DEPENDS "${to}/generated.sha256" report/report.tex report/sections/a.tex
+  DEPENDS "${PROJECT_BINARY_DIR}/repository/repository.json" "${to}/generated.sha256" report/report.tex report/sections/a.tex
   COMMENT "typeset" USES_TERMINAL VERBATIM)
 add_custom_target(report DEPENDS "${to}/report.pdf")
 add_custom_target(report-made DEPENDS "${to}/report.pdf")

@@ -21,10 +21,12 @@ printf '%s\n' name=report "root=$root" "build=$root/build" "document=$root/repor
 status=- said=-
 log=$scratch/log
 
-# A shell starts background commands with interrupts ignored; env restores the default.
-setsid env --default-signal=INT bash "$source_dir/src/literate/scripts/watch" "$scratch/settings" \
-  bash "$scratch/build" report >"$log" 2>&1 &
-watch=$!
+# begin_watching SETTINGS: in the background.
+begin_watching() {
+  # A shell starts background commands with interrupts ignored; env restores the default.
+  setsid env --default-signal=INT bash "$source_dir/src/literate/scripts/watch" "$1" bash "$scratch/build" report >"$log" 2>&1 &
+  watch=$!
+}
 
 # n_builds N: waits until N builds have ended.
 n_builds() {
@@ -42,6 +44,7 @@ claim_built() { # claim_built TEXT N
   claim "$1" "$built" = yes
 }
 
+begin_watching "$scratch/settings"
 claim_built 'it builds at once' 1
 claim 'overfull boxes are warnings while someone writes' "$(says 'build report 1')" = yes
 sleep 0.5 # until the folders are watched
@@ -83,11 +86,43 @@ claim 'a failure is told' "$(says 'failed; waiting for the next save')" = yes
 rm "$root/src/broken.cpp"
 claim_built 'after a failure it goes on' 10
 
-kill -INT "-$watch"
-status=0
-wait "$watch" || status=$?
+end_watching() {
+  kill -INT "-$watch"
+  status=0
+  wait "$watch" || status=$?
+}
+end_watching
 claim 'the interrupt ends it with 0' "$status" -eq 0
 sleep 0.3
 claim 'no watcher stays behind' -z "$(ps -o stat= -g "$watch" | grep -v Z)"
+
+# A paper that `literate new` made: its case lies in the root, beside everything else.
+paper="$scratch/my paper"
+mkdir -p "$paper/build"
+cp -R "$source_dir/src/literate/template/." "$paper"
+touch "$paper/measured.csv"
+printf '%s\n' name=mypaper "root=$paper" "build=$paper/build" "document=$paper/paper" "case=$paper/case.toml" \
+  "data=$paper/measured.csv" "output=$paper/build/mypaper" sources=src "figures=$paper/figures" >"$scratch/settings"
+: >"$log"
+begin_watching "$scratch/settings"
+claim_built 'a new paper is built at once' 1
+sleep 0.5
+n=1
+for file in paper/mypaper.tex figures/period.gp figures/style.gp measured.csv src/pendulum.cpp case.toml CMakeLists.txt; do
+  begin=$(date +%s%N)
+  echo >>"$paper/$file"
+  n=$((n + 1))
+  for _ in $(seq 40); do
+    [ "$(grep -c '^build report' "$log")" -eq "$n" ] && break
+    sleep 0.05
+  done
+  tenths=$((($(date +%s%N) - begin) / 100000000))
+  claim_built "in a new paper a save of $file builds" "$n"
+  claim "it begins within two seconds ($tenths tenths)" "$tenths" -lt 20
+  claim "$file is named" "$(says "changed: $file")" = yes
+done
+echo x >"$paper/build/made.tex"
+claim_built 'what is built is not watched' "$n"
+end_watching
 
 finish

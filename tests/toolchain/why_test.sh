@@ -23,6 +23,17 @@ claim 'the figures do not depend on prose' "$said" = 'nothing to do'
 toy_make why TARGET=build/report/report.pdf
 claim 'a file can be asked about' "$(says 'report/sections/a.tex changed')" = yes
 
+# The first edit after a commit changes the state of the repository as well.
+touch -d '1 minute' "$toy/build/release/repository/repository.json"
+toy_make why
+claim 'the edit is named, and not what follows from it' \
+  "$said" = 'report/sections/a.tex changed after build/report/report.pdf was made'
+touch -d '1 hour ago' "$toy/report/sections/a.tex"
+toy_make why
+claim 'a commit is named in words' \
+  "$said" = 'the commit, or whether files differ from it, is another'
+touch "$toy/build/release/repository/repository.json"
+
 touch -d '1 minute' "$toy/report/ruggiero2001.toml"
 toy_make why
 claim 'the first of two causes is named alone' \

@@ -13,11 +13,11 @@
 #include <utility>
 
 #include "course/assignment/student_text.hpp"
-#include "literate/prose/nearest_name.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "system/lines.hpp"
+#include "system/nearest_name.hpp"
 #include "system/utf8.hpp"
 
 namespace course {
@@ -118,7 +118,7 @@ class LoggedError {
                    const std::set<std::string>& names) const {
     const std::string told = with_column(lines);
     if (unknown_.empty()) return told;
-    return fmt::format("{} \\{}{}", told, unknown_, literate::suggestion(unknown_, names));
+    return fmt::format("{} \\{}{}", told, unknown_, sys::suggestion(unknown_, names));
   }
 
  private:

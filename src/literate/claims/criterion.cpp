@@ -14,10 +14,22 @@
 namespace literate {
 namespace {
 
-double require_abs_error(const std::string& name, const Value& quantity) {
-  if (!quantity.number()) throw std::invalid_argument(name + ": a criterion tests a number");
+/// «src/main.cpp:40: strain», for messages.
+std::string caller_of(const Criterion::Location& location, const std::string& name) {
+  const std::string line = fmt::format("{}:{}: ", location.file_name(), location.line());
+  if (name.empty()) throw std::invalid_argument(line + "a criterion names what it tests");
+  return line + name;
+}
+
+double require_abs_error(const std::string& place, const Value& quantity) {
+  if (!quantity.number()) throw std::invalid_argument(place + ": a criterion tests a number");
+  try {
+    quantity.require_finite();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", place, error.what()));
+  }
   if (!quantity.abs_error()) {
-    throw std::invalid_argument(name + ": a criterion needs the error of what it tests");
+    throw std::invalid_argument(place + ": a criterion needs the error of what it tests");
   }
   return *quantity.abs_error();
 }
@@ -82,7 +94,11 @@ std::string_view name_of(LimitKind kind) {
 }
 
 Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int n_digits)
-    : kind_(kind), abs_error_(number.abs_error), reason_(std::move(reason)) {
+    : kind_(kind),
+      unrounded_(number.value),
+      n_digits_(n_digits),
+      abs_error_(number.abs_error),
+      reason_(std::move(reason)) {
   if (reason_.empty()) throw std::invalid_argument("a limit needs a reason");
   name_of(kind_);  // throws for one that is none
   if (!(std::isfinite(abs_error_) && abs_error_ >= 0)) {
@@ -107,55 +123,76 @@ std::string_view name_of(Outcome outcome) {
 }
 
 Criterion::Criterion(std::string name, Value quantity, Limit limit)
-    : name_(std::move(name)), quantity_(std::move(quantity)), limit_(std::move(limit)) {
-  if (name_.empty()) throw std::invalid_argument("a criterion names what it tests");
+    : name_(std::move(name)), quantity_(std::move(quantity)), limit_(std::move(limit)) {}
+
+namespace {
+
+/// Against which a number that is `excess` beyond a limit holds if that is not positive.
+Outcome outcome_of(double excess, double unsure) {
+  if (excess + unsure <= 0) return Outcome::holds;
+  return excess - unsure > 0 ? Outcome::fails : Outcome::undecided;
 }
+
+std::string_view verb_of(Outcome outcome) {
+  return outcome == Outcome::undecided ? "is undecided" : name_of(outcome);
+}
+
+}  // namespace
 
 /// Compares the interval of the tested number with that of the limit; both are printed as `like`
 /// is.
-void Criterion::decide(double tested, double error, bool is_upper_limit, const Value& like) {
+void Criterion::decide(double tested, double error, bool is_upper_limit, const Value& like,
+                       const std::string& place) {
   // A negated limit turns «at least» into «at most»: −q ≤ −L.
   const double sign = is_upper_limit ? 1 : -1;
   excess_ = sign * (tested - limit_.number());
   const double unsure = error + limit_.abs_error();
-  if (excess_ + unsure <= 0) {
-    outcome_ = Outcome::holds;
-  } else if (excess_ - unsure > 0) {
-    outcome_ = Outcome::fails;
-  } else {
-    outcome_ = Outcome::undecided;
+  outcome_ = outcome_of(excess_, unsure);
+  const Outcome of_unrounded = outcome_of(sign * (tested - limit_.unrounded()), unsure);
+  if (of_unrounded != outcome_) {
+    throw std::invalid_argument(fmt::format(
+        "{}: rounding decides, since {} {} against the printed limit {} and {} against {} itself: "
+        "give the limit more than {} digits",
+        place, round_trip(tested), verb_of(outcome_), round_trip(limit_.number()),
+        verb_of(of_unrounded), round_trip(limit_.unrounded()), limit_.n_digits()));
+  }
+  if (outcome_ == Outcome::undecided) {
     const double printed = number_of(rounded_up_to_digits(unsure, 2));
     missing_ =
         fmt::format("an error of {} reaches across the limit", limit_like(printed, like).printed());
   }
 }
 
-Criterion Criterion::at_most(std::string name, Value quantity, Limit limit) {
-  const double error = require_abs_error(name, quantity);
+Criterion Criterion::at_most(std::string name, Value quantity, Limit limit, Location location) {
+  const std::string place = caller_of(location, name);
+  const double error = require_abs_error(place, quantity);
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.limit_phrase_ =
       at_most_in_signs(limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_most);
-  criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_);
+  criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_, place);
   return criterion;
 }
 
-Criterion Criterion::at_least(std::string name, Value quantity, Limit limit) {
-  const double error = require_abs_error(name, quantity);
+Criterion Criterion::at_least(std::string name, Value quantity, Limit limit, Location location) {
+  const std::string place = caller_of(location, name);
+  const double error = require_abs_error(place, quantity);
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.limit_phrase_ =
       in_signs("≥", "\\ge", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_least);
-  criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_);
+  criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_, place);
   return criterion;
 }
 
-Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance) {
-  const double error = require_abs_error(name, computed) + require_abs_error(name, stated);
+Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance,
+                            Location location) {
+  const std::string place = caller_of(location, name);
+  const double error = require_abs_error(place, computed) + require_abs_error(place, stated);
   const Value difference = difference_of(computed, stated, error);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
   const double tolerated = criterion.limit_.number();
@@ -170,18 +207,19 @@ Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limi
   criterion.found_ = is_seen ? phrase("{}", quantity)
                              : phrase("{}, {} from {}", quantity,
                                       found_phrase(difference, tolerated, Side::at_most), stated);
-  criterion.decide(*difference.number(), error, true, quantity);
+  criterion.decide(*difference.number(), error, true, quantity, place);
   return criterion;
 }
 
 Criterion Criterion::agrees_relatively(std::string name, Value computed, Value stated,
-                                       Limit tolerance) {
-  const double error = require_abs_error(name, computed);
-  const double error_of_stated = require_abs_error(name, stated);
+                                       Limit tolerance, Location location) {
+  const std::string place = caller_of(location, name);
+  const double error = require_abs_error(place, computed);
+  const double error_of_stated = require_abs_error(place, stated);
   const double c = *computed.number();
   const double s = *stated.number();
   if (!(std::abs(s) > error_of_stated)) {
-    throw std::invalid_argument(name + ": a relative difference from zero");
+    throw std::invalid_argument(place + ": a relative difference from zero");
   }
   // |(c ± δc)/(s ± δs) − c/s| ≤ (δc + |c/s| δs)/(|s| − δs)
   const double unsure =
@@ -196,7 +234,7 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
              found_phrase(difference, criterion.limit_.number(), Side::at_most), stated);
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
   criterion.limit_phrase_ = at_most_in_signs(relative(criterion.limit_.number()));
-  criterion.decide(off, unsure, true, Value(0, exact().in_percent()));
+  criterion.decide(off, unsure, true, Value(0, exact().in_percent()), place);
   if (criterion.outcome_ == Outcome::undecided) {
     // The error, which says why, stands behind it.
     criterion.found_ = phrase("{}, {} from {}", criterion.quantity_,

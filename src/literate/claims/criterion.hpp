@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +27,9 @@ std::string_view name_of(LimitKind kind);
 
 /// The number that decides a criterion, with the reason for it.
 ///
-/// The limit that is tested is the one that is printed: the number is rounded to `n_digits`
-/// significant digits first, and the rounded one decides. `number.abs_error` is how wrong the
-/// unrounded limit may be; the criterion is undecided where that matters. Throws
+/// The limit that is tested is the one that is printed, the number rounded to `n_digits`
+/// significant digits; a criterion that this rounding would decide is refused. `number.abs_error`
+/// is how wrong the unrounded limit may be; the criterion is undecided where that matters. Throws
 /// std::invalid_argument for a number or error that is not finite, for a negative error, for
 /// n_digits outside 1 to 17, and for an empty reason.
 class Limit {
@@ -38,6 +39,8 @@ class Limit {
       : Limit(kind, numerics::Estimate{number, 0}, std::move(reason), n_digits) {}
 
   double number() const { return number_; }
+  double unrounded() const { return unrounded_; }
+  int n_digits() const { return n_digits_; }
   double abs_error() const { return abs_error_; }
   LimitKind kind() const { return kind_; }
   const std::string& reason() const { return reason_; }
@@ -45,6 +48,8 @@ class Limit {
  private:
   LimitKind kind_;
   double number_;
+  double unrounded_;
+  int n_digits_;
   double abs_error_;
   std::string reason_;
 };
@@ -65,23 +70,29 @@ std::string_view name_of(Outcome outcome);
 /// One object prints the quantity, prints the limit and decides, so that what the reader sees is
 /// what was tested. The quantity's error counts: if number ± error, or limit ± its error, lies on
 /// both sides of the limit, the criterion is undecided. Every factory throws std::invalid_argument
-/// for a quantity without a number or without an error bound (Value::within(0) for an exact one),
-/// and for an empty name.
+/// with its caller's line for a quantity without a finite number or without an error bound
+/// (Value::within(0) for an exact one), for an empty name, and where the outcome is another one
+/// against the limit before it was rounded.
 class Criterion {
  public:
+  using Location = std::source_location;
+
   /// quantity ≤ limit.
-  static Criterion at_most(std::string name, Value quantity, Limit limit);
+  static Criterion at_most(std::string name, Value quantity, Limit limit,
+                           Location location = Location::current());
 
   /// quantity ≥ limit.
-  static Criterion at_least(std::string name, Value quantity, Limit limit);
+  static Criterion at_least(std::string name, Value quantity, Limit limit,
+                            Location location = Location::current());
 
   /// |computed − stated| ≤ tolerance, in the quantities' unit. The error of the difference is the
   /// sum of both. A tolerance of 0 asks for equality, such as of counts.
-  static Criterion agrees(std::string name, Value computed, Value stated, Limit tolerance);
+  static Criterion agrees(std::string name, Value computed, Value stated, Limit tolerance,
+                          Location location = Location::current());
 
   /// |computed/stated − 1| ≤ tolerance; `stated` must not be zero, nor its interval hold zero.
   static Criterion agrees_relatively(std::string name, Value computed, Value stated,
-                                     Limit tolerance);
+                                     Limit tolerance, Location location = Location::current());
 
   /// One criterion a case, where `cases` names them, such as «points». Holds if all do, fails if
   /// none does, and else holds in part. All must have the same condition and reason; what is
@@ -121,7 +132,8 @@ class Criterion {
 
  private:
   Criterion(std::string name, Value quantity, Limit limit);
-  void decide(double tested, double error, bool is_upper_limit, const Value& like);
+  void decide(double tested, double error, bool is_upper_limit, const Value& like,
+              const std::string& place);
 
   std::string name_;
   Value quantity_;

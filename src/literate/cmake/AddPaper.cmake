@@ -16,7 +16,8 @@
 #   rod-why        says why it would be built again
 #
 # NAME       of the targets and of the PDF
-# PROGRAM    the executable whose main() calls literate::main, made before by add_executable
+# PROGRAM    the executable whose main() calls literate::main, made before by add_executable; it may serve several papers, and
+#            Inputs::paper tells it the NAME of the one that it computes
 # DOCUMENT   the folder of the LaTeX document, and MAIN its main file
 # CASE       the parameter file; another one is chosen by -Drod_CASE=file
 # SOURCES    folders with the code, from ROOT on: excerpts are looked for there, and the manifest names their files
@@ -58,10 +59,30 @@ endfunction()
 # Before anything is compiled, every build asks for what the program is compiled from, the excerpts; before anything is
 # typeset, for what only the document tells, the state of the repository. Either is written only where it changed, and no
 # program knows the commit: after one nothing is compiled or computed, and the document alone is typeset again.
-function(literate_describe_paper name program main root sources figures)
+#
+# A program may serve several papers, such as one and its supplement. It is described once, by the folders with code of
+# all of them.
+function(literate_describe_paper name program main root sources)
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
   set(repository "${folder}/repository")
+  add_custom_target(ask_for_commit_of_${name}
+    COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${root}" "-DENGINE=${engine}" "-DOUTPUT=${repository}" -P "${engine}/cmake/WriteRepository.cmake"
+    BYPRODUCTS "${repository}/repository.json" "${repository}/repository.tex"
+    COMMENT "commit"
+    VERBATIM)
+
+  get_target_property(described_root ${program} LITERATE_ROOT)
+  set_property(TARGET ${program} APPEND PROPERTY LITERATE_SOURCES ${sources})
+  if(described_root)
+    if(NOT described_root STREQUAL root)
+      message(FATAL_ERROR "literate_add_paper: ${name} has the ROOT ${root}, and another paper of ${program} has ${described_root}")
+    endif()
+    return()
+  endif()
+  set_property(TARGET ${program} PROPERTY LITERATE_ROOT "${root}")
+  set(folders "$<REMOVE_DUPLICATES:$<TARGET_PROPERTY:${program},LITERATE_SOURCES>>")
+
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
   if(HALFSPACE_SANITIZE)
@@ -69,7 +90,6 @@ function(literate_describe_paper name program main root sources figures)
   endif()
   # Flags may name a folder of this machine, as -isystem does, and the paper is the same everywhere.
   string(REPLACE "${root}" "." flags "${flags}")
-  list(JOIN sources ":" folders)
 
   # What literate::this_paper() answers; the program finds the state of the repository as seen from its own folder.
   set(PROJECT "${PROJECT_NAME}")
@@ -81,20 +101,13 @@ function(literate_describe_paper name program main root sources figures)
   set(BUILD_TYPE "${CMAKE_BUILD_TYPE}")
   set(FLAGS "${flags}")
   set(MAIN "${main}")
-  list(TRANSFORM sources REPLACE ".+" "\"\\0\"" OUTPUT_VARIABLE SOURCE_FOLDERS)
-  list(JOIN SOURCE_FOLDERS ", " SOURCE_FOLDERS)
-  set(FIGURES "${figures}")
+  set(SOURCE_FOLDERS "R\"text($<JOIN:${folders},)text\"$<COMMA> R\"text(>)text\"")
   set(REPOSITORY "$<PATH:RELATIVE_PATH,${repository},$<TARGET_FILE_DIR:${program}>>")
   configure_file("${engine}/cmake/paper.cpp.in" "${folder}/paper.cpp.in" @ONLY)
   file(GENERATE OUTPUT "${folder}/paper.cpp" INPUT "${folder}/paper.cpp.in")
 
-  add_custom_target(ask_for_commit_of_${name}
-    COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${root}" "-DOUTPUT=${repository}" -P "${engine}/cmake/WriteRepository.cmake"
-    BYPRODUCTS "${repository}/repository.json" "${repository}/repository.tex"
-    COMMENT "commit"
-    VERBATIM)
   add_custom_target(ask_for_excerpts_of_${name}
-    COMMAND literate::program excerpts --source "${root}" --folders "${folders}" --output "${folder}/excerpts.cpp"
+    COMMAND literate::program excerpts --source "${root}" --folders "$<JOIN:${folders},:>" --output "${folder}/excerpts.cpp"
     BYPRODUCTS "${folder}/excerpts.cpp"
     COMMENT "excerpts"
     VERBATIM)
@@ -130,6 +143,14 @@ function(literate_document_files document result)
     list(FILTER files EXCLUDE REGEX "^${other}")
   endforeach()
   set(${result} "${files}" PARENT_SCOPE)
+endfunction()
+
+# A file that lists others. Ninja asks for nothing again because a file is gone, unless something that is there is another.
+function(literate_list_of name kind files result)
+  set(list "${PROJECT_BINARY_DIR}/generated/${name}/${kind}.list")
+  list(JOIN files "\n" lines)
+  file(CONFIGURE OUTPUT "${list}" CONTENT "@lines@\n" @ONLY)
+  set(${result} "${list}" PARENT_SCOPE)
 endfunction()
 
 function(literate_add_paper)
@@ -187,8 +208,7 @@ function(literate_add_paper)
   set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
   set(repository "${PROJECT_BINARY_DIR}/generated/${name}/repository")
 
-  cmake_path(RELATIVE_PATH figures BASE_DIRECTORY "${root}" OUTPUT_VARIABLE figures_from_root)
-  literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}" "${figures_from_root}")
+  literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" "${root}" "${arg_SOURCES}")
   # Without its table of symbols the program is half as large, and each build reads it to see that it is whole.
   target_link_options(${arg_PROGRAM} PRIVATE $<$<CONFIG:Release>:-s>)
 
@@ -229,7 +249,7 @@ latex=${arg_ENGINE}
   # again only if something it reads is different. (Ninja's `restat` remembers the run.)
   add_custom_command(
     OUTPUT "${generated}/names.json" "${state}/compute"
-    COMMAND ${arg_PROGRAM} compute --case "${case}" --output "${generated}" --source "${root}" --defer-verdict
+    COMMAND ${arg_PROGRAM} compute --paper ${name} --case "${case}" --output "${generated}" --source "${root}" --defer-verdict
       --record "${state}/compute"
     DEPENDS ${arg_PROGRAM} "${linked}" "${case}" ${data}
     COMMENT "compute"
@@ -239,11 +259,12 @@ latex=${arg_ENGINE}
   # Scripts are read when the figures are drawn: a changed one asks for no compiler and computes nothing. The figures
   # that the change does not concern are left as they are.
   file(GLOB figure_scripts CONFIGURE_DEPENDS "${figures}/*.gp")
+  literate_list_of(${name} scripts "${figure_scripts}" list_of_scripts)
   add_custom_command(
     OUTPUT "${digest}" "${state}/draw"
     COMMAND ${arg_PROGRAM} draw --generated "${generated}" --scripts "${figures}" --digest "${digest}"
       --record "${state}/draw"
-    DEPENDS ${arg_PROGRAM} "${state}/compute" ${figure_scripts}
+    DEPENDS ${arg_PROGRAM} "${state}/compute" "${list_of_scripts}" ${figure_scripts}
     COMMENT "draw"
     USES_TERMINAL
     VERBATIM)
@@ -252,16 +273,17 @@ latex=${arg_ENGINE}
   # The manifest names every source, so this runs after each change of the program. LaTeX itself does nothing then,
   # unless a result or the prose is another one.
   literate_document_files("${document}" files)
+  literate_list_of(${name} document "${files}" list_of_document)
   # The PDF is no output that Ninja knows, because Ninja deletes those of a command that is interrupted.
   add_custom_command(
     OUTPUT "${state}/typeset"
     COMMAND ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
-      --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
+      --figures "${figures}" --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
       --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
       --repository "${repository}" --engine ${arg_ENGINE} --record "${state}/typeset"
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
-    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" "${repository}/repository.json" ${files}
+    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files}
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)
@@ -280,11 +302,12 @@ latex=${arg_ENGINE}
 
   # The same sources as one page.
   file(GLOB page_parts CONFIGURE_DEPENDS LIST_DIRECTORIES false
-    "${engine}/page/*.css" "${engine}/page/*.js" "${engine}/page/figures.tex")
+    "${engine}/page/*.css" "${engine}/page/*.js" "${engine}/page/*.tex"
+    "${engine}/page/*.lua")
   add_custom_command(
     OUTPUT "${output}/${name}.html"
     COMMAND bash "${scripts}/html" "${settings}"
-    DEPENDS "${digest}" "${repository}/repository.tex" ${files} ${page_parts} "${scripts}/html"
+    DEPENDS "${state}/typeset" "${digest}" "${repository}/repository.tex" ${files} ${page_parts} "${scripts}/html"
       ${arg_PROGRAM}
     COMMENT "html"
     USES_TERMINAL
@@ -308,4 +331,33 @@ latex=${arg_ENGINE}
   foreach(stage IN ITEMS watch why)
     add_custom_target(${name}-${stage} COMMAND bash "${scripts}/${stage}" "${settings}" USES_TERMINAL VERBATIM)
   endforeach()
+endfunction()
+
+# literate_run_script(MAKES measured.csv COMMAND python3 measure.py [READS raw.txt …]) has the build run the script that
+# writes files of DATA, whenever it, a file that its command names or one of READS is another one: numbers are then never
+# older than their script. It runs in the folder of the CMakeLists.txt, before literate_add_paper is called there.
+function(literate_run_script)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "MAKES;COMMAND;READS")
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_MAKES OR NOT arg_COMMAND)
+    message(FATAL_ERROR "literate_run_script takes MAKES files, COMMAND and READS files, not '${ARGV}'")
+  endif()
+  set(read "")
+  foreach(word IN LISTS arg_COMMAND)
+    if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${word}")
+      list(APPEND read "${word}")
+    endif()
+  endforeach()
+  if(NOT read)
+    message(FATAL_ERROR "literate_run_script: no word of '${arg_COMMAND}' is a file in ${CMAKE_CURRENT_SOURCE_DIR}")
+  endif()
+  list(APPEND read ${arg_READS})
+  list(TRANSFORM read PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  list(TRANSFORM arg_MAKES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  list(JOIN arg_COMMAND " " said)
+  add_custom_command(OUTPUT ${arg_MAKES}
+    COMMAND ${arg_COMMAND}
+    DEPENDS ${read}
+    WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
+    COMMENT "${said}"
+    VERBATIM)
 endfunction()

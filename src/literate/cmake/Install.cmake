@@ -23,13 +23,18 @@ install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${heade
 # The same folders as in the sources, so that scripts and CMake find each other in either.
 set(share "share/${versioned}")
 install(DIRECTORY scripts template DESTINATION "${share}")
-install(DIRECTORY page DESTINATION "${share}" FILES_MATCHING PATTERN "*.css" PATTERN "*.js" PATTERN "figures.tex")
+install(DIRECTORY page DESTINATION "${share}" FILES_MATCHING PATTERN "*.css" PATTERN "*.js" PATTERN "*.tex" PATTERN "*.lua")
 install(FILES README.md DESTINATION "${share}")
 install(FILES document/literate.sty DESTINATION "${share}/document")
 install(FILES imports/results.schema.json DESTINATION "${share}/imports")
 install(FILES cmake/AddPaper.cmake cmake/CheckManifest.cmake cmake/WriteRepository.cmake cmake/WriteLinked.cmake
   cmake/paper.cpp.in cmake/literateConfig.cmake
   DESTINATION "${share}/cmake")
+# What the engine was installed from, for the manifests of papers and the workflows of new ones.
+install(CODE "
+  execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DSOURCE=${HALFSPACE_ROOT}\" \"-DOUTPUT=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${share}\"
+    -P \"${CMAKE_CURRENT_SOURCE_DIR}/cmake/WriteRepository.cmake\" COMMAND_ERROR_IS_FATAL ANY)
+  file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${share}/repository.tex\")")
 install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
   VERSION "${LITERATE_VERSION}" COMPATIBILITY SameMinorVersion)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tests of the engine alone; -DBUILD_TESTING=OFF leaves them and Boost.Test out.
 enable_testing()
-find_package(Boost 1.74 REQUIRED COMPONENTS unit_test_framework)
+find_package(Boost 1.74 REQUIRED CONFIG COMPONENTS unit_test_framework)
 set(CMAKE_UNITY_BUILD OFF) # a test program is one file
 set(tests "${HALFSPACE_ROOT}/tests")
 add_library(unit_test_main STATIC "${tests}/main.cpp")

@@ -2,7 +2,7 @@
 # find_package(literate): the libraries literate::literate and literate::config, the program literate::program, and
 # literate_add_paper.
 include(CMakeFindDependencyMacro)
-find_dependency(Boost 1.74 COMPONENTS filesystem iostreams system)
+find_dependency(Boost 1.74 CONFIG COMPONENTS filesystem iostreams)
 find_dependency(CLI11)
 find_dependency(OpenSSL COMPONENTS Crypto)
 find_dependency(Threads)
@@ -11,8 +11,11 @@ find_dependency(nlohmann_json)
 find_dependency(jsoncpp)
 find_dependency(yaml-cpp)
 find_dependency(tomlplusplus)
-if(NOT TARGET utf8cpp) # whose package cannot be found twice
+if(NOT TARGET utf8::cpp) # its package cannot be found twice, and until version 4 the target had another name
   find_dependency(utf8cpp)
+  if(NOT TARGET utf8::cpp)
+    add_library(utf8::cpp ALIAS utf8cpp)
+  endif()
 endif()
 # UDUNITS has no package of CMake's; the target has the name by which the libraries link it.
 if(NOT TARGET udunits2::udunits2)

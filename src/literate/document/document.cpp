@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "literate/document/document_tex.hpp"
+#include "literate/document/last_registered.hpp"
 #include "literate/document/literate_sty.hpp"
 #include "literate/document/names.hpp"
+#include "literate/document/page_html.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/name.hpp"
 #include "system/error.hpp"
@@ -23,7 +25,10 @@ namespace fs = std::filesystem;
 void Document::remember(const std::string& kind, const std::string& name,
                         const SourcePlace& place) {
   const auto [entry, is_new] = registered_.places.try_emplace({kind, name}, place);
-  if (is_new) return;
+  if (is_new) {
+    remember_last_registered(fmt::format("{} '{}' ({})", kind, name, text_of(place)));
+    return;
+  }
   throw std::logic_error(fmt::format("{}: {} '{}' is registered twice, first at {}", text_of(place),
                                      kind, name, text_of(entry->second)));
 }
@@ -47,6 +52,12 @@ void Document::value(const std::string& key, Value value, Location location) {
 
 void Document::value(const std::string& key, Value value, const SourcePlace& place) {
   require_key(key);
+  try {
+    value.require_finite();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("{}: value '{}': {}", text_of(place), key, error.what()));
+  }
   remember("value", key, place);
   registered_.values.emplace(key, std::move(value));
 }
@@ -130,6 +141,7 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   registered_.attachments.write(staging.path() / "imports");
   sys::write_file_atomically(staging.path() / "provenance.tex",
                              provenance_tex(registered_, staging.path()));
+  write_page_parts(registered_, staging.path());
 
   std::vector<std::string> files = staging.files();
   files.emplace_back("names.json");

@@ -23,6 +23,7 @@ class Document {
  public:
   using Location = std::source_location;
 
+  /// Registers a value. Throws std::invalid_argument for a number that is not finite.
   void value(const std::string& key, Value value, Location location = Location::current());
 
   /// Registers a condition for the prose: `\ifflag{key}{yes}{no}`.
@@ -57,8 +58,12 @@ class Document {
   void attach(const Attachments& files) { registered_.attachments.add(files); }
   const Attachments& attachments() const { return registered_.attachments; }
 
-  /// Tells which case all this was computed from, by the SHA-256 of the bytes that were read.
-  void computed_from(const std::string& case_sha256) { registered_.case_sha256 = case_sha256; }
+  /// Tells which case all this was computed from, by its file's name, for `\papercase`, and by the
+  /// SHA-256 of the bytes that were read.
+  void computed_from(const std::string& case_name, const std::string& case_sha256) {
+    registered_.case_name = case_name;
+    registered_.case_sha256 = case_sha256;
+  }
 
   /// Adds all that another document registered, after what this one has, so that parts of a
   /// document can be computed at the same time. Throws std::logic_error if both registered the same

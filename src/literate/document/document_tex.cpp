@@ -15,6 +15,9 @@ namespace fs = std::filesystem;
 
 std::string values_tex(const Registered& registered) {
   std::string text;
+  if (!registered.case_name.empty()) {
+    text += fmt::format("\\renewcommand*\\papercase{{{}}}\n", escape_latex(registered.case_name));
+  }
   for (const auto& [key, value] : registered.values) {
     text += fmt::format("\\LiterateValue{{{}}}{{{}}}{{{}}}\n", key, value.latex(),
                         escape_bookmark(value.printed()));

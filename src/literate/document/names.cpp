@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "literate/document/registered.hpp"
+#include "literate/excerpts/listing_language.hpp"
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -55,6 +56,21 @@ std::map<std::string, StoredNumber> numbers_in(const json& values) {
   return numbers;
 }
 
+/// The numbers in tables, by table, row and column.
+json cells_json(const std::map<std::string, Table>& tables) {
+  json entries = json::object();
+  for (const auto& [name, table] : tables) {
+    for (const auto& [place, printed] : table.printed_numbers()) {
+      const Cell& cell = table.rows()[place.first][place.second];
+      json& entry = entries[fmt::format("table {}, row {}, column {}", name, place.first + 1,
+                                        place.second + 1)];
+      entry = {{"number", *cell.number()}, {"printed", printed}};
+      if (cell.abs_error()) entry["abs_error"] = *cell.abs_error();
+    }
+  }
+  return entries;
+}
+
 json checks_json(const std::vector<Check>& checks) {
   json entries = json::object();
   for (const Check& check : checks) {
@@ -95,6 +111,7 @@ json excerpts_json(const std::vector<Excerpt>& excerpts) {
   json entries = json::object();
   for (const Excerpt& excerpt : excerpts) {
     entries[excerpt.name] = {{"file", excerpt.file},
+                             {"language", listing_language(excerpt.file)},
                              {"first_line", excerpt.first_line},
                              {"last_line", last_line(excerpt)}};
   }
@@ -190,6 +207,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
     names["values"][key] = value_json(value, registered.places.at({"value", key}));
   }
   names["flags"] = registered.flags;
+  names["cells"] = cells_json(registered.tables);
   names["tables"] = keys_json(registered.tables);
   names["places"] = {{"flags", places_json(registered, "flag")},
                      {"tables", places_json(registered, "table")}};
@@ -204,6 +222,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["texts"] = texts_json(registered);
   names["faults"] = faults(registered);
   names["files"] = files;
+  if (!registered.case_name.empty()) names["case_name"] = registered.case_name;
   if (!registered.case_sha256.empty()) names["case_sha256"] = registered.case_sha256;
   return names.dump(2) + "\n";
 }

@@ -32,6 +32,7 @@ struct Registered {
   std::vector<Check> checks;                          ///< in the order of registration
   std::vector<std::pair<std::string, Claim>> claims;  ///< by id, in the order of registration
   Attachments attachments;                            ///< files that values came from
+  std::string case_name;                              ///< of its file; may be empty
   std::string case_sha256;                            ///< of the case as it was read; may be empty
   std::map<std::pair<std::string, std::string>, SourcePlace> places;  ///< by kind and name
 };

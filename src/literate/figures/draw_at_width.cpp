@@ -73,6 +73,8 @@ std::string folder_of(const FigureAtWidth& figure) {
 std::size_t draw_at_widths(const fs::path& generated, const fs::path& output,
                            const std::set<FigureAtWidth>& figures, const FigurePlaces& places,
                            const std::string& label) {
+  if (figures.empty()) return 0;
+  sys::Staging staging(output);
   std::vector<FigureAtWidth> wanted;
   for (const FigureAtWidth& figure : figures) {
     if (places.contains(figure.name) && !is_up_to_date(generated, output, figure)) {
@@ -81,7 +83,6 @@ std::size_t draw_at_widths(const fs::path& generated, const fs::path& output,
   }
   if (wanted.empty()) return 0;
 
-  sys::Staging staging(output);
   const fs::path workshop = staging.path() / "work";
   sys::for_each_parallel(wanted.size(), 0, [&](std::size_t i) {
     const FigureAtWidth& figure = wanted[i];

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "system/error.hpp"
 #include "system/files.hpp"
 
 namespace literate {
@@ -14,12 +15,24 @@ namespace {
 
 constexpr int figure_seconds = 300;  // the slowest seen took 3
 
-/// Overwrites the creation date of a PDF with a fixed one of the same length, because cairo 1.16
-/// writes the present second; later versions obey SOURCE_DATE_EPOCH.
+/// Overwrites the creation date of a PDF with a fixed one of the same length, because cairo writes
+/// the present second whatever SOURCE_DATE_EPOCH says. cairo 1.18 hides it in a compressed stream of
+/// objects, which qpdf takes apart.
 void fix_creation_date(const fs::path& file) {
   constexpr std::string_view key = "/CreationDate (D:";
   constexpr std::string_view zero = "19700101000000";
   std::string pdf = sys::read_file(file);
+  const bool is_whole = pdf.ends_with("%%EOF\n");  // half of one is told by who checks the figure
+  if (is_whole && pdf.find("/ObjStm") != std::string::npos) {
+    const sys::ProcessResult result = sys::run(
+        {.program = "qpdf",
+         .arguments = {"--object-streams=disable", "--static-id", "--replace-input", file.string()},
+         .environment = {{"LC_ALL", "C.UTF-8"}}});
+    if (result.exit_status != 0) {
+      throw sys::ToolError(fmt::format("qpdf cannot read '{}': {}", file.string(), result.output));
+    }
+    pdf = sys::read_file(file);
+  }
   const auto at = pdf.rfind(key);
   if (at == std::string::npos) return;
   const auto digits = at + key.size();

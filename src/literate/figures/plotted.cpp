@@ -162,6 +162,16 @@ sys::ProcessResult run_as(const fs::path& folder, const std::string& name, const
   return run_gnuplot(copy, name, settings);
 }
 
+/// All points of a script's plots as gnuplot lists them; none if it cannot.
+std::optional<std::string> table_of_points(const fs::path& folder, const std::string& name,
+                                           const fs::path& scratch, const std::string& script) {
+  const fs::path copy = scratch / "points" / name;
+  const auto points = run_as(folder, name, copy, telling_points(script),
+                             std::string("set table '") + table_name + "'");
+  if (points.exit_status != 0 || !fs::is_regular_file(copy / table_name)) return std::nullopt;
+  return sys::read_file(copy / table_name);
+}
+
 }  // namespace
 
 std::string telling_axes(const std::string& script) {
@@ -200,12 +210,19 @@ std::vector<PlottedPanel> plotted_panels(const fs::path& folder, const std::stri
   std::vector<PlottedPanel> panels = panels_in(frames.output);
   if (frames.exit_status != 0 || panels.empty()) return {};
 
-  const fs::path copy = scratch / "points" / name;
-  const auto points = run_as(folder, name, copy, telling_points(script),
-                             std::string("set table '") + table_name + "'");
-  if (points.exit_status != 0 || !fs::is_regular_file(copy / table_name)) return {};
-  if (!add_curves(sys::read_file(copy / table_name), panels)) return {};
+  const auto table = table_of_points(folder, name, scratch, script);
+  if (!table || !add_curves(*table, panels)) return {};
   return panels;
+}
+
+std::size_t n_points_outside(const fs::path& folder, const std::string& name,
+                             const fs::path& scratch) {
+  const auto table = table_of_points(folder, name, scratch, sys::read_file(folder / "script.gp"));
+  if (!table) return 0;
+  const auto lines = sys::lines_of(*table);
+  return static_cast<std::size_t>(std::ranges::count_if(lines, [](std::string_view line) {
+    return !line.starts_with("#") && sys::stripped(line).ends_with(" o");
+  }));
 }
 
 }  // namespace literate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -43,6 +44,11 @@ struct PlottedPanel {
 std::vector<PlottedPanel> plotted_panels(const std::filesystem::path& folder,
                                          const std::string& name,
                                          const std::filesystem::path& scratch);
+
+/// How many points of its data a figure does not show, since a range of its script leaves them out;
+/// 0 where gnuplot cannot list them. `folder` and `scratch` are those of plotted_panels.
+std::size_t n_points_outside(const std::filesystem::path& folder, const std::string& name,
+                             const std::filesystem::path& scratch);
 
 /// A script that says to gnuplot's messages, after each plot, which frame and axes it had.
 std::string telling_axes(const std::string& script);

@@ -11,6 +11,8 @@
 #include "literate/imports/source_files.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/name.hpp"
+#include "system/nearest_name.hpp"
+#include "system/pattern.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -33,6 +35,27 @@ ImportedColumn column_of(const std::string& field) {
     column.unit = field.substr(parenthesis + 2, field.size() - parenthesis - 3);
   }
   return column;
+}
+
+/// Declares the columns exact whose headings are named.
+void declare_exact(std::vector<ImportedColumn>& columns, const CsvSource& source,
+                   const CsvRow& heading, const std::vector<Fields>& fields,
+                   const std::set<std::string>& exact) {
+  for (const std::string& name : exact) {
+    const auto& headings = heading.fields;
+    if (std::ranges::find(headings, name) != headings.end()) continue;
+    throw ImportError(fmt::format("{}: there is no column '{}', which is to be exact{}",
+                                  source.at(heading.line), name,
+                                  sys::suggestion(name, {headings.begin(), headings.end()})));
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string& name = heading.fields[fields[i].number];
+    columns[i].is_exact = columns[i].is_exact || exact.contains(name);
+    const std::string suggestion = sys::suggestion(name, {"abs_error"});
+    if (columns[i].is_exact || suggestion.empty()) continue;
+    throw ImportError(fmt::format("{}: column '{}'{}",
+                                  source.at(heading.line, fields[i].number + 1), name, suggestion));
+  }
 }
 
 std::vector<Fields> fields_of(const CsvSource& source, const CsvRow& heading) {
@@ -89,9 +112,18 @@ ImportedCell cell_of(const CsvSource& source, const CsvRow& row, const Fields& f
   return cell;
 }
 
-bool holds_a_number(const std::vector<CsvRow>& rows, std::size_t field) {
-  return std::any_of(rows.begin() + 1, rows.end(), [field](const CsvRow& row) {
-    return written_number(row.fields[field]).has_value();
+/// Whether programs write infinities or what is no number so: a column of these alone is none of
+/// texts.
+bool is_not_finite(std::string_view text) {
+  static const sys::Pattern spelt("^[-+]?(nan|inf|infinity|NaN|NAN|Inf|INF|Infinity)$");
+  return spelt.find_in(text).has_value();
+}
+
+bool holds_a_number(const std::vector<CsvRow>& rows, const Fields& fields) {
+  if (fields.abs_error) return true;
+  return std::any_of(rows.begin() + 1, rows.end(), [&fields](const CsvRow& row) {
+    const std::string& text = row.fields[fields.number];
+    return written_number(text).has_value() || is_not_finite(text);
   });
 }
 
@@ -128,10 +160,12 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
   }
   const std::vector<Fields> fields = fields_of(source, rows.front());
   complete(columns, source, rows.front(), fields);
+  declare_exact(columns, source, rows.front(), fields, options.exact);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool keeps_digits = columns[i].format == NumberFormat::as_written;
-    if (keeps_digits && !holds_a_number(rows, fields[i].number))
+    if (keeps_digits && !holds_a_number(rows, fields[i])) {
       columns[i].format = NumberFormat::text;
+    }
   }
 
   std::vector<std::vector<ImportedCell>> cells;

@@ -87,20 +87,23 @@ Value value_of(const JsonFile& file, const Json::Value& entry, const std::string
 }
 
 ImportedColumn column_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
-  file.require_fields(entry, what,
-                      {"heading", "unit", "decimals", "exponent", "digits", "integer", "text"});
+  file.require_fields(
+      entry, what,
+      {"heading", "unit", "decimals", "exponent", "digits", "integer", "text", "exact"});
   ImportedColumn column{.heading = text_field(file, entry, what, "heading"),
                         .unit = unit_field(file, entry, what)};
+  const auto require_true = [&](const char* field) {
+    if (!entry[field].isBool() || !entry[field].asBool()) {
+      file.fail(entry[field], fmt::format("{}: {} can only be true", what, field));
+    }
+  };
+  column.is_exact = entry.isMember("exact");
+  if (column.is_exact) require_true("exact");
   int n_formats = 0;
   const auto is_set = [&](const char* field) {
     if (!entry.isMember(field)) return false;
     ++n_formats;
     return true;
-  };
-  const auto require_true = [&](const char* field) {
-    if (!entry[field].isBool() || !entry[field].asBool()) {
-      file.fail(entry[field], fmt::format("{}: {} can only be true", what, field));
-    }
   };
   if (is_set("decimals")) {
     column.format = NumberFormat::decimals;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "literate/document/document.hpp"
@@ -12,6 +13,7 @@ namespace literate {
 struct ImportOptions {
   std::filesystem::path root = ".";  ///< the checkout; places are told relative to it
   std::string prefix = {};           ///< put before each key of a value and each name of a table
+  std::set<std::string> exact = {};  ///< headings of a CSV file whose numbers have no error
 };
 
 /// Registers the values and tables that another program (Octave, Python, Fortran …) wrote as JSON.
@@ -29,14 +31,16 @@ struct ImportOptions {
 ///       {"columns": [{"heading": "$x$", "unit": "in", "decimals": 3}, …], "rows": [[0.005, …], …]}
 ///     A column has a heading (LaTeX) and prints by decimals (with exponent: of the number divided
 ///     by 10^exponent), digits, integer: true or text: true; without any of them each number keeps
-///     the digits of the file. A cell is a number, a text, null or {"value": …, "abs_error": …}.
+///     the digits of the file as far as its error supports them. A cell is a text, null or
+///     {"value": …, "abs_error": …}, or a bare number where the column is of integers or says
+///     exact: true.
 ///
 /// The file and its script are attached to the document, and are the source place of each value and
 /// table. Throws ImportError, «file:line:column: what is wrong», for anything else: bad JSON, a key
-/// twice, an unknown or missing field, a number that is not finite (also as null), digits that the
-/// error does not support, a unit that cannot be printed, a key or name that is malformed or
-/// registered already, a script that cannot be read or has changed since. Nothing is registered
-/// then.
+/// twice, an unknown or missing field, a number that is not finite (also as null), one without its
+/// error, digits that the error does not support, a unit that cannot be printed, a key or name that
+/// is malformed or registered already, a script that cannot be read or has changed since. Nothing
+/// is registered then.
 void import_json(Document& document, const std::filesystem::path& file,
                  const ImportOptions& options = {});
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "literate/imports/import_error.hpp"
+#include "literate/text/characters.hpp"
 #include "literate/values/decimal.hpp"
 
 namespace literate {
@@ -25,21 +26,30 @@ bool has_exponents(const Rows& rows, std::size_t column) {
 }
 
 Column column_of(const ImportedColumn& column, bool writes_exponents) {
+  const auto numbers = [&](const Format& format) {
+    const Column printed(column.heading, format, column.unit);
+    return column.is_exact ? printed.exact() : printed;
+  };
   switch (column.format) {
     case NumberFormat::decimals:
-      return Column(column.heading, fixed(column.digits), column.unit)
-          .scaled(column.exponent)
-          .exact();
+      return numbers(fixed(column.digits)).scaled(column.exponent);
     case NumberFormat::digits:
-      return Column(column.heading, scientific(column.digits), column.unit).exact();
+      return numbers(scientific(column.digits));
     case NumberFormat::integer:
-      return {column.heading, integer(), column.unit};
+      return numbers(integer());
     case NumberFormat::text:
       return Column::text(column.heading);
     case NumberFormat::as_written:
       break;
   }
-  return {column.heading, writes_exponents ? scientific(1) : fixed(0), column.unit};
+  return numbers(writes_exponents ? scientific(1) : fixed(0));
+}
+
+/// The digits of a decimal number without zeros in front.
+std::string significant_digits(std::string_view number) {
+  std::string digits(number.substr(0, number.find_first_of("eE")));
+  std::erase_if(digits, [](char c) { return !is_digit(c); });
+  return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
 }
 
 /// The power of ten of the last digit that a number of this column is printed with.
@@ -56,19 +66,36 @@ int printed_place(const ImportedColumn& column, const WrittenNumber& written) {
   }
 }
 
-void require_earned(const ImportedCell& cell, const WrittenNumber& written, int place) {
-  if (!cell.abs_error) return;
+void require_earned(const ImportedColumn& column, const ImportedCell& cell,
+                    const WrittenNumber& written) {
+  if (!cell.abs_error) {
+    if (column.is_exact || column.format == NumberFormat::integer) return;
+    throw ImportError(fmt::format(
+        "{}: {} comes without its error: give column '{}' an abs_error, or declare it exact",
+        cell.at, written.text, column.heading));
+  }
   const double error = *cell.abs_error;
   if (!std::isfinite(error) || error < 0) {
     throw ImportError(fmt::format("{}: abs_error = {}: must be finite and not negative", cell.at,
                                   round_trip(error)));
   }
-  if (std::pow(10.0, place) < error) {
+  const int place = printed_place(column, written);
+  if (column.format != NumberFormat::as_written && std::pow(10.0, place) < error) {
     throw ImportError(
         fmt::format("{}: {} is printed to the place 1e{}, more digits than its error of "
                     "{} supports",
                     cell.at, round_trip(written.number), place, round_trip(error)));
   }
+}
+
+/// All digits that are printed must be those that were written.
+void require_held(const ImportedColumn& column, const ImportedCell& cell,
+                  const WrittenNumber& written) {
+  if (column.format != NumberFormat::as_written && column.format != NumberFormat::integer) return;
+  const auto printed = written_number(scientific(rounded_to_place(written.number, written.place)));
+  if (printed && significant_digits(printed->text) == significant_digits(written.text)) return;
+  throw ImportError(fmt::format("{}: {} has more digits than a number holds: write it as a text",
+                                cell.at, written.text));
 }
 
 Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
@@ -84,7 +111,8 @@ Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
     throw ImportError(fmt::format("{}: {} is not a whole number, as column '{}' holds", cell.at,
                                   round_trip(written.number), column.heading));
   }
-  require_earned(cell, written, printed_place(column, written));
+  require_earned(column, cell, written);
+  require_held(column, cell, written);
   if (column.format == NumberFormat::as_written) {
     return Cell::quoted(written.number, written.place, cell.abs_error);
   }
@@ -114,7 +142,7 @@ std::optional<WrittenNumber> written_number(std::string_view text) {
       (digits.front() == '.' || (digits.front() >= '0' && digits.front() <= '9'));
   if (!begins_as_number) return std::nullopt;
 
-  WrittenNumber written;
+  WrittenNumber written{.text = std::string(text)};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), written.number);
   if (end != text.data() + text.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {

@@ -27,7 +27,8 @@ struct ImportedColumn {
   NumberFormat format = NumberFormat::as_written;
   int digits = 0;
   int exponent = 0;
-  std::string at = {};  ///< where it is described, for messages; filled in by what reads the file
+  bool is_exact = false;  ///< whether a number without an error is exact
+  std::string at = {};    ///< where it is described, for messages; filled in by what reads the file
 };
 
 /// A number as a file writes it.
@@ -35,6 +36,7 @@ struct WrittenNumber {
   double number = 0;
   int place = 0;  ///< the power of ten of the last written digit
   bool has_exponent = false;
+  std::string text;  ///< as it is written
 };
 
 /// Reads a decimal number, with a sign, a point or an exponent or without; none if the text is
@@ -48,10 +50,12 @@ struct ImportedCell {
   std::string at = {};  ///< «file:line:column», for messages
 };
 
-/// Makes a table for the document. A number without an error counts as exact.
+/// Makes a table for the document. A number that keeps its digits keeps them as far as its error
+/// supports them.
 ///
 /// Throws ImportError naming the cell for a number or an error bound that is not finite, an error
-/// bound that is negative, a number printed with more digits than its error supports, a text in a
+/// bound that is negative, a number without an error unless its column is exact or of integers, a
+/// number printed with more digits than its error supports or a double holds, a text in a
 /// column of numbers, a number in a column of texts, and a fraction in a column of whole numbers;
 /// naming the column's place, or `at`, which is where the table begins, for a column that cannot be
 /// printed.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -8,14 +10,19 @@
 
 #include "command_line/options.hpp"
 #include "literate/document/names.hpp"
+#include "literate/figures/plotted.hpp"
 #include "literate/main/stages.hpp"
 #include "literate/prose/figure_widths.hpp"
 #include "literate/prose/images.hpp"
+#include "literate/prose/inputs.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/quotations.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
+#include "system/files.hpp"
+#include "system/parallel.hpp"
+#include "system/pattern.hpp"
 
 namespace literate {
 namespace {
@@ -24,23 +31,67 @@ using command_line::complain;
 using command_line::ExitCode;
 
 struct CheckOptions {
-  std::string document, generated, quoted_text;
+  std::string document, generated, quoted_text, figures = "figures";
 };
 
 void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) complain(line, ExitCode::failed);
 }
 
+/// What the scripts of drawn figures print that was typed, and what of their data they leave out
+/// without a comment «# outside: reason».
+std::vector<std::string> script_findings(const std::filesystem::path& generated, const Names& names,
+                                         const std::string& label) {
+  static const sys::Pattern mark(R"((?:^|\n)\s*#\s*outside\b:?[ \t]*(\S?))");
+  const std::filesystem::path scratch = generated.string() + ".points";
+  const auto figures = generated / "figures";
+  std::vector<std::string> drawn;
+  for (const auto& [name, place] : names.figure_places) {
+    if (std::filesystem::is_regular_file(figures / name / "script.gp")) drawn.push_back(name);
+  }
+  std::vector<std::vector<std::string>> found(drawn.size());
+  std::filesystem::remove_all(scratch);
+  sys::for_each_parallel(drawn.size(), 0, [&](std::size_t i) {
+    const std::string script = sys::read_file(figures / drawn[i] / "script.gp");
+    const std::string file = fmt::format("{}/{}.gp", label, drawn[i]);
+    found[i] = typed_numbers_in_script(script, file);
+    const std::size_t n_outside =
+        n_points_outside(figures / drawn[i], drawn[i], scratch / drawn[i]);
+    const auto marked = mark.find_in(script);
+    if (n_outside > 0 && (!marked || marked->parts[1].empty())) {
+      found[i].push_back(fmt::format(
+          "{}: {} of the points that are registered lie outside its ranges: widen them, or say why "
+          "in a line '# outside: reason'",
+          file, n_outside));
+    } else if (n_outside == 0 && marked) {
+      found[i].push_back(fmt::format("{}: '# outside' is said where no point is", file));
+    }
+  });
+  std::filesystem::remove_all(scratch);
+  std::vector<std::string> findings;
+  for (auto& of_one : found) std::ranges::move(of_one, std::back_inserter(findings));
+  const auto style = figures / "style.gp";
+  if (std::filesystem::is_regular_file(style)) {
+    std::ranges::move(typed_numbers_in_script(sys::read_file(style), label + "/style.gp"),
+                      std::back_inserter(findings));
+  }
+  return findings;
+}
+
 ExitCode run(const CheckOptions& options) {
   const Names names = read_names(std::filesystem::path(options.generated) / "names.json");
   ReferenceReport references = check_references(options.document, names);
   std::ranges::move(images_of(options.document).errors, std::back_inserter(references.errors));
+  std::ranges::move(missing_inputs(options.document, options.generated),
+                    std::back_inserter(references.errors));
   std::ranges::move(figure_width_errors(options.document), std::back_inserter(references.errors));
   std::vector<std::string> findings = typed_numbers_below(options.document);
   const auto add = [&](std::vector<std::string> more) {
     std::ranges::move(more, std::back_inserter(findings));
   };
   add(typed_numbers_in(names.texts));
+  add(script_findings(options.generated, names,
+                      std::filesystem::path(options.figures).filename().string()));
   add(unquoted_statements(statements_below(options.document)));
   if (!options.quoted_text.empty()) {
     add(quotation_errors(read_quotations(options.document), options.quoted_text));
@@ -64,7 +115,8 @@ void add_check_stage(CLI::App& program, ExitCode& exit_code) {
   using namespace command_line;
   add_command(program, "check",
               "Check the prose of the document against what `compute` wrote: unknown names, unused "
-              "ones, typed numbers, quotations, what does not hold",
+              "ones, missing parts, typed numbers, points that no figure shows, quotations, what "
+              "does not hold",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<CheckOptions>();
                 add_required_text(command, "--document", options->document, "DIR",
@@ -73,6 +125,8 @@ void add_check_stage(CLI::App& program, ExitCode& exit_code) {
                                   "Folder that `compute` wrote");
                 add_text(command, "--quoted-text", options->quoted_text, "FILE",
                          "The text that is quoted: hold every quotation against it");
+                add_text(command, "--figures", options->figures, "DIR",
+                         "Folder of the figures' scripts, for messages");
                 return [options] { return run(*options); };
               });
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "literate/document/document.hpp"
@@ -15,6 +16,7 @@ struct Inputs {
   std::filesystem::path case_file;  ///< the parameters
   std::filesystem::path source;     ///< the paper's checkout
   std::vector<Excerpt> excerpts;    ///< of its sources
+  std::string paper = {};  ///< its NAME in literate_add_paper, of a program that has several
 };
 
 /// Computes what a paper says and registers it with the document.

@@ -12,6 +12,7 @@
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "literate/excerpts/find_excerpts.hpp"
+#include "literate/main/guarded_computation.hpp"
 #include "literate/main/stage_record.hpp"
 #include "literate/main/stages.hpp"
 #include "system/error.hpp"
@@ -24,6 +25,7 @@ using command_line::ExitCode;
 namespace {
 
 struct ComputeOptions {
+  std::string paper;
   std::string case_file;
   std::string output;
   std::string source = ".";
@@ -62,9 +64,9 @@ Document computed(const Inputs& inputs, const Compute& compute) {
   for (int n_runs = 0; n_runs < most_runs; ++n_runs) {
     const FileAsRead before(inputs.case_file);
     Document document;
-    compute(document, inputs);
+    compute_guarded(document, inputs, compute);
     if (FileAsRead(inputs.case_file) == before) {
-      document.computed_from(before.digest);
+      document.computed_from(inputs.case_file.filename().string(), before.digest);
       return document;
     }
     command_line::complain(
@@ -88,12 +90,23 @@ FileDigests files_read(const ComputeOptions& options, const Document& document) 
   return files;
 }
 
-ExitCode run(const ComputeOptions& options, const Paper& paper, const Compute& compute) {
+// A case that cannot be read is told before all else. One from a pipe, which can be read only once,
+// is kept beside the output.
+std::string case_to_read(const ComputeOptions& options) {
+  const std::string text = sys::read_file(options.case_file);
+  if (fs::is_regular_file(options.case_file)) return options.case_file;
+  const fs::path output = fs::absolute(options.output + "/").lexically_normal().parent_path();
+  sys::write_if_changed(output.string() + ".case.toml", text);
+  return output.string() + ".case.toml";
+}
+
+ExitCode run(ComputeOptions options, const Paper& paper, const Compute& compute) {
   const command_line::Stage computing("compute");
-  sys::read_file(options.case_file);  // one that cannot be read is told before all else
+  options.case_file = case_to_read(options);
   const Inputs inputs{.case_file = options.case_file,
                       .source = options.source,
-                      .excerpts = find_excerpts(options.source, paper.source_folders)};
+                      .excerpts = find_excerpts(options.source, paper.source_folders),
+                      .paper = options.paper};
   require_compiled(inputs.excerpts, paper.excerpts);
   require_writable(options.output);
   StageRecord record(options.record);
@@ -119,6 +132,8 @@ void add_compute_stage(CLI::App& program, ExitCode& exit_code, const Paper& pape
       program, "compute", "Compute values and tables and what the figures show, and write them",
       exit_code, [&paper, &compute](CLI::App& command) {
         auto options = std::make_shared<ComputeOptions>();
+        add_text(command, "--paper", options->paper, "NAME",
+                 "Which paper to compute, of a program that has several");
         add_required_text(command, "--case", options->case_file, "FILE", "Case file");
         add_required_text(command, "--output", options->output, "DIR", "Folder to write to");
         add_text(command, "--source", options->source, "DIR",

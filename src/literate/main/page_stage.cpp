@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -15,11 +17,9 @@
 #include "literate/page/one_file.hpp"
 #include "literate/page/page.hpp"
 #include "literate/page/page_data.hpp"
-#include "literate/prose/restyle.hpp"
-#include "literate/prose/statements.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/process.hpp"
+#include "system/lines.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -29,7 +29,7 @@ using command_line::complain;
 using command_line::ExitCode;
 
 struct WriteOptions {
-  std::string document, main_file, generated, repository, build;
+  std::string document, main_file, generated, repository, build, aux, engine, record;
 };
 
 struct EmbedOptions {
@@ -37,21 +37,21 @@ struct EmbedOptions {
   std::string citation_file, site, bibtex_file, beside;
 };
 
-// What BibTeX makes of the citations, as it does for the PDF.
-std::string run_bibtex(const WriteOptions& options, const std::string& aux) {
-  const fs::path build = options.build;
-  sys::write_if_changed(build / "page.aux", aux);
-  const std::string document = fs::absolute(options.document).string();
-  const sys::ProcessResult result =
-      sys::run({.program = "bibtex",
-                .arguments = {"-terse", "page"},
-                .working_directory = build,
-                .environment = {{"BIBINPUTS", document + ":"}, {"BSTINPUTS", document + ":"}},
-                .limit = {.what = "BibTeX on page.aux", .seconds = 60}});
-  if (result.exit_status > 1 || !fs::exists(build / "page.bbl")) {
-    throw sys::ToolError("BibTeX failed (" + sys::end_of(result) + "):\n" + result.output);
+// The PDF, whose numbers the page takes, must be of the same text.
+void require_same_state(const std::string& record) {
+  if (record.empty()) return;
+  if (!fs::is_regular_file(record)) {
+    throw sys::InputError("the PDF, whose numbers the page takes, is not made yet");
   }
-  return sys::read_file(build / "page.bbl");
+  const std::string text = sys::read_file(record);
+  for (const std::string_view line : sys::lines_of(text)) {
+    const auto blank = line.find("  ");
+    const std::string file(line.substr(std::min(blank + 2, line.size())));
+    if (!file.ends_with(".tex") && !file.ends_with(".sha256")) continue;
+    if (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, blank)) continue;
+    throw sys::InputError(
+        fmt::format("'{}' is not as it was when the PDF was made: make the PDF again", file));
+  }
 }
 
 std::string lines_of(std::vector<std::string> names) {
@@ -66,20 +66,17 @@ ExitCode write(const WriteOptions& options) {
   const fs::path generated = options.generated;
   const fs::path build = options.build;
   fs::create_directories(build);
-  const Names names = read_names(generated / "names.json");
-  const Restyled restyled = restyled_values(options.document, names);
-  for (const std::string& error : restyled.errors) complain(error, ExitCode::bad_input);
-  if (!restyled.errors.empty()) return ExitCode::bad_input;
-  write_statements(options.document, names, build / "statements.tex");
+  require_same_state(options.record);
   PageSources sources{.document = options.document,
                       .main_file = options.main_file,
                       .generated = generated,
-                      .statements = sys::read_file(build / "statements.tex"),
-                      .restyled = restyled.latex,
+                      .aux = options.aux,
+                      .engine = options.engine,
+                      .build = build,
+                      .known = sys::read_file(fs::path(options.engine) / "known.tex"),
                       .repository = {}};
   const fs::path repository = fs::path(options.repository) / "repository.tex";
   if (fs::is_regular_file(repository)) sources.repository = sys::read_file(repository);
-  sources.bibliography = [&](const std::string& aux) { return run_bibtex(options, aux); };
   const Page page = write_page(sources);
   for (const std::string& error : page.errors) complain(error, ExitCode::bad_input);
   if (!page.errors.empty()) return ExitCode::bad_input;
@@ -89,6 +86,10 @@ ExitCode write(const WriteOptions& options) {
                                                             {"date", page.date},
                                                             {"description", page.description}}
                                                  .dump());
+  std::string typeset;
+  for (const std::string& picture : page.typeset)
+    typeset += "\\begin{typeset}%\n" + picture + "%\n\\end{typeset}\n";
+  sys::write_if_changed(build / "typeset.txt", typeset);
   sys::write_if_changed(build / "figures.txt", lines_of(page.figures));
   sys::write_if_changed(build / "pictures.txt", lines_of(page.pictures));
   return ExitCode::success;
@@ -136,7 +137,8 @@ ExitCode embed(const EmbedOptions& options) {
     sys::write_file_atomically(options.bibtex_file, bibtex_entry(citation));
   }
   sys::write_file_atomically(options.output, html);
-  return ExitCode::success;
+  // As of the PDF: the page is made, since it is where one looks for the cause.
+  return command_line::answer_faults(read_names(fs::path(options.generated) / "names.json").faults);
 }
 
 }  // namespace
@@ -153,6 +155,12 @@ void add_page_stage(CLI::App& program, sys::ExitCode& exit_code) {
                                   "Folder that `compute` and `draw` wrote");
                 add_required_text(command, "--repository", options->repository, "DIR",
                                   "Folder with the state of the repository, repository.tex");
+                add_required_text(command, "--aux", options->aux, "FILE",
+                                  "The .aux file of the PDF, with all its numbers");
+                add_required_text(command, "--engine", options->engine, "DIR",
+                                  "Folder with the filter for pandoc");
+                add_text(command, "--record", options->record, "FILE",
+                         "Record of what the PDF was made from; refuse what was changed since");
                 add_required_text(
                     command, "--build", options->build, "DIR",
                     "Folder for page.html, and the lists figures.txt and pictures.txt");

@@ -19,13 +19,13 @@ struct Paper {
   std::string flags = {};                             ///< of the compiler, for the build type
   std::string main_file = {};                         ///< of the LaTeX document
   std::vector<std::string> source_folders = {};       ///< that hold its code and excerpts
-  std::string figures_folder = {};                    ///< that holds its gnuplot scripts
   std::string repository = {};                        ///< folder of its state, from the program's
   std::vector<CompiledExcerpt> excerpts = {};         ///< as the program was compiled from them
   std::map<std::string, std::string> libraries = {};  ///< versions, besides those of the engine
 };
 
-/// The paper whose program this is. literate_add_paper compiles it into each program.
+/// The paper whose program this is; of several papers the first. literate_add_paper compiles it
+/// into each program.
 const Paper& this_paper();
 
 /// «rod 1.2.0 (commit 0123456789ab, modified)», for --version.

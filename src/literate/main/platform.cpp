@@ -5,7 +5,6 @@
 #include <gnu/libc-version.h>
 #include <openssl/opensslv.h>
 #include <sys/utsname.h>
-#include <toml++/impl/version.h>
 
 #include <CLI/Version.hpp>
 #include <boost/version.hpp>
@@ -30,7 +29,11 @@ std::map<std::string, std::string> engine_libraries() {
       {"glibc", gnu_get_libc_version()},
       {"nlohmann-json", joined(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                NLOHMANN_JSON_VERSION_PATCH)},
-      {"toml++", joined(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)}};
+      {"toml++", LITERATE_TOMLPLUSPLUS_VERSION}};
+}
+
+std::string engine_version() {
+  return LITERATE_VERSION;
 }
 
 std::string processor() {

@@ -11,6 +11,9 @@ namespace literate {
 /// runs.
 std::map<std::string, std::string> engine_libraries();
 
+/// The engine's own version.
+std::string engine_version();
+
 /// The processor's architecture and those of its instruction sets by which numerical libraries and
 /// the C library choose their code, e.g. "x86_64 avx avx2 fma": others may round differently.
 std::string processor();

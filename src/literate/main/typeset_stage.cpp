@@ -46,6 +46,7 @@ namespace {
 struct TypesetStageOptions {
   std::string document, main_file, generated, build, output;
   std::string engine = "pdflatex";
+  std::string figures = "figures";
   bool tolerates_overfull = false;
   std::string digest, manifest, case_file, source = ".", repository, against, record;
 };
@@ -69,6 +70,11 @@ std::string name_within(const fs::path& root, const fs::path& file) {
   return (is_inside ? relative : file.filename()).generic_string();
 }
 
+// The folder of the gnuplot scripts, from the root on.
+std::string scripts_folder(const fs::path& root, const TypesetStageOptions& options) {
+  return fs::weakly_canonical(root / options.figures).lexically_relative(root).generic_string();
+}
+
 // All that `compute` and `draw` wrote.
 std::vector<std::string> made_files(const Names& names) {
   std::vector<std::string> files = names.files;
@@ -85,7 +91,7 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   for (const std::string& folder : paper.source_folders) {
     files.merge(sources_below(root, folder, {".cpp", ".hpp", ".in", ".sty"}));
   }
-  files.merge(sources_below(root, paper.figures_folder, {".gp"}));
+  files.merge(sources_below(root, scripts_folder(root, options), {".gp"}));
   files.merge(imported_files(fs::path(options.generated) / "names.json"));
   const fs::path document = fs::weakly_canonical(options.document);
   const std::string folder = name_within(root, document);
@@ -121,6 +127,10 @@ Manifest manifest_without_pdf(const TypesetStageOptions& options, const Paper& p
                       {"commit", repository.commit},
                       {"modified", repository.modified ? "yes" : "no"},
                       {"date", repository.date}}},
+                    {"engine",
+                     {{"engine version", engine_version()},
+                      {"engine commit", repository.engine_commit},
+                      {"engine modified", repository.engine_modified ? "yes" : "no"}}},
                     {"platform",
                      {{"compiler", paper.compiler},
                       {"build type", paper.build_type},
@@ -133,7 +143,8 @@ Manifest manifest_without_pdf(const TypesetStageOptions& options, const Paper& p
                        sys::tool_version(options.engine)}}}},
           .inputs = inputs_of(options, paper, names),
           .outputs = digests(generated, made_files(names), "generated/"),
-          .numbers = numbers_in(generated / "names.json")};
+          .numbers = numbers_in(generated / "names.json"),
+          .verdicts = verdicts_in(generated / "names.json")};
 }
 
 // Says how this report differs from the one that `file` tells of. The same bytes are not asked of
@@ -147,13 +158,25 @@ ExitCode compare_with(const std::string& file, const Manifest& theirs, const Man
   fmt::print("{} of {} files have other bytes than '{}' tells of; the first is {}\n",
              found.changed_outputs.size(), ours.outputs.size(), file,
              found.changed_outputs.front());
+  if (!found.reasons.empty()) fmt::print("They may, since these are not the same:\n");
   for (const std::string& reason : found.reasons) fmt::print("  {}\n", reason);
   for (const std::string& moved : found.moved) complain("moved: " + moved, ExitCode::failed);
   if (!found.moved.empty()) return ExitCode::failed;
   if (found.reasons.empty()) {
     return complain("tools and sources are the same, and so should the bytes be", ExitCode::failed);
   }
-  fmt::print("{} numbers are the same within their errors\n", ours.numbers.size());
+  fmt::print("{} numbers of text and tables are the same within their errors, and {} verdicts\n",
+             ours.numbers.size(), ours.verdicts.size());
+  const auto is_data = [](const std::string& output) {
+    return output.starts_with("generated/figures/") && output.ends_with(".csv");
+  };
+  const auto n_data = std::ranges::count_if(
+      ours.outputs, [&](const auto& output) { return is_data(output.first); });
+  const auto n_others = std::ranges::count_if(found.changed_outputs, is_data);
+  fmt::print("{} of {} files of data for figures have the same bytes\n", n_data - n_others, n_data);
+  for (const std::string& output : found.changed_outputs) {
+    if (is_data(output)) fmt::print("  not {}\n", output);
+  }
   return ExitCode::success;
 }
 
@@ -241,7 +264,7 @@ std::optional<ExitCode> typeset_once(const TypesetStageOptions& options, const P
                              .output_pdf = options.output,
                              .engine = options.engine,
                              .figures = names.figure_places,
-                             .scripts_label = fs::path(paper.figures_folder).filename().string(),
+                             .scripts_label = fs::path(options.figures).filename().string(),
                              .tolerates_overfull = tolerates_overfull(options)};
   const bool is_recorded = !options.manifest.empty() || !options.against.empty();
   Typeset done;
@@ -309,6 +332,8 @@ void add_typeset_stage(CLI::App& program, ExitCode& exit_code, const Paper& pape
         add_required_text(command, "--build", options->build, "DIR",
                           "Folder for LaTeX's own files");
         add_required_text(command, "--output", options->output, "FILE", "The PDF");
+        add_text(command, "--figures", options->figures, "DIR",
+                 "Folder of the gnuplot scripts, for messages and the manifest");
         add_choice(command, "--engine", options->engine, {"pdflatex", "lualatex"},
                    "The LaTeX that typesets it");
         add_switch(command, "--tolerate-overfull", options->tolerates_overfull,

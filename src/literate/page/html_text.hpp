@@ -9,14 +9,15 @@ namespace literate {
 /// Escapes characters for HTML, in text and in attributes between double quotation marks.
 std::string escape_html(std::string_view text);
 
-/// The text of a piece of HTML: without tags, and with white space joined.
+/// The text of a piece of HTML: without tags and the TeX of formulas, and with white space joined.
+/// Characters stay escaped.
 std::string text_of_html(std::string_view html);
 
-/// Without links, footnotes and ids, as in contents that repeat a heading.
-std::string without_links(std::string_view html);
+/// One word for what the page tells apart by a colour: «partly» for «partly confirmed».
+std::string one_word(const std::string& verdict);
 
-/// Without the element around it if all is a single paragraph.
-std::string without_paragraph(std::string html);
+/// A text without its blanks and line ends, by which formulas are compared.
+std::string without_blanks(std::string_view text);
 
 /// Replaces every occurrence.
 std::string replaced(std::string text, std::string_view from, std::string_view to);

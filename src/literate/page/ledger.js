@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ledger, filtered by verdict and by who says it.
 
-const originNames = {paper: "the paper's", ours: "our own"};
+const originNames = {paper: "of others", ours: "our own"};
 
 lit.part(function ledger() {
   const entries = [...document.querySelectorAll(".lit-ledger-entry")];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/page/one_file.hpp"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "literate/page/html_text.hpp"
-#include "literate/page/small_svg.hpp"
 #include "system/files.hpp"
 
 namespace literate {
@@ -40,7 +40,7 @@ std::string with_files(std::string text, std::string_view before, std::string_vi
     if (is_address) {
       whole += name;
     } else if (file.extension() == ".svg") {
-      whole += svg_address(small_svg(sys::read_file(file)));
+      whole += svg_address(sys::read_file(file));
     } else {
       whole += data_address(type_of(file), sys::read_file(file));
     }
@@ -98,12 +98,6 @@ std::string svg_address(std::string_view svg) {
       case '&':
         address += "%26";
         break;
-      case '<':
-        address += "%3C";
-        break;
-      case '>':
-        address += "%3E";
-        break;
       case '\n':
         address += ' ';
         break;
@@ -115,20 +109,14 @@ std::string svg_address(std::string_view svg) {
 }
 
 std::string data_address(std::string_view type, std::string_view bytes) {
-  static constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string address = "data:" + std::string(type) + ";base64,";
-  address.reserve(address.size() + bytes.size() * 4 / 3 + 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::array<unsigned, 3> byte{};
-    for (std::size_t j = 0; j < n; ++j) byte[j] = static_cast<unsigned char>(bytes[i + j]);
-    const unsigned all = byte[0] << 16 | byte[1] << 8 | byte[2];
-    for (std::size_t j = 0; j < 4; ++j) {
-      address += j <= n ? digits[all >> (18 - 6 * j) & 63] : '=';
-    }
-  }
-  return address;
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1,
+                   '\0');  // with the zero that OpenSSL ends it by
+  const std::string input(bytes);
+  const int n = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                                reinterpret_cast<const unsigned char*>(input.data()),
+                                static_cast<int>(input.size()));
+  text.resize(static_cast<std::size_t>(n));
+  return "data:" + std::string(type) + ";base64," + text;
 }
 
 std::string one_file(std::string html, const PageParts& parts) {

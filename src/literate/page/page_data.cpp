@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "literate/document/names.hpp"
+#include "literate/page/html_text.hpp"
 #include "literate/page/plotted_json.hpp"
 #include "literate/prose/statements.hpp"
 #include "system/error.hpp"
@@ -20,11 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using nlohmann::json;
-
-/// One word for what the page tells apart by a colour: «partly» for «partly confirmed».
-std::string one_word(const std::string& verdict) {
-  return verdict.substr(0, verdict.find(' '));
-}
 
 /// «file:line» of a place that names the column too.
 std::string without_column(const std::string& place) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "command_line/options.hpp"
+#include "config/entries.hpp"
 #include "literate/program/commands.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -26,22 +28,47 @@ struct CasesOptions {
   std::string keys, output;
 };
 
-/// What one case came to: its exit code, and its names.json where the computation got so far.
+/// What one case came to: its exit code, its names.json where the computation got so far, and what
+/// its file says.
 struct Case {
   std::string name;
   std::string exit_code;
   json names;
+  std::map<std::string, std::string> parameters;
 };
 
 Case read_case(const fs::path& folder) {
   Case result{.name = folder.filename().string(),
               .exit_code = std::string(sys::lines_of(sys::read_file(folder / "exit_code")).front()),
-              .names = json::object()};
+              .names = json::object(),
+              .parameters = {}};
   const fs::path file = folder / "generated/names.json";
   // A case that failed may have left the names of a run before.
   const bool is_computed = result.exit_code == "0" || result.exit_code == "1";
   if (is_computed && fs::exists(file)) result.names = json::parse(sys::read_file(file));
+  if (fs::exists(folder / "case.toml")) {
+    try {
+      result.parameters = config::entries_of(folder / "case.toml");
+    } catch (const sys::InputError&) {
+      // A program may read a case of another form, or refuse this one: its exit code tells.
+    }
+  }
   return result;
+}
+
+/// The parameters that are not the same in all cases.
+std::vector<std::string> varied_parameters(const std::vector<Case>& cases) {
+  std::set<std::string> all;
+  for (const Case& one : cases) {
+    for (const auto& [key, text] : one.parameters) all.insert(key);
+  }
+  std::erase_if(all, [&](const std::string& key) {
+    return std::ranges::all_of(cases, [&](const Case& one) {
+      const auto entry = one.parameters.find(key);
+      return entry != one.parameters.end() && entry->second == cases.front().parameters.at(key);
+    });
+  });
+  return {all.begin(), all.end()};
 }
 
 /// The keys asked for, or those of all values that have a number in any case.
@@ -60,11 +87,13 @@ std::vector<std::string> keys_for(const CasesOptions& options, const std::vector
   return {all.begin(), all.end()};
 }
 
-/// What a case says of an entry of one part of names.json; empty if it has none.
+/// What a case says of an entry of one part of names.json; empty if it says nothing.
 std::string entry_of(const Case& one, const char* part, const std::string& key,
                      const char* property) {
   const json entries = one.names.value(part, json::object());
-  return entries.contains(key) ? entries.at(key).at(property).get<std::string>() : "";
+  if (!entries.contains(key) || !entries.at(key).contains(property)) return "";
+  const json& entry = entries.at(key).at(property);
+  return entry.is_string() ? entry.get<std::string>() : entry.dump();
 }
 
 std::string quoted(const std::string& cell) {
@@ -87,18 +116,30 @@ command_line::ExitCode run(const CasesOptions& options) {
   std::vector<Case> cases;
   for (const std::string& folder : options.folders) cases.push_back(read_case(folder));
 
-  std::vector<std::vector<std::string>> rows;
-  const auto add_row = [&](const std::string& heading, auto&& cell_of) {
-    auto& row = rows.emplace_back(1, heading);
-    for (const Case& one : cases) row.push_back(cell_of(one));
+  std::vector<std::vector<std::string>> rows(cases.size() + 1);
+  const auto add_column = [&](const std::string& heading, auto&& cell_of) {
+    rows.front().push_back(heading);
+    for (std::size_t i = 0; i < cases.size(); ++i) rows[i + 1].push_back(cell_of(cases[i]));
   };
-  add_row("case", [](const Case& one) { return one.name; });
-  add_row("exit code", [](const Case& one) { return one.exit_code; });
+  const auto is_empty = [](const std::vector<std::string>& row) { return row.back().empty(); };
+  add_column("case", [](const Case& one) { return one.name; });
+  add_column("exit code", [](const Case& one) { return one.exit_code; });
+  for (const std::string& key : varied_parameters(cases)) {
+    add_column("parameter " + key, [&](const Case& one) {
+      const auto entry = one.parameters.find(key);
+      return entry == one.parameters.end() ? "" : entry->second;
+    });
+  }
   for (const std::string& key : keys_for(options, cases)) {
-    add_row(key, [&](const Case& one) { return entry_of(one, "values", key, "printed"); });
-    if (std::ranges::all_of(rows.back().begin() + 1, rows.back().end(),
-                            [](const std::string& cell) { return cell.empty(); })) {
+    add_column(key, [&](const Case& one) { return entry_of(one, "values", key, "printed"); });
+    if (std::all_of(rows.begin() + 1, rows.end(), is_empty)) {
       throw sys::InputError(fmt::format("--keys: no case has a value '{}'", key));
+    }
+    add_column(key + ", unrounded",
+               [&](const Case& one) { return entry_of(one, "values", key, "number"); });
+    // A text has no number.
+    if (std::all_of(rows.begin() + 1, rows.end(), is_empty)) {
+      for (auto& row : rows) row.pop_back();
     }
   }
   std::set<std::string> claims;
@@ -107,7 +148,8 @@ command_line::ExitCode run(const CasesOptions& options) {
     for (const auto& claim : of_case.items()) claims.insert(claim.key());
   }
   for (const std::string& id : claims) {
-    add_row("claim " + id, [&](const Case& one) { return entry_of(one, "claims", id, "found"); });
+    add_column("claim " + id,
+               [&](const Case& one) { return entry_of(one, "claims", id, "found"); });
   }
   sys::write_file_atomically(options.output, csv_of(rows));
   return command_line::ExitCode::success;

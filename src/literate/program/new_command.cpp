@@ -8,8 +8,12 @@
 
 #include "command_line/options.hpp"
 #include "literate/program/commands.hpp"
+#include "literate/provenance/repository.hpp"
+#include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 #include "system/pattern.hpp"
+#include "system/process.hpp"
 #include "system/staging.hpp"
 
 namespace literate {
@@ -18,6 +22,9 @@ namespace {
 
 /// What the template calls its paper: in the names of its files, and in their text.
 constexpr std::string_view template_name = "mypaper";
+
+/// What the template calls the engine's commit, to which its workflows hold.
+constexpr std::string_view template_commit = "myenginecommit";
 
 struct NewOptions {
   std::string folder, name;
@@ -29,12 +36,31 @@ fs::path template_folder() {
   return program.parent_path().parent_path() / "share/literate-" LITERATE_VERSION "/template";
 }
 
-std::string with_name(std::string text, const std::string& name) {
-  for (auto at = text.find(template_name); at != std::string::npos;
-       at = text.find(template_name, at + name.size())) {
-    text.replace(at, template_name.size(), name);
+std::string replaced(std::string text, std::string_view from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
   }
   return text;
+}
+
+std::string with_name(std::string text, const std::string& name) {
+  return replaced(std::move(text), template_name, name);
+}
+
+/// The commit that the engine was installed from, or that of its checkout; unknown without git.
+std::string engine_commit() {
+  const fs::path engine = fs::canonical(template_folder().parent_path());
+  if (fs::is_regular_file(engine / "repository.json")) return read_repository(engine).commit;
+  const std::string checkout = engine.parent_path().parent_path().string();
+  try {
+    const sys::ProcessResult said = sys::run(
+        {"git",
+         {"-c", "safe.directory=" + checkout, "-C", checkout, "rev-parse", "--short=12", "HEAD"}});
+    if (said.exit_status == 0) return std::string(sys::stripped(said.output));
+  } catch (const sys::ToolError&) {
+    // Whoever has no git has no workflow either.
+  }
+  return "unknown";
 }
 
 void require_empty(const fs::path& folder, const std::string& as_given) {
@@ -70,10 +96,12 @@ command_line::ExitCode run(const NewOptions& options) {
   require_paper_name(name);
 
   const fs::path from = template_folder();
+  const std::string commit = engine_commit();
   sys::Staging staging(folder);
   for (const std::string& file : sys::files_below(from)) {
-    sys::write_file_atomically(staging.path() / with_name(file, name),
-                               with_name(sys::read_file(from / file), name));
+    sys::write_file_atomically(
+        staging.path() / with_name(file, name),
+        replaced(with_name(sys::read_file(from / file), name), template_commit, commit));
   }
   staging.publish({});
   fmt::print("{}: cd there and run make\n", options.folder);

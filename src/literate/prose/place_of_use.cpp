@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 #include "system/pattern.hpp"
 
 namespace literate {
@@ -38,7 +41,18 @@ std::vector<std::string> uses(const GeneratedKind& kind, const std::string& name
   return places;
 }
 
-/// Names the figures and tables in the lines of a box that does not fit:
+/// The lines of a paragraph that ends in line `last`, as far as they stand in this text. TeX tells
+/// only the number of the line where it began, which may be a line of another file.
+std::pair<int, int> paragraph_before(std::string_view text, int first, int last) {
+  int begin = 1, number = 0;
+  for (const std::string_view line : sys::lines_of(text)) {
+    if (++number >= last) break;
+    if (sys::stripped(line).empty()) begin = number + 1;
+  }
+  return {first >= begin && first <= last ? first : begin, last};
+}
+
+/// Tells a box that does not fit at the first figure or table in its lines, and names them all:
 /// «report/a.tex:12: in figure 'name': Overfull …».
 std::string with_name_of_box(const std::string& message, const std::filesystem::path& source_dir) {
   static const sys::Pattern box(
@@ -50,16 +64,20 @@ std::string with_name_of_box(const std::string& message, const std::filesystem::
   if (!parts[1].starts_with(label)) return message;
   const std::filesystem::path file = source_dir / parts[1].substr(label.size());
   if (!std::filesystem::is_regular_file(file)) return message;
-  const int first = std::stoi(std::string(parts[2]));
-  const int last = std::max(first, std::stoi(std::string(parts[5].empty() ? parts[4] : parts[5])));
+  const std::string text = sys::read_file(file);
+  const int told = std::stoi(std::string(parts[4]));
+  const auto [first, last] =
+      paragraph_before(text, told, parts[5].empty() ? told : std::stoi(std::string(parts[5])));
+  int line = first;
   std::vector<std::string> names;
-  for (const TexCommand& use : commands_in(sys::read_file(file), {"fig", "tab", "image"})) {
+  for (const TexCommand& use : commands_in(text, {"fig", "tab", "image"})) {
     if (use.line < first || use.line > last) continue;
+    if (names.empty()) line = use.line;
     const char* const noun = use.name == "fig" ? "figure" : use.name == "tab" ? "table" : "picture";
     names.push_back(fmt::format("{} '{}'", noun, use.argument));
   }
-  if (names.empty()) return message;
-  return fmt::format("{}:{}: in {}: {}", parts[1], parts[2], fmt::join(names, ", "), parts[3]);
+  const std::string in = names.empty() ? "" : fmt::format("in {}: ", fmt::join(names, ", "));
+  return fmt::format("{}:{}: {}{}", parts[1], line, in, parts[3]);
 }
 
 }  // namespace
@@ -67,7 +85,7 @@ std::string with_name_of_box(const std::string& message, const std::filesystem::
 std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir) {
   // Only the first line is rewritten. The lines after it show the place in the generated file.
   static const sys::Pattern generated(
-      R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.tex(?::\d+)?):\s*([^\n]*))");
+      R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.(?:tex|txt)(?::\d+)?):\s*([^\n]*))");
   const auto match = generated.find_in(message);
   if (!match) return with_name_of_box(message, source_dir);
   const std::vector<std::string_view>& parts = match->parts;

@@ -12,7 +12,7 @@ namespace {
 // clang-format off
 const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
-    "Cref", "cref", "documentclass", "eqref", "excerpt", "fig", "finding", "findingsays", "href", "hspace", "hypertarget",
+    "Cref", "cref", "documentclass", "eqref", "fig", "finding", "findingsays", "href", "hspace", "hypertarget",
     "ifflag", "image", "include", "includegraphics", "input", "label", "limitkind", "pageref", "parbox", "phantom",
     "quoted", "quotedpage", "raisebox", "rawval", "ref", "statement", "tag", "textcolor", "url", "usepackage",
     "val", "verdictsign", "vspace"};
@@ -28,6 +28,14 @@ const std::set<std::string_view> upright_commands = {"mathrm", "text",   "textrm
                                                      "unit",   "mathup", "operatorname"};
 const std::set<std::string_view> quantity_commands = {"qty", "SI"};
 
+/// Environments whose options say where they stand.
+const std::set<std::string_view> placed_environments = {"figure", "figure*", "table", "table*"};
+
+/// What of a preamble is printed: titles, and what its definitions hold.
+const std::set<std::string_view> titles = {"title", "subtitle", "shorttitle"};
+const std::set<std::string_view> definitions = {"newcommand", "providecommand",
+                                                "DeclareRobustCommand", "def", "gdef"};
+
 /// Symbols that the prose keeps: a per-cent sign and spaces, which may stand before a unit.
 const std::set<std::string_view> visible_symbols = {"\\%", "\\,", "\\;", "\\:", "\\ "};
 
@@ -41,11 +49,10 @@ class Reader {
 
   Prose read() {
     if (const auto begin = latex_.find("\\begin{document}"); begin != std::string_view::npos) {
-      blank_next(begin);
+      read_preamble(static_cast<std::ptrdiff_t>(begin));
     }
     while (const auto token = scanner_.next()) {
-      std::fill_n(prose_.modes.begin() + position(token->text), token->text.size(), token->mode);
-      read(*token);
+      read_in_its_mode(*token);
     }
     return std::move(prose_);
   }
@@ -70,12 +77,18 @@ class Reader {
     }
   }
 
-  /// Blanks the name of a table, but not the caption in brackets before it, which is printed.
+  /// Blanks the name of a table or a listing, but not the caption in brackets before it, which is
+  /// printed.
   void blank_name_behind_options() {
     const std::string_view caption = group_at(scanner_.rest(), '[', ']');
     blank(group_at(scanner_.rest().substr(caption.size())));
   }
 
+  void read_in_its_mode(const TexToken& token) {
+    std::fill_n(prose_.modes.begin() + position(token.text), token.text.size(), token.mode);
+    read(token);
+  }
+  void read_preamble(std::ptrdiff_t end);
   void read(const TexToken& token);
   void read_command(const TexToken& command);
 
@@ -83,6 +96,25 @@ class Reader {
   TexScanner scanner_;
   Prose prose_;
 };
+
+void Reader::read_preamble(std::ptrdiff_t end) {
+  while (position(scanner_.rest()) < end) {
+    const TexToken token = *scanner_.next();
+    blank(token.text);
+    const bool is_definition = definitions.contains(token.name);
+    if (token.kind != TexKind::command || !(is_definition || titles.contains(token.name))) continue;
+    if (is_definition) {  // the name, with or without braces, and the number of its arguments
+      blank_group('{', '}');
+      if (scanner_.rest().starts_with('\\')) blank(scanner_.next()->text);
+      blank_group('[', ']');
+    }
+    const std::string_view rest = scanner_.rest();
+    const std::size_t n_options = group_at(rest, '[', ']').size();
+    const std::size_t n_body = group_at(rest.substr(n_options)).size();
+    const std::ptrdiff_t end_of_body = position(rest.substr(n_options + n_body));
+    while (position(scanner_.rest()) < end_of_body) read_in_its_mode(*scanner_.next());
+  }
+}
 
 void Reader::read(const TexToken& token) {
   switch (token.kind) {
@@ -105,7 +137,14 @@ void Reader::read(const TexToken& token) {
       if (token.name == "thebibliography") {
         return blank_next(scanner_.rest().find("\\end{thebibliography}"));
       }
-      return blank_arguments(formed_environments.contains(token.name) ? 1 : 0);
+      if (formed_environments.contains(token.name)) return blank_arguments(1);
+      // The name of a theorem is printed; where a float stands, and what has the form key=value, is
+      // not.
+      if (placed_environments.contains(token.name) ||
+          group_at(scanner_.rest(), '[', ']').find('=') != std::string_view::npos) {
+        blank_group('[', ']');
+      }
+      return;
     case TexKind::command:
       return read_command(token);
   }
@@ -118,7 +157,7 @@ void Reader::read_command(const TexToken& command) {
   if (quantity_commands.contains(command.name)) first = Prose::quantity;
   if (command.name == "cite") first = Prose::citation;
   if (command.name == "makebox") blank_arguments(0);
-  if (command.name == "tab") blank_name_behind_options();
+  if (command.name == "tab" || command.name == "excerpt") blank_name_behind_options();
   if (one_silent.contains(command.name)) blank_arguments(1);
   if (two_silent.contains(command.name)) blank_arguments(2);
   if (three_silent.contains(command.name)) blank_arguments(3);

@@ -19,7 +19,8 @@ struct Prose {
 
   /// Has the length and the line ends of the LaTeX text, and blanks in place of comments, verbatim
   /// text, names of commands, arguments that are not printed (keys, labels, lengths), the list of
-  /// references, and all that precedes \begin{document}.
+  /// references, and of what precedes \begin{document} all but titles and the bodies of
+  /// definitions.
   std::string text;
   std::vector<TexMode> modes;  ///< one for each byte of `text`
 };

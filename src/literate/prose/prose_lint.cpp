@@ -99,11 +99,11 @@ struct Marker {
   bool has_reason = false;
 };
 
-/// Finds «% constant: reason» at the end of a line.
-Marker marker_in(std::string_view line) {
-  static const sys::Pattern pattern(R"re(^%\s*constant\b:?\s*(\S?))re");
+/// Finds «% constant: reason» at the end of a line; `sign` begins a comment.
+Marker marker_in(std::string_view line, char sign) {
+  static const sys::Pattern pattern(R"re(^[%#]\s*constant\b:?\s*(\S?))re");
   constexpr std::size_t reach = 240;  // a matcher that recurses must not see a line of any length
-  for (auto at = line.find('%'); at != line.npos; at = line.find('%', at + 1)) {
+  for (auto at = line.find(sign); at != line.npos; at = line.find(sign, at + 1)) {
     if (at > 0 && line[at - 1] == '\\') continue;
     if (const auto match = pattern.find_in(line.substr(at, reach))) {
       return {true, !match->parts[1].empty()};
@@ -146,32 +146,79 @@ std::vector<Typed> typed_in(const Prose& prose) {
   return found;
 }
 
-}  // namespace
-
-std::vector<std::string> typed_numbers(std::string_view latex, const std::string& file) {
-  const std::vector<Typed> typed = typed_in(prose_of(latex));
+/// Tells what was typed, but for lines that are marked, and marks without a reason or a cause.
+std::vector<std::string> findings_in(std::string_view text, const std::string& file,
+                                     const std::vector<Typed>& typed, char sign) {
   auto next = typed.begin();
   std::vector<std::string> findings;
   int line_number = 0;
-  for (const std::string_view line : sys::lines_of(latex)) {
+  for (const std::string_view line : sys::lines_of(text)) {
     ++line_number;
-    const auto begin = static_cast<std::size_t>(line.data() - latex.data());
-    const Marker marker = marker_in(line);
+    const auto begin = static_cast<std::size_t>(line.data() - text.data());
+    const Marker marker = marker_in(line, sign);
     const auto report = [&](std::size_t column, const std::string& message) {
       findings.push_back(fmt::format("{}:{}:{}: {}", file, line_number, column, message));
     };
     const auto first = next;
     for (; next != typed.end() && next->at < begin + line.size(); ++next) {
       if (marker.is_there) continue;
-      report(sys::n_characters(latex.substr(begin, next->at - begin)) + 1,
+      report(sys::n_characters(text.substr(begin, next->at - begin)) + 1,
              fmt::format("{} is typed: take it from the computation, or end the line with "
-                         "'% constant: reason'",
-                         next->number));
+                         "'{} constant: reason'",
+                         next->number, sign));
     }
     if (marker.is_there && !marker.has_reason) report(1, "a constant is marked without a reason");
     if (marker.is_there && first == next) report(1, "a constant is marked where none is typed");
   }
   return findings;
+}
+
+/// The length of the text between quotation marks at the start of a line of gnuplot, with them.
+std::size_t quoted_length(std::string_view line) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (line[i] == '\\' && line.front() == '"') {
+      ++i;
+    } else if (line[i] == line.front()) {
+      return i + 1;
+    }
+  }
+  return line.size();
+}
+
+/// The numbers in the texts of a line of gnuplot, at their places in the line, and data that stand
+/// in the script.
+std::vector<Typed> typed_in_script(std::string_view line) {
+  static const sys::Pattern block(R"re(^\s*(\$\w+)\s*<<)re");
+  std::vector<Typed> found;
+  if (block.is_in(line)) found.push_back({line.find('$'), "a block of data"});
+  for (std::size_t at = 0; at < line.size() && line[at] != '#'; ++at) {
+    if (line[at] != '\'' && line[at] != '"') continue;
+    const std::string_view text = line.substr(at, quoted_length(line.substr(at)));
+    const bool is_color = text.size() > 1 && text[1] == '#';
+    if (text == "'-'" || text == "\"-\"") found.push_back({at, "a block of data"});
+    if (!is_color) {
+      for (const Typed& typed : typed_in(prose_of(text)))
+        found.push_back({at + typed.at, typed.number});
+    }
+    at += text.size() - 1;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> typed_numbers(std::string_view latex, const std::string& file) {
+  return findings_in(latex, file, typed_in(prose_of(latex)), '%');
+}
+
+std::vector<std::string> typed_numbers_in_script(std::string_view script, const std::string& file) {
+  std::vector<Typed> typed;
+  for (const std::string_view line : sys::lines_of(script)) {
+    const auto begin = static_cast<std::size_t>(line.data() - script.data());
+    for (const Typed& found : typed_in_script(line))
+      typed.push_back({begin + found.at, found.number});
+  }
+  return findings_in(script, file, typed, '#');
 }
 
 std::vector<std::string> typed_numbers_in(const std::vector<NamedText>& texts) {

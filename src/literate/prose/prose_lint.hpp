@@ -19,6 +19,10 @@ namespace literate {
 /// line that needs none, is reported as well. Each finding is «file:line:column: message».
 std::vector<std::string> typed_numbers(std::string_view latex, const std::string& file);
 
+/// Does the same for the texts that a gnuplot script prints, and finds data that stand in the
+/// script. The comment is «# constant: reason» there.
+std::vector<std::string> typed_numbers_in_script(std::string_view script, const std::string& file);
+
 /// Does the same for all *.tex files of the document in a folder and puts source_label in front of
 /// their names.
 /// Throws sys::OutputError if the folder or a file cannot be read.

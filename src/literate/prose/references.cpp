@@ -8,13 +8,13 @@
 #include <set>
 
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/nearest_name.hpp"
 #include "literate/prose/quotations.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/statements.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
+#include "system/nearest_name.hpp"
 
 namespace literate {
 namespace {
@@ -76,9 +76,9 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
       const ReferenceKind& kind = *std::ranges::find(kinds, use.name, &ReferenceKind::command);
       used.emplace(kind.noun, use.argument);
       if (kind.names.contains(use.argument) || is_left_out(use.branches, names.flags)) continue;
-      report.errors.push_back(
-          fmt::format("{}/{}:{}:{}: unknown {} '{}'{}", source_label(source_dir), file, use.line,
-                      use.column, kind.noun, use.argument, suggestion(use.argument, kind.names)));
+      report.errors.push_back(fmt::format(
+          "{}/{}:{}:{}: unknown {} '{}'{}", source_label(source_dir), file, use.line, use.column,
+          kind.noun, use.argument, sys::suggestion(use.argument, kind.names)));
     }
   }
   for (std::string& error : statement_errors(statements_below(source_dir), names)) {

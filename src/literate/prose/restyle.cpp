@@ -73,17 +73,18 @@ std::optional<int> count_of(const Options& options, const std::string& name, int
   return count;
 }
 
-/// How many units of the new kind make one of the old.
-double conversion(const std::string& from, const std::string& to) {
+/// A number in another unit.
+double in_unit(double number, const std::string& from, const std::string& to) {
   const auto known = [](const std::string& unit) { return unit.empty() ? std::string("1") : unit; };
   try {
-    return config::conversion_factor(known(from), known(to));
+    return config::converted(number, known(from), known(to));
   } catch (const config::UnitError& error) {
     throw std::invalid_argument(fmt::format("unit = {}: {}", to, error.what()));
   }
 }
 
-/// The number in another unit. One that was exact has the rounding of the conversion.
+/// The number in another unit. One that was exact has the rounding of the conversion, unless it has
+/// so few digits there that it was not rounded: 0.01 in are 0.254 mm.
 StoredNumber converted(StoredNumber stored, const std::string& unit) {
   const bool is_ratio = stored.is_percentage || stored.unit.empty();
   if (is_ratio && (unit == "percent" || unit == "1")) {
@@ -91,22 +92,17 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
     return stored;
   }
   require_unit(unit);
-  const double factor = conversion(stored.is_percentage ? "1" : stored.unit, unit);
+  const std::string from = stored.is_percentage ? "1" : stored.unit;
+  const double factor = in_unit(1, from, unit);
   stored.is_percentage = false;
   if (unit == stored.unit) return stored;
   stored.unit = unit == "1" ? "" : unit;
   if (factor == 1) return stored;
-  stored.number *= factor;
+  stored.number = in_unit(stored.number, from, unit);
   const double of_conversion = 2 * std::numeric_limits<double>::epsilon();
-  // Twelve digits of a parameter are as good as all: 0.01 in are 0.254 mm.
   if (stored.is_exact) {
-    const std::string text = scientific(rounded_to_digits(stored.number, 12));
-    double short_number = 0;
-    std::from_chars(text.data(), text.data() + text.size(), short_number);
-    if (std::abs(short_number - stored.number) <= of_conversion * std::abs(stored.number)) {
-      stored.number = short_number;
-      return stored;
-    }
+    constexpr std::size_t unrounded = std::numeric_limits<double>::digits10;
+    if (shortest(stored.number).digits.size() <= unrounded) return stored;
     stored.is_exact = false;
     stored.abs_error = of_conversion * std::abs(stored.number);
   } else if (stored.abs_error) {

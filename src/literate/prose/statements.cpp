@@ -9,11 +9,11 @@
 #include <string_view>
 
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/nearest_name.hpp"
 #include "literate/prose/quotations.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
+#include "system/nearest_name.hpp"
 
 namespace literate {
 namespace {
@@ -93,7 +93,8 @@ std::vector<std::string> statement_errors(const std::vector<Statement>& statemen
       errors.push_back(fmt::format("{}: {}", text_of_place(statement), message));
     };
     if (!known.contains(statement.id)) {
-      report(fmt::format("unknown claim '{}'{}", statement.id, suggestion(statement.id, known)));
+      report(
+          fmt::format("unknown claim '{}'{}", statement.id, sys::suggestion(statement.id, known)));
     }
     if (statement.sentence.empty()) {
       report(fmt::format("statement '{}' has no sentence", statement.id));
@@ -108,7 +109,7 @@ std::vector<std::string> statement_errors(const std::vector<Statement>& statemen
     if (stated.contains(id)) continue;
     stated_ids.erase(id);
     errors.push_back(fmt::format("{}: claim '{}' has no \\statement in the document{}", claim.place,
-                                 id, suggestion(id, stated_ids)));
+                                 id, sys::suggestion(id, stated_ids)));
   }
   return errors;
 }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr auto npos = std::string_view::npos;
 
-const std::set<std::string_view> verbatim_environments = {"verbatim", "verbatim*", "lstlisting"};
+const std::set<std::string_view> verbatim_environments = {"verbatim", "verbatim*", "lstlisting",
+                                                          "comment"};
 const std::set<std::string_view> displays = {
     "equation", "equation*", "align",     "align*",   "alignat",     "alignat*", "gather",
     "gather*",  "multline",  "multline*", "eqnarray", "displaymath", "eqnarray*"};

@@ -47,6 +47,16 @@ json parsed(const fs::path& file) {
   }
 }
 
+/// What `read` takes from a names.json.
+template <typename Read>
+auto from_names(const fs::path& names_json, Read read) {
+  try {
+    return read(parsed(names_json));
+  } catch (const json::exception&) {
+    throw sys::OutputError(fmt::format("'{}' is not a list of names", names_json.string()));
+  }
+}
+
 }  // namespace
 
 Manifest::Texts digests(const fs::path& folder, const std::vector<std::string>& files,
@@ -57,19 +67,29 @@ Manifest::Texts digests(const fs::path& folder, const std::vector<std::string>& 
 }
 
 std::map<std::string, ManifestNumber> numbers_in(const fs::path& names_json) {
-  try {
-    return numbers_of(parsed(names_json).at("values"));
-  } catch (const json::exception&) {
-    throw sys::OutputError(fmt::format("'{}' is not a list of names", names_json.string()));
-  }
+  return from_names(names_json, [](const json& names) {
+    auto numbers = numbers_of(names.at("values"));
+    numbers.merge(numbers_of(names.at("cells")));
+    return numbers;
+  });
+}
+
+Manifest::Texts verdicts_in(const fs::path& names_json) {
+  return from_names(names_json, [](const json& names) {
+    Manifest::Texts verdicts;
+    for (const auto& [id, claim] : names.at("claims").items()) {
+      verdicts["claim " + id] = claim.at("found");
+    }
+    for (const auto& [id, check] : names.at("checks").items()) {
+      verdicts["check " + id] = check.at("passed").get<bool>() ? "passed" : "failed";
+    }
+    return verdicts;
+  });
 }
 
 Manifest::Texts imported_files(const fs::path& names_json) {
-  try {
-    return parsed(names_json).at("imports").get<Manifest::Texts>();
-  } catch (const json::exception&) {
-    throw sys::OutputError(fmt::format("'{}' is not a list of names", names_json.string()));
-  }
+  return from_names(names_json,
+                    [](const json& names) { return names.at("imports").get<Manifest::Texts>(); });
 }
 
 std::string manifest_json(const Manifest& manifest) {
@@ -77,7 +97,8 @@ std::string manifest_json(const Manifest& manifest) {
                   {"made_with", manifest.facts},
                   {"inputs", manifest.inputs},
                   {"outputs", manifest.outputs},
-                  {"numbers", numbers_json(manifest.numbers)}};
+                  {"numbers", numbers_json(manifest.numbers)},
+                  {"verdicts", manifest.verdicts}};
   return text.dump(2) + "\n";
 }
 
@@ -92,7 +113,8 @@ Manifest read_manifest(const fs::path& file, const std::string& project) {
             .facts = text.at("made_with").get<std::map<std::string, Manifest::Texts>>(),
             .inputs = text.at("inputs").get<Manifest::Texts>(),
             .outputs = text.at("outputs").get<Manifest::Texts>(),
-            .numbers = numbers_of(text.at("numbers"))};
+            .numbers = numbers_of(text.at("numbers")),
+            .verdicts = text.at("verdicts").get<Manifest::Texts>()};
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a manifest", file.string()));
   }

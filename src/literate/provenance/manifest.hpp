@@ -9,7 +9,7 @@
 
 namespace literate {
 
-/// A number of the document, the bound of its error, and its printed text.
+/// A number in the document's text or in a table, the bound of its error, and its printed text.
 struct ManifestNumber {
   double number = 0;
   std::optional<double> abs_error;  ///< none if the number is exact or its error unknown
@@ -27,6 +27,7 @@ struct Manifest {
   Texts inputs;                        ///< the SHA-256 of each file, by its relative name
   Texts outputs;
   std::map<std::string, ManifestNumber> numbers;
+  Texts verdicts;  ///< of each claim, and whether each check passed
 };
 
 /// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file
@@ -34,9 +35,13 @@ struct Manifest {
 Manifest::Texts digests(const std::filesystem::path& folder, const std::vector<std::string>& files,
                         const std::string& prefix = "");
 
-/// Reads the values that have a number from the names.json that Document::write made; throws
-/// sys::OutputError naming a file that is missing or malformed.
+/// Reads the values and cells of tables that have a number from the names.json that Document::write
+/// made; throws sys::OutputError naming a file that is missing or malformed.
 std::map<std::string, ManifestNumber> numbers_in(const std::filesystem::path& names_json);
+
+/// The verdict on each claim, and of each check whether it passed. Throws sys::OutputError as
+/// numbers_in does.
+Manifest::Texts verdicts_in(const std::filesystem::path& names_json);
 
 /// The SHA-256 of the files that values were imported from, with their scripts, by name, as
 /// names.json lists them. Throws sys::OutputError as numbers_in does.

@@ -72,6 +72,11 @@ ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
         result.moved.push_back(
             fmt::format("{}: {} there, {} here", key, printed_or_none(a), printed_or_none(b)));
       });
+  for_each_difference(theirs.verdicts, ours.verdicts, equal,
+                      [&](const std::string& name, const std::string* a, const std::string* b) {
+                        result.moved.push_back(fmt::format("{}: {} there, {} here", name,
+                                                           text_or_none(a), text_or_none(b)));
+                      });
   return result;
 }
 

@@ -12,11 +12,11 @@ namespace literate {
 struct ManifestComparison {
   std::vector<std::string> changed_outputs;  ///< files whose bytes differ or that one of them lacks
   std::vector<std::string> reasons;          ///< each tool or input that differs, a line each
-  std::vector<std::string> moved;            ///< numbers that differ by more than their errors
+  std::vector<std::string> moved;            ///< numbers beyond their errors, and other verdicts
 };
 
-/// Compares the bytes of files and the numbers: two numbers agree if they differ by no more than
-/// the sum of their error bounds, or, if one has no bound, if they are printed the same.
+/// Compares the bytes of files, verdicts and numbers: two numbers agree if they differ by no more
+/// than the sum of their error bounds, or, if one has no bound, if they are printed the same.
 ManifestComparison compare(const Manifest& theirs, const Manifest& ours);
 
 }  // namespace literate

@@ -12,6 +12,9 @@ struct Repository {
   std::string commit = "unknown";  ///< twelve digits; unknown without git or before the first
   bool modified = false;           ///< whether files of the repository differ from the commit
   std::string date = "unknown";    ///< SOURCE_DATE_EPOCH, or else the commit's
+  std::string engine_commit =
+      "unknown";  ///< of the engine: its checkout's, or that it was installed from
+  bool engine_modified = false;
 };
 
 /// Reads the repository.json that cmake/WriteRepository.cmake wrote to a folder. Throws

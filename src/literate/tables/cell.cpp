@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -14,7 +15,7 @@
 
 namespace literate {
 
-Cell::Cell(std::string_view text) : content_(escape_latex(text)) {}
+Cell::Cell(std::string_view text) : content_(escape_latex(text)), plain_(text) {}
 
 Cell Cell::quoted(double number, int place, std::optional<double> abs_error) {
   const std::string text = scientific(rounded_to_place(number, place));
@@ -28,7 +29,7 @@ Cell Cell::quoted(double number, int place, std::optional<double> abs_error) {
                                             round_trip(number), place));
   }
   Cell cell(number);
-  cell.place_ = place;
+  cell.place_ = std::max(place, least_earned_place(abs_error.value_or(0)).value_or(place));
   cell.abs_error_ = abs_error;
   return cell;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "literate/values/decimal.hpp"
 #include "numerics/estimate.hpp"
 
 namespace literate {
@@ -20,7 +21,7 @@ class Cell {
  public:
   Cell() = default;
   template <std::integral Integer>
-  Cell(Integer number) : content_(static_cast<double>(number)), abs_error_(0) {}
+  Cell(Integer number) : content_(double_of(number)), abs_error_(0) {}
   template <std::floating_point Number>
   Cell(Number number) : content_(static_cast<double>(number)) {}
   /// Prints as the column says, but no digit that the error does not support.
@@ -30,11 +31,12 @@ class Cell {
   Cell(const char* text) : Cell(std::string_view(text)) {}
 
   /// Makes a number that another source prints with its last digit at 10^place, and with an error
-  /// bound if that source tells one: it keeps these digits, whatever the column says. Throws
+  /// bound if that source tells one: it keeps these digits as far as the error supports them,
+  /// whatever the column says. Throws
   /// std::invalid_argument for a number that has more digits.
   static Cell quoted(double number, int place, std::optional<double> abs_error = std::nullopt);
 
-  /// Makes a text that is LaTeX already.
+  /// Makes a text that is LaTeX already. Its CSV file has it as plain_text() makes it.
   static Cell latex(std::string text);
 
   /// The same number with a bound on its error, which has to support every digit that the column
@@ -56,11 +58,14 @@ class Cell {
   const std::optional<int>& place() const { return place_; }
   /// The text as LaTeX, or null.
   const std::string* text() const { return std::get_if<std::string>(&content_); }
+  /// The text as it was given; empty for one that was LaTeX already.
+  const std::string& plain() const { return plain_; }
   /// The mark, plain text; empty for none.
   const std::string& mark() const { return mark_; }
 
  private:
   std::variant<std::monostate, double, std::string> content_;
+  std::string plain_;
   std::optional<double> abs_error_;
   bool wants_all_digits_ = false;
   std::optional<int> place_;

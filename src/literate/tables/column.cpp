@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -37,8 +38,12 @@ Column::Column(std::string heading, const Format& numbers, std::string unit)
                           .unit = std::move(unit),
                           .is_exact = prints_all_digits(numbers)}) {}
 
-Column Column::text(std::string heading) {
-  return Column(ColumnFormat{.heading = std::move(heading), .numbers = std::nullopt, .unit = ""});
+Column Column::text(std::string heading, double width_cm) {
+  if (!(std::isfinite(width_cm) && width_cm >= 0)) {
+    throw std::invalid_argument(fmt::format("column '{}': a width of {} cm", heading, width_cm));
+  }
+  return Column(ColumnFormat{
+      .heading = std::move(heading), .numbers = std::nullopt, .unit = "", .width_cm = width_cm});
 }
 
 Column Column::scaled(int exponent) const {

@@ -16,6 +16,7 @@ struct ColumnFormat {
   std::string group = {};         ///< the heading over this column and its neighbours, LaTeX
   int exponent = 0;               ///< the power of ten that the unit line states
   bool is_exact = false;          ///< whether bare numbers are exact
+  double width_cm = 0;            ///< at which texts are broken into lines; 0 for one line
 };
 
 /// One column of a Table: its heading (LaTeX), how it prints numbers, and their unit (literal
@@ -27,21 +28,24 @@ struct ColumnFormat {
 ///     Column("misfit", percent(1))              // ratios; (%) below the heading
 ///     Column("nodes", integer())
 ///     Column::text("method")
+///     Column::text("remark", 4.5)               // in lines of 4.5 cm
 class Column {
  public:
   /// Throws std::invalid_argument for a unit that require_unit refuses, and for a percentage with a
   /// unit.
   Column(std::string heading, const Format& numbers, std::string unit = "");
 
-  /// Prints plain text, flush left.
-  static Column text(std::string heading);
+  /// Prints plain text, flush left, in lines of `width_cm` or, without it, in one line. Throws
+  /// std::invalid_argument for a width that is negative or not finite.
+  static Column text(std::string heading, double width_cm = 0);
 
   /// Prints the numbers divided by 10^exponent, which the unit line states. Only for fixed():
   /// throws std::invalid_argument for other formats.
   Column scaled(int exponent) const;
 
-  /// Declares that bare numbers in this column have no error: parameters, abscissae, differences of
-  /// two numbers as they were computed. Columns of integer() and exact() numbers need not say so.
+  /// Declares that bare numbers in this column have no error, such as parameters and abscissae.
+  /// They are not rounded: one with more digits than the format has prints them all. Columns of
+  /// integer() and exact() numbers need not say so.
   Column exact() const;
 
   /// Puts a heading over this column and those beside it that have the same one.

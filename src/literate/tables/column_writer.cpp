@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -27,15 +28,25 @@ int common_exponent_of(const std::vector<const Cell*>& cells, int n_digits) {
   return largest.value_or(0);
 }
 
-/// The number of a cell as the column rounds it. The column's exponent is known.
-RoundedNumber rounded_in(const ColumnFormat& column, const Cell& cell) {
+/// As many digits as the number has, without what reading it as a double or the arithmetic of a
+/// grid left of it: 0.3 for 3 · 0.1.
+Decimal all_digits(double number, Decimal digits) {
+  constexpr double noise = 4 * std::numeric_limits<double>::epsilon();
+  while (std::abs(number_of(digits) - number) > noise * std::abs(number)) {
+    digits = rounded_to_place(number, digits.place - 1);
+  }
+  return digits;
+}
+
+/// The number of a cell with the digits that the column asks for. Its exponent is known.
+RoundedNumber with_digits_of(const ColumnFormat& column, const Cell& cell) {
   const double number = *cell.number();
   const Format& format = *column.numbers;
   if (cell.place()) {
     const bool has_exponent = format.notation() == Notation::scientific;
     return {rounded_to_place(number, *cell.place()),
-            has_exponent ? RoundedNumber::Style::with_exponent : RoundedNumber::Style::plain, false,
-            ""};
+            has_exponent ? RoundedNumber::Style::with_exponent : RoundedNumber::Style::plain,
+            cell.abs_error().value_or(0) > 0, ""};
   }
   if (format.notation() == Notation::fixed && !format.rounds_up()) {
     // Moving the decimal point is exact, so the number is rounded only once; dividing it would
@@ -46,9 +57,19 @@ RoundedNumber rounded_in(const ColumnFormat& column, const Cell& cell) {
   return rounded(format, number, cell.abs_error());
 }
 
-std::string text_in(const ColumnFormat& column, const Cell& cell) {
+/// The number of a cell as the column prints it: an exact one is not rounded.
+RoundedNumber rounded_in(const ColumnFormat& column, const Cell& cell) {
+  RoundedNumber rounded = with_digits_of(column, cell);
+  const bool is_exact = column.is_exact && !cell.abs_error() && !cell.place();
+  if (is_exact && !column.numbers->rounds_up()) {
+    rounded.digits = all_digits(*cell.number(), rounded.digits);
+  }
+  return rounded;
+}
+
+std::string text_of(const ColumnFormat& column, const RoundedNumber& number) {
   const int of_percentage = column.numbers->is_percentage() ? -2 : 0;
-  return rounded_in(column, cell).text(column.exponent + of_percentage);
+  return number.text(column.exponent + of_percentage);
 }
 
 }  // namespace
@@ -65,12 +86,11 @@ void require_printable(const ColumnFormat& column, const Cell& cell) {
     throw std::invalid_argument(
         digits + " comes without its error: give an Estimate, or declare the column exact");
   }
-  const RoundedNumber rounded = rounded_in(column, cell);
+  (void)rounded_in(column, cell);  // throws for what the format refuses
   const bool has_common_exponent = column.numbers->notation() == Notation::significant;
   if (!cell.wants_all_digits() || has_common_exponent) return;
-  Cell bare(*number);
-  require_earned(*number, rounded_in(column, bare).digits.place, *cell.abs_error(),
-                 text_in(column, bare));
+  const RoundedNumber wanted = with_digits_of(column, Cell(*number));
+  require_earned(*number, wanted.digits.place, *cell.abs_error(), text_of(column, wanted));
 }
 
 ColumnWriter::ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells)
@@ -91,6 +111,7 @@ ColumnWriter::ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& 
 }
 
 std::string ColumnWriter::specification() const {
+  if (format_.width_cm > 0) return fmt::format(">{{\\LiterateLines}}p{{{}cm}}", format_.width_cm);
   return format_.numbers ? "c" : "l";
 }
 
@@ -105,6 +126,16 @@ std::string ColumnWriter::cell(std::size_t row) const {
   return mark.empty() ? fmt::format("\\LiterateCell{{{}}}{{{}}}{{{}}}", format, cell.text, aligned)
                       : fmt::format("\\LiterateMarkedCell{{{}}}{{{}}}{{{}}}{{{}}}", format,
                                     cell.text, aligned, mark);
+}
+
+std::string ColumnWriter::cell_html(std::size_t row) const {
+  const Written& cell = cells_[row];
+  const std::string mark = cell.mark.empty() ? "" : "<sup>" + cell.mark + "</sup>";
+  if (cell.is_number) {
+    return fmt::format("<td class=\"lit-numeric\">{}</td>", number_html(cell.text, width_, mark));
+  }
+  return fmt::format("<td{}><tex>{}</tex>{}</td>", format_.numbers ? " class=\"lit-numeric\"" : "",
+                     cell.text, mark);
 }
 
 std::string ColumnWriter::heading() const {
@@ -122,7 +153,7 @@ std::string ColumnWriter::unit() const {
 ColumnWriter::Written ColumnWriter::written(const Cell& cell) {
   if (cell.is_empty()) return {"", cell.mark()};
   if (cell.text()) return {*cell.text(), cell.mark()};
-  const std::string number = text_in(format_, cell);
+  const std::string number = text_of(format_, rounded_in(format_, cell));
   width_ = widest(width_, width_of(number));
   return {number, cell.mark(), true};
 }

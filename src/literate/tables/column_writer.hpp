@@ -24,7 +24,7 @@ class ColumnWriter {
   /// Writes all cells, each of which must be printable.
   ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells);
 
-  /// The column type: `l` for text, `c` for numbers.
+  /// The column type: `l` for text, or `p` if it has a width, `c` for numbers.
   std::string specification() const;
 
   std::string heading() const;
@@ -37,6 +37,12 @@ class ColumnWriter {
   /// column as siunitx's table-format, the number itself, and the number padded to that width. With
   /// a mark it is \LiterateMarkedCell, which has the mark besides.
   std::string cell(std::size_t row) const;
+
+  /// The text of a cell, or its digits without the column's power of ten.
+  const std::string& printed(std::size_t row) const { return cells_[row].text; }
+
+  /// The same cell as HTML, in which LaTeX stands in <tex></tex>.
+  std::string cell_html(std::size_t row) const;
 
  private:
   struct Written {

@@ -48,12 +48,13 @@ std::size_t n_separators(std::size_t n_digits) {
 }
 
 /// Puts a thin space after every third digit, counted from the decimal point.
-std::string grouped(std::string_view digits, bool point_is_left) {
+std::string grouped(std::string_view digits, bool point_is_left,
+                    std::string_view separator = "\\,") {
   if (digits.size() < smallest_grouped) return std::string(digits);
   std::string text;
   for (std::size_t i = 0; i < digits.size(); ++i) {
     const std::size_t from_point = point_is_left ? i : digits.size() - i;
-    if (i > 0 && from_point % 3 == 0) text += "\\,";
+    if (i > 0 && from_point % 3 == 0) text += separator;
     text += digits[i];
   }
   return text;
@@ -134,6 +135,24 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
   const std::string digits(column.n_exponent, '0');
   wide.exponent = digits;
   return text + blank("{}" + power_of_ten(wide, column));
+}
+
+std::string number_html(std::string_view number, const NumberWidth& column, std::string_view mark) {
+  constexpr std::string_view thin = "\u202F", digit = "\u2007", point = "\u2008";
+  const Parts parts = parts_of(number);
+  std::string text = (parts.negative ? "−" : "") + grouped(parts.whole, false, thin);
+  if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true, thin);
+  text += parts.uncertainty;
+  if (!parts.exponent.empty()) {
+    text += fmt::format(" × 10<sup>{}{}</sup>", parts.negative_exponent ? "−" : "", parts.exponent);
+  }
+  text += mark;
+  if (!parts.exponent.empty()) return text;
+  if (parts.decimals.empty() && column.n_decimals > 0) text += point;
+  const std::size_t n = column.n_decimals - parts.decimals.size() +
+                        (parts.uncertainty.empty() ? column.n_uncertainty : 0);
+  for (std::size_t i = 0; i < n; ++i) text += digit;
+  return text;
 }
 
 }  // namespace literate

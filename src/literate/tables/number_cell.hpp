@@ -34,4 +34,9 @@ std::string table_format(const NumberWidth& width);
 std::string aligned_number(std::string_view number, const NumberWidth& column,
                            std::string_view mark = "");
 
+/// Writes a number as HTML, padded on the right so that the points of cells that are flush right
+/// stand below one another. `mark` is HTML behind the last digit.
+std::string number_html(std::string_view number, const NumberWidth& column,
+                        std::string_view mark = "");
+
 }  // namespace literate

@@ -16,6 +16,17 @@ namespace {
 
 using Columns = std::vector<ColumnWriter>;
 
+/// The columns with what their cells print.
+Columns written(const std::vector<Column>& columns, const std::vector<std::vector<Cell>>& rows) {
+  Columns writers;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::vector<const Cell*> cells;
+    for (const auto& row : rows) cells.push_back(&row[i]);
+    writers.emplace_back(columns[i].format(), cells);
+  }
+  return writers;
+}
+
 /// One line of the tabular, its cells joined by `&`.
 template <typename CellText>
 std::string line(const Columns& columns, CellText&& text) {
@@ -135,15 +146,22 @@ std::string Table::notes_latex() const {
   return text;
 }
 
-std::string Table::latex() const {
-  Columns columns;
-  std::string specification;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    std::vector<const Cell*> cells;
-    for (const auto& row : rows_) cells.push_back(&row[i]);
-    columns.emplace_back(columns_[i].format(), cells);
-    specification += columns.back().specification();
+std::map<std::pair<std::size_t, std::size_t>, std::string> Table::printed_numbers() const {
+  const Columns columns = written(columns_, rows_);
+  std::map<std::pair<std::size_t, std::size_t>, std::string> printed;
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+      if (rows_[row][column].number() == nullptr) continue;
+      printed[{row, column}] = columns[column].printed(row);
+    }
   }
+  return printed;
+}
+
+std::string Table::latex() const {
+  const Columns columns = written(columns_, rows_);
+  std::string specification;
+  for (const ColumnWriter& column : columns) specification += column.specification();
   std::string rows;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     rows += line(columns, [row](const ColumnWriter& column) { return column.cell(row); });
@@ -169,6 +187,62 @@ std::string Table::latex() const {
 
 namespace {
 
+// The lines of the head: the headings over several columns, the headings, the units.
+std::string head_html(const Columns& columns) {
+  std::string groups, headings, units;
+  bool has_groups = false, has_units = false;
+  for (std::size_t first = 0; first < columns.size();) {
+    const std::string& group = columns[first].group();
+    std::size_t end = first + 1;
+    while (!group.empty() && end < columns.size() && columns[end].group() == group) ++end;
+    has_groups = has_groups || !group.empty();
+    groups += group.empty()
+                  ? "<td></td>"
+                  : fmt::format("<th colspan=\"{}\" scope=\"colgroup\"><tex>{}</tex></th>",
+                                end - first, group);
+    first = end;
+  }
+  for (const ColumnWriter& column : columns) {
+    const char* kind = column.specification() == "l" ? "" : " class=\"lit-middle\"";
+    const char* cell = column.heading().empty() ? "td" : "th scope=\"col\"";
+    headings += fmt::format("<{}{}><tex>{}</tex></{}>", cell, kind, column.heading(),
+                            std::string_view(cell).substr(0, 2));
+    has_units = has_units || !column.unit().empty();
+    units += fmt::format("<td{}><tex>{}</tex></td>", kind, column.unit());
+  }
+  return (has_groups ? "<tr>" + groups + "</tr>\n" : "") + "<tr>" + headings + "</tr>\n" +
+         (has_units ? "<tr>" + units + "</tr>\n" : "");
+}
+
+}  // namespace
+
+std::string Table::html() const {
+  Columns columns;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    std::vector<const Cell*> cells;
+    for (const auto& row : rows_) cells.push_back(&row[i]);
+    columns.emplace_back(columns_[i].format(), cells);
+  }
+  std::string text = fmt::format(
+      "<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table {0}\">"
+      "<table class=\"lit-table\" id=\"@use@\" "
+      "data-table=\"{0}\">\n<thead>\n{1}</thead>\n<tbody>\n",
+      name_, head_html(columns));
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    text += "<tr>";
+    for (const ColumnWriter& column : columns) text += column.cell_html(row);
+    text += "</tr>\n";
+  }
+  text += "</tbody>\n</table></div>\n";
+  for (const TableNote& note : notes_) {
+    text += fmt::format("<p class=\"lit-table-note\">{}<tex>{}</tex></p>\n",
+                        note.mark.empty() ? "" : "<sup>" + note.mark + "</sup> ", note.text);
+  }
+  return text;
+}
+
+namespace {
+
 std::string quoted(std::string text) {
   for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
     text.insert(at, 1, '"');
@@ -177,18 +251,21 @@ std::string quoted(std::string text) {
 }
 
 std::string csv_heading(const ColumnFormat& format) {
-  const std::string group = format.group.empty() ? "" : format.group + ": ";
+  const std::string group = format.group.empty() ? "" : plain_text(format.group) + ": ";
   const std::string unit = format.unit.empty() ? "" : fmt::format(" ({})", format.unit);
-  return quoted(group + format.heading + unit);
+  return quoted(group + plain_text(format.heading) + unit);
 }
 
 std::string csv_cell(const Cell& cell) {
   if (cell.is_empty()) return "";
-  return cell.number() != nullptr ? fmt::format("{}", *cell.number()) : quoted(*cell.text());
+  if (cell.number() != nullptr) return fmt::format("{}", *cell.number());
+  return quoted(one_line(cell.plain().empty() ? plain_text(*cell.text()) : cell.plain()));
 }
 
+/// A bare number is exact; only of one that is quoted without an error none is known.
 std::string csv_error(const Cell& cell) {
-  return cell.abs_error() ? fmt::format("{}", *cell.abs_error()) : "";
+  if (cell.number() == nullptr || (cell.place() && !cell.abs_error())) return "";
+  return fmt::format("{}", cell.abs_error().value_or(0));
 }
 
 }  // namespace
@@ -221,8 +298,8 @@ std::string Table::csv() const {
   }
   text += marks;
   for (const TableNote& note : notes_) {
-    text +=
-        fmt::format("# {}{}{}\n", note.mark, note.mark.empty() ? "" : ": ", one_line(note.text));
+    text += fmt::format("# {}{}{}\n", note.mark, note.mark.empty() ? "" : ": ",
+                        one_line(plain_text(note.text)));
   }
   return text;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <source_location>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "literate/tables/cell.hpp"
@@ -52,11 +54,18 @@ class Table {
   /// Writes the tabular, or the longtable of one that breaks over pages.
   std::string latex() const;
 
-  /// Writes the table as CSV, with headings and units as in LaTeX and numbers that read back the
-  /// same; a percentage is written as the ratio. A column whose numbers have errors is followed by
-  /// one of error bounds, «abs_error», as import_csv reads it; notes stand at the end in lines that
-  /// begin with #.
+  /// Writes the table as HTML, in which LaTeX stands in <tex></tex>, and @use@ for its id.
+  std::string html() const;
+
+  /// Writes the table as CSV, with headings, texts and notes as plain_text() makes them and numbers
+  /// that read back the same; a percentage is written as the ratio. A column whose numbers have
+  /// errors is followed by one of error bounds, «abs_error», as import_csv reads it; notes stand at
+  /// the end in lines that begin with #.
   std::string csv() const;
+
+  /// The digits of each cell that holds a number, without the column's power of ten, by row and
+  /// column.
+  std::map<std::pair<std::size_t, std::size_t>, std::string> printed_numbers() const;
 
  private:
   std::string notes_latex() const;

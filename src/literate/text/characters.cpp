@@ -297,6 +297,19 @@ constexpr auto mappings = std::to_array<Mapping>({
 
 }  // namespace
 
+std::string_view character_of(std::string_view command) {
+  constexpr std::string_view before = R"(\ensuremath{)";
+  const auto* const found = std::ranges::find_if(mappings, [&](const Mapping& mapping) {
+    std::string_view latex = mapping.latex;
+    if (latex.starts_with(before)) {
+      latex.remove_prefix(before.size());
+      latex.remove_suffix(1);
+    }
+    return latex == command;
+  });
+  return found == mappings.end() ? std::string_view() : found->character;
+}
+
 std::string_view latex_of(std::string_view character) {
   const auto found = std::ranges::find(mappings, character, &Mapping::character);
   return found == mappings.end() ? std::string_view{} : found->latex;

@@ -22,6 +22,9 @@ constexpr bool is_command_letter(char c) {
 /// What LaTeX prints for a character beyond ASCII; empty if there is no mapping.
 std::string_view latex_of(std::string_view character);
 
+/// The character that a command such as `\theta` prints; empty if there is none.
+std::string_view character_of(std::string_view command);
+
 /// The mappings as a `literate` setting for the listings package.
 std::string listings_characters();
 

@@ -3,7 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <map>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "literate/text/characters.hpp"
 #include "system/utf8.hpp"
@@ -80,6 +83,55 @@ std::string escape_latex_path(std::string_view path) {
   std::string escaped;
   for (const char c : path) escaped += c == '/' ? "/\\allowbreak{}" : escape_latex({&c, 1});
   return escaped;
+}
+
+namespace {
+
+/// What a command prints as plain text; none if that is not known.
+std::optional<std::string_view> plain_command(std::string_view name) {
+  static const std::map<std::string_view, std::string_view> others = {
+      {"ensuremath", ""}, {"mathrm", ""},         {"mathit", ""}, {"mathbf", ""}, {"text", ""},
+      {"textbf", ""},     {"textit", ""},         {"textrm", ""}, {"texttt", ""}, {"emph", ""},
+      {"left", ""},       {"right", ""},          {"quad", " "},  {"qquad", " "}, {"ldots", "…"},
+      {"dots", "…"},      {"textbackslash", "\\"}};
+  if (const auto known = others.find(name); known != others.end()) return known->second;
+  const std::string_view character = character_of("\\" + std::string(name));
+  if (character.empty()) return std::nullopt;
+  return character;
+}
+
+}  // namespace
+
+std::string plain_text(std::string_view latex) {
+  std::string text;
+  for (std::size_t i = 0; i < latex.size(); ++i) {
+    const char c = latex[i];
+    const std::string_view rest = latex.substr(i);
+    if (c == '$' || c == '{' || c == '}') continue;
+    if (rest.starts_with("---")) {
+      text += "—";
+      i += 2;
+    } else if (rest.starts_with("--")) {
+      text += "–";
+      ++i;
+    } else if (c == '~' || c == '\n') {
+      text += ' ';
+    } else if (c != '\\' || i + 1 == latex.size()) {
+      text += c;
+    } else if (const char next = latex[++i]; !is_letter(next)) {
+      constexpr std::string_view spaces = ",;: \\";
+      if (next != '!' && next != '/') text += spaces.find(next) != spaces.npos ? ' ' : next;
+    } else {
+      std::size_t end = i;
+      while (end < latex.size() && is_letter(latex[end])) ++end;
+      const auto plain = plain_command(latex.substr(i, end - i));
+      if (!plain) return std::string(latex);
+      text += *plain;
+      while (end < latex.size() && latex[end] == ' ') ++end;
+      i = end - 1;
+    }
+  }
+  return text;
 }
 
 void require_unit(std::string_view unit) {

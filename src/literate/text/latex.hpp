@@ -20,6 +20,10 @@ std::string escape_bookmark(std::string_view text);
 /// Escapes a file path and lets LaTeX break it after a slash.
 std::string escape_latex_path(std::string_view path);
 
+/// What a reader of LaTeX reads, as plain text: «θ» for `$\theta$`. LaTeX with a command that has
+/// no character stays as it is.
+std::string plain_text(std::string_view latex);
+
 /// Throws std::invalid_argument for a unit with one of % # & _ $ ~ \ { }, which siunitx cannot
 /// print literally.
 void require_unit(std::string_view unit);

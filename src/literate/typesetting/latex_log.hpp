@@ -14,9 +14,16 @@ std::vector<std::string> latex_errors(std::string_view log, std::string_view sou
 
 /// Finds what a finished document must not have: undefined references and citations, labels defined
 /// twice, missing characters, floats that are too large for a page, and boxes that are overfull by
-/// more than 0.1 pt, or 2 pt around the page. Each has its file
-/// and line if the log names them. The log's lines must not be wrapped (max_print_line).
+/// more than 0.1 pt, or 3 pt around the page. Each has its file and line if the log names them. The
+/// log's lines must not be wrapped (max_print_line).
 std::vector<std::string> latex_defects(std::string_view log, std::string_view source_label);
+
+/// The line in which LaTeX or a package asks for another run; empty if none does.
+std::string rerun_request(std::string_view log);
+
+/// The errors in a .blg file of BibTeX, each «report/file.bib:line: BibTeX: message»; without a
+/// place where BibTeX tells only that of a file of LaTeX's own.
+std::vector<std::string> bibtex_errors(std::string_view log, std::string_view source_label);
 
 /// Whether a defect is a box that is overfull, which an author who is writing may leave for later.
 bool is_overfull_box(std::string_view defect);

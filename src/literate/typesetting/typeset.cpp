@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
 #include <system_error>
 #include <vector>
 
 #include "literate/figures/draw_at_width.hpp"
+#include "literate/prose/document_files.hpp"
 #include "literate/prose/place_of_use.hpp"
 #include "literate/prose/source_label.hpp"
+#include "literate/typesetting/contents_decide_pl.hpp"
 #include "literate/typesetting/latex_folder.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "literate/typesetting/latex_run.hpp"
@@ -43,8 +47,10 @@ bool is_whole(const fs::path& pdf) {
 }
 
 sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleFormat& preamble,
-                               bool is_new) {
+                               const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"-norc",
+                                     "-e",
+                                     std::string(contents_decide_pl),
                                      options.engine == "lualatex" ? "-lualatex" : "-pdf",
                                      "-interaction=nonstopmode",
                                      "-halt-on-error",
@@ -55,7 +61,7 @@ sys::ProcessResult run_latexmk(const TypesetOptions& options, const PreambleForm
     environment["TEXFORMATS"] = seen_from(options.source_dir, preamble.folder) + ":";
     arguments.emplace_back("-pdflatex=pdflatex -fmt=preamble %O %S");
   }
-  if (is_new) arguments.emplace_back("-g");
+  arguments.insert(arguments.end(), more.begin(), more.end());
   arguments.push_back(options.main_file);
   return sys::run({"latexmk", arguments, options.source_dir, environment,
                    sys::TimeLimit{fmt::format("LaTeX on {}", options.main_file), latex_seconds}});
@@ -81,14 +87,54 @@ sys::ToolError failure(const std::vector<std::string>& messages, const TypesetOp
 
 /// Throws the errors in LaTeX's log, or the last lines of latexmk if there are none.
 [[noreturn]] void fail(const TypesetOptions& options, const std::string& output) {
-  const fs::path log = in_build_dir(options, ".log");
-  std::vector<std::string> errors;
-  if (fs::exists(log)) errors = latex_errors(sys::read_file(log), source_label(options.source_dir));
+  const auto text_of = [&](const char* extension) {
+    const fs::path file = in_build_dir(options, extension);
+    return fs::exists(file) ? sys::read_file(file) : std::string();
+  };
+  const std::string label = source_label(options.source_dir);
+  std::vector<std::string> errors = latex_errors(text_of(".log"), label);
+  std::ranges::move(bibtex_errors(text_of(".blg"), label), std::back_inserter(errors));
   if (errors.empty()) {
     throw sys::ToolError(
         fmt::format("latexmk failed for {}:\n{}", options.main_file, last_lines(output)));
   }
   throw failure(errors, options);
+}
+
+/// What each label stands for, as LaTeX told it in its .aux files: «2 on page 3».
+std::map<std::string, std::string> labels_of(const TypesetOptions& options) {
+  static const sys::Pattern told(R"(\\newlabel\{([^{}]+)\}\{\{([^{}]*)\}\{([^{}]*)\}.*)");
+  std::map<std::string, std::string> labels;
+  for (const std::string& file : sys::files_below(options.build_dir)) {
+    if (!file.ends_with(".aux")) continue;
+    const std::string text = sys::read_file(options.build_dir / file);
+    for (const std::string_view line : sys::lines_of(text)) {
+      if (const auto found = told.match_all_of(line)) {
+        labels[std::string(found->parts[1])] =
+            fmt::format("'{}' on page {}", found->parts[2], found->parts[3]);
+      }
+    }
+  }
+  return labels;
+}
+
+/// The error of a document that is another one after each pass, such as one that breaks a page
+/// because a label stands at its top. One more pass tells which label it is.
+sys::ToolError unsettled(const TypesetOptions& options, const PreambleFormat& preamble) {
+  const auto before = labels_of(options);
+  run_latexmk(options, preamble, {"-g", "-e", "$max_repeat = 1"});
+  std::string causes;
+  for (const auto& [label, place] : labels_of(options)) {
+    const auto known = before.find(label);
+    if (known == before.end() || known->second == place) continue;
+    causes += fmt::format("\n  label '{}' is {} in one pass and {} in the next", label,
+                          known->second, place);
+  }
+  if (causes.empty()) {
+    causes = "\n  " + rerun_request(sys::read_file(in_build_dir(options, ".log")));
+  }
+  return sys::ToolError(fmt::format("{}: LaTeX asks for another run after each one{}",
+                                    (options.source_dir / options.main_file).string(), causes));
 }
 
 /// The figures with a width that LaTeX told in its .aux files.
@@ -112,14 +158,19 @@ std::size_t draw_wanted(const TypesetOptions& options) {
                         options.figures, options.scripts_label);
 }
 
-/// Runs LaTeX until each figure is drawn at the width that the document has for it.
+/// Runs LaTeX until nothing that it reads changes by the run, and each figure is drawn at the width
+/// that the document has for it.
 void run_until_settled(const TypesetOptions& options, const PreambleFormat& preamble, bool is_new) {
   // The widths of the run before are those of this one, but for what its author changed.
   draw_wanted(options);
   constexpr int most_runs = 5;  // a width that depends on its own figure might never settle
   for (int n_runs = 1;; ++n_runs) {
     const auto time_before = time_of_log(options);
-    const sys::ProcessResult result = run_latexmk(options, preamble, is_new);
+    const sys::ProcessResult result = run_latexmk(
+        options, preamble, is_new ? std::vector<std::string>{"-g"} : std::vector<std::string>{});
+    if (result.output.find(" needed too many passes") != std::string::npos) {
+      throw unsettled(options, preamble);
+    }
     if (result.exit_status != 0) fail(options, result.output);
     // latexmk believes an engine that does nothing and succeeds, and the PDF of the run before
     // would be published as the one of this.
@@ -133,7 +184,9 @@ void run_until_settled(const TypesetOptions& options, const PreambleFormat& prea
           fmt::format("LaTeX on {} ended without an error, but '{}' is not a whole PDF",
                       options.main_file, in_build_dir(options, ".pdf").string()));
     }
-    if (draw_wanted(options) == 0) break;
+    const bool asks_again = !rerun_request(sys::read_file(in_build_dir(options, ".log"))).empty();
+    if (draw_wanted(options) == 0 && !asks_again) break;
+    if (n_runs == most_runs && asks_again) throw unsettled(options, preamble);
     if (n_runs == most_runs) {
       throw sys::ToolError(fmt::format("{}: the widths of its figures do not settle",
                                        (options.source_dir / options.main_file).string()));
@@ -154,6 +207,10 @@ Typeset typeset(const TypesetOptions& options) {
   if (!fs::exists(options.source_dir / options.main_file)) {
     throw sys::OutputError(
         fmt::format("there is no '{}'", (options.source_dir / options.main_file).string()));
+  }
+  // \include writes a file of its own, and LaTeX makes no folder for it.
+  for (const std::string& file : document_files(options.source_dir)) {
+    fs::create_directories((options.build_dir / file).parent_path());
   }
   sys::find_tool(options.engine);
   const PreambleFormat preamble =

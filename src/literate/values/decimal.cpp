@@ -120,6 +120,13 @@ double number_of(const Decimal& number) {
   return value;
 }
 
+void refuse_whole_number(const std::string& number) {
+  throw std::invalid_argument(
+      fmt::format("{0} is beyond 2^53, where a number does not hold each integer: "
+                  "Value::text(\"{0}\") prints it",
+                  number));
+}
+
 bool is_zero(const Decimal& number) {
   return number.digits == "0";
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <concepts>
+#include <cstdint>
 #include <string>
 
 namespace literate {
@@ -32,6 +34,22 @@ Decimal shortest(double value);
 
 /// The double nearest to a decimal number.
 double number_of(const Decimal& number);
+
+/// Throws std::invalid_argument for a whole number beyond ±2^53, written as text, of which there
+/// may be no double.
+[[noreturn]] void refuse_whole_number(const std::string& number);
+
+/// A whole number as a double, which is the same number; throws as refuse_whole_number does.
+template <std::integral Integer>
+double double_of(Integer number) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  if constexpr (sizeof(Integer) >= sizeof most) {
+    const bool is_below = std::signed_integral<Integer> && number < static_cast<Integer>(-most);
+    if (is_below || number > static_cast<Integer>(most))
+      refuse_whole_number(std::to_string(number));
+  }
+  return static_cast<double>(number);
+}
 
 bool is_zero(const Decimal& number);
 

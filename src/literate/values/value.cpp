@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "literate/text/latex.hpp"
@@ -16,6 +17,7 @@ Value::Value(double number, std::optional<double> abs_error, const Format& forma
   if (format.is_percentage() && !unit.empty()) {
     throw std::invalid_argument(fmt::format("a percentage has no other unit, such as '{}'", unit));
   }
+  if (!std::isfinite(number)) return;
   const RoundedNumber digits = rounded(format, number, abs_error);
   last_place_ = digits.digits.place;
   // Multiplying by 100 would round twice; moving the point does not.
@@ -45,6 +47,12 @@ Value Value::text(std::string_view text) {
   return value;
 }
 
+void Value::require_finite() const {
+  if (number_ && !std::isfinite(*number_)) {
+    throw std::invalid_argument(fmt::format("{} is not finite", *number_));
+  }
+}
+
 Value Value::within(double abs_error) const {
   require_error_bound(abs_error);
   if (!number_ || abs_error_) {
@@ -52,7 +60,9 @@ Value Value::within(double abs_error) const {
         "'{}' {}", printed_,
         number_ ? "has an error bound already" : "is text and can have no error bound"));
   }
-  if (format_->rounds_up()) {
+  if (!std::isfinite(*number_)) {
+    // It is refused where it is used.
+  } else if (format_->rounds_up()) {
     const Value bound(*number_, abs_error, *format_, unit_);
     if (bound.printed_ != printed_) {
       throw std::invalid_argument(

@@ -16,15 +16,16 @@ namespace literate {
 ///
 /// Units are literal text such as "in", "psi", "lbf/in" or "in^2"; a percentage has none. Numbers
 /// are rounded as literate/values/format.hpp says; one that rounds to zero has no sign. Every
-/// constructor throws std::invalid_argument for what rounded() refuses, and for a unit with one of
-/// % # & _ $ ~ \ { }.
+/// constructor throws std::invalid_argument for what rounded() refuses, for a unit with one of
+/// % # & _ $ ~ \ { }, and for a whole number beyond ±2^53. A number that is not finite is refused
+/// where it is used, so that the message can name its key.
 class Value {
  public:
   /// Prints a number that has no error bound, or gets one by within().
   Value(double number, const Format& format, std::string_view unit = "");
   template <std::integral Integer>
   Value(Integer number, const Format& format, std::string_view unit = "")
-      : Value(static_cast<double>(number), format, unit) {}
+      : Value(double_of(number), format, unit) {}
 
   /// Prints a number with its error bound: no digit that the bound does not support.
   Value(numerics::Estimate estimate, const Format& format, std::string_view unit = "");
@@ -34,16 +35,26 @@ class Value {
 
   /// Returns the same value with a bound on its error, in the unit of number(), which for a
   /// percentage is the ratio. Throws std::invalid_argument, naming number, printed text and bound,
-  /// if the last printed place is less than the bound, or, of a number that is rounded up, if number
-  /// and bound together are more than what is printed. Also throws it for text, for a value that
-  /// has a bound already, and for a bound that is negative or not finite.
+  /// if the last printed place is less than the bound, or, of a number that is rounded up, if
+  /// number and bound together are more than what is printed. Also throws it for text, for a value
+  /// that has a bound already, and for a bound that is negative or not finite.
   Value within(double abs_error) const;
 
-  /// The value as LaTeX, such as `\qty{1.5e-6}{in}`, for text and math mode.
-  const std::string& latex() const { return latex_; }
+  /// Throws std::invalid_argument for a number that is not finite.
+  void require_finite() const;
 
-  /// The value as plain text, such as "1.5e-6 in".
-  const std::string& printed() const { return printed_; }
+  /// The value as LaTeX, such as `\qty{1.5e-6}{in}`, for text and math mode. Throws as
+  /// require_finite does.
+  const std::string& latex() const {
+    require_finite();
+    return latex_;
+  }
+
+  /// The value as plain text, such as "1.5e-6 in". Throws as require_finite does.
+  const std::string& printed() const {
+    require_finite();
+    return printed_;
+  }
 
   /// The unrounded number; none for text.
   const std::optional<double>& number() const { return number_; }

@@ -24,7 +24,6 @@ function(add_precompiled_headers)
   endforeach()
   target_precompile_headers(precompiled PRIVATE <Eigen/Core> ${everywhere})
   target_precompile_headers(precompiled_text PRIVATE ${everywhere})
-  target_compile_options(precompiled PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_options(precompiled_text PRIVATE $<$<CONFIG:Release>:-O0>)
 endfunction()
 

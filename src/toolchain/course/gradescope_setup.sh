@@ -16,16 +16,14 @@ case $release in
     ;;
 esac
 
-# These are the packages of the report except for TeX, and those of grading.
+# The packages of grading, without TeX.
 if [[ -z ${IS_SET_UP:-} ]]; then
-  packages=$(awk '$2 == "report" && $1 !~ /^(texlive|latexmk|lmodern|#)/ { print $1 }' \
-    halfspace/src/toolchain/packages.txt)
+  packages=$(awk '$2 ~ /^(build|draw|course)$/ && $1 !~ /^(#|texlive)/ { sub(/[|].*/, "", $1); print $1 }' halfspace/src/toolchain/packages.txt)
   apt-get update
   # shellcheck disable=SC2086  # one word a package
-  DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages \
-    bubblewrap libarchive-tools libpugixml-dev libseccomp-dev gnuplot-nox python3
+  DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages python3
 fi
-cmake -S halfspace -B halfspace/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release
+cmake -S halfspace -B halfspace/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DHALFSPACE_PARTS=course
 ninja -C halfspace/build/release halfspace-course
 halfspace/build/release/halfspace-course toolkit --assignment halfspace/report/assignment --source halfspace \
   --output "$autograder/toolkit"

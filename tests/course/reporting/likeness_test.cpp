@@ -5,8 +5,18 @@
 
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
+#include "needed_tool.hpp"
 
-BOOST_AUTO_TEST_SUITE(likeness_test, *boost::unit_test::fixture(&need_walls))
+namespace {
+
+void need_walls_and_similarity_tester() {
+  need_walls();
+  need_tool("sim_c++", "likeness of submissions");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(likeness_test, *boost::unit_test::fixture(&need_walls_and_similarity_tester))
 
 using namespace course;
 

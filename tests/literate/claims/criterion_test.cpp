@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "message_of.hpp"
+
 BOOST_AUTO_TEST_SUITE(criterion_test)
 
 using literate::Criterion;
@@ -61,12 +63,47 @@ BOOST_AUTO_TEST_CASE(an_error_that_reaches_across_the_limit_leaves_the_verdict_o
 }
 
 BOOST_AUTO_TEST_CASE(the_limit_that_is_tested_is_the_one_that_is_printed) {
-  // 0.0012345 is printed as 0.12 % when two digits are asked for; 0.00121 lies between the two.
+  // 0.0012345 is printed as 0.12 % when two digits are asked for.
   const Limit rounded(LimitKind::derived, 0.0012345, "a formula", 2);
-  const Criterion criterion = misfit_at_most(0.00121, 0, rounded);
+  const Criterion criterion = misfit_at_most(0.0013, 0, rounded);
   BOOST_TEST(criterion.condition().plain == "at most 0.12 %");
   BOOST_TEST(is(criterion, Outcome::fails));
   BOOST_TEST(rounded.number() == 0.0012);
+}
+
+BOOST_AUTO_TEST_CASE(where_rounding_a_limit_would_decide_it_is_refused) {
+  const auto refusal = [](double found, double error, const Limit& limit) {
+    const std::string message = message_of<std::invalid_argument>([&] {
+      Criterion::at_most("strain", Value({found, error}, fixed(5)), limit);
+    });
+    BOOST_TEST(message.starts_with("tests/literate/claims/criterion_test.cpp:"), message);
+    return message.substr(message.find(": ") + 2);
+  };
+  const auto limit = [](double number, int n_digits) {
+    return Limit(LimitKind::derived, number, "a formula", n_digits);
+  };
+
+  BOOST_TEST(refusal(0.59284, 0, limit(0.592746, 3)) ==
+             "strain: rounding decides, since 0.59284 holds against the printed limit 0.593 and "
+             "fails against 0.592746 itself: give the limit more than 3 digits");
+  BOOST_TEST(refusal(0.5928, 1e-4, limit(0.592746, 3))
+                 .find("holds against the printed limit 0.593 and is undecided against 0.592746") !=
+             std::string::npos);
+  BOOST_TEST(is(Criterion::at_most("strain", Value({0.59284, 0}, fixed(5)), limit(0.592746, 6)),
+                Outcome::fails));
+  // Either side of both limits, rounding decides nothing.
+  BOOST_TEST(is(Criterion::at_most("strain", Value({0.5935, 0}, fixed(5)), limit(0.592746, 3)),
+                Outcome::fails));
+  BOOST_TEST(is(Criterion::at_least("strain", Value({0.5935, 0}, fixed(5)), limit(0.592746, 3)),
+                Outcome::holds));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_refused_is_told_with_its_line_and_name) {
+  const std::string message =
+      message_of<std::invalid_argument>([] { misfit_at_most(std::nan(""), 0, limit_of(1)); });
+
+  BOOST_TEST(message.starts_with("tests/literate/claims/criterion_test.cpp:"));
+  BOOST_TEST(message.ends_with(": largest misfit: nan is not finite"));
 }
 
 BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {

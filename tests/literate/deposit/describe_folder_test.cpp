@@ -24,7 +24,8 @@ Manifest some_manifest() {
           .facts = {{"sources", {{"date", "2026-11-21T12:00:00Z"}, {"commit", "abc"}}}},
           .inputs = {{"case.toml", sys::sha256_of_text("case")}},
           .outputs = {{"generated/tables/t.csv", digest_of_data}},
-          .numbers = {}};
+          .numbers = {},
+          .verdicts = {}};
 }
 
 Citation some_citation() {

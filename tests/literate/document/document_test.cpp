@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 
 #include "literate/document/names.hpp"
@@ -45,6 +46,18 @@ BOOST_AUTO_TEST_CASE(a_doubled_or_malformed_key_is_a_logic_error_naming_it) {
   BOOST_CHECK_THROW(document.table(Table("results", {Column::text("x")})), std::logic_error);
   BOOST_CHECK_THROW(document.value("a b", Value(2, integer())), std::logic_error);
   BOOST_CHECK_THROW(document.table(Table("../x", {Column::text("x")})), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_with_its_key_and_line) {
+  Document document;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+
+  const std::string message =
+      message_of<std::invalid_argument>([&] { document.value("period", Value(nan, fixed(2))); });
+
+  BOOST_TEST(message.starts_with("tests/literate/document/document_test.cpp:"));
+  BOOST_TEST(message.ends_with(": value 'period': nan is not finite"));
+  BOOST_TEST(document.values().empty());
 }
 
 BOOST_AUTO_TEST_CASE(bare_digits_read_back_the_same_and_have_neither_unit_nor_exponent) {

@@ -156,6 +156,29 @@ BOOST_AUTO_TEST_CASE(the_drawing_of_a_figure_that_is_no_longer_registered_is_rem
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_run_that_was_killed_between_two_figures_costs_neither) {
+  Workplace workplace;
+  for (const char* name : {"a", "b"}) {
+    workplace.figure(name);
+    workplace.script(name, curve_script);
+  }
+  workplace.draw();
+  const FigurePlaces places = workplace.write();
+  // It had moved all files of a into place and none of b, and its list of both was still there.
+  std::string list;
+  for (const std::string& file : drawn_files(places)) list += file + "\n";
+  sys::write_file_atomically(workplace.file("out.publishing"), list);
+  for (const char* file : {"drawn.sha256", "files.tex", "script.gp", "b.pdf", "b.tex"}) {
+    fs::remove(workplace.drawn(std::string("b/") + file));
+  }
+
+  draw_figures(workplace.generated(), workplace.file("figures"), places);
+
+  for (const std::string& file : drawn_files(places)) {
+    BOOST_TEST(fs::exists(workplace.generated() / file), file);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(all_files_of_a_drawing_are_told) {
   Workplace workplace;
   workplace.figure("f");

@@ -114,4 +114,17 @@ BOOST_AUTO_TEST_CASE(a_plot_over_several_lines_is_told_after_its_last_line) {
   BOOST_TEST(script.ends_with("show logscale\nset key\n"));
 }
 
+BOOST_AUTO_TEST_CASE(points_that_a_range_leaves_out_are_counted) {
+  const auto n_outside = [](const std::string& range) {
+    const Drawn drawn(range + "plot curve using \"x\":\"y\" with lines, dots using \"x\":\"y\"\n");
+    return n_points_outside(drawn.folder / "generated/figures/apples", "apples",
+                            drawn.folder / "scratch");
+  };
+
+  BOOST_TEST(n_outside("") == 0U);
+  BOOST_TEST(n_outside("set yrange [10:1000]\n") == 0U);
+  BOOST_TEST(n_outside("set yrange [15:999]\n") == 2U);
+  BOOST_TEST(n_outside("set xrange [2.1:*]\n") == 2U);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,6 +2,7 @@
 #include "literate/imports/import_csv.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <set>
 #include <string>
 
 #include "literate/imports/import_error.hpp"
@@ -21,21 +22,23 @@ class Checkout {
 
   std::string path() const { return (folder_ / "points.csv").string(); }
 
-  Document import(const std::string& csv, std::vector<ImportedColumn> columns = {}) const {
+  Document import(const std::string& csv, std::vector<ImportedColumn> columns = {},
+                  const std::set<std::string>& exact = {"x"}) const {
     Document document;
-    import_into(document, csv, std::move(columns));
+    import_into(document, csv, std::move(columns), "points", exact);
     return document;
   }
   void import_into(Document& document, const std::string& csv,
-                   std::vector<ImportedColumn> columns = {},
-                   const std::string& name = "points") const {
+                   std::vector<ImportedColumn> columns = {}, const std::string& name = "points",
+                   const std::set<std::string>& exact = {"x"}) const {
     sys::write_file_atomically(path(), csv);
     import_csv(document, name, path(), folder_ / "run.py", std::move(columns),
-               {.root = folder_.path()});
+               {.root = folder_.path(), .exact = exact});
   }
 
-  std::string error(const std::string& csv, std::vector<ImportedColumn> columns = {}) const {
-    std::string message = message_of<ImportError>([&] { import(csv, std::move(columns)); });
+  std::string error(const std::string& csv, std::vector<ImportedColumn> columns = {},
+                    const std::set<std::string>& exact = {}) const {
+    std::string message = message_of<ImportError>([&] { import(csv, std::move(columns), exact); });
     // Every message names the table, behind the place.
     const std::string table = "table 'points': ";
     const auto at = message.find(table);
@@ -60,7 +63,8 @@ bool holds(const std::string& text, const std::string& part) {
 BOOST_AUTO_TEST_CASE(each_number_keeps_the_digits_of_the_file) {
   const std::string latex =
       latex_of_points(Checkout().import("x (in),u (in),note\r\n0.000,1.6236048e-006,\"the "
-                                        "\"\"centre\"\", 100 %\"\r\n\r\n0.005,,\r\n"));
+                                        "\"\"centre\"\", 100 %\"\r\n\r\n0.005,,\r\n",
+                                        {}, {"x (in)", "u (in)"}));
 
   for (const char* part : {"{0.000}", "{1.6236048e-6}", "(\\unit{in})", "{0.005}",
                            "the \\textquotedbl{}centre\\textquotedbl{}, 100 \\%"}) {
@@ -71,7 +75,7 @@ BOOST_AUTO_TEST_CASE(each_number_keeps_the_digits_of_the_file) {
 BOOST_AUTO_TEST_CASE(the_caller_may_say_how_columns_print_and_what_they_are_called) {
   const std::string latex = latex_of_points(
       Checkout().import("u_z (in),abs_error\n1.62360478123e-06,1e-14\n",
-                        {{.heading = "$u_z$", .format = NumberFormat::digits, .digits = 8}}));
+                        {{.heading = "$u_z$", .format = NumberFormat::digits, .digits = 8}}, {}));
 
   BOOST_TEST(holds(latex, "$u_z$"));
   BOOST_TEST(holds(latex, "(\\unit{in})"));
@@ -80,7 +84,7 @@ BOOST_AUTO_TEST_CASE(the_caller_may_say_how_columns_print_and_what_they_are_call
 }
 
 BOOST_AUTO_TEST_CASE(headings_of_the_file_are_plain_text) {
-  BOOST_TEST(holds(latex_of_points(Checkout().import("u_z\n1\n")), "u\\_z"));
+  BOOST_TEST(holds(latex_of_points(Checkout().import("u_z\n1\n", {}, {"u_z"})), "u\\_z"));
 }
 
 BOOST_AUTO_TEST_CASE(file_and_script_are_the_source_of_the_table) {
@@ -95,12 +99,83 @@ BOOST_AUTO_TEST_CASE(file_and_script_are_the_source_of_the_table) {
 BOOST_AUTO_TEST_CASE(digits_have_to_be_earned_by_the_error_beside_them) {
   const Checkout checkout;
 
-  BOOST_TEST(checkout.error("x,abs_error\n1.5,0.1\n1.25,0.02\n") ==
-             "3:1: 1.25 is printed to the place 1e-2, more digits than its error of 0.02 supports");
+  BOOST_TEST(checkout.error("x,abs_error\n1.5,0.1\n1.25,0.02\n",
+                            {{.format = NumberFormat::decimals, .digits = 2}}) ==
+             "2:1: 1.5 is printed to the place 1e-2, more digits than its error of 0.1 supports");
+  const std::string latex =
+      latex_of_points(checkout.import("x,abs_error\n1.5,0.1\n1.25,0.02\n1234,40\n", {}, {}));
+  for (const char* part : {"{1.5}", "{1.2}", "{1.2e3}"}) {
+    BOOST_TEST(holds(latex, part), part << " in " << latex);
+  }
   BOOST_TEST(checkout.error("x,abs_error\n1.5,-0.1\n") ==
              "2:1: abs_error = -0.1: must be finite and not negative");
   BOOST_TEST(checkout.error("x,abs_error\n1.5,much\n") == "2:2: abs_error 'much' is not a number");
-  BOOST_CHECK_NO_THROW(checkout.import("x,abs_error\n1.5,\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_unless_its_column_is_declared_exact) {
+  const Checkout checkout;
+  const std::string csv = "x (m),u\n1.5,2\n";
+
+  BOOST_TEST(checkout.error(csv) ==
+             "2:1: 1.5 comes without its error: give column 'x' an abs_error, or declare it exact");
+  BOOST_TEST(checkout.error(csv, {}, {"x (m)"}) ==
+             "2:2: 2 comes without its error: give column 'u' an abs_error, or declare it exact");
+  BOOST_CHECK_NO_THROW(checkout.import(csv, {}, {"x (m)", "u"}));
+  BOOST_CHECK_NO_THROW(
+      checkout.import(csv, {{.is_exact = true}, {.format = NumberFormat::integer}}, {}));
+  BOOST_TEST(checkout.error(csv, {}, {"x", "u"}) ==
+             "1: there is no column 'x', which is to be exact");
+  BOOST_TEST(checkout.error("u,abs_eror\n1.5,0.1\n") ==
+             "1:2: column 'abs_eror', did you mean 'abs_error'?");
+  BOOST_TEST(checkout.error("u,abs_error\n1.5,\n") ==
+             "2:1: 1.5 comes without its error: give column 'u' an abs_error, or declare it exact");
+}
+
+BOOST_AUTO_TEST_CASE(a_number_with_more_digits_than_a_double_holds_is_refused) {
+  const Checkout checkout;
+  const auto error = [&](const std::string& number) {
+    return checkout.error("x\n" + number + "\n", {}, {"x"});
+  };
+
+  for (const char* number : {"11400714819323198485", "0.12345678901234567"}) {
+    BOOST_TEST(error(number) == "2:1: " + std::string(number) +
+                                    " has more digits than a number holds: write it as a text");
+  }
+  for (const char* number : {"0.30000000000000004", "1.6236048e-006", "-0.00", "9007199254740992",
+                             "12e3", "+1.50", ".5", "0.10000000000000000555"}) {
+    BOOST_CHECK_NO_THROW(checkout.import("x\n" + std::string(number) + "\n"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_csv_file_of_a_table_comes_back) {
+  Table table("points", {Column::text("method"), Column("$\\theta$", exact(), "°"),
+                         Column("$u_z$", significant(4), "in").under("$T/T_0$"),
+                         Column("share", percent(1))});
+  table
+      .add_row({"50 % & \"more\" of a_b", 0.1, numerics::Estimate{0.786151378, 1.2e-7},
+                numerics::Estimate{0.25, 1e-9}})
+      .add_row({Cell::latex("$\\infty$--$\\nu$"), 1e-7, {}, numerics::Estimate{1.0 / 3, 0}})
+      .add_row({"two\nlines", 3, numerics::Estimate{1234.5, 40}, {}});
+  const std::string csv = table.csv();
+  BOOST_TEST(csv.find('\\') == std::string::npos, csv);
+  BOOST_TEST(csv.find('$') == std::string::npos, csv);
+
+  const Document document = Checkout().import(csv, {}, {"θ (°)"});
+
+  const Table& again = document.tables().at("points");
+  BOOST_TEST(again.csv() == csv);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t i = 1; i < 4; ++i) {
+      const Cell& was = table.rows()[row][i];
+      const Cell& is = again.rows()[row][i];
+      BOOST_TEST((was.number() == nullptr) == (is.number() == nullptr));
+      if (was.number() == nullptr || is.number() == nullptr) continue;
+      BOOST_TEST(*is.number() == *was.number());
+      BOOST_TEST(is.abs_error().value_or(0) == was.abs_error().value_or(0));
+    }
+  }
+  BOOST_TEST(again.rows()[0][0].plain() == "50 % & \"more\" of a_b");
+  BOOST_TEST(again.rows()[1][0].plain() == "∞–ν");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_number_among_numbers_is_refused) {
@@ -108,10 +183,22 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_among_numbers_is_refused) {
 
   for (const char* text : {"NaN", "nan", "inf", "-inf", "1.2x", "1,2", "0x10", "--1", "1e", "e5"}) {
     const std::string cell = "\"" + std::string(text) + "\"";
-    BOOST_TEST(checkout.error("x\n1\n" + cell + "\n") ==
+    BOOST_TEST(checkout.error("x\n1\n" + cell + "\n", {}, {"x"}) ==
                "3:1: '" + std::string(text) + "' is not a number, as column 'x' holds");
   }
-  BOOST_TEST(checkout.error("x\n1e999\n") == "2:1: the number is not finite");
+  BOOST_TEST(checkout.error("x\n1e999\n", {}, {"x"}) == "2:1: the number is not finite");
+}
+
+BOOST_AUTO_TEST_CASE(a_column_of_nothing_but_nan_is_refused_and_is_none_of_texts) {
+  const Checkout checkout;
+
+  for (const char* text : {"nan", "-inf", "NaN", "Infinity"}) {
+    const std::string cell(text);
+    BOOST_TEST(checkout.error("x\n" + cell + "\n" + cell + "\n", {}, {"x"}) ==
+               "2:1: '" + cell + "' is not a number, as column 'x' holds");
+  }
+  BOOST_TEST(checkout.error("x,abs_error\nnone,0.1\n", {}, {}) ==
+             "2:1: 'none' is not a number, as column 'x' holds");
 }
 
 BOOST_AUTO_TEST_CASE(lines_that_do_not_fit_are_told) {
@@ -137,8 +224,9 @@ BOOST_AUTO_TEST_CASE(lines_that_do_not_fit_are_told) {
 BOOST_AUTO_TEST_CASE(a_message_names_file_line_column_and_the_table_that_was_registered) {
   const Checkout checkout;
 
-  const std::string message =
-      message_of<ImportError>([&] { checkout.import("x (in),y\n1,2\n3,four\n5,6\n"); });
+  const std::string message = message_of<ImportError>([&] {
+    checkout.import("x (in),y\n1,2\n3,four\n5,6\n", {}, {"x (in)", "y"});
+  });
 
   BOOST_TEST(message ==
              checkout.path() + ":3:2: table 'points': 'four' is not a number, as column 'y' holds");

@@ -65,13 +65,14 @@ const std::string displacements = R"({
   },
   "tables": {
     "points": {
-      "columns": [{"heading": "$x$", "unit": "in", "decimals": 3},
+      "columns": [{"heading": "$x$", "unit": "in", "decimals": 3, "exact": true},
                   {"heading": "$u_z$", "unit": "in", "digits": 8},
                   {"heading": "$u_z$", "unit": "in", "exponent": -6, "decimals": 2},
                   {"heading": "node", "integer": true}, {"heading": "note", "text": true},
-                  {"heading": "as written"}],
-      "rows": [[0, {"value": 1.62360478e-6, "abs_error": 1e-14}, 1.62360478e-6, 1, "centre", 1.50],
-               [0.005, 1.51878737e-6, null, 2, null, -20]]
+                  {"heading": "as written", "exact": true}],
+      "rows": [[0, {"value": 1.62360478e-6, "abs_error": 1e-14},
+                {"value": 1.62360478e-6, "abs_error": 1e-9}, 1, "centre", 1.50],
+               [0.005, {"value": 1.51878737e-6, "abs_error": 1e-14}, null, 2, null, -20]]
     }
   }
 })";
@@ -266,6 +267,7 @@ BOOST_AUTO_TEST_CASE(a_column_has_one_format) {
   BOOST_TEST(error(R"("heading": "x", "digits": 2, "decimals": 1)") ==
              "1:50: table 't', column 1 has more than one of decimals, digits, integer, text");
   BOOST_TEST(error(R"("heading": "x", "integer": false)").ends_with("integer can only be true"));
+  BOOST_TEST(error(R"("heading": "x", "exact": false)").ends_with("exact can only be true"));
   BOOST_TEST(
       error(R"("heading": "x", "exponent": 3)").ends_with("exponent needs decimals beside it"));
   BOOST_TEST(error(R"("heading": "x", "decimals": 101)")
@@ -297,8 +299,10 @@ BOOST_AUTO_TEST_CASE(a_cell_is_checked_and_told_with_its_place) {
              "1.5 is printed to the place 1e-2, more digits than its error of 0.02 supports");
   BOOST_TEST(error(R"(, "digits": 2)", R"({"value": 150, "abs_error": 12})") ==
              "150 is printed to the place 1e1, more digits than its error of 12 supports");
-  BOOST_TEST(error("", R"({"value": 1.50, "abs_error": 0.02})") ==
-             "1.5 is printed to the place 1e-2, more digits than its error of 0.02 supports");
+  BOOST_TEST(error("", "1.5") ==
+             "1.5 comes without its error: give column 'x' an abs_error, or declare it exact");
+  BOOST_TEST(error(R"(, "exact": true)", "11400714819323198485") ==
+             "11400714819323198485 has more digits than a number holds: write it as a text");
   BOOST_TEST(error("", R"("one")") == "'one' is not a number, as column 'x' holds");
   BOOST_TEST(error(R"(, "text": true)", "1") == "1 is a number in the column of texts 'x'");
   BOOST_TEST(error(R"(, "integer": true)", "1.5") ==

@@ -34,7 +34,7 @@ for file in results:
 number = {"value": 1.5, "abs_error": 0.1}
 claim("a number with its error is taken", takes({"a.b": number}))
 claim("a text is taken", takes({"a": {"text": "x"}}))
-claim("a table is taken", takes(columns=[{"heading": "x", "decimals": 2, "exponent": -6}], rows=[[1], [number], [None]]))
+claim("a table is taken", takes(columns=[{"heading": "x", "decimals": 2, "exponent": -6, "exact": True}], rows=[[1], [number], [None]]))
 claim("an unknown field is refused", not takes(vales={}))
 claim("no script is refused", not validator.is_valid({"values": {}}))
 claim("a number without an error is refused", not takes({"a": {"value": 1}}))

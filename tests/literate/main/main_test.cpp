@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/main/main.hpp"
 
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "literate/document/names.hpp"
@@ -154,6 +161,122 @@ BOOST_AUTO_TEST_CASE(each_kind_of_error_has_its_exit_code_and_one_line) {
   BOOST_TEST(throwing(sys::InputError("odd")).errors == "toy: odd\n");
 }
 
+BOOST_AUTO_TEST_CASE(an_exception_that_says_nothing_of_its_place_is_told_with_how_far_all_came) {
+  const Workplace place;
+
+  const Answer answer =
+      place.compute([](literate::Document& document, const literate::Inputs& inputs) {
+        register_sum(document, inputs);
+        throw std::out_of_range("vector::at");
+      });
+
+  BOOST_TEST(answer.exit_code == 1);
+  BOOST_TEST(answer.errors.starts_with(
+                 "toy: the computation failed: vector::at (std::out_of_range); the last thing "
+                 "registered was value 'sum' (tests/literate/main/main_test.cpp:"),
+             answer.errors);
+}
+
+// In a process of its own, since it does not outlive it.
+int status_of(const std::function<void()>& act) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    act();
+    std::_Exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+BOOST_AUTO_TEST_CASE(a_crash_is_told_with_how_far_all_came) {
+  const Workplace place;
+
+  const int status = status_of([&] {
+    place.compute([](literate::Document& document, const literate::Inputs& inputs) {
+      register_sum(document, inputs);
+      ::raise(SIGSEGV);
+    });
+  });
+
+  BOOST_TEST(WTERMSIG(status) == SIGSEGV);
+  const std::string said = sys::read_file(place.path("said"));
+  BOOST_TEST(said.find("the computation crashed: SIGSEGV; the last thing registered was value "
+                       "'sum' (tests/literate/main/main_test.cpp:") != said.npos,
+             said);
+}
+
+BOOST_AUTO_TEST_CASE(a_computation_that_does_not_end_is_stopped_when_its_time_is_over) {
+  const Workplace place;
+
+  const int status = status_of([&] {
+    ::setenv("LITERATE_TIMEOUT", "1", 1);
+    place.compute([](literate::Document& document, const literate::Inputs& inputs) {
+      register_sum(document, inputs);
+      ::sleep(20);
+    });
+  });
+
+  BOOST_TEST(WEXITSTATUS(status) == 1);
+  const std::string said = sys::read_file(place.path("said"));
+  BOOST_TEST(said.starts_with("toy: the computation has not ended after 1 s and was stopped; the "
+                              "last thing registered was value 'sum' ("),
+             said);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_from_a_pipe_is_read_once_and_kept_beside_the_output) {
+  const Workplace place;
+  BOOST_REQUIRE(::mkfifo(place.path("pipe").c_str(), 0600) == 0);
+  std::thread writer([&] { std::ofstream(place.path("pipe")) << "E = 31\n"; });
+
+  std::string read;
+  const Answer answer = place.run({"compute", "--case", place.path("pipe"), "--source",
+                                   place.path(), "--output", place.path("generated")},
+                                  [&](literate::Document&, const literate::Inputs& inputs) {
+                                    read = sys::read_file(inputs.case_file);
+                                  });
+  writer.join();
+
+  BOOST_TEST(answer.errors == "");
+  BOOST_TEST(read == "E = 31\n");
+  BOOST_TEST(literate::read_names(place.path("generated/names.json")).case_sha256 ==
+             sys::sha256_of_text("E = 31\n"));
+}
+
+BOOST_AUTO_TEST_CASE(the_computation_is_told_which_paper_it_is_for) {
+  const Workplace place;
+  std::string paper;
+
+  place.run({"compute", "--paper", "slides", "--case", place.path("case.toml"), "--source",
+             place.path(), "--output", place.path("generated")},
+            [&](literate::Document&, const literate::Inputs& inputs) { paper = inputs.paper; });
+
+  BOOST_TEST(paper == "slides");
+}
+
+BOOST_AUTO_TEST_CASE(a_page_whose_check_failed_is_made_and_ends_with_one) {
+  const Workplace place;
+  const auto compute = [](literate::Document& document, const literate::Inputs&) {
+    document.check("balance", false, "The forces balance.");
+  };
+  place.compute(compute);
+  sys::write_file_atomically(place.path("paper/toy.tex"), "Text.\n");
+  sys::write_file_atomically(place.path("html/page.html"), "<p>Text.</p>\n");
+  sys::write_file_atomically(place.path("html/page.json"),
+                             R"({"title": "A toy", "authors": "", "date": "", "description": ""})");
+  sys::write_file_atomically(place.path("look/page.css"), "");
+
+  const Answer answer = place.run({"embed", "--document", place.path("paper"), "--generated",
+                                   place.path("generated"), "--build", place.path("html"), "--look",
+                                   place.path("look"), "--output", place.path("toy.html")},
+                                  compute);
+
+  BOOST_TEST(fs::exists(place.path("toy.html")));
+  BOOST_TEST(answer.exit_code == 1);
+  BOOST_TEST(answer.errors.ends_with(": check balance failed: The forces balance.\n"),
+             answer.errors);
+}
+
 BOOST_AUTO_TEST_CASE(typeset_looks_names_up_before_latex_starts) {
   const Workplace place;
   place.compute(register_sum);
@@ -221,7 +344,9 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_saved_while_it_is_computed_from_is_computed_
   BOOST_TEST(answer.errors.find("was saved while it was computed from") != std::string::npos);
   const auto names = literate::read_names(place.path("generated/names.json"));
   BOOST_TEST(names.case_sha256 == sys::sha256_of_text("E = 31\n"));
-  BOOST_TEST(sys::read_file(place.path("generated/values.tex")).find("new") != std::string::npos);
+  const std::string values = sys::read_file(place.path("generated/values.tex"));
+  BOOST_TEST(values.find("new") != std::string::npos);
+  BOOST_TEST(values.find("\\renewcommand*\\papercase{") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_case_that_never_rests_is_bad_input) {

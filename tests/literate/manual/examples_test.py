@@ -69,7 +69,8 @@ with tempfile.TemporaryDirectory() as scratch:
     status, said = runs(program, "typeset", *in_paper, "--build", "latex", "--output", "manual.pdf", folder=paper)
     claim("the commands of the manual typeset", status == 0, said)
 
-    status, said = runs(program, "page", *in_paper, "--main", "mypaper.tex", "--repository", "paper", "--build", "html", folder=paper)
+    status, said = runs(program, "page", *in_paper, "--main", "mypaper.tex", "--repository", "paper", "--build", "html",
+                        "--aux", "latex/mypaper.aux", "--engine", str(source / "src/literate/page"), folder=paper)
     claim("the commands of the manual are known to the page", status == 0, said)
 
     status, said = runs(program, "restyle", *in_paper, "--output", "restyled.tex", folder=paper)
@@ -96,7 +97,8 @@ with tempfile.TemporaryDirectory() as scratch:
 # Nothing that a reader would copy is left out.
 _, used_by_program = filled((here / "program.cpp.in").read_text(), manual, "//")
 used = used_by_program | used_by_prose | {"Figures: gnuplot", "Quotations: toml", "literate: sh"}
-elsewhere = {"Install: sh", "Install: cmake", "The build: cmake"}  # package_test.sh, reference_test.py
+elsewhere = {"Install: sh", "Install: cmake", "The build: cmake",  # package_test.sh, reference_test.py
+             "Numbers from elsewhere: cmake"}  # run_script_test.sh
 for name, _ in manual.fences:
     claim(f"the example «{name}» is tried", name in used | elsewhere)
 tried = " ".join((template + (here / "program.cpp.in").read_text()).split())

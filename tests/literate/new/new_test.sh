@@ -20,6 +20,28 @@ claim 'its continuous integration is YAML with a job' "$said" = debian-12
 runs /usr/bin/python3 -c "$run_yaml" rod/.github/workflows/pages.yml
 claim 'its site is published by two jobs' "$said" = 'site deploy'
 
+# A CMake that writes down what it is asked.
+mkdir bin
+printf '#!/bin/sh\nprintf "%%s\\n" "$@" >"%s/asked"\n' "$scratch" >bin/cmake
+chmod +x bin/cmake
+cp rod/case.toml 'rod/steel rod.toml'
+runs env -u CASE PATH="$scratch/bin:$PATH" make -C rod configured
+claim 'the case of the paper is made in its folder' "$(grep -c -- '^-Urod_OUTPUT$' asked)" -eq 1
+runs env PATH="$scratch/bin:$PATH" make -C rod configured CASE='steel rod.toml'
+claim 'another case is made beside it' "$(grep -c -- '^-Drod_OUTPUT:PATH=build/rod-steel rod$' asked)" -eq 1
+mkdir -p rod/build
+printf 'rod_CASE:FILEPATH=%s\n' "$(realpath rod/case.toml)" >rod/build/CMakeCache.txt
+rm -f asked
+runs env -u CASE PATH="$scratch/bin:$PATH" make -C rod configured
+claim 'a configuration that failed is tried again' -e asked
+rm -rf bin asked 'rod/steel rod.toml' rod/build rod/build.log
+
+commit=$(git -C "$source_dir" rev-parse HEAD 2>/dev/null | cut -c 1-12)
+for workflow in ci pages; do
+  claim "the $workflow takes the engine that made the paper" \
+    "$(grep -c "ENGINE_COMMIT: \"${commit:-unknown}\"" rod/.github/workflows/$workflow.yml)" -eq 1
+done
+
 mkdir empty
 runs "$literate" new empty
 claim 'a folder that is empty will do' "$status" -eq 0
@@ -59,6 +81,54 @@ refusal NAME '"my paper"'
 claim 'and names that are none' "$(says 'NAME my paper cannot name targets')" = yes
 refusal NAME rod ENGINE xelatex
 claim 'an engine that it does not know is named' "$(says 'ENGINE xelatex is neither pdflatex nor lualatex')" = yes
+
+# A paper and its slides are two calls with one program.
+mkdir -p two/src two/talk
+printf '// begin excerpt: %s\nint x;\n// end excerpt: %s\n' a a >two/src/a.cpp
+printf '// begin excerpt: %s\nint x;\n// end excerpt: %s\n' b b >two/talk/b.cpp
+touch two/case.toml
+cat >two/main.cpp <<'END'
+#include <cstdio>
+#include "literate/main/paper.hpp"
+int main() {
+  const literate::Paper& paper = literate::this_paper();
+  for (const auto& folder : paper.source_folders) std::printf("%s ", folder.c_str());
+  std::printf("%zu %s", paper.excerpts.size(), paper.main_file.c_str());
+}
+END
+cat >two/CMakeLists.txt <<END
+cmake_minimum_required(VERSION 3.25)
+project(two VERSION 1 LANGUAGES CXX)
+set(CMAKE_CXX_STANDARD 20)
+add_library(engine INTERFACE)
+target_include_directories(engine INTERFACE "$source_dir/src")
+add_library(literate::literate ALIAS engine)
+add_executable(literate::program IMPORTED)
+set_target_properties(literate::program PROPERTIES IMPORTED_LOCATION "$literate")
+include("$source_dir/src/literate/cmake/AddPaper.cmake")
+add_executable(both main.cpp)
+literate_add_paper(NAME paper PROGRAM both DOCUMENT paper MAIN paper.tex CASE case.toml SOURCES src)
+literate_add_paper(NAME slides PROGRAM both DOCUMENT slides MAIN slides.tex CASE case.toml SOURCES src talk)
+END
+runs cmake -S two -B two/build -G Ninja
+claim 'CMake takes two papers from one program' "$status" -eq 0
+runs ninja -C two/build both
+claim 'their program links' "$status" -eq 0
+runs two/build/both
+claim 'it knows the code and the excerpts of both' "$said" = 'src talk 2 paper.tex'
+runs ninja -C two/build -t commands slides-made
+claim 'it is told which of them to compute' "$(says ' compute --paper slides ')" = yes
+
+# A script that went away is noticed by the list of those that are there: nothing that is there would be newer.
+runs ninja -C two/build -t inputs paper-made
+claim 'drawing depends on the list of scripts' "$(says generated/paper/scripts.list)" = yes
+mkdir two/figures
+touch two/figures/a.gp
+runs ninja -C two/build build.ninja
+claim 'a new script is listed' "$(grep -c 'figures/a.gp$' two/build/generated/paper/scripts.list)" -eq 1
+rm two/figures/a.gp
+runs ninja -C two/build build.ninja
+claim 'one that is gone is not' "$(grep -c 'figures/a.gp$' two/build/generated/paper/scripts.list)" -eq 0
 
 runs "$literate" new
 claim 'without a folder it ends with 2' "$status" -eq 2

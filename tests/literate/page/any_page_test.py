@@ -17,7 +17,7 @@ claim = page_checks.Claims()
 def main():
     program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if not program:
-        print('skipped: there is no chromium; "make setup STAGES=html-test" installs it')
+        print('skipped: there is no chromium; "make setup test-all" installs it')
         return SKIPPED
     file = pathlib.Path(sys.argv[1]).resolve()
     page = file.as_uri()

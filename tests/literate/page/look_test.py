@@ -168,7 +168,7 @@ def check_reading(browser, page):
 def main():
     program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if not program:
-        print('skipped: there is no chromium; "make setup STAGES=html-test" installs it')
+        print('skipped: there is no chromium; "make setup test-all" installs it')
         return SKIPPED
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -190,7 +190,7 @@ def main():
     if claim.n_failed:
         return 1
     if not has_axe:
-        print('skipped: there is no axe-core; "make setup STAGES=html-test" brings it')
+        print('skipped: there is no axe-core; "make setup test-all" brings it')
         return SKIPPED
     return 0
 

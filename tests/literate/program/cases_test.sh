@@ -16,16 +16,22 @@ END
 }
 a_case one 0 '1.5 mm' confirmed
 a_case two 1 '2.5 mm' refuted
+printf 'length = {value = 1, unit = "m"}\nload = 3\n' >one/case.toml
+printf 'length = {value = 2, unit = "m"}\nload = 3\n' >two/case.toml
 
 runs "$literate" cases one two --output cases.csv
 claim 'cases are compared without being told what' "$status" -eq 0
-claim 'the table has all numbers and all claims' "$(cat cases.csv)" = "case,one,two
-exit code,0,1
-deflection-of-the-free-end,1.5 mm,2.5 mm
-claim uniform-load-suffices,confirmed,refuted"
+claim 'each case is a row, with what varies, all numbers, printed and unrounded, and all claims' "$(cat cases.csv)" = \
+  'case,exit code,parameter length,deflection-of-the-free-end,"deflection-of-the-free-end, unrounded",claim uniform-load-suffices
+one,0,1 m,1.5 mm,1.5,confirmed
+two,1,2 m,2.5 mm,1.5,refuted'
 
 runs "$literate" cases one two --keys title-of-this-case --output cases.csv
-claim 'a key that is asked for stands there' "$(sed -n 3p cases.csv)" = 'title-of-this-case,a,a'
+claim 'a key that is asked for stands there' "$(cut -d, -f4 cases.csv | tr '\n' ' ')" = 'title-of-this-case a a '
+
+echo 'not = ' >two/case.toml
+runs "$literate" cases one two --output cases.csv
+claim 'a case file that cannot be read leaves the others' "$(sed -n 3p cases.csv)" = 'two,1,,,2.5 mm,1.5,refuted'
 
 runs "$literate" cases one two --keys titel --output other.csv
 claim 'a key that no case has is refused with 2' "$status $(says "no case has a value 'titel'")" = '2 yes'

@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_prose_is_not_read) {
                       "\\begin{verbatim}\n1.234 mm\n\\end{verbatim}\n") == "");
   BOOST_TEST(found_in("\\setlength{\\tabcolsep}{2.5pt}\\vspace*{12mm}\\\\[1.25cm]"
                       "\\includegraphics[width=123mm]{a}\\begin{tabular}{p{123mm}}") == "");
-  BOOST_TEST(found_in("\\newcommand{\\x}{1.234}\\begin{document}1.235\\end{document}") == "1.235 ");
+  BOOST_TEST(found_in("\\geometry{top=1.234cm}\\begin{document}1.235\\end{document}") == "1.235 ");
   BOOST_TEST(found_in("\\begin{thebibliography}{99}1.234\\end{thebibliography}") == "");
   BOOST_TEST(found_in("MEAE-4960, SHA-256, a1234, x_123, \\code{Fig123}") == "");
 }
@@ -116,6 +116,48 @@ BOOST_AUTO_TEST_CASE(a_result_typed_into_a_text_of_the_program_is_told_with_its_
                                            "friction.cpp:40: 1.25 is typed in the heading of table "
                                            "'wide': say it without the number, or compute it"}),
              boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(titles_and_definitions_of_a_preamble_are_prose) {
+  const auto found = [](const std::string& preamble) {
+    return found_in("\\documentclass{a}\n" + preamble + "\n\\begin{document}\\end{document}");
+  };
+
+  BOOST_TEST(found("\\title[Of 1.234]{At 5 mm, \\val{k-1.777}}\\setlength{\\x}{1.235cm}") ==
+             "1.234 5 ");
+  BOOST_TEST(found("\\newcommand{\\x}{1.236}\\newcommand*\\y[1][1.237]{#1 and 7 mm}") ==
+             "1.236 1.237 7 ");
+  BOOST_TEST(found("\\def\\x{1.238}\\newcommand\\y{\\vspace{123mm}}\\renewcommand\\z{1.239}") ==
+             "1.238 ");
+}
+
+BOOST_AUTO_TEST_CASE(optional_arguments_that_are_printed_are_prose) {
+  BOOST_TEST(found_in("\\excerpt[In 1.234 s]{e-1.888}\\caption[Of 1.235]{b}\\section[1.236]{c}") ==
+             "1.234 1.235 1.236 ");
+  BOOST_TEST(found_in("\\begin{theorem}[Of 1.237]\\item[1.238]\\begin{axis}[width=1.239cm]") ==
+             "1.237 1.238 ");
+}
+
+BOOST_AUTO_TEST_CASE(texts_and_data_of_a_figures_script_are_looked_at) {
+  const std::string script =
+      "# 1.111 mm\nset label 'é 1.234' at 0.567,1\nset ylabel \"a \\\" 5 mm\"\nset yrange "
+      "[0:1.234]\n"
+      "plot d using \"x\":\"y\" lc rgb '#123456' title '20 or so', '-'\nset label '7 mm' # "
+      "constant: as printed\n"
+      "$d << EOD\n1 2\nEOD\n";
+
+  BOOST_TEST(
+      typed_numbers_in_script(script, "figures/f.gp") ==
+          (std::vector<std::string>{
+              "figures/f.gp:2:14: 1.234 is typed: take it from the computation, or end the "
+              "line with '# constant: reason'",
+              "figures/f.gp:3:18: 5 is typed: take it from the computation, or end the line "
+              "with '# constant: reason'",
+              "figures/f.gp:5:57: a block of data is typed: take it from the computation, or "
+              "end the line with '# constant: reason'",
+              "figures/f.gp:7:1: a block of data is typed: take it from the computation, or "
+              "end the line with '# constant: reason'"}),
+      boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,7 +16,8 @@ Manifest some_manifest() {
           .facts = {{"tools", {{"compiler", "GNU 12"}}}},
           .inputs = {{"a.tex", "11"}},
           .outputs = {{"a.pdf", "22"}, {"b.tex", "33"}},
-          .numbers = {{"count", {38, std::nullopt, "38"}}, {"u", {2.385e-6, 3e-12, "2.385"}}}};
+          .numbers = {{"count", {38, std::nullopt, "38"}}, {"u", {2.385e-6, 3e-12, "2.385"}}},
+          .verdicts = {{"claim it-holds", "confirmed"}}};
 }
 
 }  // namespace
@@ -69,6 +70,15 @@ BOOST_AUTO_TEST_CASE(a_number_without_an_error_is_compared_as_printed) {
 
   BOOST_TEST(compare(theirs, ours).moved == (Lines{"count: 38 (38) there, 39 (39) here",
                                                    "u: 2.385e-06 (2.385) there, none here"}),
+             per_element());
+}
+
+BOOST_AUTO_TEST_CASE(another_verdict_is_named) {
+  Manifest ours = some_manifest();
+  ours.verdicts["claim it-holds"] = "refuted";
+
+  BOOST_TEST(compare(some_manifest(), ours).moved ==
+                 (Lines{"claim it-holds: confirmed there, refuted here"}),
              per_element());
 }
 

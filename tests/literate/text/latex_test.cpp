@@ -42,6 +42,16 @@ BOOST_AUTO_TEST_CASE(a_unit_that_siunitx_would_misread_is_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(plain_text_is_what_a_reader_of_latex_reads) {
+  BOOST_TEST(plain_text("$\\theta$") == "θ");
+  BOOST_TEST(plain_text("$\\partial u_z/\\partial x$") == "∂u_z/∂x");
+  BOOST_TEST(plain_text("$u_z$, eq.~(3)") == "u_z, eq. (3)");
+  BOOST_TEST(plain_text("convergence, \\% \\& more\\,--\\,less") == "convergence, % & more – less");
+  BOOST_TEST(plain_text("$1 + \\theta^2/16$") == "1 + θ^2/16");
+  BOOST_TEST(plain_text("$\\mathrm{d}x$") == "dx");
+  BOOST_TEST(plain_text("$\\frac{a}{b}$") == "$\\frac{a}{b}$");
+}
+
 BOOST_AUTO_TEST_CASE(mathematical_letters_are_symbols_in_italics) {
   BOOST_TEST(escape_latex("over 𝑝₀") == "over \\ensuremath{p}\\ensuremath{_{0}}");
   BOOST_TEST(escape_latex("𝑎𝑧𝐴𝑍ℎ") ==

@@ -100,6 +100,11 @@ BOOST_AUTO_TEST_CASE(ieeetran) {
                     "\\title{A sum}\\author{N.N.}\\maketitle\n", "\\excerpt{loop}\n"});
 }
 
+BOOST_AUTO_TEST_CASE(revtex) {
+  require_typesets({"revtex4-2.cls", "\\documentclass[aps,pre,twocolumn]{revtex4-2}",
+                    "\\title{A sum}\\author{N.N.}\\maketitle\n", "\\excerpt{loop}\n"});
+}
+
 BOOST_AUTO_TEST_CASE(beamer) {
   require_typesets({"beamer.cls", "\\documentclass{beamer}", "\\begin{frame}{A sum}\n",
                     "\\end{frame}\n\\begin{frame}[fragile]\n\\excerpt{loop}\n\\end{frame}\n",

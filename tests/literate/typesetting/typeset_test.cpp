@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(attachments_are_listed_in_order_by_their_names) {
   const std::string pdf = sys::read_file(paper.options.output_pdf);
   std::size_t place = pdf.find("/Names[");
   for (const std::string name : {"B", "a-b", "a", "b_2"}) {
-    const std::size_t next = pdf.find("(tables/" + name + ".csv)", place);
+    const std::size_t next = pdf.find("(tables-" + name + ".csv)", place);
     BOOST_TEST(next < pdf.find(']', place), name);
     place = next;
   }
@@ -346,8 +346,14 @@ BOOST_AUTO_TEST_CASE(attachments_are_listed_in_order_by_their_names) {
   const sys::ProcessResult list =  // by the names that viewers show
       sys::run({.program = "pdfdetach", .arguments = {"-list", paper.options.output_pdf.string()}});
   BOOST_TEST(list.output ==
-             "4 embedded files\n1: tables/B.csv\n2: tables/a-b.csv\n3: tables/a.csv\n"
-             "4: tables/b_2.csv\n");
+             "4 embedded files\n1: tables-B.csv\n2: tables-a-b.csv\n3: tables-a.csv\n"
+             "4: tables-b_2.csv\n");
+  // Into a folder that is empty, which has no folder for each of their names.
+  const TemporaryFolder saved;
+  sys::run(
+      {.program = "pdfdetach",
+       .arguments = {"-saveall", "-o", saved.path().string(), paper.options.output_pdf.string()}});
+  BOOST_TEST(sys::read_file(saved / "tables-b_2.csv") == document.tables().at("b_2").csv());
 }
 
 BOOST_AUTO_TEST_CASE(lualatex_typesets_the_same_document_with_the_same_bytes_each_time) {
@@ -380,6 +386,40 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_or_file_is_told_by_name) {
   BOOST_TEST(message == "pdflatex is not installed; 'make setup' installs it");
   paper.options.main_file = "none.tex";
   BOOST_CHECK_THROW(typeset(paper.options), sys::OutputError);
+}
+
+BOOST_AUTO_TEST_CASE(page_numbers_are_right_however_fast_passes_and_saves_follow_each_other) {
+  // All within one second, as far as anybody can tell by the time stamps.
+  const TemporaryFolder tools;
+  const Paper paper("");
+  sys::write_file_atomically(
+      tools / "pdflatex",
+      fmt::format("#!/bin/sh\n'{}' \"$@\" || exit\ntouch -c -d @1000000000 '{}'/*.aux\n",
+                  sys::find_tool("pdflatex").string(), paper.options.build_dir.string()));
+  fs::permissions(tools / "pdflatex", fs::perms::owner_all);
+  const auto stamp = fs::last_write_time(tools / "pdflatex");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (tools.path().string() + ":" + path).c_str(), 1);
+
+  for (int i = 0; i < 6; ++i) {
+    paper.write(fmt::format("x{}y\\label{{a}}\\typeout{{a is on \\getpagerefnumber{{a}}.}}",
+                            i % 2 == 0 ? "\\newpage " : "\\relax   "));
+    fs::last_write_time(paper.options.source_dir / "main.tex", stamp);
+    typeset(paper.options);
+    const std::string log = sys::read_file(paper.options.build_dir / "main.log");
+    BOOST_TEST(log.find(fmt::format("a is on {}.", i % 2 == 0 ? 2 : 1)) != log.npos);
+  }
+
+  setenv("PATH", path.c_str(), 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_document_that_never_settles_is_an_error_that_names_the_label) {
+  const Paper paper("x\\ifnum\\getpagerefnumber{odd}=1 \\newpage\\fi y\\label{odd}");
+
+  BOOST_TEST(paper.error() ==
+             (paper.options.source_dir / "main.tex").string() +
+                 ": LaTeX asks for another run after each one\n"
+                 "  label 'odd' is '' on page 1 in one pass and '' on page 2 in the next");
 }
 
 BOOST_AUTO_TEST_CASE(an_engine_that_does_nothing_and_succeeds_is_not_believed) {
@@ -439,6 +479,60 @@ BOOST_AUTO_TEST_CASE(after_an_error_was_mended_the_document_is_that_of_a_first_r
 
   BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) ==
              sys::sha256_of_file(fresh.options.output_pdf));
+}
+
+BOOST_AUTO_TEST_CASE(an_error_of_bibtex_is_told_at_its_line) {
+  const Paper paper("A book~\\cite{a}.\\bibliographystyle{plain}\\bibliography{books}");
+  sys::write_file_atomically(paper.options.source_dir / "books.bib",
+                             "@book{a,\n  author = {A. B.}\n  title = {C}\n}\n");
+
+  const std::string error = paper.error();
+
+  BOOST_TEST(error.find("my report/books.bib:3: BibTeX: I was expecting") != error.npos, error);
+}
+
+BOOST_AUTO_TEST_CASE(parts_may_be_included_from_folders) {
+  const Paper paper("\\include{parts/one}");
+  sys::write_file_atomically(paper.options.source_dir / "parts/one.tex", "One.");
+
+  typeset(paper.options);
+
+  BOOST_TEST(fs::exists(paper.options.build_dir / "parts/one.aux"));
+}
+
+BOOST_AUTO_TEST_CASE(a_drawing_is_its_own_whatever_else_is_called_like_it) {
+  const Paper paper("\\fig{f}\\fig[width=2cm]{f}");
+  sys::write_file_atomically(paper.options.source_dir / "f.pdf", "another picture");
+
+  typeset(paper.options);
+
+  BOOST_TEST(fs::exists(paper.options.output_pdf));
+}
+
+BOOST_AUTO_TEST_CASE(today_is_the_day_of_the_commit) {
+  const Paper paper("\\typeout{day \\today}\\today");
+  const auto day_by = [&](const std::string& date) {
+    sys::write_file_atomically(paper.options.source_dir / "repository.tex",
+                               "\\LiterateRepository{unknown}{false}{" + date + "}\n");
+    typeset(paper.options);
+    const std::string log = sys::read_file(paper.options.build_dir / "main.log");
+    const auto begin = log.find("\nday ") + 5;
+    return log.substr(begin, log.find('\n', begin) - begin);
+  };
+
+  BOOST_TEST(day_by("2026-09-08T03:36:45Z") == "September 8, 2026");
+  BOOST_TEST(day_by("unknown") == "undated");
+}
+
+BOOST_AUTO_TEST_CASE(an_overfull_box_is_told_at_the_line_of_its_table) {
+  const Paper paper("\n\\begin{table}\n\\centering\n\\caption{A.}\n\\tab{wide}\n\\end{table}\n");
+  Document document;
+  document.table(Table("wide", {Column::text("text")}).add_row({std::string(200, 'x')}));
+  document.write(paper.options.generated_dir);
+
+  const std::string error = paper.error();
+
+  BOOST_TEST(error.find("my report/main.tex:10: in table 'wide': Overfull") != error.npos, error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,11 +6,15 @@
 #include <charconv>
 #include <clocale>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <locale>
 #include <random>
 #include <stdexcept>
 #include <string>
+
+#include "literate/tables/cell.hpp"
+#include "message_of.hpp"
 
 BOOST_AUTO_TEST_SUITE(value_test)
 
@@ -48,6 +52,20 @@ BOOST_AUTO_TEST_CASE(rounding_up_to_a_new_digit_keeps_the_decimals) {
   BOOST_TEST(Value(9.996e-5, scientific(3)).printed() == "1.00e-4");
   BOOST_TEST(estimated(9.996, 0.004) == "10.00");
   BOOST_TEST(Value(999999.7, significant(6)).printed() == "1.00000e6");
+}
+
+BOOST_AUTO_TEST_CASE(a_whole_number_that_no_double_holds_is_refused) {
+  const std::string refused =
+      message_of<std::invalid_argument>([] { Value(11400714819323198485ULL, integer()); });
+  BOOST_TEST(refused ==
+             "11400714819323198485 is beyond 2^53, where a number does not hold each integer: "
+             "Value::text(\"11400714819323198485\") prints it");
+  BOOST_CHECK_THROW(Value((1LL << 53) + 1, exact()), std::invalid_argument);
+  BOOST_CHECK_THROW(Value(-(1LL << 53) - 1, integer()), std::invalid_argument);
+  BOOST_TEST(Value(1LL << 53, integer()).printed() == "9007199254740992");
+  BOOST_TEST(Value(-(1LL << 53), integer()).printed() == "-9007199254740992");
+  BOOST_CHECK_THROW(literate::Cell(std::numeric_limits<std::int64_t>::min()),
+                    std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(rounding_goes_by_the_exact_binary_value) {
@@ -166,12 +184,13 @@ BOOST_AUTO_TEST_CASE(integers_and_text) {
 BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_refused) {
   using std::invalid_argument;
   for (const double bad : {not_a_number, infinity, -infinity}) {
-    BOOST_CHECK_THROW(Value(bad, fixed(2)), invalid_argument);
-    BOOST_CHECK_THROW(Value(bad, significant(2)), invalid_argument);
-    BOOST_CHECK_THROW(Value(bad, scientific(2)), invalid_argument);
-    BOOST_CHECK_THROW(Value(bad, exact()), invalid_argument);
-    BOOST_CHECK_THROW(Value(bad, percent(1)), invalid_argument);
-    BOOST_CHECK_THROW(Value({bad, 1}, supported()), invalid_argument);
+    // What registers the value says under which key, so it refuses only to be printed.
+    for (const Value& value :
+         {Value(bad, fixed(2)), Value(bad, significant(2)).within(0.1), Value(bad, scientific(2)),
+          Value(bad, exact()), Value(bad, percent(1)), Value({bad, 1}, supported())}) {
+      BOOST_CHECK_THROW(value.printed(), invalid_argument);
+      BOOST_CHECK_THROW(value.latex(), invalid_argument);
+    }
     BOOST_CHECK_THROW(Value({1, bad}, supported()), invalid_argument);
   }
   BOOST_CHECK_THROW(Value({1, -1}, supported()), invalid_argument);

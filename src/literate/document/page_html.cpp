@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/document/page_html.hpp"
+
+#include <fmt/core.h>
+
+#include "literate/text/latex.hpp"
+#include "system/files.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+std::string tex(const std::string& latex) {
+  return "<tex>" + latex + "</tex>";
+}
+
+std::string plain(const std::string& text) {
+  return tex(escape_latex(text));
+}
+
+std::string code(const std::string& text) {
+  return "<code>" + tex(escape_latex(text)) + "</code>";
+}
+
+std::string criterion_html(const Criterion& criterion, Verdict verdict) {
+  const std::string outcome(name_of(criterion.outcome()));
+  std::string html = fmt::format(
+      "<li data-outcome=\"{}\">{}: <strong>{}</strong> [{}, {} {}]", outcome,
+      plain(criterion.name()), tex(criterion.found().latex), tex(criterion.limit().latex),
+      tex(fmt::format("\\LedgerLimit{{{}}}", name_of(criterion.limit_kind()))),
+      plain(criterion.limit_reason()));
+  const bool all_alike = verdict == Verdict::confirmed || verdict == Verdict::refuted;
+  if (outcome == "undecided") {
+    html += ", undecided: " + plain(criterion.missing());
+  } else if (!all_alike) {
+    html += ", " + outcome;
+  }
+  return html + "</li>\n";
+}
+
+std::string error_of(const Value& value) {
+  if (!value.abs_error()) return {};
+  if (*value.abs_error() == 0) return ", exact";
+  const Format format = scientific(2).rounded_up();
+  const Value bound = value.is_percentage() ? Value(*value.abs_error(), format.in_percent())
+                                            : Value(*value.abs_error(), format, value.unit());
+  return ", error " + tex("$\\le$~" + bound.latex());
+}
+
+}  // namespace
+
+std::string claim_html(const std::string& id, const Claim& claim, const SourcePlace& place) {
+  const std::string found(name_of(claim.found()));
+  const std::string expected(name_of(claim.expected));
+  std::string html = fmt::format(
+      "<article class=\"lit-ledger-entry\" id=\"claim-{0}\" data-claim=\"{0}\" "
+      "data-verdict=\"{1}\" "
+      "data-origin=\"@origin@\">\n<p class=\"lit-ledger-statement\"><span class=\"lit-number\">"
+      "<tex>\\LedgerNumber{{{0}}}</tex></span> <strong class=\"lit-verdict\" data-verdict=\"{1}\">"
+      "{2}</strong>{3}: <em><tex>\\LedgerSentence{{{0}}}</tex></em> "
+      "<span class=\"lit-ledger-source\"><tex>\\LedgerSource{{{0}}}</tex></span></p>\n",
+      id, found.substr(0, found.find(' ')), found,
+      found == expected ? "" : ", <strong>not " + expected + " as expected</strong>");
+  html += fmt::format(
+      "<p class=\"lit-ledger-route\">Tested: {}. <span class=\"lit-ledger-place\">{}, {}, "
+      "@uses:claim:{}@</span></p>\n<ul class=\"lit-criteria\">\n",
+      plain(claim.route), code(id), code(text_of(place)), id);
+  for (const Criterion& criterion : claim.criteria)
+    html += criterion_html(criterion, claim.found());
+  return html + "</ul>\n</article>\n";
+}
+
+std::string index_html(const Registered& registered) {
+  std::string html = "<div class=\"lit-index\">\n";
+  for (const auto& [key, value] : registered.values) {
+    html += fmt::format("<p id=\"val-{}\">{}: {}{}; {}; @uses:val:{}@</p>\n", key, code(key),
+                        tex(value.latex()), error_of(value),
+                        code(text_of(registered.places.at({"value", key}))), key);
+  }
+  return html + "</div>\n";
+}
+
+std::string provenance_html(const Registered& registered, const fs::path& folder) {
+  std::string html = "<div class=\"lit-provenance\">\n";
+  const auto add = [&](const std::string& kind, const std::string& name, const std::string& files) {
+    const SourcePlace& place = registered.places.at({kind, name});
+    html +=
+        fmt::format("<p><strong>{} {}</strong>, @uses:{}:{}@: {}, {}{}</p>\n", kind, plain(name),
+                    kind, name, code(text_of(place)), code(place.function), tex(files));
+  };
+  for (const auto& [name, figure] : registered.figures) {
+    add("figure", name, fmt::format("\\LiterateFiles{{figures/{}/files.tex}}", name));
+  }
+  for (const auto& [name, table] : registered.tables) {
+    const std::string file = fmt::format("tables/{}.csv", name);
+    add("table", name,
+        fmt::format("\\LiterateFile{{{}}}{{{}}}", file, sys::sha256_of_file(folder / file)));
+  }
+  return html + "<p>" + tex(registered.attachments.latex("imports")) + "</p></div>\n";
+}
+
+void write_page_parts(const Registered& registered, const fs::path& folder) {
+  const fs::path page = folder / "page";
+  for (const auto& [name, table] : registered.tables) {
+    sys::write_file_atomically(page / "tables" / (name + ".html"), table.html());
+  }
+  for (const auto& [id, claim] : registered.claims) {
+    sys::write_file_atomically(page / "claims" / (id + ".html"),
+                               claim_html(id, claim, registered.places.at({"claim", id})));
+  }
+  sys::write_file_atomically(page / "index.html", index_html(registered));
+  sys::write_file_atomically(page / "provenance.html", provenance_html(registered, folder));
+}
+
+}  // namespace literate

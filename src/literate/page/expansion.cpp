@@ -1,0 +1,512 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/page/expansion.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "literate/page/expansion_reading.hpp"
+#include "literate/page/html_text.hpp"
+#include "literate/prose/source_label.hpp"
+#include "literate/text/characters.hpp"
+#include "literate/text/latex.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+
+namespace page_reading {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+void skip_blanks(TexScanner& in) {
+  while (true) {
+    in.skip(std::min(in.rest().find_first_not_of(blanks), in.rest().size()));
+    if (!in.rest().starts_with('%')) return;
+    in.next();
+  }
+}
+
+std::string_view argument(TexScanner& in) {
+  skip_blanks(in);
+  if (const std::string_view group = group_at(in.rest()); !group.empty()) {
+    in.skip(group.size());
+    return group.substr(1, group.size() - 2);
+  }
+  if (in.rest().starts_with('\\')) return in.next()->text;
+  std::size_t n = in.rest().empty() ? 0 : 1;
+  while (n > 0 && n < in.rest().size() && (in.rest()[n] & 0xc0) == 0x80) ++n;
+  return in.skip(n);
+}
+
+std::optional<std::string_view> option(TexScanner& in) {
+  std::size_t at = std::min(in.rest().find_first_not_of(" \t"), in.rest().size());
+  if (in.rest().substr(at).starts_with('\n')) {
+    at = std::min(in.rest().find_first_not_of(" \t", at + 1), in.rest().size());
+  }
+  const std::string_view group = group_at(in.rest().substr(at), '[', ']');
+  if (group.empty()) return std::nullopt;
+  in.skip(at + group.size());
+  return group.substr(1, group.size() - 2);
+}
+
+}  // namespace page_reading
+using namespace page_reading;
+
+Expander::Expander(const PageSources& sources)
+    : sources_(sources),
+      registered_(nlohmann::json::parse(sys::read_file(sources.generated / "names.json"))),
+      names_(read_names(sources.generated / "names.json")),
+      numbers_(sources.aux),
+      out_(&result_.latex) {
+  for (const auto& statement : numbered_statements(statements_below(sources.document), names_)) {
+    claim_order_.push_back(statement.statement.id);
+    statements_.emplace(statement.statement.id, statement);
+  }
+  for (const Quotation& quotation : read_quotations(sources.document)) {
+    quotations_.emplace(quotation.id, quotation);
+  }
+  for (const char* kind :
+       {"derived", "from printed digits", "rounding", "stated", "convention", "regression band"}) {
+    limits_[kind] = std::string(kind) + ":";
+  }
+}
+
+Expanded Expander::expand() {
+  read_preamble(sources_.known);
+  const fs::path main = sources_.document / sources_.main_file;
+  const std::string text = sys::read_file(main);
+  const auto begin = text.find("\\begin{document}");
+  if (begin == text.npos) {
+    throw sys::InputError(fmt::format("'{}' has no \\begin{{document}}", main.string()));
+  }
+  read_preamble(std::string_view(text).substr(0, begin));
+  if (fs::exists(sources_.document / "page.tex")) {
+    read_preamble(sys::read_file(sources_.document / "page.tex"));
+  }
+  if (!sources_.repository.empty()) read_all(sources_.repository);
+  if (registered_.contains("case_name")) {
+    const auto name = registered_.at("case_name").get<std::string>();
+    macros_["papercase"] = {.body = escape_latex(name)};
+  }
+  has_parts_ = false;
+  *out_ = "\\begin{document}\n";
+  read_file(main);
+  *out_ += "\n\\end{document}\n";
+  if (const std::string left = numbers_.left(); !left.empty()) {
+    result_.errors.push_back(fmt::format("{}/{}:1:1: the PDF has more numbers than the page: {}",
+                                         source_label(sources_.document), sources_.main_file,
+                                         left));
+  }
+  finish();
+  return std::move(result_);
+}
+
+void Expander::read_file(const fs::path& file) {
+  const std::string text = sys::read_file(file);
+  const auto outer = std::tuple(file_text_, at_, file_name_);
+  result_.files.push_back(file);
+  file_text_ = at_ = text;
+  file_name_ =
+      source_label(sources_.document) + "/" + file.lexically_relative(sources_.document).string();
+  const auto begin = text.find("\\begin{document}");
+  try {
+    read_all(begin == text.npos ? std::string_view(text) : std::string_view(text).substr(begin));
+  } catch (const sys::InputError& error) {
+    const std::string message = error.what();
+    const bool has_place = message.find(".tex:") != message.npos;
+    throw sys::InputError(has_place ? message : place() + ": " + message);
+  }
+  std::tie(file_text_, at_, file_name_) = outer;
+}
+
+// Of the preamble only definitions count: pandoc is told nothing of it.
+void Expander::read_preamble(std::string_view text) {
+  static const std::vector<Handler> definitions{
+      &Expander::define,         &Expander::define_by_pattern, &Expander::define_environment,
+      &Expander::define_theorem, &Expander::define_operator,   &Expander::set_picture,
+      &Expander::metadata,       &Expander::package,           &Expander::letter_region};
+  TexScanner in(text);
+  while (const auto token = in.next()) {
+    if (token->kind != TexKind::command) continue;
+    const auto handler = commands().find(token->name);
+    if (handler != commands().end() && handler->second == &Expander::input) {
+      const fs::path file = file_of(argument(in));
+      if (fs::is_regular_file(file)) read_preamble(sys::read_file(file));
+    } else if (handler != commands().end() &&
+               std::ranges::find(definitions, handler->second) != definitions.end()) {
+      (this->*handler->second)(in, *token);
+    }
+  }
+}
+
+void Expander::read_all(std::string_view text) {
+  constexpr int deepest = 200;
+  if (++depth_ > deepest) throw sys::InputError(place() + ": a command contains itself");
+  TexScanner in(text);
+  while (const auto token = in.next()) read(in, *token);
+  --depth_;
+}
+
+void Expander::read(TexScanner& in, const TexToken& token) {
+  const char* begin = token.text.data();
+  if (begin >= file_text_.data() && begin < file_text_.data() + file_text_.size()) at_ = token.text;
+  switch (token.kind) {
+    case TexKind::comment:
+      // A comment ends its line, and the blanks before the next.
+      in.skip(in.rest().starts_with('\n') ? 1 : 0);
+      in.skip(std::min(in.rest().find_first_not_of(" \t"), in.rest().size()));
+      return;
+    case TexKind::begin:
+      return read_begin(in, token);
+    case TexKind::end:
+      return read_end(in, token);
+    case TexKind::dollar:
+      if (is_math_) return emit(token.text);  // within \text
+      return formula(in, token.text);
+    case TexKind::symbol:
+      if (token.text == "\\(") return formula(in, "\\)");
+      if (token.text == "\\[") return formula(in, "\\]");
+      if (token.text == "\\\\" && !is_math_) {
+        option(in);
+        return emit("\\\\ ");
+      }
+      if (token.text == "\\/" || token.text == "\\-" || token.text == "\\@") return;
+      return emit(token.text);
+    case TexKind::command:
+      return read_command(in, token);
+    case TexKind::verbatim:
+      if (token.name != "comment") emit(token.text);
+      return;
+    default:
+      emit(token.text);
+  }
+}
+
+void Expander::read_command(TexScanner& in, const TexToken& token) {
+  if (const auto macro = macros_.find(token.name); macro != macros_.end()) {
+    return use_macro(in, macro->second);
+  }
+  if (const auto handler = commands().find(token.name); handler != commands().end()) {
+    return (this->*handler->second)(in, token);
+  }
+  // An assignment to a length or a number of LaTeX, such as \hangindent=1em.
+  if (!is_math_ && in.rest().starts_with('=')) {
+    in.skip(std::min(in.rest().find_first_of(" \t\n\\", 1), in.rest().size()));
+    return;
+  }
+  emit(token.text);
+}
+
+void Expander::read_begin(TexScanner& in, const TexToken& token) {
+  if (picture_environments_.contains(token.name)) {
+    const std::string source =
+        fmt::format("{}{}\\end{{{}}}", token.text, body_of(in, token.name), token.name);
+    result_.typeset.push_back(source);
+    begin_block(fmt::format("<img class=\"lit-drawing\" src=\"figures/typeset-{}.svg\" alt=\"{}\">",
+                            result_.typeset.size(), escape_html(source)),
+                "");
+    return end_block();
+  }
+  if (const auto own = own_environments_.find(token.name); own != own_environments_.end()) {
+    const Macro macro = own->second;
+    ends_.emplace_back(token.name, macro.end);
+    return read_all(filled(in, macro));
+  }
+  if (theorems_.contains(token.name)) return theorem(in, token);
+  if (const auto handler = environments().find(token.name); handler != environments().end()) {
+    return (this->*handler->second)(in, token);
+  }
+  emit(token.text);
+}
+
+void Expander::read_end(TexScanner&, const TexToken& token) {
+  if (ends_.empty() || ends_.back().first != token.name) return emit(token.text);
+  const std::string end = ends_.back().second;
+  ends_.pop_back();
+  if (end == "block") {
+    end_block();
+  } else if (end == "float") {
+    floats_.pop_back();
+    end_block();
+  } else if (end == "minipage") {
+    if (!floats_.empty() && !floats_.back().outer.empty()) {
+      floats_.back().counter = std::exchange(floats_.back().outer, "");
+    }
+    emit("\n\n");
+  } else if (end == "list") {
+    lists_.pop_back();
+    emit(token.text);
+  } else {
+    read_all(end);
+  }
+}
+
+void Expander::use_macro(TexScanner& in, const Macro& macro) {
+  if (macro.n_arguments == 0) {
+    const auto n = std::min(in.rest().find_first_not_of(" \t"), in.rest().size());
+    if (!in.rest().substr(n).starts_with('\n')) in.skip(n);
+  }
+  read_all(filled(in, macro));
+}
+
+std::string Expander::filled(TexScanner& in, const Macro& macro) const {
+  std::vector<std::string> arguments;
+  if (macro.has_default) {
+    const auto given = option(in);
+    arguments.emplace_back(given ? *given : macro.first_default);
+  }
+  while (arguments.size() < macro.n_arguments) arguments.emplace_back(argument(in));
+  std::string text;
+  for (std::size_t i = 0; i < macro.body.size(); ++i) {
+    const bool is_place = macro.body[i] == '#' && i + 1 < macro.body.size();
+    const auto n = is_place ? static_cast<std::size_t>(macro.body[i + 1] - '1') : 0;
+    if (is_place && n < arguments.size()) {
+      text += arguments[n];
+      ++i;
+    } else {
+      text += macro.body[i];
+    }
+  }
+  return text;
+}
+
+std::string_view Expander::body_of(TexScanner& in, std::string_view name) const {
+  const std::string_view text = in.rest();
+  for (int depth = 1; auto token = in.next();) {
+    if (token->name != name) continue;
+    if (token->kind == TexKind::begin) ++depth;
+    if (token->kind == TexKind::end && --depth == 0) {
+      return text.substr(0, static_cast<std::size_t>(token->text.data() - text.data()));
+    }
+  }
+  throw sys::InputError(fmt::format("{}: \\begin{{{}}} has no end", place(), name));
+}
+
+std::string Expander::expanded(std::string_view text) {
+  std::string latex;
+  std::string* outer = std::exchange(out_, &latex);
+  read_all(text);
+  out_ = outer;
+  return latex;
+}
+
+// Letters behind the name of a command would become part of it.
+void Expander::emit(std::string_view text) {
+  if (text.empty()) return;
+  std::size_t end = out_->size();
+  while (end > 0 && is_letter((*out_)[end - 1])) --end;
+  const bool ends_in_command = end > 0 && end < out_->size() && (*out_)[end - 1] == '\\' &&
+                               !(end > 1 && (*out_)[end - 2] == '\\');
+  if (ends_in_command && is_letter(text.front())) *out_ += ' ';
+  *out_ += text;
+}
+
+std::string Expander::place() const {
+  if (file_text_.empty()) return file_name_;
+  const TexPlace place = place_in(file_text_, at_);
+  return fmt::format("{}:{}:{}", file_name_, place.line, place.column);
+}
+
+void Expander::fail(const std::string& message) {
+  result_.errors.push_back(fmt::format("{}: {}", place(), message));
+}
+
+std::size_t Expander::mark(std::string open, std::string close, bool is_plain) {
+  result_.marks.push_back({std::move(open), std::move(close), is_plain});
+  return result_.marks.size();
+}
+
+std::string Expander::marked(std::string open, std::string_view latex, std::string close) {
+  return fmt::format("\\href{{lit:{}}}{{{}}}", mark(std::move(open), std::move(close)), latex);
+}
+
+void Expander::begin_block(std::string open, std::string close, bool is_plain) {
+  emit(fmt::format("\n\n\\begin{{center}}\\href{{lit:{}}}{{}}",
+                   mark(std::move(open), std::move(close), is_plain)));
+}
+
+void Expander::end_block() {
+  emit("\\end{center}\n\n");
+}
+
+// HTML that the engine wrote from what was registered; LaTeX in it stands in <tex></tex>.
+void Expander::fragment(std::string_view html) {
+  constexpr std::string_view open = "<tex>", close = "</tex>";
+  begin_block("", "");
+  while (!html.empty()) {
+    const auto begin = html.find(open);
+    emit(marked(std::string(html.substr(0, begin)), "", ""));
+    if (begin == html.npos) break;
+    html.remove_prefix(begin + open.size());
+    const auto end = html.find(close);
+    read_all(html.substr(0, end));
+    html.remove_prefix(end + close.size());
+  }
+  end_block();
+}
+
+std::string Expander::use_id(const std::string& kind, const std::string& name) {
+  std::vector<Use>& uses = uses_[{kind, name}];
+  uses.push_back({fmt::format("use-{}-{}-{}", kind, name, uses.size() + 1), section_});
+  return uses.back().id;
+}
+
+// «used in § 2, § 3», a link to the first use in each section.
+std::string Expander::uses(const std::string& kind, const std::string& name) const {
+  const auto found = uses_.find({kind, name});
+  if (found == uses_.end()) return "not used";
+  std::string html, last;
+  for (const Use& use : found->second) {
+    if (!html.empty() && use.section == last) continue;
+    html += fmt::format("{}<a class=\"lit-ref\" href=\"#{}\">{}</a>", html.empty() ? "" : ", ",
+                        escape_html(use.id), use.section.empty() ? "the text" : "§ " + use.section);
+    last = use.section;
+  }
+  return "used in " + html;
+}
+
+// What is known only at the end: who uses a name, and whether a link has its target.
+void Expander::finish() {
+  constexpr std::string_view begin = "@uses:";
+  for (PageMark& mark : result_.marks) {
+    for (auto at = mark.open.find(begin); at != std::string::npos; at = mark.open.find(begin)) {
+      const auto end = mark.open.find('@', at + 1);
+      const std::string name = mark.open.substr(at + begin.size(), end - at - begin.size());
+      const auto colon = name.find(':');
+      mark.open.replace(at, end + 1 - at, uses(name.substr(0, colon), name.substr(colon + 1)));
+    }
+    for (const char* target : {"claim-", "val-"}) {
+      const std::string link = fmt::format(" href=\"#{}", target);
+      const auto at = mark.open.find(link);
+      if (at == std::string::npos) continue;
+      const auto end = mark.open.find('"', at + 8);
+      if (ids_.contains(mark.open.substr(at + 8, end - at - 8))) continue;
+      mark.open.replace(at, end + 1 - at, "");
+    }
+    mark.open = replaced(std::move(mark.open), "@id@", "");
+  }
+}
+
+void Expander::formula(TexScanner& in, std::string_view end) {
+  const std::string_view text = in.rest();
+  while (const auto token = in.next()) {
+    const bool is_end =
+        token->text == end && (token->kind == TexKind::dollar || token->kind == TexKind::symbol);
+    if (!is_end) continue;
+    const std::string_view body =
+        text.substr(0, static_cast<std::size_t>(token->text.data() - text.data()));
+    if (end == "\\]" || end == "$$") {
+      std::vector<Row> rows = rows_of_display(body);
+      for (Row& row : rows) row.is_numbered = false;
+      return show_display("equation", std::move(rows));
+    }
+    is_math_ = true;
+    const std::string latex = expanded(body);
+    is_math_ = false;
+    result_.formulas.emplace(without_blanks(latex), place());
+    return emit("$" + latex + "$");
+  }
+  throw sys::InputError(fmt::format("{}: a formula has no end", place()));
+}
+
+std::vector<Expander::Row> Expander::rows_of_display(std::string_view body) {
+  std::vector<Row> rows(1);
+  const bool outer = std::exchange(is_math_, true);
+  std::string* const out = out_;
+  out_ = &rows.back().latex;
+  TexScanner in(body);
+  for (int depth = 0; auto token = in.next();) {
+    Row& row = rows.back();
+    if (token->kind == TexKind::begin) ++depth;
+    if (token->kind == TexKind::end) --depth;
+    if (token->text == "\\\\" && depth == 0) {
+      option(in);
+      rows.emplace_back();
+      // The vector may have moved its rows.
+      out_ = &rows.back().latex;
+    } else if (token->name == "label") {
+      row.label = argument(in);
+    } else if (token->name == "tag") {
+      const bool is_bare = token->text.ends_with('*');
+      const std::string tag(argument(in));
+      row.tag = is_bare ? tag : "(" + tag + ")";
+    } else if (token->name == "nonumber" || token->name == "notag") {
+      row.is_numbered = false;
+    } else {
+      read(in, *token);
+    }
+  }
+  out_ = out;
+  is_math_ = outer;
+  if (rows.size() > 1 && sys::stripped(rows.back().latex).empty()) rows.pop_back();
+  return rows;
+}
+
+void Expander::display(TexScanner& in, const TexToken& token) {
+  const std::string name(token.name);
+  std::string_view body = body_of(in, name);
+  std::string bare = name.ends_with('*') ? name.substr(0, name.size() - 1) : name;
+  if (bare == "alignat") body = body.substr(group_at(body).size());
+  std::vector<Row> rows = rows_of_display(body);
+  // An equation of its own counts although its \\tag is printed instead.
+  const bool is_counted = name == "equation";
+  const std::string counted = is_counted ? numbers_.take("equation").number : "";
+  const bool has_one_number = bare == "equation" || bare == "multline" || bare == "displaymath";
+  if (has_one_number) {
+    Row whole = rows.front();
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      whole.latex += "\\\\" + rows[i].latex;
+      if (!rows[i].tag.empty()) whole.tag = rows[i].tag;
+      if (!rows[i].label.empty()) whole.label = rows[i].label;
+    }
+    rows = {whole};
+  }
+  for (Row& row : rows) {
+    if (is_counted && row.tag.empty()) row.tag = "(" + counted + ")";
+    if (bare != name || bare == "displaymath") row.is_numbered = false;
+  }
+  if (bare == "displaymath") bare = "equation";
+  if (bare == "flalign" || bare == "alignat") bare = "align";
+  show_display(bare, std::move(rows));
+}
+
+void Expander::show_display(const std::string& environment, std::vector<Row> rows) {
+  std::string latex, numbers;
+  bool has_numbers = false;
+  for (Row& row : rows) {
+    latex += (latex.empty() ? "" : "\\\\\n") + row.latex;
+    if (row.tag.empty() && row.is_numbered) {
+      row.tag = "(" + numbers_.take("equation").number + ")";
+    }
+    if (!row.label.empty()) {
+      const std::string& known = numbers_.label(row.label).number;
+      if (!row.tag.empty() && row.tag != "(" + known + ")" && row.tag != known) {
+        fail(
+            fmt::format("equation '{}' has the number {} in the PDF and {} here: the PDF was made "
+                        "from another state of the document",
+                        row.label, known, row.tag));
+      }
+    }
+    has_numbers = has_numbers || !row.tag.empty();
+    const std::string id =
+        row.label.empty() ? "" : fmt::format(" id=\"{}\"", escape_html(row.label));
+    const char* kind = row.tag.empty() ? "" : " class=\"lit-equation-number\"";
+    numbers += marked(fmt::format("<span{}{}>", kind, id), row.tag, "</span>");
+  }
+  result_.formulas.emplace(without_blanks(latex), place());
+  const bool is_plain = environment == "equation" && rows.size() == 1;
+  const std::string formula =
+      is_plain ? "\\[" + latex + "\\]"
+               : fmt::format("\\begin{{{0}*}}{1}\\end{{{0}*}}", environment, latex);
+  if (is_inline_) return emit(formula);
+  begin_block("<div class=\"lit-equation\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">",
+              "</div>");
+  emit(formula);
+  if (has_numbers) emit(marked("<span class=\"lit-equation-numbers\">", numbers, "</span>"));
+  end_block();
+}
+
+}  // namespace literate

@@ -1,0 +1,570 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What LaTeX numbers and cites, and the environments whose form a page has to know.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "literate/page/expansion.hpp"
+#include "literate/page/expansion_reading.hpp"
+#include "literate/page/html_text.hpp"
+#include "literate/text/characters.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+using namespace page_reading;
+namespace {
+
+std::vector<std::string> names_in(std::string_view text) {
+  std::vector<std::string> parts;
+  while (true) {
+    const auto end = text.find(',');
+    parts.emplace_back(sys::stripped(text.substr(0, end)));
+    if (end == text.npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string listed(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool is_last = i + 1 == parts.size();
+    text += (i == 0 ? "" : !is_last ? ", " : " and~") + parts[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+const std::map<std::string_view, Expander::Handler>& Expander::commands() {
+  using E = Expander;
+  static const std::map<std::string_view, Handler> all = [] {
+    std::map<std::string_view, Handler> table;
+    const auto add = [&](Handler handler, std::initializer_list<std::string_view> names) {
+      for (const std::string_view name : names) table[name] = handler;
+    };
+    add(&E::define, {"newcommand", "renewcommand", "providecommand", "DeclareRobustCommand"});
+    add(&E::define_by_pattern, {"def", "gdef"});
+    add(&E::define_environment, {"newenvironment", "renewenvironment"});
+    add(&E::define_theorem, {"newtheorem"});
+    add(&E::define_operator, {"DeclareMathOperator"});
+    add(&E::set_picture, {"LiteratePicture"});
+    add(&E::metadata, {"title", "author", "date"});
+    add(&E::package, {"usepackage", "RequirePackage"});
+    add(&E::condition, {"ifdim", "ifnum", "iftrue", "iffalse"});
+    add(&E::letter_region, {"makeatletter"});
+    add(&E::value, {"val"});
+    add(&E::raw_value, {"rawval"});
+    add(&E::flag, {"ifflag"});
+    add(&E::modified, {"ifpapermodified"});
+    add(&E::repository, {"LiterateRepository"});
+    add(&E::quoted, {"quoted", "quotedpage"});
+    add(&E::statement, {"statement"});
+    add(&E::claim, {"claim"});
+    add(&E::verdict_sign, {"verdictsign"});
+    add(&E::claim_count, {"claimcount"});
+    add(&E::finding_says, {"findingsays"});
+    add(&E::finding, {"finding"});
+    add(&E::limit_kind, {"limitkind"});
+    add(&E::limit, {"LedgerLimit"});
+    add(&E::sentence, {"LedgerNumber", "LedgerSentence", "LedgerSource"});
+    add(&E::ledger, {"claimledger"});
+    add(&E::index, {"valueindex"});
+    add(&E::provenance, {"provenance"});
+    add(&E::provenance_file, {"LiterateFiles", "LiterateFile"});
+    add(&E::table, {"tab"});
+    add(&E::figure, {"fig"});
+    add(&E::picture, {"image", "includegraphics"});
+    add(&E::excerpt, {"excerpt"});
+    add(&E::title, {"maketitle"});
+    add(&E::heading,
+        {"part", "section", "subsection", "subsubsection", "paragraph", "subparagraph"});
+    add(&E::label, {"label"});
+    add(&E::reference, {"ref", "eqref", "pageref", "nameref", "autoref"});
+    add(&E::clever_reference, {"cref", "Cref", "labelcref"});
+    add(&E::clever_range, {"crefrange", "Crefrange"});
+    add(&E::citation, {"cite", "citep", "citet", "citealp", "onlinecite"});
+    add(&E::bibliography, {"bibliography"});
+    add(&E::footnote, {"footnote", "footnotemark", "footnotetext", "thanks"});
+    add(&E::caption, {"caption", "captionof"});
+    add(&E::subfloat, {"subfloat"});
+    add(&E::caption_setup, {"captionsetup"});
+    add(&E::item, {"item"});
+    add(&E::input, {"input", "include"});
+    add(&E::number, {"num", "qty", "SI"});
+    add(&E::boxed, {"makebox", "framebox"});
+    add(&E::rule, {"rule"});
+    return table;
+  }();
+  return all;
+}
+
+const std::map<std::string_view, Expander::Handler>& Expander::environments() {
+  using E = Expander;
+  static const std::map<std::string_view, Handler> all = [] {
+    std::map<std::string_view, Handler> table;
+    const auto add = [&](Handler handler, std::initializer_list<std::string_view> names) {
+      for (const std::string_view name : names) table[name] = handler;
+    };
+    add(&E::findings, {"findings"});
+    add(&E::float_environment, {"figure", "figure*", "table", "table*", "wrapfigure", "subfigure",
+                                "subtable", "sidewaystable", "sidewaysfigure"});
+    add(&E::list, {"enumerate", "itemize", "description"});
+    add(&E::abstract, {"abstract"});
+    add(&E::proof, {"proof"});
+    add(&E::transparent, {"document", "subequations", "multicols", "minipage", "flushleft",
+                          "flushright", "titlepage", "appendices", "frontmatter", "acknowledgments",
+                          "small", "footnotesize", "raggedright", "sloppypar"});
+    add(&E::tabular, {"tabular", "tabular*", "tabularx", "longtable"});
+    add(&E::bibliography_items, {"thebibliography"});
+    add(&E::display,
+        {"equation", "equation*", "align", "align*", "alignat", "alignat*", "flalign", "flalign*",
+         "gather", "gather*", "multline", "multline*", "eqnarray", "eqnarray*", "displaymath"});
+    return table;
+  }();
+  return all;
+}
+
+void Expander::title(TexScanner&, const TexToken&) {
+  std::string html = "<header class=\"lit-title\"><h1><tex>" + metadata_["title"] + "</tex></h1>";
+  for (const auto& [name, kind] : {std::pair("author", "authors"), std::pair("date", "date")}) {
+    if (metadata_[name].empty()) continue;
+    html += fmt::format("<p class=\"lit-{}\"><tex>{}</tex></p>", kind, metadata_[name]);
+  }
+  fragment(html + "<!--lit:cite-->\n</header>");
+}
+
+// Levels of headings follow each other, since assistive software reads them so: with parts a
+// section is one level deeper than before the first part.
+void Expander::heading(TexScanner& in, const TexToken& token) {
+  static const std::vector<std::string> levels{"section", "subsection", "subsubsection",
+                                               "paragraph", "subparagraph"};
+  const std::string name(token.name);
+  const bool is_starred = token.text.ends_with('*');
+  option(in);
+  const std::string text = expanded(argument(in));
+  std::string number;
+  if (!is_starred && numbers_.has(name)) number = numbers_.take(name).number;
+  if (name == "part" || name == "section") section_ = number;
+  if (name == "paragraph" || name == "subparagraph") {
+    return emit(fmt::format("\n\n{}\\textbf{{{}}} ", number.empty() ? "" : number + " ", text));
+  }
+  if (name == "part") has_parts_ = true;
+  const std::string printed = name == "part" && !number.empty() ? "Part~" + number : number;
+  const auto at = static_cast<std::size_t>(std::ranges::find(levels, name) - levels.begin());
+  const std::string& level = name == "part" ? levels[0] : levels[at + (has_parts_ ? 1 : 0)];
+  const std::string mark =
+      printed.empty() ? "" : marked("<span class=\"lit-number\">", printed, "</span>");
+  emit(fmt::format("\n\n\\{}{{{} {}}}", level, mark, text));
+  TexScanner behind(in.rest());
+  skip_blanks(behind);
+  if (behind.rest().starts_with("\\label{")) {
+    in = behind;
+    in.next();
+    const std::string key(argument(in));
+    if (!number.empty() && numbers_.label(key).number != number) {
+      fail(fmt::format(
+          "'{}' has the number {} in the PDF and {} here: the PDF was made from another "
+          "state of the document",
+          key, numbers_.label(key).number, number));
+    }
+    ids_.insert(key);
+    emit("\\label{" + key + "}");
+  }
+  emit("\n\n");
+}
+
+void Expander::label(TexScanner& in, const TexToken&) {
+  const std::string key(argument(in));
+  if (is_math_) return;
+  const std::string id = fmt::format(" id=\"{}\"", escape_html(key));
+  if (!floats_.empty()) {
+    std::string& open = result_.marks[floats_.back().mark - 1].open;
+    if (open.find("@id@") != std::string::npos) {
+      open = replaced(open, "@id@", id);
+      return;
+    }
+  }
+  emit(marked("<span" + id + ">", "", "</span>"));
+}
+
+std::string Expander::link_to(const std::string& key, const std::string& latex) {
+  if (is_math_) return latex;
+  return marked(fmt::format("<a class=\"lit-ref\" href=\"#{}\">", escape_html(key)), latex, "</a>");
+}
+
+std::string Expander::number_of(const std::string& key) const {
+  const PrintedLabel& label = numbers_.label(key);
+  return label.type == "equation" ? "(" + label.number + ")" : label.number;
+}
+
+void Expander::reference(TexScanner& in, const TexToken& token) {
+  const std::string key(argument(in));
+  const PrintedLabel& label = numbers_.label(key);
+  const std::string name(token.name);
+  if (name == "ref") return emit(link_to(key, label.number));
+  if (name == "pageref") return emit(link_to(key, label.page));
+  if (name == "nameref") return emit(link_to(key, expanded(label.title)));
+  if (name == "autoref") {
+    return emit(link_to(key, numbers_.names(label.type)[2] + "~" + label.number));
+  }
+  emit(link_to(key, label.number.starts_with('(') ? label.number : "(" + label.number + ")"));
+}
+
+// As cleveref does: sorted, of one kind after the other, three and more in a row as a range.
+void Expander::clever_reference(TexScanner& in, const TexToken& token) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> kinds;
+  for (const std::string& key : names_in(argument(in))) {
+    const std::string& type = numbers_.label(key).type;
+    auto kind =
+        std::ranges::find(kinds, type, &std::pair<std::string, std::vector<std::string>>::first);
+    if (kind == kinds.end()) kind = kinds.insert(kinds.end(), {type, {}});
+    kind->second.push_back(key);
+  }
+  std::vector<std::string> texts;
+  for (auto& [type, keys] : kinds) {
+    std::ranges::sort(keys, {}, [&](const std::string& key) { return numbers_.label(key).order; });
+    const auto names = numbers_.names(type);
+    const std::size_t form = (token.name == "Cref" ? 2U : 0U) + (keys.size() > 1 ? 1U : 0U);
+    const std::string name = token.name == "labelcref" ? "" : names[form] + "~";
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < keys.size();) {
+      std::size_t end = i + 1;
+      while (end < keys.size() && numbers_.follows(keys[end - 1], keys[end])) ++end;
+      if (end - i < 3) end = i + 1;
+      const std::string begin = parts.empty() ? name : "";
+      parts.push_back(link_to(keys[i], begin + number_of(keys[i])));
+      if (end - i >= 3) parts.back() += " to~" + link_to(keys[end - 1], number_of(keys[end - 1]));
+      i = end;
+    }
+    texts.push_back(listed(parts));
+  }
+  emit(listed(texts));
+}
+
+void Expander::clever_range(TexScanner& in, const TexToken& token) {
+  const std::string first(argument(in)), last(argument(in));
+  const auto names = numbers_.names(numbers_.label(first).type);
+  emit(link_to(first, names[token.name == "Crefrange" ? 3 : 1] + "~" + number_of(first)) + " to~" +
+       link_to(last, number_of(last)));
+}
+
+void Expander::citation(TexScanner& in, const TexToken& token) {
+  const auto first = option(in), second = option(in);
+  const std::string before(second ? *first : ""), behind(second ? *second : first.value_or(""));
+  std::vector<std::string> parts;
+  for (const std::string& key : names_in(argument(in))) {
+    const std::vector<std::string> cited = numbers_.citation(key);
+    const std::string text =
+        token.name == "citet" && cited.size() > 2 ? cited[2] + " [" + cited[0] + "]" : cited[0];
+    parts.push_back(marked(fmt::format("<a class=\"lit-cite\" href=\"#bib-{}\">", escape_html(key)),
+                           text, "</a>"));
+  }
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  if (!before.empty()) text = expanded(before) + " " + text;
+  if (!behind.empty()) text += ", " + expanded(behind);
+  emit(token.name == "citet" || token.name == "citealp" ? text : "{[}" + text + "{]}");
+}
+
+void Expander::bibliography(TexScanner& in, const TexToken&) {
+  argument(in);
+  fs::path file = sources_.aux;
+  read_all(sys::read_file(file.replace_extension(".bbl")));
+}
+
+void Expander::bibliography_items(TexScanner& in, const TexToken& token) {
+  const std::string_view body = body_of(in, token.name);
+  const auto name = macros_.find("refname");
+  emit(fmt::format("\n\n\\{}{{{}}}\n\n", has_parts_ ? "subsection" : "section",
+                   name == macros_.end() ? "References" : name->second.body));
+  begin_block("<ol class=\"lit-bibliography\">", "</ol>");
+  const std::string counter = numbers_.has("enumiv") ? "enumiv" : "NAT@ctr";
+  bool is_open = false;
+  TexScanner items(body.substr(group_at(body).size()));
+  while (const auto part = items.next()) {
+    if (part->name != "bibitem") {
+      if (is_open || part->name == "newcommand" || part->name == "providecommand")
+        read(items, *part);
+      continue;
+    }
+    // Its own label is none of the counter's.
+    if (!option(items) && numbers_.has(counter)) numbers_.take(counter);
+    const std::string key(argument(items));
+    if (is_open) end_block();
+    begin_block(fmt::format("<li id=\"bib-{}\">", escape_html(key)), "</li>");
+    emit(marked("<span class=\"lit-bib-label\">", "{[}" + numbers_.citation(key)[0] + "{]}",
+                "</span> "));
+    is_open = true;
+  }
+  if (is_open) end_block();
+  end_block();
+}
+
+void Expander::footnote(TexScanner& in, const TexToken& token) {
+  option(in);
+  if (token.name != "footnotetext") {
+    // The notes of the title have signs, which LaTeX does not count.
+    constexpr const char* signs[] = {"∗", "†", "‡", "§", "¶"};
+    const std::string number =
+        token.name == "thanks" ? signs[notes_.size() % 5] : numbers_.take("footnote").number;
+    notes_.push_back(number);
+    const std::string place = fmt::format("note-{}", notes_.size());
+    emit(
+        marked(fmt::format("<sup class=\"lit-note-mark\"><a id=\"{0}-mark\" href=\"#{0}\">", place),
+               number, "</a></sup>"));
+  }
+  if (token.name == "footnotemark") return;
+  const std::string text = expanded(argument(in));
+  emit(marked(fmt::format("<span class=\"lit-note\" id=\"note-{}\" role=\"note\">", notes_.size()),
+              text, "</span>"));
+}
+
+void Expander::caption(TexScanner& in, const TexToken& token) {
+  const bool is_starred = token.text.ends_with('*');
+  std::string counter = floats_.empty() ? "figure" : floats_.back().counter;
+  if (token.name == "captionof") counter = argument(in);
+  option(in);
+  const std::string_view text = argument(in);
+  const bool is_first =
+      !floats_.empty() && !floats_.back().has_caption && !counter.starts_with("sub");
+  begin_block(is_first ? "<figcaption>" : "<div class=\"lit-caption\">",
+              is_first ? "</figcaption>" : "</div>");
+  if (!floats_.empty()) floats_.back().has_caption = true;
+  if (!is_starred) {
+    const PrintedNumber number = numbers_.take(counter);
+    const std::string shown =
+        counter.starts_with("sub") ? "(" + number.number + ")" : number.shown + "~" + number.number;
+    emit(marked("<span class=\"lit-label\">", shown,
+                counter.starts_with("sub") ? "</span> " : "</span>: "));
+  }
+  read_all(text);
+  end_block();
+}
+
+// \\subfloat[caption]{content}
+void Expander::subfloat(TexScanner& in, const TexToken&) {
+  const std::string caption(option(in).value_or(""));
+  const std::string content(argument(in));
+  read_all(fmt::format("\\begin{{subfigure}}{{}}{}{}\\end{{subfigure}}", content,
+                       caption.empty() ? "" : "\\caption{" + caption + "}"));
+}
+
+// type=figure within a table: this minipage has a figure's caption.
+void Expander::caption_setup(TexScanner& in, const TexToken&) {
+  option(in);
+  for (const std::string& setting : names_in(argument(in))) {
+    if (!setting.starts_with("type=") || floats_.empty()) continue;
+    floats_.back().outer = std::exchange(floats_.back().counter, setting.substr(5));
+  }
+}
+
+void Expander::item(TexScanner& in, const TexToken&) {
+  const auto given = option(in);
+  if (given) return emit("\\item[" + expanded(*given) + "] ");
+  emit("\\item ");
+  if (lists_.empty() || lists_.back().first.empty()) return;
+  auto& [counter, n] = lists_.back();
+  const std::string shown = numbers_.take(counter).shown;
+  if (shown != std::to_string(++n) + ".") {
+    emit(marked("<span class=\"lit-item\">", shown, "</span> "));
+  }
+}
+
+void Expander::list(TexScanner& in, const TexToken& token) {
+  option(in);
+  const auto depth =
+      std::ranges::count_if(lists_, [](const auto& list) { return !list.first.empty(); });
+  const bool is_numbered = token.name == "enumerate";
+  constexpr const char* counters[] = {"enumi", "enumii", "enumiii", "enumiv"};
+  lists_.emplace_back(is_numbered ? counters[std::min<std::ptrdiff_t>(depth, 3)] : "", 0);
+  ends_.emplace_back(token.name, "list");
+  emit(fmt::format("\\begin{{{}}}", token.name));
+}
+
+void Expander::float_environment(TexScanner& in, const TexToken& token) {
+  const std::string name(token.name);
+  option(in);
+  if (name == "wrapfigure" || name.starts_with("sub")) argument(in);
+  if (name == "wrapfigure") argument(in);
+  const bool is_table = name.find("table") != name.npos;
+  const bool is_part = name.starts_with("sub");
+  begin_block(is_part ? "<div class=\"lit-subfigure\"@id@>"
+                      : fmt::format("<figure class=\"lit-{}\"@id@{}>",
+                                    is_table ? "table-float" : "figure", is_table ? "" : "@name@"),
+              is_part ? "</div>" : "</figure>");
+  floats_.push_back({.counter = std::string(is_part ? "sub" : "") + (is_table ? "table" : "figure"),
+                     .mark = result_.marks.size()});
+  ends_.emplace_back(name, "float");
+}
+
+void Expander::theorem(TexScanner& in, const TexToken& token) {
+  const Theorem& kind = theorems_.find(token.name)->second;
+  const auto note = option(in);
+  std::string head = kind.name;
+  if (kind.is_numbered) head += "~" + numbers_.take(kind.counter).number;
+  begin_block("<div class=\"lit-theorem\">", "</div>", false);
+  read_all(fmt::format("\\textbf{{{}}}{}. ", head, note ? " (" + std::string(*note) + ")" : ""));
+  ends_.emplace_back(token.name, "block");
+}
+
+void Expander::proof(TexScanner& in, const TexToken& token) {
+  const auto name = option(in);
+  begin_block("<div class=\"lit-proof\">", "</div>", false);
+  read_all(fmt::format("\\emph{{{}.}} ", name ? std::string(*name) : "Proof"));
+  ends_.emplace_back(token.name, "~\\(\\square\\)\\end{lit-block}");
+  ends_.insert(ends_.end() - 1, {"lit-block", "block"});
+}
+
+void Expander::abstract(TexScanner&, const TexToken& token) {
+  begin_block("<section class=\"lit-abstract\"><h2>Abstract</h2>", "</section>", false);
+  ends_.emplace_back(token.name, "block");
+}
+
+// An environment that is nothing but its content here, with the arguments that it takes.
+void Expander::transparent(TexScanner& in, const TexToken& token) {
+  while (option(in)) {
+  }
+  if (token.name == "multicols" || token.name == "minipage") argument(in);
+  emit("\n\n");
+  ends_.emplace_back(token.name, token.name == "minipage" ? "minipage" : "\n\n");
+}
+
+// pandoc takes only letters for columns. What stands between two of them, as the point of r@{.}l,
+// joins their cells.
+void Expander::tabular(TexScanner& in, const TexToken& token) {
+  const std::string name(token.name);
+  option(in);
+  if (name == "tabular*" || name == "tabularx") argument(in);
+  std::string columns;
+  std::vector<std::string> between;  // before the second column, the third, …
+  const std::string given(expanded(argument(in)));
+  TexScanner form(given);
+  std::string pending;
+  const std::function<void(std::string_view)> read_form = [&](std::string_view text) {
+    TexScanner letters(text);
+    while (!letters.rest().empty()) {
+      const char c = letters.skip(1).front();
+      if (c == '*') {
+        const int n = std::stoi(std::string(argument(letters)));
+        const std::string repeated(argument(letters));
+        for (int i = 0; i < n; ++i) read_form(repeated);
+      } else if (c == '@' || c == '!') {
+        const std::string_view joint = argument(letters);
+        if (c == '@' && !joint.empty() && joint.front() != '\\' && !sys::stripped(joint).empty())
+          pending = joint;
+      } else if (c == '>' || c == '<') {
+        argument(letters);
+      } else if (is_letter(c)) {
+        const bool has_width = c == 'p' || c == 'm' || c == 'b' || c == 'w';
+        if (has_width) argument(letters);
+        if (!columns.empty()) between.push_back(pending);
+        if (columns.empty() || pending.empty()) columns += (c == 'r' || c == 'c') ? c : 'l';
+        pending.clear();
+      }
+    }
+  };
+  read_form(given);
+  std::string body(body_of(in, name));
+  begin_block("<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\">",
+              "</div>");
+  emit("\\begin{tabular}{" + columns + "}");
+  rows_of_tabular(body, between);
+  emit("\\end{tabular}");
+  end_block();
+}
+
+void Expander::rows_of_tabular(std::string_view body, const std::vector<std::string>& between) {
+  TexScanner in(body);
+  std::size_t column = 0;
+  int depth = 0;
+  while (const auto token = in.next()) {
+    if (token->kind == TexKind::open) ++depth;
+    if (token->kind == TexKind::close) --depth;
+    if (token->name == "multicolumn") {
+      const auto n = static_cast<std::size_t>(std::stoul(std::string(argument(in))));
+      std::string form(argument(in));
+      std::size_t joined = 0;
+      for (std::size_t i = column; i + 1 < column + n && i < between.size(); ++i)
+        joined += between[i].empty() ? 0U : 1U;
+      std::erase_if(form, [](char c) { return c != 'l' && c != 'c' && c != 'r'; });
+      emit(fmt::format("\\multicolumn{{{}}}{{{}}}{{{}}}", n - joined, form.empty() ? "l" : form,
+                       expanded(argument(in))));
+      column += n - 1;
+    } else if (token->text == "\\\\" && depth == 0) {
+      option(in);
+      emit("\\\\\n");
+      column = 0;
+    } else if (token->name == "cmidrule" || token->name == "cline" ||
+               token->name == "addlinespace") {
+      const std::string_view trim = group_at(in.rest(), '(', ')');
+      in.skip(trim.size());
+      if (token->name == "addlinespace")
+        option(in);
+      else
+        argument(in);
+    } else if (token->kind == TexKind::text && depth == 0) {
+      std::string_view text = token->text;
+      for (auto at = text.find('&'); at != text.npos; at = text.find('&')) {
+        const bool is_joined = column < between.size() && !between[column].empty();
+        emit(is_joined ? sys::stripped(text.substr(0, at)) : text.substr(0, at));
+        if (is_joined) {
+          while (out_->ends_with(' ')) out_->pop_back();
+          read_all(between[column]);
+        } else {
+          emit("&");
+        }
+        ++column;
+        text.remove_prefix(at + 1);
+        if (is_joined) text.remove_prefix(std::min(text.find_first_not_of(" \n"), text.size()));
+      }
+      emit(text);
+    } else {
+      read(in, *token);
+    }
+  }
+}
+
+fs::path Expander::file_of(std::string_view name) const {
+  fs::path file = sources_.document / std::string(name);
+  if (!fs::is_regular_file(file)) file += ".tex";
+  return file;
+}
+
+void Expander::input(TexScanner& in, const TexToken&) {
+  const std::string name = expanded(argument(in));
+  const fs::path file = file_of(name);
+  if (!fs::is_regular_file(file)) return fail(fmt::format("'{}' is not there", name));
+  read_file(file);
+  emit("\n");
+}
+
+void Expander::boxed(TexScanner& in, const TexToken&) {
+  const bool has_width = option(in).has_value();
+  option(in);
+  read_all(argument(in));
+  if (has_width) emit(" ");
+}
+
+// A bar, which may be drawn to scale.
+void Expander::rule(TexScanner& in, const TexToken&) {
+  option(in);
+  const std::string width = expanded(argument(in)), height = expanded(argument(in));
+  emit(marked(fmt::format("<span class=\"lit-rule\" style=\"width:{};height:{}\"></span>",
+                          escape_html(width), escape_html(height)),
+              "", ""));
+}
+
+void Expander::number(TexScanner& in, const TexToken& token) {
+  option(in);
+  std::string printed(sys::stripped(argument(in)));
+  if (token.name == "num") return emit(quantity_latex(printed, is_math_));
+  const std::string unit(argument(in));
+  if (unit.find('\\') == unit.npos) return emit(quantity_latex(printed + " " + unit, is_math_));
+  emit(quantity_latex(printed, is_math_) + (is_math_ ? "\\," : " "));
+  emit(fmt::format("\\si{{{}}}", unit));
+}
+
+}  // namespace literate

@@ -1,0 +1,112 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- What pandoc read of the expanded document, with HTML in place of the marks, and what it did not know told on standard
+-- error: a line "unknown:" and the LaTeX, for each piece. The file marks.lua holds what each mark stands for.
+local marks = dofile(os.getenv("LITERATE_MARKS"))
+
+local function html(text) return pandoc.RawInline("html", text) end
+
+local function mark_of(element)
+  if not element or element.t ~= "Link" then return nil end
+  return marks[tonumber(element.target:match("^lit:(%d+)$") or "0")]
+end
+
+-- A center environment that begins with an empty mark is a block of HTML.
+local function block(div)
+  local first = div.content[1]
+  if not div.classes:includes("center") or not first or not first.content then return nil end
+  local mark = mark_of(first.content[1])
+  if not mark or #first.content[1].content > 0 then return nil end
+  first.content:remove(1)
+  while first.content[1] and (first.content[1].t == "Space" or first.content[1].t == "SoftBreak") do
+    first.content:remove(1)
+  end
+  if #first.content == 0 then div.content:remove(1) end
+  local blocks = pandoc.List({pandoc.RawBlock("html", mark.open)})
+  for _, inner in ipairs(div.content) do
+    blocks:insert(mark.plain and inner.t == "Para" and pandoc.Plain(inner.content) or inner)
+  end
+  blocks:insert(pandoc.RawBlock("html", mark.close))
+  return blocks
+end
+
+local function inline(link)
+  local mark = mark_of(link)
+  if not mark then return nil end
+  local inlines = pandoc.List({html(mark.open)})
+  inlines:extend(link.content)
+  inlines:insert(html(mark.close))
+  return inlines
+end
+
+local function unknown(raw)
+  if raw.format ~= "latex" then return nil end
+  io.stderr:write("unknown: ", (raw.text:gsub("%s+", " ")), "\n")
+  return {}
+end
+
+local languages = {["C++"] = "cpp", Octave = "octave", Fortran = "fortran", LaTeX = "latex", TeX = "latex", make = "makefile"}
+local function listing(code)
+  local given = code.attributes.language or ""
+  local name = given:gsub("^%[.*%]", "")
+  local from = code.attributes.startFrom
+  code.attributes = from and {startFrom = from} or {}
+  code.classes = {languages[name] or name:lower(), from and "numberLines" or nil}
+  return code
+end
+
+-- A formula in a line may break behind a relation, as TeX breaks it; a browser breaks none, so that each part is one of its own.
+local function breakable(math)
+  if math.mathtype ~= "InlineMath" then return nil end
+  local text, parts, from, at, depth = math.text, pandoc.List(), 1, 1, 0
+  local deeper = {["{"] = 1, ["\\left"] = 1, ["\\begin"] = 1, ["}"] = -1, ["\\right"] = -1, ["\\end"] = -1}
+  while at <= #text do
+    local token = text:match("^\\%a+", at) or text:match("^\\.", at) or text:sub(at, at)
+    depth = depth + (deeper[token] or 0)
+    at = at + #token
+    if token == "=" and depth == 0 and at <= #text then
+      parts:insert(pandoc.Math("InlineMath", text:sub(from, at - 1)))
+      from = at
+    end
+  end
+  if #parts == 0 then return nil end
+  parts:insert(pandoc.Math("InlineMath", text:sub(from)))
+  return parts
+end
+
+local function native_table(tbl)
+  tbl.classes = {"lit-table", "lit-prose-table"}
+  return tbl
+end
+
+-- The contents: each heading without what is no text of it.
+local function contents(doc)
+  local items, depth = pandoc.List(), 0
+  doc:walk({Header = function(header)
+    local text = header.content:walk({
+      RawInline = function(raw) return raw.text:match("lit%-number") and raw or {} end,
+      Note = function() return {} end,
+      Link = function(link) return link.content end})
+    local is_part = pandoc.utils.stringify(text):match("^Part") ~= nil
+    items:insert(pandoc.RawBlock("html", string.format('<li class="lit-toc-%s">',
+      is_part and "part" or header.level <= 1 + depth and "section" or "subsection")))
+    if is_part then depth = 1 end
+    items:insert(pandoc.Plain({pandoc.Link(text, "#" .. header.identifier)}))
+    items:insert(pandoc.RawBlock("html", "</li>"))
+  end})
+  local nav = pandoc.List({pandoc.RawBlock("html", '<nav id="contents" aria-label="Contents"><ol>')})
+  nav:extend(items)
+  nav:insert(pandoc.RawBlock("html", '</ol></nav>\n<main id="main">'))
+  return nav
+end
+
+return {
+  {Div = block},
+  {Link = inline},
+  {RawInline = unknown, RawBlock = unknown, CodeBlock = listing, Table = native_table, Math = breakable},
+  {Pandoc = function(doc)
+    local blocks = contents(doc)
+    blocks:extend(doc.blocks)
+    blocks:insert(pandoc.RawBlock("html", "</main>"))
+    return pandoc.Pandoc(blocks, {})
+  end},
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/page/latex_numbers.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "literate/prose/tex_scanner.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace {
+
+[[noreturn]] void fail_of_state(const std::string& what) {
+  throw sys::InputError(
+      fmt::format("the PDF has no {}: it was made from another state of the document", what));
+}
+
+/// «[type][counter][counters above]number»: the type, and what sorts as the counters do.
+void read_cleveref(const std::string& text, PrintedLabel& label) {
+  std::string_view rest = text;
+  std::vector<std::string_view> parts;
+  for (std::string_view part = group_at(rest, '[', ']'); !part.empty();
+       part = group_at(rest, '[', ']')) {
+    parts.push_back(part.substr(1, part.size() - 2));
+    rest.remove_prefix(part.size());
+  }
+  if (parts.size() < 3) return;
+  label.type = parts[0];
+  label.order = fmt::format("{:>40}{:>8}", parts[2], parts[1]);
+  label.above = parts[2];
+  label.count = std::atoi(std::string(parts[1]).c_str());
+}
+
+}  // namespace
+
+std::vector<std::string> groups_at(std::string_view text) {
+  std::vector<std::string> groups;
+  for (std::string_view group = group_at(text); !group.empty(); group = group_at(text)) {
+    const auto open = group.find('{');
+    groups.emplace_back(group.substr(open + 1, group.size() - open - 2));
+    text.remove_prefix(group.size());
+  }
+  return groups;
+}
+
+LatexNumbers::LatexNumbers(const std::filesystem::path& aux) {
+  read(aux);
+  for (auto& [counter, queue] : numbers_) std::ranges::sort(queue, {}, &PrintedNumber::order);
+}
+
+void LatexNumbers::read(const std::filesystem::path& aux) {
+  const std::string text = sys::read_file(aux);
+  for (const std::string_view line : sys::lines_of(text)) {
+    const auto open = line.find('{');
+    if (open == line.npos) continue;
+    const std::string_view command = line.substr(0, open);
+    if (command != "\\newlabel" && command != "\\bibcite" && command != "\\LiterateNumber" &&
+        command != "\\LiterateName" && command != "\\@input") {
+      continue;
+    }
+    const std::vector<std::string> arguments = groups_at(line.substr(open));
+    const std::size_t n = arguments.size();
+    if (command == "\\@input" && n == 1) read(aux.parent_path() / arguments[0]);
+    if (command == "\\newlabel" && n == 2) read_label(arguments);
+    if (command == "\\bibcite" && n == 2) {
+      const auto parts = groups_at(arguments[1]);
+      citations_[arguments[0]] = parts.empty() ? std::vector{arguments[1]} : parts;
+    }
+    if (command == "\\LiterateName" && n == 5) {
+      names_[arguments[0]] = {arguments[1], arguments[2], arguments[3], arguments[4]};
+    }
+    // An environment of several numbered parts steps its counter once more for the whole.
+    if (command == "\\LiterateNumber" && n == 5 && arguments[2] != "subequations" &&
+        arguments[0] != "lstnumber") {
+      numbers_[arguments[0]].push_back(
+          {arguments[1], arguments[2], arguments[3], std::atoi(arguments[4].c_str())});
+    }
+  }
+}
+
+void LatexNumbers::read_label(const std::vector<std::string>& arguments) {
+  const std::vector<std::string> parts = groups_at(arguments[1]);
+  constexpr std::string_view cleveref = "@cref";
+  if (arguments[0].ends_with(cleveref) && !parts.empty()) {
+    const std::string key = arguments[0].substr(0, arguments[0].size() - cleveref.size());
+    return read_cleveref(parts[0], labels_[key]);
+  }
+  if (parts.size() < 2) return;
+  PrintedLabel& label = labels_[arguments[0]];
+  label.number = parts[0];
+  const bool is_group = label.number.starts_with('{') && group_at(label.number) == label.number;
+  if (is_group) label.number = label.number.substr(1, label.number.size() - 2);
+  label.page = parts[1];
+  if (parts.size() > 2) label.title = parts[2];
+}
+
+bool LatexNumbers::has(const std::string& counter) const {
+  const auto found = numbers_.find(counter);
+  return found != numbers_.end() && !found->second.empty();
+}
+
+bool LatexNumbers::next_is(const std::string& counter, std::string_view environment) const {
+  return has(counter) && numbers_.at(counter).front().environment == environment;
+}
+
+PrintedNumber LatexNumbers::take(const std::string& counter) {
+  if (!has(counter)) fail_of_state("further number of a " + counter);
+  std::deque<PrintedNumber>& queue = numbers_[counter];
+  const PrintedNumber number = queue.front();
+  queue.pop_front();
+  return number;
+}
+
+std::string LatexNumbers::left() const {
+  std::string text;
+  for (const auto& [counter, queue] : numbers_) {
+    if (queue.empty()) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", queue.size(), counter);
+  }
+  return text;
+}
+
+const PrintedLabel& LatexNumbers::label(const std::string& key) const {
+  const auto found = labels_.find(key);
+  if (found == labels_.end()) fail_of_state(fmt::format("label '{}'", key));
+  return found->second;
+}
+
+bool LatexNumbers::follows(const std::string& first, const std::string& second) const {
+  const PrintedLabel &a = label(first), &b = label(second);
+  return a.above == b.above && a.count > 0 && b.count == a.count + 1;
+}
+
+std::array<std::string, 4> LatexNumbers::names(const std::string& type) const {
+  const auto found = names_.find(type);
+  return found == names_.end() ? std::array{type, type + "s", type, type + "s"} : found->second;
+}
+
+std::vector<std::string> LatexNumbers::citation(const std::string& key) const {
+  const auto found = citations_.find(key);
+  if (found == citations_.end()) fail_of_state(fmt::format("source '{}'", key));
+  return found->second;
+}
+
+}  // namespace literate

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/page/page.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "literate/page/expansion.hpp"
+#include "literate/page/html_text.hpp"
+#include "literate/prose/source_label.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view head = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="UTF-8">
+<title>{0}</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="description" content="{1}">
+<!--lit:meta-->
+<!--lit:style-->
+<!--lit:script-->
+</head>
+<body>
+<a class="lit-skip" href="#main">Skip to the text</a>
+{2}<!--lit:data-->
+</body>
+</html>
+)";
+
+std::string marks_lua(const std::vector<PageMark>& marks) {
+  // A string of JSON is one of Lua, but for characters beyond ASCII, which both take as they are.
+  const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
+  std::string lua = "return {\n";
+  for (const PageMark& mark : marks) {
+    lua += fmt::format("{{open={}, close={}, plain={}}},\n", quoted(mark.open), quoted(mark.close),
+                       mark.is_plain);
+  }
+  return lua + "}\n";
+}
+
+// Where the document has a piece of LaTeX that pandoc did not know, by the command that begins it.
+std::string place_of(const Expanded& document, const fs::path& folder, const std::string& latex) {
+  TexScanner piece(latex);
+  const auto wanted = piece.next();
+  for (const fs::path& file : document.files) {
+    const std::string text = sys::read_file(file);
+    const auto begin = text.find("\\begin{document}");
+    TexScanner in(text);
+    while (const auto token = in.next()) {
+      const bool is_same = wanted && token->kind == wanted->kind && token->name == wanted->name &&
+                           (!token->name.empty() || token->text == wanted->text);
+      const auto at = static_cast<std::size_t>(token->text.data() - text.data());
+      if (!is_same || (begin != text.npos && at < begin)) continue;
+      const TexPlace place = place_in(text, token->text);
+      return fmt::format("{}/{}:{}:{}", source_label(folder),
+                         file.lexically_relative(folder).string(), place.line, place.column);
+    }
+  }
+  return source_label(folder);
+}
+
+// The command or the beginning of the environment.
+std::string command_of(const std::string& latex) {
+  TexScanner piece(latex);
+  const auto token = piece.next();
+  return token ? std::string(token->text) : latex;
+}
+
+// What pandoc and the filter said.
+std::vector<std::string> complaints(const std::string& said, const Expanded& document,
+                                    const fs::path& folder) {
+  constexpr std::string_view unknown = "unknown: ",
+                             formula = "[WARNING] Could not convert TeX math ";
+  std::vector<std::string> errors;
+  const std::vector<std::string_view> lines = sys::lines_of(said);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view line = lines[i];
+    if (line.starts_with(unknown)) {
+      const std::string latex(line.substr(unknown.size()));
+      errors.push_back(fmt::format("{}: {} is not known to the page",
+                                   place_of(document, folder, latex), command_of(latex)));
+    } else if (line.starts_with(formula)) {
+      std::string text(line.substr(formula.size()));
+      while (text.find(", rendering as TeX") == text.npos && i + 1 < lines.size()) {
+        text += lines[++i];
+      }
+      text = text.substr(0, text.rfind(", rendering as TeX"));
+      std::string reason;
+      while (i + 1 < lines.size() && lines[i + 1].starts_with("  ")) reason = lines[++i];
+      std::string bare = without_blanks(text);
+      std::string place = source_label(folder);
+      for (const auto& [latex, known] : document.formulas) {
+        if (bare.find(latex) != bare.npos && !latex.empty()) place = known;
+      }
+      errors.push_back(fmt::format("{}: pandoc cannot read the formula {}", place, text));
+    }
+  }
+  return errors;
+}
+
+std::string run_pandoc(const PageSources& sources, const Expanded& document, Page& page) {
+  const fs::path build = fs::absolute(sources.build);
+  sys::write_if_changed(build / "page.tex", document.latex);
+  sys::write_if_changed(build / "marks.lua", marks_lua(document.marks));
+  const sys::ProcessResult result = sys::run(
+      {.program = "pandoc",
+       .arguments = {"--from=latex+raw_tex", "--to=html5", "--mathml", "--wrap=none",
+                     "--section-divs", "--shift-heading-level-by=1",
+                     "--lua-filter=" + (fs::absolute(sources.engine) / "filter.lua").string(),
+                     "--output=pandoc.html", "page.tex"},
+       .working_directory = build,
+       .environment = {{"LITERATE_MARKS", (build / "marks.lua").string()}},
+       .limit = {.what = "pandoc on page.tex", .seconds = 60}});
+  if (result.exit_status != 0) {
+    throw sys::ToolError("pandoc failed (" + sys::end_of(result) + "):\n" + result.output);
+  }
+  page.errors = complaints(result.output, document, sources.document);
+  return sys::read_file(build / "pandoc.html");
+}
+
+// The text between two pieces of HTML; empty if they are not there.
+std::string_view between(std::string_view html, std::string_view open, std::string_view close) {
+  const auto begin = html.find(open);
+  if (begin == html.npos) return {};
+  html.remove_prefix(begin + open.size());
+  return html.substr(0, html.find(close));
+}
+
+// A drawing is told by the caption of its figure.
+std::string with_captions(std::string html) {
+  constexpr std::string_view wanted = "@alt@";
+  for (auto at = html.find(wanted); at != html.npos; at = html.find(wanted, at)) {
+    const auto figure = html.rfind("<figure", at);
+    const auto end = html.find("</figure>", at);
+    std::string caption;
+    if (figure != html.npos && html.find("</figure>", figure) == end) {
+      caption = text_of_html(between(std::string_view(html).substr(figure, end - figure),
+                                     "<figcaption>", "</figcaption>"));
+    }
+    html.replace(at, wanted.size(), caption.empty() ? "" : escape_html(caption) + " – ");
+  }
+  return html;
+}
+
+// Formulas without the names that HTML does not need, and their TeX in an attribute; lines of code
+// with their numbers, and without links that nobody can name.
+std::string tidied(std::string_view html) {
+  constexpr std::string_view math = "<math display=\"", line = "<span id=\"cb";
+  constexpr std::string_view annotation = "<annotation encoding=\"application/x-tex\">";
+  std::string text;
+  while (!html.empty()) {
+    const auto at = std::min(html.find(math), html.find(line));
+    text += html.substr(0, at);
+    if (at == html.npos) break;
+    html.remove_prefix(at);
+    if (html.starts_with(math)) {
+      const std::string_view whole = html.substr(0, html.find("</math>"));
+      const std::string_view body = between(whole, "<semantics>", annotation);
+      // A head of nothing but a formula has no name for a screen reader.
+      const bool is_head = text.ends_with("\">") && text.rfind("<th") == text.rfind('<');
+      const std::string name = is_head ? fmt::format(" aria-label=\"{}\"", text_of_html(body)) : "";
+      text += fmt::format(
+          "<math{}{} alttext=\"{}\">{}",
+          whole.starts_with("<math display=\"block") ? " display=\"block\"" : "", name,
+          replaced(std::string(between(whole, annotation, "</annotation>")), "\"", "&quot;"), body);
+      html.remove_prefix(whole.size());
+    } else {
+      const std::string_view id = html.substr(line.size(), html.find("\">") - line.size());
+      text +=
+          fmt::format("<span class=\"lit-line\" data-line=\"{}\">", id.substr(id.find('-') + 1));
+      html.remove_prefix(html.find("</a>") + 4);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Page write_page(const PageSources& sources) {
+  Expanded document = Expander(sources).expand();
+  Page page;
+  std::string body = run_pandoc(sources, document, page);
+  page.errors.insert(page.errors.begin(), document.errors.begin(), document.errors.end());
+  // A listing that is scrolled sideways can be reached by the keyboard.
+  body = replaced(with_captions(tidied(body)), "<pre class=", "<pre tabindex=\"0\" class=");
+  page.title = text_of_html(replaced(std::string(between(body, "<h1>", "</h1>")), "<br />", " "));
+  page.authors = text_of_html(between(body, "<p class=\"lit-authors\">", "</p>"));
+  page.date = text_of_html(between(body, "<p class=\"lit-date\">", "</p>"));
+  const std::string_view abstract = between(body, "<section class=\"lit-abstract\">", "</section>");
+  page.description = text_of_html(between(abstract, "<p>", "</p>"));
+  page.html = fmt::format(head, escape_html(page.title), escape_html(page.description), body);
+  page.figures = document.figures;
+  page.pictures = document.pictures;
+  page.typeset = document.typeset;
+  return page;
+}
+
+}  // namespace literate

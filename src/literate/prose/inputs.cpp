@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/prose/inputs.hpp"
+
+#include <fmt/core.h>
+
+#include <set>
+
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/source_label.hpp"
+#include "literate/prose/tex_commands.hpp"
+#include "system/files.hpp"
+#include "system/nearest_name.hpp"
+#include "system/process.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_in(const fs::path& folder, const std::string& name) {
+  return fs::is_regular_file(folder / name) || fs::is_regular_file(folder / (name + ".tex"));
+}
+
+/// Whether TeX has a file of this name, as it has `glyphtounicode`.
+bool is_in_tex(const fs::path& folder, const std::string& name) {
+  return sys::run({"kpsewhich", {name}, folder, {}, {}}).exit_status == 0;
+}
+
+}  // namespace
+
+std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& generated) {
+  const std::vector<std::string> files = document_files(folder);
+  std::set<std::string> parts;
+  for (const std::string& file : files) {
+    parts.insert(fs::path(file).replace_extension().generic_string());
+  }
+  std::vector<std::string> errors;
+  for (const std::string& file : files) {
+    const std::string text = sys::read_file(folder / file);
+    for (const TexCommand& use : commands_in(text, {"input", "include"})) {
+      const std::string& name = use.argument;
+      if (name.find('\\') != std::string::npos || is_in(folder, name) || is_in(generated, name) ||
+          is_in_tex(folder, name)) {
+        continue;
+      }
+      errors.push_back(fmt::format("{}/{}:{}:{}: there is no file '{}'{}", source_label(folder),
+                                   file, use.line, use.column, name, sys::suggestion(name, parts)));
+    }
+  }
+  return errors;
+}
+
+}  // namespace literate

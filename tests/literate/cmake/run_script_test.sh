@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# run_script_test.sh SOURCE: the build runs a script of data again when the script, or what it reads, is another one.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
+cd "$scratch" || exit 1
+
+cat >CMakeLists.txt <<END
+cmake_minimum_required(VERSION 3.25)
+project(measured LANGUAGES NONE)
+include("$source_dir/src/literate/cmake/AddPaper.cmake")
+literate_run_script(MAKES measured.csv COMMAND sh measure.sh READS raw.txt)
+add_custom_target(all_data ALL DEPENDS "\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv")
+END
+# shellcheck disable=SC2016  # it is the script's
+echo 'echo run >>runs.txt; { echo x; cat raw.txt; } >measured.csv' >measure.sh
+echo 1 >raw.txt
+echo 'older than its script' >measured.csv
+
+# edits COMMAND…: does it in a later tick of the file system's clock than that which wrote measured.csv. Ninja takes files of one
+# tick, some milliseconds, to be of one age, and this test is fast enough to edit within it.
+edits() {
+  touch edited
+  until [ edited -nt measured.csv ]; do touch edited; done
+  "$@"
+}
+
+runs cmake -S . -B build -G Ninja
+runs cmake --build build
+claim 'a file that the build has not made is made anew' "$(cat measured.csv)" = "x
+1"
+runs cmake --build build
+claim 'what has not changed is not run again' "$(wc -l <runs.txt)" -eq 1
+edits sed -i 's/echo x;/echo y;/' measure.sh
+runs cmake --build build
+claim 'a changed script is run again' "$(cat measured.csv)" = "y
+1"
+edits sed -i 's/1/2/' raw.txt
+runs cmake --build build
+claim 'so it is when what it reads has changed' "$(tail -n 1 measured.csv)" -eq 2
+edits sed -i '$a exit 7' measure.sh
+runs cmake --build build
+claim 'a script that fails stops the build' "$status $(says 'sh measure.sh')" = '1 yes'
+
+sed -i 's/sh measure.sh/sh mesure.sh/' CMakeLists.txt
+runs cmake -S . -B build -G Ninja
+claim 'a command that names no script is refused' "$status $(says "no word of 'sh;mesure.sh' is a file")" = '1 yes'
+
+finish

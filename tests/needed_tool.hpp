@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a suite of tests does whose tool a system may lack: CTest counts it as skipped.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "system/error.hpp"
+#include "system/process.hpp"
+
+/// Ends the program as skipped, with one line that says what was not tested and why.
+[[noreturn]] inline void skip_tests(const std::string& untested, const std::string& why) {
+  constexpr int skipped = 77;
+  std::printf("skipped: %s: %s\n", untested.c_str(), why.c_str());
+  std::fflush(stdout);
+  std::_Exit(skipped);
+}
+
+/// Does so if there is no such tool.
+inline void need_tool(const std::string& tool, const std::string& untested) {
+  try {
+    sys::find_tool(tool);
+  } catch (const sys::ToolError&) {
+    skip_tests(untested, tool + " is not installed");
+  }
+}
