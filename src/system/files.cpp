@@ -51,7 +51,9 @@ std::error_code write_whole(const fs::path& file, std::string_view text) {
 
 std::string read_file(const fs::path& file) {
   std::error_code error;
-  if (fs::is_directory(file, error)) throw failure("read", file);
+  if (fs::is_directory(file, error)) {
+    throw failure("read", file, std::make_error_code(std::errc::is_a_directory));
+  }
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (descriptor.number() < 0) throw failure("read", file, last_error());
   std::string text;

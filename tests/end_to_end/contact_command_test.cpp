@@ -205,12 +205,12 @@ BOOST_AUTO_TEST_CASE(profiles_that_are_no_profile_are_refused_by_file_and_line) 
   check("x,gap\n0,1\n1,0\n0.5,1\n2,2\n", {":4: ", "x = 0.5", "greater than the one before, 1"});
   check("x,gap\n0,1\n1,0\n1,1\n2,2\n", {":4: ", "x = 1"});
   check("x,gap\n0,1\n1,low\n2,1\n3,2\n", {":3: ", "gap", "low"});
-  check("x,gap\n0,1\n1\n2,1\n3,2\n", {":3: ", "columns x,gap"});
+  check("x,gap\n0,1\n1\n2,1\n3,2\n", {":3:1: ", "the line has 1 field, the first one has 2"});
   check("x,height\n0,1\n1,2\n", {":1: ", "heading must be x,gap"});
   check("x,gap\n0,1\n1,2\n", {"2 points", "4 or more"});
   check("", {":1: ", "heading"});
-  check_refused(2, contact + Words{"--profile", "file:/none.csv"}, {"/none.csv", "cannot be read"});
-  check_refused(2, contact + Words{"--profile", "file:" + folder.path().string()}, {"is a folder"});
+  check_refused(2, contact + Words{"--profile", "file:/none.csv"}, {"cannot read", "/none.csv", "No such file"});
+  check_refused(2, contact + Words{"--profile", "file:" + folder.path().string()}, {"Is a directory"});
 }
 
 BOOST_AUTO_TEST_CASE(stresses_above_the_surface_or_of_other_elements_are_refused) {

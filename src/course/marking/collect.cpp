@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/marking/collect.hpp"
+#include "system/csv.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-
-#include "course/marking/csv.hpp"
 
 namespace course {
 namespace {
@@ -12,17 +11,19 @@ namespace {
 std::string header(const Assignment& assignment) {
   std::string line =
       "student,state,points,deduction,mark,report,no file,not compiling,slip days,regraded,group";
-  for (const std::string& id : check_ids(assignment)) line += "," + csv_field(id);
-  for (const Criterion& criterion : assignment.criteria) line += "," + csv_field(criterion.id);
+  for (const std::string& id : check_ids(assignment)) line += "," + sys::spreadsheet_field(id);
+  for (const Criterion& criterion : assignment.criteria)
+    line += "," + sys::spreadsheet_field(criterion.id);
   return line + "\r\n";
 }
 
 std::string row_of(const Mark& mark) {
   return fmt::format(",{},{},{},{},{},{},{},{}", mark.points, mark.deduction, mark.mark,
                      mark.has_report ? "yes" : "no",
-                     csv_field(fmt::format("{}", fmt::join(mark.missing, " "))),
-                     csv_field(fmt::format("{}", fmt::join(mark.not_compiling, " "))),
-                     mark.slip_days, csv_field(fmt::format("{}", fmt::join(mark.regraded, " "))));
+                     sys::spreadsheet_field(fmt::format("{}", fmt::join(mark.missing, " "))),
+                     sys::spreadsheet_field(fmt::format("{}", fmt::join(mark.not_compiling, " "))),
+                     mark.slip_days,
+                     sys::spreadsheet_field(fmt::format("{}", fmt::join(mark.regraded, " "))));
 }
 
 /// The points of each check and criterion; those of a criterion are empty until it is marked.
@@ -45,8 +46,9 @@ std::string marks_csv(const Assignment& assignment, const ClassMarks& marks) {
   const std::string no_parts(check_ids(assignment).size() + assignment.criteria.size(), ',');
   std::string csv = header(assignment);
   for (const StudentMark& student : marks.students) {
-    csv += csv_field(student.student) + "," + csv_field(student.state) +
-           (student.mark ? row_of(*student.mark) : no_mark) + "," + csv_field(student.group) +
+    csv += sys::spreadsheet_field(student.student) + "," + sys::spreadsheet_field(student.state) +
+           (student.mark ? row_of(*student.mark) : no_mark) + "," +
+           sys::spreadsheet_field(student.group) +
            (student.mark ? parts_of(assignment, *student.mark) : no_parts) + "\r\n";
   }
   return csv;

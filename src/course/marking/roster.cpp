@@ -11,7 +11,7 @@
 
 #include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
-#include "course/marking/csv.hpp"
+#include "system/csv.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -38,7 +38,7 @@ std::optional<int> parsed_days(const std::string& text) {
   return days;
 }
 
-[[noreturn]] void fail(const CsvField& field, const std::string& message) {
+[[noreturn]] void fail(const sys::CsvField& field, const std::string& message) {
   throw sys::SourceError(field.place + ": " + message);
 }
 
@@ -46,7 +46,7 @@ std::optional<int> parsed_days(const std::string& text) {
 class RosterReader {
  public:
   explicit RosterReader(const std::filesystem::path& file)
-      : file_(file.string()), rows_(parse_csv(sys::read_file(file), file_)) {}
+      : file_(file.string()), rows_(sys::parse_csv(sys::read_file(file), file_)) {}
 
   Roster read() {
     read_header();
@@ -64,7 +64,7 @@ class RosterReader {
                              ":1:1: the class is empty; a header line with 'student' is wanted");
     }
     for (std::size_t i = 0; i < rows_[0].size(); ++i) {
-      const CsvField& head = rows_[0][i];
+      const sys::CsvField& head = rows_[0][i];
       if (std::ranges::find(columns, head.text) == columns.end()) {
         fail(head, fmt::format("there is a column '{}'; the columns are student, name, submitted, "
                                "deadline, slip_days and group",
@@ -79,10 +79,10 @@ class RosterReader {
 
   /// What `parse` makes of a field; that of an empty text if there is no such column.
   template <class Parse>
-  auto parsed(const CsvRow& row, const char* column, const Parse& parse) const {
+  auto parsed(const sys::CsvRow& row, const char* column, const Parse& parse) const {
     const auto at = at_.find(column);
     if (at == at_.end()) return parse(std::string());
-    const CsvField& field = row[at->second];
+    const sys::CsvField& field = row[at->second];
     try {
       return parse(field.text);
     } catch (const sys::SourceError& error) {
@@ -95,7 +95,7 @@ class RosterReader {
     return text;
   }
 
-  void read_student(const CsvRow& row) {
+  void read_student(const sys::CsvRow& row) {
     const std::string student = parsed(row, "student", id);
     const RosterEntry entry{.submitted = parsed(row, "submitted", parsed_time),
                             .deadline = parsed(row, "deadline", parsed_time),
@@ -110,7 +110,7 @@ class RosterReader {
   }
 
   /// The members of a group hand in once, and so at one time.
-  void require_agreement(const CsvRow& row, const RosterEntry& entry) {
+  void require_agreement(const sys::CsvRow& row, const RosterEntry& entry) {
     const auto [first, is_first] = groups_.emplace(entry.group, entry);
     if (is_first) return;
     const auto require = [&](const char* column, bool agrees) {
@@ -123,14 +123,14 @@ class RosterReader {
   }
 
   /// Under one name only one unit can hand in.
-  void require_group_of_its_own(const CsvRow& row) {
+  void require_group_of_its_own(const sys::CsvRow& row) {
     const auto at = at_.find("group");
     if (at == at_.end() || !roster_.contains(row[at->second].text)) return;
     fail(row[at->second], fmt::format("group {} is named as a student is", row[at->second].text));
   }
 
   std::string file_;
-  std::vector<CsvRow> rows_;
+  std::vector<sys::CsvRow> rows_;
   std::map<std::string, std::size_t> at_;      ///< columns by name
   std::map<std::string, RosterEntry> groups_;  ///< the first member of each
   Roster roster_;

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "course/assignment/student_text.hpp"
-#include "course/marking/csv.hpp"
+#include "system/csv.hpp"
 #include "system/error.hpp"
 
 namespace course {
@@ -36,7 +36,7 @@ std::string feedback_of(const Assignment& assignment, const Mark& mark) {
 class CanvasExport {
  public:
   CanvasExport(std::string_view text, const std::string& file)
-      : file_(file), rows_(parse_csv(text, file)) {
+      : file_(file), rows_(sys::parse_csv(text, file)) {
     if (rows_.empty()) throw sys::SourceError(file + ":1:1: the gradebook is empty");
     for (const char* wanted : {"Student", "ID", "Section"}) {
       if (find(wanted)) continue;
@@ -47,7 +47,7 @@ class CanvasExport {
   }
 
   std::optional<std::size_t> find(std::string_view name) const {
-    const auto found = std::ranges::find(rows_[0], name, &CsvField::text);
+    const auto found = std::ranges::find(rows_[0], name, &sys::CsvField::text);
     if (found == rows_[0].end()) return std::nullopt;
     return static_cast<std::size_t>(found - rows_[0].begin());
   }
@@ -66,10 +66,10 @@ class CanvasExport {
                     shown_name(name.empty() ? begin : name)));
   }
 
-  const std::vector<CsvRow>& rows() const { return rows_; }
+  const std::vector<sys::CsvRow>& rows() const { return rows_; }
 
   /// The student of a row; empty in lines that are about the columns.
-  std::string student_of(const CsvRow& row) const {
+  std::string student_of(const sys::CsvRow& row) const {
     for (const char* name : {"SIS Login ID", "SIS User ID"}) {
       const auto column = find(name);
       if (column && !row[*column].text.empty()) return row[*column].text;
@@ -79,7 +79,7 @@ class CanvasExport {
 
  private:
   std::string file_;
-  std::vector<CsvRow> rows_;
+  std::vector<sys::CsvRow> rows_;
 };
 
 }  // namespace
@@ -88,8 +88,8 @@ std::string moodle_csv(const Assignment& assignment, const ClassMarks& marks) {
   std::string csv = "student,grade,feedback\r\n";
   for (const StudentMark& student : marks.students) {
     if (!student.mark) continue;
-    csv += fmt::format("{},{},{}\r\n", csv_field(student.student), student.mark->mark,
-                       csv_field(feedback_of(assignment, *student.mark)));
+    csv += fmt::format("{},{},{}\r\n", sys::spreadsheet_field(student.student), student.mark->mark,
+                       sys::spreadsheet_field(feedback_of(assignment, *student.mark)));
   }
   return csv;
 }
@@ -109,13 +109,13 @@ FilledGradebook canvas_csv(const Assignment& assignment, const ClassMarks& marks
   }
 
   FilledGradebook filled;
-  const auto add_line = [&](const CsvRow& row, const std::string& last) {
-    for (const std::size_t i : kept) filled.csv += csv_field(row[i].text) + ",";
+  const auto add_line = [&](const sys::CsvRow& row, const std::string& last) {
+    for (const std::size_t i : kept) filled.csv += sys::spreadsheet_field(row[i].text) + ",";
     filled.csv += last + "\r\n";
   };
-  add_line(gradebook.rows()[0], csv_field(gradebook.rows()[0][mark_column].text));
+  add_line(gradebook.rows()[0], sys::spreadsheet_field(gradebook.rows()[0][mark_column].text));
   for (std::size_t i = 1; i < gradebook.rows().size(); ++i) {
-    const CsvRow& row = gradebook.rows()[i];
+    const sys::CsvRow& row = gradebook.rows()[i];
     const std::string student = gradebook.student_of(row);
     if (student.empty()) continue;
     const auto mark = open.extract(student);

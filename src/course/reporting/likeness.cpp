@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/reporting/likeness.hpp"
+#include "system/csv.hpp"
 
 #include <fmt/core.h>
 
@@ -9,7 +10,6 @@
 #include <tuple>
 #include <utility>
 
-#include "course/marking/csv.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -144,8 +144,9 @@ std::vector<LikePair> like_pairs(const Assignment& assignment, const std::vector
 std::string pairs_csv(const std::vector<LikePair>& pairs) {
   std::string csv = "exercise,first,percent of the first,second,percent of the second\r\n";
   for (const LikePair& pair : pairs) {
-    csv += fmt::format("{},{},{},{},{}\r\n", csv_field(pair.exercise), csv_field(pair.first),
-                       pair.percent_of_first, csv_field(pair.second), pair.percent_of_second);
+    csv += fmt::format("{},{},{},{},{}\r\n", sys::spreadsheet_field(pair.exercise),
+                       sys::spreadsheet_field(pair.first), pair.percent_of_first,
+                       sys::spreadsheet_field(pair.second), pair.percent_of_second);
   }
   return csv;
 }

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "course/marking/csv.hpp"
 #include "course/marking/solution_trial.hpp"
+#include "system/csv.hpp"
 
 namespace course {
 namespace {
@@ -85,10 +85,12 @@ std::vector<Met> met_mistakes(const Assignment& assignment,
 std::string mistakes_csv(const std::vector<Met>& all) {
   std::string csv = "wrong solution,says,exercises,students,who\r\n";
   for (const Met& met : all) {
-    csv += fmt::format("{},{},{},{},{}\r\n", csv_field(met.pattern.id), csv_field(met.pattern.says),
-                       csv_field(fmt::format("{}", fmt::join(met.pattern.exercises, " "))),
-                       met.students.size(),
-                       csv_field(fmt::format("{}", fmt::join(met.students, " "))));
+    csv += fmt::format(
+        "{},{},{},{},{}\r\n", sys::spreadsheet_field(met.pattern.id),
+        sys::spreadsheet_field(met.pattern.says),
+        sys::spreadsheet_field(fmt::format("{}", fmt::join(met.pattern.exercises, " "))),
+        met.students.size(),
+        sys::spreadsheet_field(fmt::format("{}", fmt::join(met.students, " "))));
   }
   return csv;
 }

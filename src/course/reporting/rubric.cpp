@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "course/assignment/student_text.hpp"
-#include "course/marking/csv.hpp"
+#include "system/csv.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -31,7 +31,7 @@ bool is_drawn(std::string_view name) {
          name.size() == std::string_view(drawn_name).size() + n_drawn_digits;
 }
 
-[[noreturn]] void fail_at(const CsvField& field, const std::string& message) {
+[[noreturn]] void fail_at(const sys::CsvField& field, const std::string& message) {
   throw sys::SourceError(field.place + ": " + message);
 }
 
@@ -40,7 +40,7 @@ class RubricReader {
  public:
   RubricReader(const Assignment& assignment, const std::filesystem::path& file,
                const std::map<std::string, std::string>& names)
-      : assignment_(assignment), rows_(parse_csv(sys::read_file(file), file.string())) {
+      : assignment_(assignment), rows_(sys::parse_csv(sys::read_file(file), file.string())) {
     for (const auto& [unit, name] : names) units_[name] = unit;
     if (rows_.empty()) throw sys::SourceError(file.string() + ":1:1: there is no header line");
   }
@@ -63,7 +63,7 @@ class RubricReader {
  private:
   void read_header() {
     for (std::size_t i = 0; i < rows_[0].size(); ++i) {
-      const CsvField& head = rows_[0][i];
+      const sys::CsvField& head = rows_[0][i];
       const bool is_known = std::ranges::find(rubric_columns, head.text) != rubric_columns.end();
       if (!is_known || !at_.emplace(head.text, i).second) {
         fail_at(head, fmt::format("there is a column '{}'; the columns are student, criterion, "
@@ -78,9 +78,9 @@ class RubricReader {
     }
   }
 
-  RubricLine read_line(const CsvRow& row) {
-    const CsvField& student = row[at_["student"]];
-    const CsvField& criterion = row[at_["criterion"]];
+  RubricLine read_line(const sys::CsvRow& row) {
+    const sys::CsvField& student = row[at_["student"]];
+    const sys::CsvField& criterion = row[at_["criterion"]];
     const auto unit = units_.find(student.text);
     const auto known = std::ranges::find(assignment_.criteria, criterion.text, &Criterion::id);
     if (known == assignment_.criteria.end()) {
@@ -95,8 +95,8 @@ class RubricReader {
             .is_drawn_name = units_.empty() && is_drawn(student.text)};
   }
 
-  double points_of_line(const CsvRow& row, const Criterion& criterion) {
-    const CsvField& field = row[at_["points"]];
+  double points_of_line(const sys::CsvRow& row, const Criterion& criterion) {
+    const sys::CsvField& field = row[at_["points"]];
     if (field.text.empty()) return 0;
     double points = -1;
     const char* end = field.text.data() + field.text.size();
@@ -112,7 +112,7 @@ class RubricReader {
   }
 
   const Assignment& assignment_;
-  std::vector<CsvRow> rows_;
+  std::vector<sys::CsvRow> rows_;
   std::map<std::string, std::string> units_;  ///< by the name that markers see
   std::map<std::string, std::size_t> at_;     ///< columns by name
   std::set<std::pair<std::string, std::string>> known_;
@@ -196,7 +196,8 @@ std::string rubric_form(const Assignment& assignment, const std::vector<std::str
   std::string csv = "student,criterion,points,comment,marker\r\n";
   for (const std::string& name : names) {
     for (const Criterion& criterion : assignment.criteria) {
-      csv += fmt::format("{},{},,,\r\n", csv_field(name), csv_field(criterion.id));
+      csv += fmt::format("{},{},,,\r\n", sys::spreadsheet_field(name),
+                         sys::spreadsheet_field(criterion.id));
     }
   }
   return csv;

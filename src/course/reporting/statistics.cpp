@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "course/marking/csv.hpp"
 #include "course/marking/solution_trial.hpp"
+#include "system/csv.hpp"
 
 namespace course {
 namespace {
@@ -133,8 +133,8 @@ std::string items_csv(const ClassStatistics& statistics) {
   std::string csv =
       "check,exercise,visibility,points,students,facility,discrimination,all,none\r\n";
   for (const ItemStatistics& item : statistics.items) {
-    csv += fmt::format("{},{},{},{},{},{:.3f},{},{},{}\r\n", csv_field(item.check.id),
-                       csv_field(item.exercise),
+    csv += fmt::format("{},{},{},{},{},{:.3f},{},{},{}\r\n", sys::spreadsheet_field(item.check.id),
+                       sys::spreadsheet_field(item.exercise),
                        item.check.visibility == Visibility::visible ? "public" : "hidden",
                        item.check.points, statistics.n_graded, item.facility,
                        number_or_nothing(item.discrimination), item.n_full, item.n_none);

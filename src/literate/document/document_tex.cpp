@@ -8,6 +8,7 @@
 
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
+#include "system/csv.hpp"
 #include "system/files.hpp"
 
 namespace literate {
@@ -117,31 +118,13 @@ std::string index_tex(const Registered& registered) {
   return text;
 }
 
-namespace {
-
-/// A field of a CSV file: in quotation marks if it holds a comma, one of them or an end of line.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-std::string csv_line(const std::vector<std::string>& fields) {
-  std::string line;
-  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + csv_field(field);
-  return line + "\n";
-}
-
-}  // namespace
-
 std::string values_csv(const Registered& registered) {
   std::string text = "key,printed,number,abs_error,unit,place\n";
   for (const auto& [key, value] : registered.values) {
-    text +=
-        csv_line({key, value.printed(), value.number() ? fmt::format("{}", *value.number()) : "",
-                  value.abs_error() ? fmt::format("{}", *value.abs_error()) : "", value.unit(),
-                  text_of(registered.places.at({"value", key}))});
+    text += sys::csv_line({key, value.printed(),
+                           value.number() ? fmt::format("{}", *value.number()) : "",
+                           value.abs_error() ? fmt::format("{}", *value.abs_error()) : "",
+                           value.unit(), text_of(registered.places.at({"value", key}))});
   }
   return text;
 }
@@ -150,7 +133,7 @@ std::string sources_csv(const Registered& registered) {
   std::string text = "kind,name,place,function\n";
   const auto add = [&](const std::string& kind, const std::string& name) {
     const SourcePlace& place = registered.places.at({kind, name});
-    text += csv_line({kind, name, text_of(place), place.function});
+    text += sys::csv_line({kind, name, text_of(place), place.function});
   };
   for (const auto& [name, figure] : registered.figures) add("figure", name);
   for (const auto& [name, table] : registered.tables) add("table", name);

@@ -6,17 +6,30 @@
 #include <algorithm>
 #include <utility>
 
-#include "literate/imports/csv_file.hpp"
 #include "literate/imports/import_error.hpp"
 #include "literate/imports/source_files.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/name.hpp"
+#include "system/csv.hpp"
 #include "system/nearest_name.hpp"
 #include "system/pattern.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
+
+/// A CSV file that becomes a table, and the places in it for messages.
+struct CsvSource {
+  std::string file;
+  std::string table;
+
+  std::string at(unsigned line) const {
+    return fmt::format("{}:{}: table '{}'", file, line, table);
+  }
+  std::string at(const sys::CsvField& field) const {
+    return fmt::format("{}: table '{}'", field.place, table);
+  }
+};
 
 /// Which fields of a line are cells of one printed column.
 struct Fields {
@@ -39,33 +52,33 @@ ImportedColumn column_of(const std::string& field) {
 
 /// Declares the columns exact whose headings are named.
 void declare_exact(std::vector<ImportedColumn>& columns, const CsvSource& source,
-                   const CsvRow& heading, const std::vector<Fields>& fields,
+                   const sys::CsvRow& heading, const std::vector<Fields>& fields,
                    const std::set<std::string>& exact) {
   for (const std::string& name : exact) {
-    const auto& headings = heading.fields;
-    if (std::ranges::find(headings, name) != headings.end()) continue;
+    if (std::ranges::find(heading, name, &sys::CsvField::text) != heading.end()) continue;
+    std::set<std::string> known;
+    for (const sys::CsvField& field : heading) known.insert(field.text);
     throw ImportError(fmt::format("{}: there is no column '{}', which is to be exact{}",
-                                  source.at(heading.line), name,
-                                  sys::suggestion(name, {headings.begin(), headings.end()})));
+                                  source.at(heading[0].line), name, sys::suggestion(name, known)));
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string& name = heading.fields[fields[i].number];
+    const sys::CsvField& field = heading[fields[i].number];
+    const std::string& name = field.text;
     columns[i].is_exact = columns[i].is_exact || exact.contains(name);
     const std::string suggestion = sys::suggestion(name, {"abs_error"});
     if (columns[i].is_exact || suggestion.empty()) continue;
-    throw ImportError(fmt::format("{}: column '{}'{}",
-                                  source.at(heading.line, fields[i].number + 1), name, suggestion));
+    throw ImportError(fmt::format("{}: column '{}'{}", source.at(field), name, suggestion));
   }
 }
 
-std::vector<Fields> fields_of(const CsvSource& source, const CsvRow& heading) {
+std::vector<Fields> fields_of(const CsvSource& source, const sys::CsvRow& heading) {
   std::vector<Fields> columns;
-  for (std::size_t i = 0; i < heading.fields.size(); ++i) {
-    if (heading.fields[i] != "abs_error") {
+  for (std::size_t i = 0; i < heading.size(); ++i) {
+    if (heading[i].text != "abs_error") {
       columns.push_back({i});
     } else if (columns.empty() || columns.back().abs_error) {
-      throw ImportError(fmt::format("{}: abs_error has no column of numbers to its left",
-                                    source.at(heading.line, i + 1)));
+      throw ImportError(
+          fmt::format("{}: abs_error has no column of numbers to its left", source.at(heading[i])));
     } else {
       columns.back().abs_error = i;
     }
@@ -74,26 +87,26 @@ std::vector<Fields> fields_of(const CsvSource& source, const CsvRow& heading) {
 }
 
 /// Takes headings and units from the file where the caller has given none.
-void complete(std::vector<ImportedColumn>& columns, const CsvSource& source, const CsvRow& heading,
-              const std::vector<Fields>& fields) {
+void complete(std::vector<ImportedColumn>& columns, const CsvSource& source,
+              const sys::CsvRow& heading, const std::vector<Fields>& fields) {
   const bool are_given = !columns.empty();
   if (are_given && columns.size() != fields.size()) {
-    throw ImportError(fmt::format("{}: {} columns, where {} are described", source.at(heading.line),
-                                  fields.size(), columns.size()));
+    throw ImportError(fmt::format("{}: {} columns, where {} are described",
+                                  source.at(heading[0].line), fields.size(), columns.size()));
   }
   columns.resize(fields.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const ImportedColumn from_file = column_of(heading.fields[fields[i].number]);
+    const ImportedColumn from_file = column_of(heading[fields[i].number].text);
     if (columns[i].heading.empty()) columns[i].heading = from_file.heading;
     if (columns[i].unit.empty()) columns[i].unit = from_file.unit;
-    columns[i].at = source.at(heading.line, fields[i].number + 1);
+    columns[i].at = source.at(heading[fields[i].number]);
   }
 }
 
-ImportedCell cell_of(const CsvSource& source, const CsvRow& row, const Fields& fields,
+ImportedCell cell_of(const CsvSource& source, const sys::CsvRow& row, const Fields& fields,
                      bool is_text) {
-  const std::string& text = row.fields[fields.number];
-  ImportedCell cell{.at = source.at(row.line, fields.number + 1)};
+  const std::string& text = row[fields.number].text;
+  ImportedCell cell{.at = source.at(row[fields.number])};
   if (text.empty()) return cell;
   const auto number = written_number(text);
   if (number && !is_text) {
@@ -101,12 +114,12 @@ ImportedCell cell_of(const CsvSource& source, const CsvRow& row, const Fields& f
   } else {
     cell.content = text;
   }
-  if (!fields.abs_error || row.fields[*fields.abs_error].empty()) return cell;
-  const auto error = written_number(row.fields[*fields.abs_error]);
+  if (!fields.abs_error || row[*fields.abs_error].text.empty()) return cell;
+  const sys::CsvField& of_error = row[*fields.abs_error];
+  const auto error = written_number(of_error.text);
   if (!error) {
-    throw ImportError(fmt::format("{}: abs_error '{}' is not a number",
-                                  source.at(row.line, *fields.abs_error + 1),
-                                  row.fields[*fields.abs_error]));
+    throw ImportError(
+        fmt::format("{}: abs_error '{}' is not a number", source.at(of_error), of_error.text));
   }
   cell.abs_error = error->number;
   return cell;
@@ -119,19 +132,26 @@ bool is_not_finite(std::string_view text) {
   return spelt.find_in(text).has_value();
 }
 
-bool holds_a_number(const std::vector<CsvRow>& rows, const Fields& fields) {
+bool holds_a_number(const std::vector<sys::CsvRow>& rows, const Fields& fields) {
   if (fields.abs_error) return true;
-  return std::any_of(rows.begin() + 1, rows.end(), [&fields](const CsvRow& row) {
-    const std::string& text = row.fields[fields.number];
+  return std::any_of(rows.begin() + 1, rows.end(), [&fields](const sys::CsvRow& row) {
+    const std::string& text = row[fields.number].text;
     return written_number(text).has_value() || is_not_finite(text);
   });
 }
 
-NumbersAndScript read_files(const fs::path& file, const fs::path& script, const fs::path& root,
-                            const std::string& table) {
+struct ReadFiles {
+  NumbersAndScript sources;
+  std::vector<sys::CsvRow> rows;
+};
+
+ReadFiles read_files(const fs::path& file, const fs::path& script, const fs::path& root,
+                     const std::string& table) {
   try {
-    return with_script(file, read_numbers(file), script, root);
-  } catch (const ImportError& error) {
+    NumbersAndScript sources = with_script(file, read_numbers(file), script, root);
+    auto rows = sys::parse_csv(sources.numbers.text, file.string(), sys::CsvComments::number_sign);
+    return {std::move(sources), std::move(rows)};
+  } catch (const sys::InputError& error) {
     throw ImportError(fmt::format("{}, for table '{}'", error.what(), table));
   }
 }
@@ -152,9 +172,8 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
                                   text_of(document.registered().places.at({"table", key}))));
   }
 
-  const NumbersAndScript sources = read_files(file_path, script, options.root, key);
+  const auto [sources, rows] = read_files(file_path, script, options.root, key);
   const CsvSource source{file, key};
-  const std::vector<CsvRow> rows = csv_rows(source, sources.numbers.text);
   if (rows.empty()) {
     throw ImportError(fmt::format("{}: there is no line of headings", source.at(1)));
   }
@@ -176,12 +195,12 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
           cell_of(source, *row, fields[i], columns[i].format == NumberFormat::text));
     }
   }
-  Table table = table_of(key, columns, cells, source.at(rows.front().line));
+  Table table = table_of(key, columns, cells, source.at(rows.front()[0].line));
 
   document.attach(sources.numbers);
   document.attach(sources.script);
   document.table(std::move(table),
-                 SourcePlace{sources.numbers.name, sources.script.name, rows.front().line});
+                 SourcePlace{sources.numbers.name, sources.script.name, rows.front()[0].line});
 }
 
 }  // namespace literate

@@ -10,6 +10,7 @@
 
 #include "literate/tables/column_writer.hpp"
 #include "literate/text/latex.hpp"
+#include "system/csv.hpp"
 
 namespace literate {
 namespace {
@@ -243,23 +244,16 @@ std::string Table::html() const {
 
 namespace {
 
-std::string quoted(std::string text) {
-  for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
-    text.insert(at, 1, '"');
-  }
-  return '"' + text + '"';
-}
-
 std::string csv_heading(const ColumnFormat& format) {
   const std::string group = format.group.empty() ? "" : plain_text(format.group) + ": ";
   const std::string unit = format.unit.empty() ? "" : fmt::format(" ({})", format.unit);
-  return quoted(group + plain_text(format.heading) + unit);
+  return group + plain_text(format.heading) + unit;
 }
 
 std::string csv_cell(const Cell& cell) {
   if (cell.is_empty()) return "";
   if (cell.number() != nullptr) return fmt::format("{}", *cell.number());
-  return quoted(one_line(cell.plain().empty() ? plain_text(*cell.text()) : cell.plain()));
+  return one_line(cell.plain().empty() ? plain_text(*cell.text()) : cell.plain());
 }
 
 /// A bare number is exact; only of one that is quoted without an error none is known.
@@ -280,9 +274,9 @@ std::string Table::csv() const {
   std::vector<std::string> fields;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     fields.push_back(csv_heading(columns_[i].format()));
-    if (has_errors[i]) fields.emplace_back("\"abs_error\"");
+    if (has_errors[i]) fields.emplace_back("abs_error");
   }
-  std::string text = fmt::format("{}\n", fmt::join(fields, ","));
+  std::string text = sys::csv_line(fields);
   std::string marks;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     fields.clear();
@@ -294,7 +288,7 @@ std::string Table::csv() const {
         marks += fmt::format("# row {}, column {}: {}\n", r + 1, i + 1, cell.mark());
       }
     }
-    text += fmt::format("{}\n", fmt::join(fields, ","));
+    text += sys::csv_line(fields);
   }
   text += marks;
   for (const TableNote& note : notes_) {

@@ -59,7 +59,7 @@ if(NOT TARGET utf8::cpp) # its package cannot be found twice
 endif()
 want_files("UDUNITS 2.2 or newer" UDUNITS2 udunits2.h udunits2)
 want_files(gnuplot-iostream GNUPLOT_IOSTREAM gnuplot-iostream.h)
-want_files(fast-cpp-csv-parser FCCP libfccp/csv.h)
+want_files("libcsv 3.0 or newer" LIBCSV csv.h csv)
 if(HALFSPACE_EVERYTHING)
   want_package(Eigen 3.4 Eigen3 NO_MODULE)
   want_package(GSL 2.7 GSL)
@@ -84,8 +84,12 @@ if(missing_libraries)
   message(FATAL_ERROR "These libraries are missing, or their headers are:${missing_libraries}\n"
     "\"make setup\" and the target that you want installs them, or says what else it wants.")
 endif()
-if(NOT TARGET udunits2::udunits2) # so that whoever links the installed engine looks for it there
-  add_library(udunits2::udunits2 UNKNOWN IMPORTED)
-  set_target_properties(udunits2::udunits2 PROPERTIES
-    IMPORTED_LOCATION "${UDUNITS2_LIBRARIES}" INTERFACE_INCLUDE_DIRECTORIES "${UDUNITS2_INCLUDE_DIR}")
-endif()
+# So that whoever links the installed engine looks for them there.
+foreach(library IN ITEMS libcsv udunits2)
+  if(NOT TARGET ${library}::${library})
+    string(TOUPPER ${library} upper_case)
+    add_library(${library}::${library} UNKNOWN IMPORTED)
+    set_target_properties(${library}::${library} PROPERTIES
+      IMPORTED_LOCATION "${${upper_case}_LIBRARIES}" INTERFACE_INCLUDE_DIRECTORIES "${${upper_case}_INCLUDE_DIR}")
+  endif()
+endforeach()

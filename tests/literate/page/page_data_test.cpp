@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(figures_and_tables_bring_the_bytes_of_their_data_and_the_sc
   BOOST_TEST(figure.at("data").at(1).at("text") == "x,y\n1,10\n2,20\n4,40\n");
   BOOST_TEST(figure.at("script").at("name") == "curve.gp");
   BOOST_TEST(figure.at("script").at("text") == script);
-  BOOST_TEST(data.at("tables").at("lengths").at("data").at(0).at("text") == "\"x\"\n7\n");
+  BOOST_TEST(data.at("tables").at("lengths").at("data").at(0).at("text") == "x\n7\n");
   BOOST_TEST(data.at("style").at("text") == "# style\n");
 }
 
