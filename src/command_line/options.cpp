@@ -6,8 +6,9 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <charconv>
 #include <cstdio>
+
+#include "system/decimal.hpp"
 
 namespace command_line {
 namespace {
@@ -113,10 +114,8 @@ double NumberOption::number_or(std::optional<double> from_case) const {
 
 std::optional<long> NumberOption::integer() const {
   if (text_.empty()) return std::nullopt;
-  long number = 0;
-  const char* end = text_.data() + text_.size();
-  const auto [stop, error] = std::from_chars(text_.data(), end, number);
-  if (error != std::errc() || stop != end) {
+  const auto number = sys::parsed<long>(text_);
+  if (!number) {
     throw sys::InputError(fmt::format("{}: \"{}\" is not a whole number", flag_, text_));
   }
   return number;

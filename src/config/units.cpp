@@ -5,14 +5,13 @@
 #include <fmt/ranges.h>
 #include <udunits2.h>
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "system/decimal.hpp"
 
 namespace config {
 namespace {
@@ -46,7 +45,7 @@ Unit parse(const std::string& name) {
 // factor differs from a number of twelve digits by no more than such rounding, that number is
 // meant.
 double without_rounding(double factor) {
-  const double short_factor = std::strtod(fmt::format("{:.12g}", factor).c_str(), nullptr);
+  const double short_factor = *sys::parsed<double>(fmt::format("{:.12g}", factor));
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * factor;
   return std::abs(short_factor - factor) <= rounding ? short_factor : factor;
 }
@@ -60,24 +59,11 @@ struct Decimal {
 
 /// The shortest decimal number that reads back as `number` ≥ 0.
 Decimal shortest(double number) {
-  std::array<char, 32> buffer{};
-  const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                                        std::chars_format::scientific)
-                              .ptr;
-  Decimal decimal;
-  const char* c = buffer.data();
-  for (bool is_behind_point = false; *c != 'e'; ++c) {
-    if (*c == '.') {
-      is_behind_point = true;
-    } else {
-      decimal.digits = 10 * decimal.digits + static_cast<unsigned>(*c - '0');
-      decimal.exponent -= is_behind_point ? 1 : 0;
-    }
+  const sys::Decimal written = sys::parse_decimal(fmt::format("{}", number)).value();
+  Decimal decimal{0, written.place};
+  for (const char digit : written.digits) {
+    decimal.digits = 10 * decimal.digits + static_cast<unsigned>(digit - '0');
   }
-  c += c[1] == '+' ? 2 : 1;
-  int exponent = 0;
-  std::from_chars(c, end, exponent);
-  decimal.exponent += exponent;
   return decimal;
 }
 
@@ -91,10 +77,7 @@ double nearest(const Decimal& decimal) {
   for (Decimal::Digits rest = decimal.digits; rest > 0; rest /= 10) {
     text.insert(text.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
   }
-  text = fmt::format("{}e{}", text.empty() ? "0" : text, decimal.exponent);
-  double number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
+  return sys::number_of({.digits = text.empty() ? "0" : text, .place = decimal.exponent});
 }
 
 Decimal product(const Decimal& a, const Decimal& b) {

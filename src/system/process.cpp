@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -18,6 +17,7 @@
 #include <optional>
 #include <system_error>
 
+#include "system/decimal.hpp"
 #include "system/error.hpp"
 #include "system/proc_file.hpp"
 #include "system/spawn.hpp"
@@ -113,10 +113,8 @@ std::optional<int> given_limit() {
   const char* variable = std::getenv("LITERATE_TIMEOUT");
   if (variable == nullptr) return std::nullopt;
   const std::string_view text = variable;
-  int seconds = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!text.empty() && (!is_number || seconds < 0 || seconds > 10'000'000)) {
+  const int seconds = text.empty() ? 0 : parsed<int>(text).value_or(-1);
+  if (seconds < 0 || seconds > 10'000'000) {
     throw InputError(fmt::format("TIMEOUT: '{}' is not a number of seconds, 0 to 10000000", text));
   }
   return seconds;

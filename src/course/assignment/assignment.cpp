@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <set>
 
 #include "config/table.hpp"
+#include "system/decimal.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -316,10 +316,7 @@ Assignment read_assignment(const fs::path& folder) {
 double on_grid(const Quantity& quantity, std::uint64_t k) {
   // std::fma rounds once, whether or not the compiler itself would fuse the operations.
   const double exact = std::fma(static_cast<double>(k), quantity.step, quantity.from);
-  const std::string digits = fmt::format("{:.12g}", exact);
-  double rounded = exact;
-  std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
-  return rounded;
+  return sys::parsed<double>(fmt::format("{:.12g}", exact)).value();
 }
 
 std::uint64_t n_values(const Quantity& quantity) {

@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 
 #include "course/assignment/student_text.hpp"
+#include "system/decimal.hpp"
 #include "system/files.hpp"
 
 namespace course {
@@ -21,16 +21,14 @@ Numbers parse_answer(std::string_view text) {
        begin = text.find_first_not_of(blank)) {
     text.remove_prefix(begin);
     const std::string_view word = text.substr(0, text.find_first_of(blank));
-    const char* end = word.data() + word.size();
-    double number = 0;
-    const auto [stop, error] = std::from_chars(word.data(), end, number);
-    if (error != std::errc{} || stop != end) {
+    const auto number = sys::parsed<double>(word);
+    if (!number) {
       throw ProgramFailure("the program's answer holds something that is no decimal number");
     }
-    if (!std::isfinite(number)) {
+    if (!std::isfinite(*number)) {
       throw ProgramFailure("a number of the program's answer is infinite or NaN");
     }
-    numbers.push_back(number);
+    numbers.push_back(*number);
     text.remove_prefix(word.size());
   }
   if (numbers.empty()) throw ProgramFailure("the program answered nothing");

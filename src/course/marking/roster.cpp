@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 #include <stdexcept>
 
 #include "course/assignment/student.hpp"
 #include "course/assignment/student_text.hpp"
 #include "system/csv.hpp"
+#include "system/decimal.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -28,10 +28,8 @@ std::optional<Time> parsed_time(const std::string& text) {
 std::optional<int> parsed_days(const std::string& text) {
   constexpr int year = 366;
   if (text.empty()) return std::nullopt;
-  int days = -1;
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, days);
-  if (read.ec != std::errc{} || read.ptr != end || days < 0 || days > year) {
+  const int days = sys::parsed<int>(text).value_or(-1);
+  if (days < 0 || days > year) {
     throw sys::SourceError(
         fmt::format("slip_days: '{}' is no whole number from 0 to {}", shown_name(text), year));
   }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "system/decimal.hpp"
+
 namespace course {
 namespace {
 
@@ -15,9 +17,8 @@ constexpr std::size_t least_digits = 6;
 constexpr std::size_t most_digits = 8;
 constexpr std::size_t telling_digits = 5;  // anybody may have written a number with fewer
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+using sys::is_digit;
+
 bool continues_word(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -13,6 +12,7 @@
 
 #include "course/assignment/student_text.hpp"
 #include "system/csv.hpp"
+#include "system/decimal.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -98,10 +98,8 @@ class RubricReader {
   double points_of_line(const sys::CsvRow& row, const Criterion& criterion) {
     const sys::CsvField& field = row[at_["points"]];
     if (field.text.empty()) return 0;
-    double points = -1;
-    const char* end = field.text.data() + field.text.size();
-    const auto read = std::from_chars(field.text.data(), end, points);
-    if (read.ec != std::errc{} || read.ptr != end || !(points >= 0 && points <= criterion.points)) {
+    const double points = sys::parsed<double>(field.text).value_or(-1);
+    if (!(points >= 0 && points <= criterion.points)) {
       fail_at(field, fmt::format("points: '{}' is no number from 0 to {}, the points of {}",
                                  shown_name(field.text), criterion.points, criterion.id));
     }

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
 #include "literate/figures/gnuplot.hpp"
+#include "system/decimal.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 
@@ -41,13 +41,6 @@ bool is_plot(std::string_view line) {
 
 bool goes_on(std::string_view line) {
   return sys::stripped(line).ends_with('\\');
-}
-
-std::optional<double> number_in(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -94,7 +87,7 @@ std::vector<PlottedPanel> panels_in(const std::string& said) {
     if (line.starts_with(frame_mark)) {
       std::vector<double> n;
       for (const std::string_view word : words_of(line.substr(frame_mark.size()))) {
-        if (const auto number = number_in(word)) n.push_back(*number);
+        if (const auto number = sys::parsed<double>(word)) n.push_back(*number);
       }
       if (n.size() != 8) return {};
       panels.push_back({.left = n[0],
@@ -134,7 +127,7 @@ bool add_curves(const std::string& table, std::vector<PlottedPanel>& panels) {
       return false;
     } else if (!line.starts_with("#") && words.size() >= 3 && words.back() == "i") {
       if (curve == nullptr) return false;
-      const auto x = number_in(words[0]), y = number_in(words[1]);
+      const auto x = sys::parsed<double>(words[0]), y = sys::parsed<double>(words[1]);
       if (!x || !y) return false;
       curve->points.emplace_back(*x, *y);
     }

@@ -4,14 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "literate/imports/import_error.hpp"
-#include "literate/text/characters.hpp"
 #include "literate/values/decimal.hpp"
+#include "system/decimal.hpp"
 
 namespace literate {
 namespace {
@@ -43,13 +41,6 @@ Column column_of(const ImportedColumn& column, bool writes_exponents) {
       break;
   }
   return numbers(writes_exponents ? scientific(1) : fixed(0));
-}
-
-/// The digits of a decimal number without zeros in front.
-std::string significant_digits(std::string_view number) {
-  std::string digits(number.substr(0, number.find_first_of("eE")));
-  std::erase_if(digits, [](char c) { return !is_digit(c); });
-  return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
 }
 
 /// The power of ten of the last digit that a number of this column is printed with.
@@ -92,8 +83,8 @@ void require_earned(const ImportedColumn& column, const ImportedCell& cell,
 void require_held(const ImportedColumn& column, const ImportedCell& cell,
                   const WrittenNumber& written) {
   if (column.format != NumberFormat::as_written && column.format != NumberFormat::integer) return;
-  const auto printed = written_number(scientific(rounded_to_place(written.number, written.place)));
-  if (printed && significant_digits(printed->text) == significant_digits(written.text)) return;
+  const Decimal printed = rounded_to_place(written.number, written.place);
+  if (printed.digits == sys::parse_decimal(written.text)->digits) return;
   throw ImportError(fmt::format("{}: {} has more digits than a number holds: write it as a text",
                                 cell.at, written.text));
 }
@@ -135,32 +126,13 @@ Cell cell_of(const ImportedColumn& column, const ImportedCell& cell) {
 }  // namespace
 
 std::optional<WrittenNumber> written_number(std::string_view text) {
+  const auto decimal = sys::parse_decimal(text);
+  if (!decimal) return std::nullopt;
   if (text.starts_with('+')) text.remove_prefix(1);
-  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
-  const bool begins_as_number =
-      !digits.empty() &&
-      (digits.front() == '.' || (digits.front() >= '0' && digits.front() <= '9'));
-  if (!begins_as_number) return std::nullopt;
-
-  WrittenNumber written{.text = std::string(text)};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), written.number);
-  if (end != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) {
-    written.number = std::numeric_limits<double>::infinity();
-  }
-
-  // Find the place of the last digit: decimals count down, the exponent shifts.
-  const auto e = text.find_first_of("eE");
-  written.has_exponent = e != text.npos;
-  if (written.has_exponent) {
-    std::string_view exponent = text.substr(e + 1);
-    if (exponent.starts_with('+')) exponent.remove_prefix(1);
-    std::from_chars(exponent.data(), exponent.data() + exponent.size(), written.place);
-  }
-  const std::string_view mantissa = text.substr(0, e);
-  const auto point = mantissa.find('.');
-  if (point != mantissa.npos) written.place -= static_cast<int>(mantissa.size() - point - 1);
-  return written;
+  return WrittenNumber{.number = number_of(*decimal),
+                       .place = decimal->place,
+                       .has_exponent = text.find_first_of("eE") != text.npos,
+                       .text = std::string(text)};
 }
 
 Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,

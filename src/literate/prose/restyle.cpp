@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,6 +16,7 @@
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/text/latex.hpp"
+#include "system/decimal.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 
@@ -62,13 +62,10 @@ void require_known(const Options& options, const std::set<std::string>& known, c
 std::optional<int> count_of(const Options& options, const std::string& name, int least) {
   const auto option = options.find(name);
   if (option == options.end()) return std::nullopt;
-  const std::string& text = option->second;
-  int count = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc{} || end != text.data() + text.size() || count < least ||
-      count > digits_of_double) {
+  const auto count = sys::parsed<int>(option->second);
+  if (!count || *count < least || *count > digits_of_double) {
     throw std::invalid_argument(fmt::format("{} = {}: must be a whole number from {} to {}", name,
-                                            text, least, digits_of_double));
+                                            option->second, least, digits_of_double));
   }
   return count;
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -18,9 +17,7 @@ namespace literate {
 Cell::Cell(std::string_view text) : content_(escape_latex(text)), plain_(text) {}
 
 Cell Cell::quoted(double number, int place, std::optional<double> abs_error) {
-  const std::string text = scientific(rounded_to_place(number, place));
-  double printed = 0;
-  std::from_chars(text.data(), text.data() + text.size(), printed);
+  const double printed = number_of(rounded_to_place(number, place));
   // A decimal number that was read as a double is off by half a rounding; two more may come from
   // arithmetic such as 5 · 0.01.
   constexpr double of_reading = 4 * std::numeric_limits<double>::epsilon();

@@ -4,15 +4,15 @@
 #include <string>
 #include <string_view>
 
+#include "system/decimal.hpp"
+
 namespace literate {
 
-/// Whether a character is an ASCII letter or digit, whatever the locale says.
+/// Whether a character is an ASCII letter, whatever the locale says.
 constexpr bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+using sys::is_digit;
 
 /// Whether the name of a TeX command may hold this character.
 constexpr bool is_command_letter(char c) {

@@ -29,24 +29,10 @@ int size_of(const std::string& text) {
   return static_cast<int>(text.size());
 }
 
-/// Reads what std::to_chars wrote, d.ddde±xx or ddd.ddd, without its sign.
-Decimal parse(bool negative, std::string_view text) {
-  Decimal number{negative, "", 0};
-  const auto e = text.find('e');
-  if (e != std::string_view::npos) {
-    auto exponent = text.substr(e + 1);
-    if (exponent.front() == '+') exponent.remove_prefix(1);
-    std::from_chars(exponent.data(), exponent.data() + exponent.size(), number.place);
-    text = text.substr(0, e);
-  }
-  const auto point = text.find('.');
-  number.digits = text.substr(0, point);
-  if (point != std::string_view::npos) {
-    number.digits += text.substr(point + 1);
-    number.place -= static_cast<int>(text.size() - point - 1);
-  }
-  number.digits.erase(0, number.digits.find_first_not_of('0'));
-  if (number.digits.empty()) number = {false, "0", number.place};
+/// Reads what std::to_chars wrote of the number's magnitude.
+Decimal with_sign_of(double value, std::string_view magnitude) {
+  Decimal number = sys::parse_decimal(magnitude).value();
+  number.negative = std::signbit(value) && number.digits != "0";
   return number;
 }
 
@@ -55,7 +41,7 @@ Decimal converted(double value, std::chars_format format, int precision) {
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
                                  format, precision);
   if (end.ec != std::errc{}) throw std::invalid_argument("too many digits asked for");
-  return parse(std::signbit(value), {buffer.data(), end.ptr});
+  return with_sign_of(value, {buffer.data(), end.ptr});
 }
 
 /// Rounds to a place left of the point, where std::to_chars has no fixed form.
@@ -110,14 +96,7 @@ Decimal shortest(double value) {
   Buffer buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
                                  std::chars_format::scientific);
-  return parse(std::signbit(value), {buffer.data(), end.ptr});
-}
-
-double number_of(const Decimal& number) {
-  const std::string text = scientific(number);
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+  return with_sign_of(value, {buffer.data(), end.ptr});
 }
 
 void refuse_whole_number(const std::string& number) {

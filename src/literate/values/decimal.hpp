@@ -5,18 +5,15 @@
 #include <cstdint>
 #include <string>
 
+#include "system/decimal.hpp"
+
 namespace literate {
 
-/// A decimal number: ± digits · 10^place, where `place` is that of the last digit.
-///
-/// `digits` has no leading zero, except that zero itself is "0"; zero has no sign. All functions
-/// that make a Decimal round the exact binary value half to even (as std::to_chars does), do not
-/// depend on the locale, and throw std::invalid_argument for a NaN or an infinity.
-struct Decimal {
-  bool negative = false;
-  std::string digits = "0";
-  int place = 0;
-};
+/// All functions here that make a decimal number round the exact binary value half to even (as
+/// std::to_chars does), do not depend on the locale, and throw std::invalid_argument for a NaN or
+/// an infinity.
+using sys::Decimal;
+using sys::number_of;
 
 /// Rounds to a multiple of 10^place: (9.996, −2) → 10.00.
 Decimal rounded_to_place(double value, int place);
@@ -31,9 +28,6 @@ Decimal rounded_up_to_digits(double value, int n_digits);
 
 /// Returns the fewest digits that read back as the same double.
 Decimal shortest(double value);
-
-/// The double nearest to a decimal number.
-double number_of(const Decimal& number);
 
 /// Throws std::invalid_argument for a whole number beyond ±2^53, written as text, of which there
 /// may be no double.

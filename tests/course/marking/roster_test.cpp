@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_class_that_is_wrong_is_told_with_its_line) {
   BOOST_TEST(source_error("student\na,b\n") ==
              "class.csv:2:1: the line has 2 fields, the first one has 1");
   BOOST_TEST(source_error("student,deadline\na\n") ==
-             "class.csv:2:1: the line has 1 fields, the first one has 2");
+             "class.csv:2:1: the line has 1 field, the first one has 2");
   BOOST_TEST(source_error("name,student\n\n\"Ada,a\n") == "class.csv:3:1: a quote is not closed");
   BOOST_TEST(source_error("student,student\n") == "class.csv:1:9: there are two columns 'student'");
   BOOST_TEST(
