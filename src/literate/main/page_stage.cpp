@@ -87,8 +87,9 @@ ExitCode write(const WriteOptions& options) {
                                                             {"description", page.description}}
                                                  .dump());
   std::string typeset;
-  for (const std::string& picture : page.typeset)
-    typeset += "\\begin{typeset}%\n" + picture + "%\n\\end{typeset}\n";
+  for (const std::string& picture : page.typeset) {
+    typeset += "\\begin{LiteratePage}%\n" + picture + "%\n\\end{LiteratePage}\n";
+  }
   sys::write_if_changed(build / "typeset.txt", typeset);
   sys::write_if_changed(build / "figures.txt", lines_of(page.figures));
   sys::write_if_changed(build / "pictures.txt", lines_of(page.pictures));
@@ -163,7 +164,8 @@ void add_page_stage(CLI::App& program, sys::ExitCode& exit_code) {
                          "Record of what the PDF was made from; refuse what was changed since");
                 add_required_text(
                     command, "--build", options->build, "DIR",
-                    "Folder for page.html, and the lists figures.txt and pictures.txt");
+                    "Folder for page.html, the lists figures.txt and pictures.txt, and "
+                    "typeset.txt for LaTeX");
                 return [options] { return write(*options); };
               });
   add_command(

@@ -202,13 +202,7 @@ void Expander::read_command(TexScanner& in, const TexToken& token) {
 
 void Expander::read_begin(TexScanner& in, const TexToken& token) {
   if (picture_environments_.contains(token.name)) {
-    const std::string source =
-        fmt::format("{}{}\\end{{{}}}", token.text, body_of(in, token.name), token.name);
-    result_.typeset.push_back(source);
-    begin_block(fmt::format("<img class=\"lit-drawing\" src=\"figures/typeset-{}.svg\" alt=\"{}\">",
-                            result_.typeset.size(), escape_html(source)),
-                "");
-    return end_block();
+    return picture_environment(in, token);
   }
   if (const auto own = own_environments_.find(token.name); own != own_environments_.end()) {
     const Macro macro = own->second;

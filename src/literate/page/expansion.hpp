@@ -137,6 +137,7 @@ class Expander {
   void table(TexScanner&, const TexToken&);
   void figure(TexScanner&, const TexToken&);
   void picture(TexScanner&, const TexToken&);
+  void picture_environment(TexScanner&, const TexToken&);
   void excerpt(TexScanner&, const TexToken&);
   std::string claim_mark(const std::string& id);
   void ledger_part(bool is_cited);

@@ -400,6 +400,39 @@ void Expander::float_environment(TexScanner& in, const TexToken& token) {
   ends_.emplace_back(name, "float");
 }
 
+// What LaTeX sets as a picture, whose words are its source. Captions and labels are the page's own.
+void Expander::picture_environment(TexScanner& in, const TexToken& token) {
+  const std::string name(token.name);
+  const std::string_view body = body_of(in, name);
+  std::string drawn, texts;
+  bool has_caption = false;
+  const char* from = body.data();
+  TexScanner parts(body);
+  while (const auto part = parts.next()) {
+    if (part->name != "caption" && part->name != "label") continue;
+    drawn.append(from, part->text.data());
+    if (part->name == "caption") option(parts);
+    has_caption = has_caption || part->name == "caption";
+    argument(parts);
+    from = parts.rest().data();
+    texts.append(part->text.data(), from);
+  }
+  drawn.append(from, body.data() + body.size());
+  result_.typeset.push_back(fmt::format("{}{}\\end{{{}}}", token.text, drawn, name));
+  const std::string image =
+      fmt::format("<img class=\"lit-drawing\" src=\"figures/typeset-{}.svg\" alt=\"{}\">",
+                  result_.typeset.size(), escape_html(result_.typeset.back()));
+  begin_block(has_caption ? "<figure class=\"lit-figure\"@id@>" : "",
+              has_caption ? "</figure>" : "");
+  if (has_caption) {
+    floats_.push_back({.counter = numbers_.captioned(name), .mark = result_.marks.size()});
+  }
+  fragment(image);
+  read_all(texts);
+  if (has_caption) floats_.pop_back();
+  end_block();
+}
+
 void Expander::theorem(TexScanner& in, const TexToken& token) {
   const Theorem& kind = theorems_.find(token.name)->second;
   const auto note = option(in);

@@ -83,12 +83,12 @@ local function contents(doc)
   local items, depth = pandoc.List(), 0
   doc:walk({Header = function(header)
     local text = header.content:walk({
-      RawInline = function(raw) return raw.text:match("lit%-number") and raw or {} end,
+      RawInline = function(raw) return raw.text:match("lit%-number") and raw or raw.text == "</span>" and raw or {} end,
       Note = function() return {} end,
       Link = function(link) return link.content end})
     local is_part = pandoc.utils.stringify(text):match("^Part") ~= nil
     items:insert(pandoc.RawBlock("html", string.format('<li class="lit-toc-%s">',
-      is_part and "part" or header.level <= 1 + depth and "section" or "subsection")))
+      is_part and "part" or header.level <= 2 + depth and "section" or "subsection")))
     if is_part then depth = 1 end
     items:insert(pandoc.Plain({pandoc.Link(text, "#" .. header.identifier)}))
     items:insert(pandoc.RawBlock("html", "</li>"))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "literate/prose/tex_scanner.hpp"
 #include "system/error.hpp"
@@ -59,12 +60,19 @@ void LatexNumbers::read(const std::filesystem::path& aux) {
     if (open == line.npos) continue;
     const std::string_view command = line.substr(0, open);
     if (command != "\\newlabel" && command != "\\bibcite" && command != "\\LiterateNumber" &&
-        command != "\\LiterateName" && command != "\\@input") {
+        command != "\\LiterateName" && command != "\\@input" && command != "\\@writefile") {
       continue;
     }
     const std::vector<std::string> arguments = groups_at(line.substr(open));
     const std::size_t n = arguments.size();
     if (command == "\\@input" && n == 1) read(aux.parent_path() / arguments[0]);
+    // A list of what a package has captions for.
+    constexpr std::string_view listed = "\\contentsline ";
+    if (command == "\\@writefile" && n == 2 && arguments[1].starts_with(listed) &&
+        arguments[0] != "toc" && arguments[0] != "lof" && arguments[0] != "lot") {
+      const auto entry = groups_at(std::string_view(arguments[1]).substr(listed.size()));
+      if (!entry.empty()) captioned_.insert(entry[0]);
+    }
     if (command == "\\newlabel" && n == 2) read_label(arguments);
     if (command == "\\bibcite" && n == 2) {
       const auto parts = groups_at(arguments[1]);
@@ -112,13 +120,29 @@ PrintedNumber LatexNumbers::take(const std::string& counter) {
   std::deque<PrintedNumber>& queue = numbers_[counter];
   const PrintedNumber number = queue.front();
   queue.pop_front();
+  taken_.insert(counter);
   return number;
 }
 
+// A float of a package need not bear the name of its counter.
+std::string LatexNumbers::captioned(const std::string& environment) const {
+  if (has(environment)) return environment;
+  const auto counter =
+      std::ranges::find_if(captioned_, [&](const std::string& name) { return has(name); });
+  if (counter == captioned_.end()) {
+    fail_of_state(fmt::format("further number for a caption of '{}'", environment));
+  }
+  return *counter;
+}
+
 std::string LatexNumbers::left() const {
+  // Counters that LaTeX's packages keep for themselves print nothing.
+  static const std::set<std::string, std::less<>> printed{
+      "part",  "chapter", "section",    "subsection", "subsubsection", "equation", "figure",
+      "table", "enumi",   "lstlisting", "footnote",   "enumii",        "enumiii"};
   std::string text;
   for (const auto& [counter, queue] : numbers_) {
-    if (queue.empty()) continue;
+    if (queue.empty() || !(printed.contains(counter) || taken_.contains(counter))) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", queue.size(), counter);
   }
   return text;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,10 @@ class LatexNumbers {
   /// Whether the counter's next number stands in this environment.
   bool next_is(const std::string& counter, std::string_view environment) const;
 
+  /// The counter of the next caption in an environment of a package. Throws sys::InputError if the
+  /// PDF has no more.
+  std::string captioned(const std::string& environment) const;
+
   /// Takes the counter's next number. Throws sys::InputError if the PDF has no more.
   PrintedNumber take(const std::string& counter);
 
@@ -66,9 +71,11 @@ class LatexNumbers {
   void read_label(const std::vector<std::string>& arguments);
 
   std::map<std::string, std::deque<PrintedNumber>> numbers_;
+  std::set<std::string> taken_;
   std::map<std::string, PrintedLabel> labels_;
   std::map<std::string, std::array<std::string, 4>> names_;
   std::map<std::string, std::vector<std::string>> citations_;
+  std::set<std::string> captioned_;  ///< counters of a package's captions, by the lists of them
 };
 
 /// The groups in braces at the start of a text, without their braces.

@@ -43,6 +43,24 @@ BOOST_AUTO_TEST_CASE(a_float_that_stands_later_keeps_its_number) {
   BOOST_TEST(numbers.take("table").number == "1");
 }
 
+BOOST_AUTO_TEST_CASE(the_counter_of_a_packages_float_is_that_of_its_list) {
+  LatexNumbers numbers =
+      Aux("\\LiterateNumber{figure}{1}{figure}{Figure}{1}\n"
+          "\\@writefile{lof}{\\contentsline {figure}{\\numberline {1}{A}}{1}{figure.1}}\n"
+          "\\LiterateNumber{algocf}{1}{lrbox}{Algorithm}{2}\n"
+          "\\@writefile{loa}{\\contentsline {algocf}{\\numberline {1}{Sort}}{1}{algocf.1}}\n"
+          "\\LiterateNumber{algocfline}{1}{algorithm}{}{3}\n")
+          .read();
+
+  BOOST_TEST(numbers.captioned("algorithm") == "algocf");
+  numbers.take("algocf");
+  BOOST_TEST(message_of<sys::InputError>([&] { numbers.captioned("algorithm"); }) ==
+             "the PDF has no further number for a caption of 'algorithm': it was made from another "
+             "state of the document");
+  // The lines of an algorithm are no numbers of the page.
+  BOOST_TEST(numbers.left() == "1 figure");
+}
+
 BOOST_AUTO_TEST_CASE(a_number_that_the_pdf_does_not_have_tells_another_state) {
   LatexNumbers numbers = Aux("\\relax\n").read();
 

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# packages_test.sh SOURCE PROGRAM: a paper with subcaption, amsthm, algorithm2e and TikZ becomes a page: LaTeX sets what
+# page.tex names as pictures, and captions, labels and numbers are text, as in the PDF.
+# shellcheck source=tests/toolchain/shell_test.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../../toolchain/shell_test.sh"
+program=$2
+missing=$(sh "$source_dir/src/toolchain/missing" html)
+for style in algorithm2e tikz; do
+  if ! kpsewhich "$style.sty" >/dev/null; then missing+=" $style"; fi
+done
+if [[ -n $missing ]]; then
+  printf 'skipped: %s missing — run "make setup test html"\n' "${missing//$'\n'/ }"
+  exit 77
+fi
+cd "$scratch" || exit 1
+cp -R "$source_dir/tests/literate/page/packages" paper
+printf '%s\n' name=packages project=packages "root=$scratch" "build=$scratch" "program=$program" "document=$scratch/paper" \
+  main=packages.tex case= sources= "output=$scratch" "repository=$scratch" "engine=$source_dir/src/literate" >settings
+touch case.toml
+runs "$program" compute --case case.toml --output generated --source .
+claim 'the program writes what LaTeX reads' "$status" -eq 0
+
+# make: the PDF, and the page with its words one after the other in $page.
+make_page() {
+  runs "$program" typeset --document paper --main packages.tex --generated generated --build latex --output packages.pdf \
+    --manifest manifest.json --source . --record state/typeset
+  claim 'the paper is typeset' "$status" -eq 0
+  runs bash "$source_dir/src/literate/scripts/html" settings
+  claim 'the paper becomes a page' "$status" -eq 0
+  page=$(cat packages.html)
+}
+make_page
+
+said=$(sed 's/<[^>]*>//g; s/\xc2\xa0/ /g' <<<"$page")
+for wanted in 'Algorithm 1: The greatest common divisor of' 'Algorithm 2: A power' 'Algorithm 1 and algorithm 2 say how' 'fig. 1 shows a walk' \
+  'fig. 1a is near' '(a) near' 'Figure 1: A walk in two steps' 'Theorem 1.1'; do
+  claim "the page says: $wanted" "$(says "$wanted")" = yes
+done
+said=$page
+claim 'each algorithm and each drawing is one picture' "$(grep -o '<img class="lit-drawing" src="data:image/svg' packages.html | wc -l)" -eq 4
+claim 'its source is what a picture says to who cannot see it' "$(says 'node[midway, right] {$s_2 &lt; 7$ \&amp; more};')" = yes
+claim 'a reference leads to the algorithm' "$(says 'id="alg:euclid"')" = yes
+runs pdftotext html/typeset.pdf -
+claim 'a reference in a picture has the number of the PDF' "$(says 'as in algorithm 2')" = yes
+claim 'no caption is told twice' "$(says 'A power')" = no
+runs pdfinfo -f 2 -l 2 html/typeset.pdf
+claim 'a picture is no wider than it is' "$(sed -n 's/^Page *2 size: *\([0-9]*\).*/\1/p' <<<"$said")" -lt 60
+
+# What did not change is not typeset again, and what did is.
+before=$(stat -c %y html/typeset.pdf)
+sed -i 's/A remainder is less/Each remainder is less/' paper/packages.tex
+make_page
+claim 'pictures are not typeset again for a word of the text' "$(stat -c %y html/typeset.pdf)" = "$before"
+sed -i 's/{1.385}/{2.77}/' paper/packages.tex
+make_page
+runs pdfinfo -f 2 -l 2 html/typeset.pdf
+claim 'a command of the preamble that changed is seen in a picture' "$(sed -n 's/^Page *2 size: *\([0-9]*\).*/\1/p' <<<"$said")" -gt 70
+
+# What LaTeX cannot set is told, in its words.
+sed -i 's/^\\begin{document}/\\AtBeginDocument{\\ifnum\\pdfstrcmp{\\jobname}{typeset}=0 \\let\\Return\\undefined\\fi}\n&/' paper/packages.tex
+runs "$program" typeset --document paper --main packages.tex --generated generated --build latex --output packages.pdf \
+  --manifest manifest.json --source . --record state/typeset
+runs bash "$source_dir/src/literate/scripts/html" settings
+claim 'what LaTeX says of a picture is told' "$status" -eq 3 -a "$(says '! Undefined control sequence.')" = yes
+finish
