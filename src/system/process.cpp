@@ -129,7 +129,10 @@ fs::path find_tool(std::string_view program) {
     if (::access(candidate.c_str(), X_OK) == 0 && fs::is_regular_file(candidate)) return candidate;
     folders = colon == std::string_view::npos ? "" : folders.substr(colon + 1);
   }
-  throw ToolError(fmt::format("{} is not installed; 'make setup' installs it", program));
+  const char* setup = std::getenv("LITERATE_SETUP");
+  if (setup == nullptr) throw ToolError(fmt::format("{} is not installed", program));
+  throw ToolError(
+      fmt::format("{} is not installed; '{}' installs what packages.txt lists", program, setup));
 }
 
 std::string end_of(const ProcessResult& result) {

@@ -38,8 +38,8 @@ struct ProcessResult {
 /// How a child ended, for messages: «status 3», «signal 9 (Killed)».
 std::string end_of(const ProcessResult& result);
 
-/// Finds a program in the folders of PATH; throws ToolError that names it and `make setup` if it is
-/// in none of them.
+/// Finds a program in the folders of PATH; throws ToolError that names it if it is in none of them.
+/// The variable LITERATE_SETUP is the command that installs what is missing, for that message.
 std::filesystem::path find_tool(std::string_view program);
 
 /// Runs a child until it ends; several threads may do so at the same time. Throws ToolError if it

@@ -35,11 +35,21 @@ BOOST_AUTO_TEST_CASE(a_signal_gives_a_status_above_128) {
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_start_is_a_tool_error_naming_it) {
+  unsetenv("LITERATE_SETUP");
   BOOST_TEST(message_of<ToolError>([] { run({.program = "no-such-tool"}); }) ==
-             "no-such-tool is not installed; 'make setup' installs it");
+             "no-such-tool is not installed");
   BOOST_TEST(message_of<ToolError>([] {
                run({.program = "sh", .working_directory = "no such folder"});
              }) == "cannot start sh: No such file or directory");
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_tool_is_told_with_the_command_that_installs_it) {
+  setenv("LITERATE_SETUP", "make setup page", 1);
+  const std::string message = message_of<ToolError>([] { find_tool("no-such-tool"); });
+  unsetenv("LITERATE_SETUP");
+
+  BOOST_TEST(message ==
+             "no-such-tool is not installed; 'make setup page' installs what packages.txt lists");
 }
 
 BOOST_AUTO_TEST_CASE(how_a_child_ended_is_told_in_words) {

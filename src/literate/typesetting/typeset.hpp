@@ -21,10 +21,10 @@ struct Typeset {
 ///
 /// The output does not depend on date, time zone, locale, folder or the user's settings of latexmk;
 /// its bytes are the same each time. The output is written beside its place and renamed, or left
-/// untouched if its bytes are the same. Throws sys::ToolError if latexmk or the engine is missing
-/// (it names `make setup`), with «file:line: message» for LaTeX's errors, and with all
-/// latex_defects if there are any; with_place_of_use rewrites these messages. Throws
-/// sys::OutputError if the output or the build folder cannot be written.
+/// untouched if its bytes are the same. Throws sys::ToolError if latexmk or the engine is missing,
+/// with «file:line: message» for LaTeX's errors, and with all latex_defects if there are any;
+/// with_place_of_use rewrites these messages. Throws sys::OutputError if the output or the build
+/// folder cannot be written.
 Typeset typeset(const TypesetOptions& options);
 
 }  // namespace literate

@@ -383,7 +383,7 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_or_file_is_told_by_name) {
   const std::string message = paper.error();
   setenv("PATH", path.c_str(), 1);
 
-  BOOST_TEST(message == "pdflatex is not installed; 'make setup' installs it");
+  BOOST_TEST(message.starts_with("pdflatex is not installed"));
   paper.options.main_file = "none.tex";
   BOOST_CHECK_THROW(typeset(paper.options), sys::OutputError);
 }
