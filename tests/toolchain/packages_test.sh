@@ -176,6 +176,13 @@ claim "apt's message is shown" "$(says "setup: $BROKEN")" = yes
 export BROKEN="You don't have enough free space in /var/cache/apt/archives/."
 on debian setup report
 claim 'a full disk is told' "$(says "the disk is full ($BROKEN)")" = yes
+export BROKEN='Sub-process /usr/bin/dpkg received signal 9.'
+on debian setup report
+claim 'a dpkg that was killed is told' "$(says "setup: $BROKEN")$(lines)" = yes2
+printf '#!/bin/sh\necho Available\necho / 9 9 0 100%% /\n' >"$scratch/debian/df" && chmod +x "$scratch/debian/df"
+on debian setup report
+claim 'a disk too full for a message is told' "$(says 'setup: the disk is full')$(lines)" = yes2
+rm "$scratch/debian/df"
 unset BROKEN
 
 # A folder of a package for TeX
@@ -187,6 +194,12 @@ claim 'of a folder only that is packed' "$(cd "$BUILT/usr/share/texmf/tex/latex/
 claim 'its files are there' -e "$BUILT/usr/share/texmf/tex/latex/halfspace-tex/nice/nice.sty"
 claim 'the package is for this release of TeX Live alone' \
   "$(sed -n 's/^Depends: //p' "$BUILT/DEBIAN/control")" = 'texlive-base (>= 2024), texlive-base (<< 2025)'
+printf 'no archive' >"$TARRED"
+on debian setup paper
+claim 'a package that cannot be unpacked is told in one line' "$status$(says 'setup: tar: ')$(lines)" = 3yes2
+(cd "$scratch" && tar -cf "$TARRED" ./usr)
+rm -r "$BUILT"
+on debian setup paper
 claim 'it is installed with the others' "$(installs | sed 's|/.*/||')" = 'libtwo-dev halfspace-tex.deb'
 
 # An unknown target
