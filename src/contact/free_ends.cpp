@@ -14,7 +14,7 @@ namespace contact {
 namespace {
 
 // The message suggests a domain that is this many times as wide as the contact.
-constexpr double margin = 1.1;
+constexpr double suggested_margin = 1.1;
 
 // The domain is doubled until the contact ends inside it. A contact that filled the previous domain
 // reaches at least a quarter of the doubled width, 32 of these spacings, from the centre: its edge
@@ -42,7 +42,7 @@ std::optional<double> domain_needed(const Problem& problem, double line_load) {
     if (regions.empty()) return std::nullopt;
     const double reach =
         std::max(centre - regions.front().begin, regions.back().end - centre) / width;
-    if (margin * reach < 0.5) return 2 * margin * reach * width;
+    if (suggested_margin * reach < 0.5) return 2 * suggested_margin * reach * width;
   }
   return std::nullopt;
 }

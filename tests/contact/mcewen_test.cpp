@@ -94,8 +94,10 @@ BOOST_AUTO_TEST_CASE(each_component_is_right_to_2e_15_from_the_surface_to_1e6_ha
 BOOST_AUTO_TEST_CASE(it_is_the_quadrature_of_line_forces_over_the_pressure) {
   // Johnson (2.23) with s = a sin φ, which takes the root out of the pressure.
   numerics::Quadrature quadrature;
-  for (const auto& [x, z] : {Point{0.3, 0.4}, {-0.8, 0.15}, {1.0, 0.385}, {2.385, 1.7}, {0, 5}}) {
-    const auto integral = [&, x = x, z = z](int power) {
+  for (const Point& at : {Point{0.3, 0.4}, {-0.8, 0.15}, {1.0, 0.385}, {2.385, 1.7}, {0, 5}}) {
+    const double x = at.x;
+    const double z = at.z;
+    const auto integral = [&](int power) {
       const auto force = [&](double angle) {
         const double t = x - std::sin(angle);
         const double pressure = p0 * std::pow(std::cos(angle), 2);
@@ -180,9 +182,11 @@ BOOST_AUTO_TEST_CASE(nowhere_off_the_axis_is_the_shear_greater) {
 
 BOOST_AUTO_TEST_CASE(the_sampled_pressure_converges_to_it_at_order_2) {
   // With nodes as cosines. Evenly spaced ones give 3/2: the root at the edges costs √c·c.
-  for (const auto& [x, z] : {Point{0.0, 0.786}, {0.385, 0.5}, {-1.1, 0.7}}) {
+  for (const Point& at : {Point{0.0, 0.786}, {0.385, 0.5}, {-1.1, 0.7}}) {
+    const double x = at.x;
+    const double z = at.z;
     for (const bool cosines : {true, false}) {
-      const auto error = [&, x = x, z = z](int n) {
+      const auto error = [&](int n) {
         return distance(sampled(n, cosines, x * a, z * a), mcewen.stress(x * a, z * a));
       };
       const double order = std::log2(error(256) / error(512));

@@ -58,8 +58,10 @@ BOOST_AUTO_TEST_CASE(it_is_the_quadrature_of_line_forces_over_pressure_and_shear
   struct Point {
     double x, z;  // in units of a
   };
-  for (const auto& [x, z] : {Point{0.3, 0.4}, {-0.8, 0.15}, {1.0, 0.385}, {-2.385, 1.7}, {0, 5}}) {
-    const auto integral = [&, x = x, z = z](int power) {  // of t^power z^(3−power)
+  for (const Point& at : {Point{0.3, 0.4}, {-0.8, 0.15}, {1.0, 0.385}, {-2.385, 1.7}, {0, 5}}) {
+    const double x = at.x;
+    const double z = at.z;
+    const auto integral = [&](int power) {  // of t^power z^(3−power)
       const auto force = [&](double angle) {
         const double t = x - std::sin(angle);
         const double pressure = p0 * std::pow(std::cos(angle), 2);

@@ -17,6 +17,16 @@ namespace {
 
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 
+/// That an argument of a call, or these bits of it, are the value. The macros of libseccomp for the
+/// same are C and no C++.
+scmp_arg_cmp argument_is(unsigned argument, int value) {
+  return {argument, SCMP_CMP_EQ, static_cast<scmp_datum_t>(value), 0};
+}
+scmp_arg_cmp argument_is(unsigned argument, int value, int bits) {
+  return {argument, SCMP_CMP_MASKED_EQ, static_cast<scmp_datum_t>(bits),
+          static_cast<scmp_datum_t>(value)};
+}
+
 void add_rules(scmp_filter_ctx filter) {
   for (const int call :
        {SCMP_SYS(shmget),
@@ -60,17 +70,16 @@ void add_rules(scmp_filter_ctx filter) {
   constexpr int kind_of_mapping = 0xf;
   for (const int kind : {MAP_SHARED, MAP_SHARED_VALIDATE}) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mmap), 1,
-                     SCMP_A3(SCMP_CMP_MASKED_EQ, kind_of_mapping, static_cast<scmp_datum_t>(kind)));
+                     argument_is(3, kind, kind_of_mapping));
   }
   // No lock, lease or notice of a file that all jobs see: another one would hear of it.
   for (const int command : {F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW, F_SETLEASE, F_NOTIFY}) {
-    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl), 1,
-                     SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl), 1, argument_is(1, command));
   }
   // No new user namespace. A filter cannot see the flags of clone3, so clone3 is refused as a
   // whole; libraries then use clone.
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
-                   SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER));
+                   argument_is(0, CLONE_NEWUSER, CLONE_NEWUSER));
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
 }
 

@@ -7,7 +7,7 @@ target_compile_options(project_warnings INTERFACE
   -Wshadow                   # a hidden x or a in a formula is a wrong formula
   -Wconversion               # an int that swallows a double loses digits
   -Wsign-conversion          # index arithmetic near zero
-  -Wdouble-promotion         # a stray float
+  $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # a stray float; clang takes the C library's NAN for one
   -Wfloat-conversion         # digits dropped without a word
   -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual)
 
