@@ -220,6 +220,7 @@ claim 'nothing is tried without rights' "$(asked_apt)" -eq 0
 # Another system
 on elsewhere setup test
 claim 'setup fails where there is no apt-get' "$status" -eq 3
+claim 'and says what to do instead' "$(says 'what it lacks of these, then call "make test":')" = yes
 claim 'setup lists what is wanted by purpose, in words of any system' "$(says '  libraries: One 1.2, Two 2.3')$(says '  tests: Test, Tester')" = yesyes
 on elsewhere require report
 claim 'without dpkg libraries are left to CMake' "$status" -eq 0
