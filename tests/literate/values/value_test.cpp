@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_whole_number_that_no_double_holds_is_refused) {
   BOOST_CHECK_THROW(Value(-(1LL << 53) - 1, integer()), std::invalid_argument);
   BOOST_TEST(Value(1LL << 53, integer()).printed() == "9007199254740992");
   BOOST_TEST(Value(-(1LL << 53), integer()).printed() == "-9007199254740992");
-  BOOST_CHECK_THROW(literate::Cell(std::numeric_limits<std::int64_t>::min()),
+  BOOST_CHECK_THROW(literate::Cell{std::numeric_limits<std::int64_t>::min()},
                     std::invalid_argument);
 }
 
