@@ -26,7 +26,8 @@ manifest() { # manifest DATE
 END
 }
 manifest 2026-11-21T12:00:00Z >"$folder/manifest.json"
-describe() { runs "$program" describe --folder "$folder" --manifest "$folder/manifest.json" --citation "$folder/CITATION.cff"; }
+printf '%s=%s\n' name report root "$folder" document "$folder" main report.tex figures "$folder" output "$folder" >"$scratch/settings"
+describe() { runs "$program" describe "$scratch/settings" --folder "$folder"; }
 
 describe
 claim 'the folder is described' "$status" -eq 0

@@ -40,36 +40,21 @@ class Tools {
 // A folder for one report and a copy of the document.
 class Workplace {
  public:
-  fs::path generated() const { return folder_.path() / "generated"; }
-  fs::path document() const { return folder_.path() / "report"; }
-  fs::path pdf() const { return folder_.path() / "report.pdf"; }
-
-  Words report() const {
-    return {"compute",  "--case",           steel_case.string(), "--output", generated().string(),
-            "--source", source_dir.string()};
-  }
-  Words typeset() const {
-    return {"typeset",
-            "--document",
-            document().string(),
-            "--generated",
-            generated().string(),
-            "--build",
-            (folder_.path() / "latex").string(),
-            "--output",
-            pdf().string()};
-  }
+  fs::path generated() const { return settings_.generated(); }
+  fs::path pdf() const { return settings_.pdf(); }
+  Words stage(const std::string& name) const { return settings_.stage(name); }
 
   // The document with a first line added to its introduction.
   void copy_document(const std::string& first_line = "%") const {
-    fs::remove_all(document());
-    fs::copy(source_dir / "report", document(), fs::copy_options::recursive);
-    const fs::path changed = document() / "sections/introduction.tex";
+    fs::remove_all(settings_.document);
+    fs::copy(source_dir / "report", settings_.document, fs::copy_options::recursive);
+    const fs::path changed = settings_.document / "sections/introduction.tex";
     sys::write_file_atomically(changed, first_line + "\n" + sys::read_file(changed));
   }
 
  private:
   TemporaryFolder folder_;
+  ReportSettings settings_{steel_case, folder_.path(), folder_.path() / "report"};
 };
 
 // The run ends with 3, names `parts` on standard error, and says nothing of success.
@@ -90,9 +75,9 @@ void check_tool_failed(const Words& words, const Words& parts, const Surrounding
 BOOST_AUTO_TEST_CASE(gnuplot_that_is_missing_or_refuses_a_figure_leaves_all_figures_as_they_were) {
   // Computed once, since none of the failures may change what is there.
   const Workplace workplace;
-  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("compute")).status == 0);
   const Words computed = sys::files_below(workplace.generated());
-  const Words draw = drawing(workplace.generated());
+  const Words draw = workplace.stage("draw");
   const auto check_undrawn = [&] {
     BOOST_TEST(sys::files_below(workplace.generated()) == computed,
                boost::test_tools::per_element());
@@ -123,19 +108,20 @@ BOOST_AUTO_TEST_CASE(gnuplot_that_is_missing_or_refuses_a_figure_leaves_all_figu
 
 BOOST_AUTO_TEST_CASE(a_report_is_not_typeset_before_its_figures_are_drawn) {
   const Workplace workplace;
-  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("compute")).status == 0);
   workplace.copy_document();
 
-  check_refused(2, workplace.typeset(), {"figure 'contact-geometry'", "not drawn"});
+  check_refused(2, workplace.stage("typeset"), {"figure 'contact-geometry'", "not drawn"});
   BOOST_TEST(!fs::exists(workplace.pdf()));
 }
 
 BOOST_AUTO_TEST_CASE(what_the_prose_names_wrongly_is_bad_input_at_its_place) {
   const Workplace workplace;
-  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("compute")).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("draw")).status == 0);
   workplace.copy_document("  \\val{half-widht}");
 
-  check_refused(2, workplace.typeset(),
+  check_refused(2, workplace.stage("typeset"),
                 {"report/sections/introduction.tex:1:3: ", "unknown value 'half-widht'",
                  "did you mean 'half-width'?"});
   BOOST_TEST(!fs::exists(workplace.pdf()));
@@ -143,38 +129,40 @@ BOOST_AUTO_TEST_CASE(what_the_prose_names_wrongly_is_bad_input_at_its_place) {
 
 BOOST_AUTO_TEST_CASE(an_error_of_latex_is_shown_with_file_and_line_and_no_pdf_is_written) {
   const Workplace workplace;
-  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
-  BOOST_TEST_REQUIRE(run_program(drawing(workplace.generated())).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("compute")).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("draw")).status == 0);
   workplace.copy_document("\\nosuchmacro");
 
-  check_tool_failed(workplace.typeset(),
+  check_tool_failed(workplace.stage("typeset"),
                     {"sections/introduction.tex:1: ", "Undefined control sequence"}, {});
   BOOST_TEST(!fs::exists(workplace.pdf()));
 }
 
 BOOST_AUTO_TEST_CASE(a_reference_to_nowhere_stops_typesetting_and_mending_it_goes_on) {
   const Workplace workplace;
-  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
-  BOOST_TEST_REQUIRE(run_program(drawing(workplace.generated())).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("compute")).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("draw")).status == 0);
   workplace.copy_document("\\cref{eq:nowhere}");
 
-  check_tool_failed(workplace.typeset(), {"eq:nowhere"}, {});
+  check_tool_failed(workplace.stage("typeset"), {"eq:nowhere"}, {});
   BOOST_TEST(!fs::exists(workplace.pdf()));
   workplace.copy_document();
-  BOOST_TEST(run_program(workplace.typeset()).status == 0);
+  BOOST_TEST(run_program(workplace.stage("typeset")).status == 0);
   BOOST_TEST(fs::exists(workplace.pdf()));
 }
 
 BOOST_AUTO_TEST_CASE(without_latex_typesetting_says_so) {
   const Workplace workplace;
-  BOOST_TEST_REQUIRE(run_program(workplace.report()).status == 0);
-  BOOST_TEST_REQUIRE(run_program(drawing(workplace.generated())).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("compute")).status == 0);
+  BOOST_TEST_REQUIRE(run_program(workplace.stage("draw")).status == 0);
   workplace.copy_document();
   const Tools no_pdflatex({"sh", "latexmk", "gnuplot"});
   const Tools no_latexmk({"sh", "pdflatex", "gnuplot"});
 
-  check_tool_failed(workplace.typeset(), {"pdflatex is not installed"}, no_pdflatex.surroundings());
-  check_tool_failed(workplace.typeset(), {"latexmk is not installed"}, no_latexmk.surroundings());
+  check_tool_failed(workplace.stage("typeset"), {"pdflatex is not installed"},
+                    no_pdflatex.surroundings());
+  check_tool_failed(workplace.stage("typeset"), {"latexmk is not installed"},
+                    no_latexmk.surroundings());
   BOOST_TEST(!fs::exists(workplace.pdf()));
 }
 

@@ -20,20 +20,9 @@ struct Workplace {
   fs::path generated = folder.path() / "generated";
   fs::path pdf = folder.path() / "report.pdf";
 
-  Words report(const fs::path& case_file) const {
-    return {"compute",          "--case",   case_file.string(), "--output",
-            generated.string(), "--source", source_dir.string()};
-  }
-  Words typeset(const fs::path& document) const {
-    return {"typeset",
-            "--document",
-            document.string(),
-            "--generated",
-            generated.string(),
-            "--build",
-            (folder.path() / "latex").string(),
-            "--output",
-            pdf.string()};
+  Words stage(const std::string& name, const fs::path& case_file = papers_case,
+              const fs::path& document = source_dir / "report") const {
+    return ReportSettings{case_file, folder.path(), document}.stage(name);
   }
 };
 
@@ -63,9 +52,9 @@ BOOST_AUTO_TEST_CASE(a_title_full_of_tex_is_printed_and_not_run) {
     const fs::path file = workplace.folder.write(
         "my_case % #1 $x$.toml", with(others, "title = ", "title = '''" + title + "'''\n#"));
 
-    output_of(workplace.report(file), {.folder = workplace.folder.path()});
-    output_of(drawing(workplace.generated), {.folder = workplace.folder.path()});
-    output_of(workplace.typeset(source_dir / "report"), {.folder = workplace.folder.path()});
+    output_of(workplace.stage("compute", file), {.folder = workplace.folder.path()});
+    output_of(workplace.stage("draw"), {.folder = workplace.folder.path()});
+    output_of(workplace.stage("typeset", file), {.folder = workplace.folder.path()});
 
     const std::string printed = text_of(workplace.pdf);
     BOOST_TEST(printed.find(without_blanks(title)) != std::string::npos, title);
@@ -83,9 +72,9 @@ BOOST_AUTO_TEST_CASE(a_source_full_of_tex_does_not_stop_the_report) {
       with(sys::read_file(papers_case), "Fig. 5, p. 9", R"(\\input{x} 5% #1 \\write18{ls}_)");
   const fs::path file = workplace.folder.write("case.toml", text);
 
-  output_of(workplace.report(file));
-  output_of(drawing(workplace.generated));
-  output_of(workplace.typeset(source_dir / "report"));
+  output_of(workplace.stage("compute", file));
+  output_of(workplace.stage("draw"));
+  output_of(workplace.stage("typeset", file));
 
   BOOST_TEST(fs::exists(workplace.pdf));
 }
@@ -95,7 +84,7 @@ BOOST_AUTO_TEST_CASE(a_unit_full_of_tex_is_refused) {
   for (const char* unit : {R"(in\\input{x})", "%", "in_2", R"(\\write18{ls})", "in#1"}) {
     const std::string text = with(sys::read_file(papers_case), "value = 10, unit = \"in\"",
                                   "value = 10, unit = \"" + std::string(unit) + "\"");
-    check_refused(2, workplace.report(workplace.folder.write("case.toml", text)),
+    check_refused(2, workplace.stage("compute", workplace.folder.write("case.toml", text)),
                   {"case.toml:", "unit"});
   }
 }
@@ -109,8 +98,10 @@ BOOST_AUTO_TEST_CASE(what_the_prose_leaves_out_is_a_warning) {
   literate::Document registered;
   registered.value("peak", literate::Value(1.5, literate::fixed(1)));
   registered.write(workplace.generated);
+  output_of(workplace.stage("draw"));
 
-  const Outcome outcome = run_program(workplace.typeset(document.parent_path()));
+  const Outcome outcome =
+      run_program(workplace.stage("typeset", papers_case, document.parent_path()));
 
   BOOST_TEST(outcome.status == 0);
   BOOST_TEST(

@@ -15,21 +15,25 @@ export TMPDIR=$scratch/temporary
 mkdir "$TMPDIR"
 touch "$TMPDIR/of-another-program"
 
-# page FOLDER: FOLDER/page.html from FOLDER/generated, by the settings that the build would write.
-page() {
+# settings FOLDER CASE [SETTING…]: those that the build would write, as FOLDER/page.settings.
+settings() {
   printf '%s\n' name=page project=halfspace "root=$source_dir" "build=$1" "program=$program" \
-    "document=$source_dir/report" main=report.tex case= sources=src "output=$1" "repository=$1" "engine=$source_dir/src/literate" \
-    >"$1/page.settings"
-  "$program" typeset --document "$source_dir/report" --main report.tex --generated "$1/generated" --build "$1/latex" \
-    --output "$1/page.pdf" --manifest "$1/manifest.json" --source "$source_dir" --record "$1/state/typeset" >/dev/null
+    "document=$source_dir/report" main=report.tex "case=$source_dir/$2" sources=src "figures=$source_dir/figures" "output=$1" \
+    "engine=$source_dir/src/literate" "${@:3}" >"$1/page.settings"
+}
+
+# page FOLDER: FOLDER/page.html from FOLDER/generated, by FOLDER/page.settings.
+page() {
+  "$program" draw "$1/page.settings" >/dev/null
+  "$program" typeset "$1/page.settings" >/dev/null
   bash "$source_dir/src/literate/scripts/html" "$1/page.settings"
 }
 
 for case in report/ruggiero2001.toml tests/end_to_end/steel_mm.toml; do
   echo "$case"
   rm -rf "$scratch/generated"
-  "$program" compute --case "$source_dir/$case" --output "$scratch/generated" --source "$source_dir" >/dev/null
-  "$program" draw --generated "$scratch/generated" --scripts "$source_dir/figures" >/dev/null
+  settings "$scratch" "$case"
+  "$program" compute "$scratch/page.settings" >/dev/null
   page "$scratch"
   # The report's own case is looked at in every way; axe-core is not everywhere.
   ways=() status=0
@@ -40,6 +44,7 @@ done
 
 mkdir "$scratch/again"
 cp -R "$scratch/generated" "$scratch/again"
+settings "$scratch/again" "$case"
 page "$scratch/again"
 cmp "$scratch/page.html" "$scratch/again/page.html"
 # A figure that did not change is not drawn again, and one that did is.
@@ -48,7 +53,7 @@ page "$scratch" >/dev/null
 [[ $(stat -c %y "$scratch/html/figures/surface-gradient.svg") = "$before" ]] || { echo 'a figure was drawn again in vain'; exit 1; }
 cp -R "$source_dir/figures" "$scratch/scripts"
 sed -i '1i set title "changed"' "$scratch/scripts/surface-gradient.gp"
-"$program" draw --generated "$scratch/generated" --scripts "$scratch/scripts" >/dev/null
+settings "$scratch" "$case" "figures=$scratch/scripts"
 page "$scratch" >/dev/null
 [[ $(stat -c %y "$scratch/html/figures/surface-gradient.svg") != "$before" ]] || { echo 'a changed figure was not drawn'; exit 1; }
 
@@ -57,14 +62,15 @@ mkdir "$scratch/unknown"
 cp -R "$source_dir/report" "$scratch/unknown/report"
 printf '\n\\unheard{x}\n' >>"$scratch/unknown/report/sections/octave.tex"
 status=0
-said=$("$program" page --document "$scratch/unknown/report" --main report.tex --generated "$scratch/generated" \
-  --repository "$scratch" --build "$scratch/unknown/html" --aux "$scratch/latex/report.aux" --engine "$source_dir/src/literate/page" 2>&1) || status=$?
+settings "$scratch" "$case" "document=$scratch/unknown/report"
+said=$("$program" page "$scratch/page.settings" 2>&1) || status=$?
 [[ $status -eq 2 && $said == *'report/sections/octave.tex:'*': \unheard is not known to the page'* ]] || {
   printf 'the page says with status %s: %s\n' "$status" "$said"
   exit 1
 }
 
 # The site.
+settings "$scratch" "$case"
 printf '%%PDF sheet\n' >"$scratch/sheet.pdf"
 SITE=https://example.org/report BESIDE=$scratch/sheet.pdf bash "$source_dir/src/literate/scripts/site" "$scratch/page.settings"
 tables=("$scratch"/generated/tables/*.csv)

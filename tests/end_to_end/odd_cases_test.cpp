@@ -27,7 +27,7 @@ const std::string unprinted = without_table(papers_text, "printed", "");
 void check_report(const std::string& case_text, const Words& said, const Words& not_said) {
   const TemporaryFolder folder;
   const Report report{folder.write("odd.toml", case_text), folder.path() / "output"};
-  std::filesystem::create_directory(report.folder);
+  std::filesystem::create_directory(report.output);
 
   report.make();
 

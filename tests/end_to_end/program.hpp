@@ -36,8 +36,8 @@ struct Outcome {
 
 /// The program that knows the command: one makes the report, the other is the mechanics' own.
 inline std::string program_of(const Words& words) {
-  static const std::set<std::string> stages = {"compute",    "draw",    "typeset", "check",
-                                               "restyle", "page", "embed", "describe"};
+  static const std::set<std::string> stages = {"compute", "draw",  "typeset", "check",
+                                               "page",    "embed", "describe"};
   return !words.empty() && stages.contains(words.front()) ? REPORT_PROGRAM : HALFSPACE_PROGRAM;
 }
 
@@ -66,11 +66,28 @@ inline std::string output_of(const Words& words, const Surroundings& surrounding
   return outcome.output;
 }
 
-/// Draws the figures of what `report` wrote to a folder, by the project's own scripts.
-inline Words drawing(const std::filesystem::path& generated) {
-  return {"draw", "--generated", generated.string(), "--scripts",
-          (source_dir / "figures").string()};
-}
+/// What a stage is told of a report: the settings that the build would write.
+struct ReportSettings {
+  std::filesystem::path case_file;
+  std::filesystem::path output;
+  std::filesystem::path document = source_dir / "report";
+  std::filesystem::path root = source_dir;
+
+  std::filesystem::path generated() const { return output / "generated"; }
+  std::filesystem::path pdf() const { return output / "report.pdf"; }
+
+  /// The words that run the stage. The settings are kept apart from what it makes.
+  Words stage(const std::string& name) const {
+    static const TemporaryFolder folder;
+    static int n_files = 0;
+    const auto file =
+        folder.write(std::to_string(++n_files) + ".settings",
+                     "name=report\nroot=" + root.string() + "\ndocument=" + document.string() +
+                         "\nmain=report.tex\ncase=" + case_file.string() + "\nfigures=" +
+                         (source_dir / "figures").string() + "\noutput=" + output.string() + "\n");
+    return {name, file.string()};
+  }
+};
 
 /// The run ends with `status`, nothing on standard output, and errors that hold every one of
 /// `parts`; of bad input there is exactly one line.

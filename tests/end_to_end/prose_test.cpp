@@ -29,8 +29,7 @@ class Workplace {
   std::string path(const std::string& file) const { return (folder_.path() / file).string(); }
 
   Words check() const {
-    return {"check", "--document", (folder_.path() / "report").string(), "--generated",
-            (folder_.path() / "generated").string()};
+    return ReportSettings{steel_case, folder_.path(), folder_.path() / "report"}.stage("check");
   }
 
  private:
@@ -108,11 +107,11 @@ BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
   sys::write_file_atomically(source, with(sys::read_file(source), marker, marker + "//\n"));
   const fs::path output = checkout.path() / "out";
 
-  check_refused(2,
-                {"compute", "--case", steel_case.string(), "--output", output.string(), "--source",
-                 checkout.path().string()},
-                {"src/contact/matrix_inversion.cpp: excerpt 'matrix-inversion' is not what this "
-                 "program was compiled from: rebuild"});
+  check_refused(
+      2,
+      ReportSettings{steel_case, output, source_dir / "report", checkout.path()}.stage("compute"),
+      {"src/contact/matrix_inversion.cpp: excerpt 'matrix-inversion' is not what this "
+       "program was compiled from: rebuild"});
   BOOST_TEST(!fs::exists(output));
 }
 
@@ -120,10 +119,11 @@ BOOST_AUTO_TEST_CASE(an_excerpt_that_is_never_closed_is_refused_with_its_line) {
   const TemporaryFolder checkout;
   checkout.write("src/a.cpp", "int a;\n// begin excerpt: open\nint b;\n");
 
-  check_refused(2,
-                {"compute", "--case", steel_case.string(), "--output",
-                 (checkout.path() / "out").string(), "--source", checkout.path().string()},
-                {"src/a.cpp:2: excerpt 'open' has no end marker"});
+  check_refused(
+      2,
+      ReportSettings{steel_case, checkout.path() / "out", source_dir / "report", checkout.path()}
+          .stage("compute"),
+      {"src/a.cpp:2: excerpt 'open' has no end marker"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

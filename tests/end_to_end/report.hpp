@@ -10,44 +10,15 @@
 #include "program.hpp"
 
 /// One report: where it is made, and from which case.
-struct Report {
-  std::filesystem::path case_file;
-  std::filesystem::path folder;
-  std::filesystem::path document = source_dir / "report";
-
-  std::filesystem::path generated() const { return folder / "generated"; }
-  std::filesystem::path pdf() const { return folder / "report.pdf"; }
-
-  Words typesetting() const {
-    return {"typeset",
-            "--document",
-            document.string(),
-            "--generated",
-            generated().string(),
-            "--build",
-            (folder / "latex").string(),
-            "--output",
-            pdf().string()};
-  }
-
-  /// Writes the manifest; `more` are further flags.
-  Outcome make_manifest(const Words& more = {}, const Surroundings& surroundings = {}) const {
-    return run_program(typesetting() +
-                           Words{"--manifest", (folder / "manifest.json").string(), "--case",
-                                 case_file.string(), "--source", document.parent_path().string()} +
-                           more,
-                       surroundings);
-  }
-  std::string manifest() const { return sys::read_file(folder / "manifest.json"); }
+struct Report : ReportSettings {
+  std::string manifest() const { return sys::read_file(output / "manifest.json"); }
 
   void make(const Surroundings& surroundings = {}) const {
-    const Outcome computed = run_program({"compute", "--case", case_file.string(), "--output",
-                                          generated().string(), "--source", source_dir.string()},
-                                         surroundings);
+    const Outcome computed = run_program(stage("compute"), surroundings);
     BOOST_TEST_REQUIRE(computed.status == 0, computed.errors);
-    const Outcome drawn = run_program(drawing(generated()), surroundings);
+    const Outcome drawn = run_program(stage("draw"), surroundings);
     BOOST_TEST_REQUIRE(drawn.status == 0, drawn.errors);
-    const Outcome typeset = run_program(typesetting(), surroundings);
+    const Outcome typeset = run_program(stage("typeset"), surroundings);
     BOOST_TEST_REQUIRE(typeset.status == 0, typeset.errors);
     BOOST_TEST(computed.errors == "");
     BOOST_TEST(typeset.errors == "");

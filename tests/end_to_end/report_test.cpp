@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(two_runs_anywhere_give_the_same_bytes) {
   fs::copy(source_dir / "report", elsewhere.path() / "my copy/report", fs::copy_options::recursive);
   const Report second{copied_case, elsewhere.path() / "my output",
                       elsewhere.path() / "my copy/report"};
-  fs::create_directory(second.folder);
+  fs::create_directory(second.output);
 
   second.make({.environment = {{"TZ", "Pacific/Kiritimati"},
                                {"LC_ALL", "C.UTF-8"},
@@ -168,16 +168,12 @@ BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
   const TemporaryFolder elsewhere;
   const Report second{elsewhere.write("other cases/steel_mm.toml", sys::read_file(steel_case)),
                       elsewhere.path() / "my output"};
-  fs::create_directory(second.folder);
-  second.make();
-
-  BOOST_TEST_REQUIRE(report.make_manifest().status == 0);
-  BOOST_TEST_REQUIRE(
-      second.make_manifest({}, {.environment = {{"TZ", "Pacific/Kiritimati"}}}).status == 0);
+  fs::create_directory(second.output);
+  second.make({.environment = {{"TZ", "Pacific/Kiritimati"}}});
 
   auto first = nlohmann::json::parse(report.manifest());
   const auto other = nlohmann::json::parse(second.manifest());
-  BOOST_TEST(!holds(report.manifest(), report.folder.string()));
+  BOOST_TEST(!holds(report.manifest(), report.output.string()));
   BOOST_TEST(!holds(report.manifest(), source_dir.string()));
   for (const char* file :
        {"report/report.tex", "report/sections/results.tex", "src/literate/document/literate.sty",
@@ -202,13 +198,12 @@ BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
 
 BOOST_AUTO_TEST_CASE(a_manifest_from_elsewhere_is_compared_by_bytes_then_by_numbers) {
   const Report& report = steel_report();
-  BOOST_TEST_REQUIRE(report.make_manifest().status == 0);
   const TemporaryFolder folder;
   const std::string theirs = (folder.path() / "theirs.json").string();
   auto manifest = nlohmann::json::parse(report.manifest());
   const auto compared = [&] {
     folder.write("theirs.json", manifest.dump());
-    return report.make_manifest({"--against", theirs});
+    return run_program(report.stage("typeset") + Words{"--against", theirs});
   };
 
   BOOST_TEST(compared().status == 0);
@@ -223,7 +218,7 @@ BOOST_AUTO_TEST_CASE(a_manifest_from_elsewhere_is_compared_by_bytes_then_by_numb
   BOOST_TEST(holds(compared().errors, "moved: cylinders.approach: 2.385 (2.4) there, "));
   manifest["project"] = "other";
   folder.write("theirs.json", manifest.dump());
-  check_refused(2, report.typesetting() + Words{"--against", theirs},
+  check_refused(2, report.stage("typeset") + Words{"--against", theirs},
                 {"theirs.json", "another project"});
 }
 
@@ -231,13 +226,8 @@ BOOST_AUTO_TEST_CASE(a_generated_file_that_was_changed_is_refused_by_name) {
   const Report& made = steel_report();
   const TemporaryFolder folder;
   const Report report{steel_case, folder.path()};
-  fs::copy(made.folder, report.folder, fs::copy_options::recursive);
-  const auto digest = sys::run(
-      {.program = "sh",
-       .arguments = {"-c", "find . -type f -printf '%P\\n' | xargs -d '\\n' sha256sum >../digest"},
-       .working_directory = report.generated()});
-  BOOST_TEST_REQUIRE(digest.exit_status == 0, digest.output);
-  const Words words = report.typesetting() + Words{"--digest", (folder.path() / "digest").string()};
+  fs::copy(made.output, report.output, fs::copy_options::recursive);
+  const Words words = report.stage("typeset");
   BOOST_TEST(run_program(words).status == 0);
 
   sys::write_file_atomically(report.generated() / "tables/graded.tex", "42");
@@ -250,11 +240,12 @@ BOOST_AUTO_TEST_CASE(an_error_in_a_generated_table_is_told_where_the_report_uses
   const Report& made = steel_report();
   const TemporaryFolder folder;
   const Report report{steel_case, folder.path()};
-  fs::copy(made.folder, report.folder, fs::copy_options::recursive);
+  fs::copy(made.output, report.output, fs::copy_options::recursive);
   const fs::path table = report.generated() / "tables/graded.tex";
   sys::write_file_atomically(table, sys::read_file(table) + "\n\\nosuchmacro\n");
+  output_of(report.stage("draw"));
 
-  const Outcome outcome = run_program(report.typesetting());
+  const Outcome outcome = run_program(report.stage("typeset"));
 
   BOOST_TEST(outcome.status == 3);
   BOOST_TEST(

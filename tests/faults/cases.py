@@ -62,6 +62,14 @@ def mutated(text, chance):
     return text, ", ".join(what)
 
 
+def write_settings(folder, case):
+    """Writes to the folder what a stage has to know to compute the report from the case there."""
+    file = folder / "report.settings"
+    file.write_text(f"name=report\nroot={ROOT}\ndocument={ROOT}/report\nmain=report.tex\ncase={case}\nfigures={ROOT}/figures\n"
+                    f"output={folder}\n")
+    return file
+
+
 def try_case(number, seed, original):
     """Computes from one damaged case: it is either accepted or refused with its place."""
     chance = random.Random(f"{seed} case {number}")
@@ -70,8 +78,7 @@ def try_case(number, seed, original):
         case = Path(folder) / "case.toml"
         case.write_text(text)
         try:
-            done = subprocess.run([ROOT / "build/release/halfspace-report", "compute", "--case", case, "--output", Path(folder) / "generated",
-                                   "--source", ROOT], capture_output=True, text=True, errors="replace", timeout=120)
+            done = subprocess.run([ROOT / "build/release/halfspace-report", "compute", write_settings(Path(folder), case)], capture_output=True, text=True, errors="replace", timeout=120)
             status, errors = done.returncode, done.stderr
         except subprocess.TimeoutExpired:
             status, errors = None, ""

@@ -7,10 +7,10 @@
 archive=$toy/build/dist/report.tar.gz
 echo 'cp "$1" "$2/tables/t.csv"' >>"$toy/compute"
 mkdir -p "$toy/build/release"
-# halfspace-report describe --folder FOLDER …
+# halfspace-report describe SETTINGS --folder FOLDER
 cat >"$toy/build/release/halfspace-report" <<'END'
 #!/bin/sh
-[ "$1 $2" = 'describe --folder' ] && ls "$3" >"$3/codecheck.yml" && ls "$3" >"$3/ro-crate-metadata.json"
+[ "$1 $3" = 'describe --folder' ] && [ -f "$2" ] && ls "$4" >"$4/codecheck.yml" && ls "$4" >"$4/ro-crate-metadata.json"
 END
 chmod +x "$toy/build/release/halfspace-report"
 

@@ -212,7 +212,7 @@ function(literate_add_paper)
   # Without its table of symbols the program is half as large, and each build reads it to see that it is whole.
   target_link_options(${arg_PROGRAM} PRIVATE $<$<CONFIG:Release>:-s>)
 
-  # What the scripts know of the paper.
+  # What the stages and the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
   list(JOIN data ":" joined_data)
   file(GENERATE OUTPUT "${settings}" CONTENT
@@ -249,9 +249,8 @@ latex=${arg_ENGINE}
   # again only if something it reads is different. (Ninja's `restat` remembers the run.)
   add_custom_command(
     OUTPUT "${generated}/names.json" "${state}/compute"
-    COMMAND ${arg_PROGRAM} compute --paper ${name} --case "${case}" --output "${generated}" --source "${root}" --defer-verdict
-      --record "${state}/compute"
-    DEPENDS ${arg_PROGRAM} "${linked}" "${case}" ${data}
+    COMMAND ${arg_PROGRAM} compute "${settings}"
+    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data}
     COMMENT "compute"
     USES_TERMINAL
     VERBATIM)
@@ -262,9 +261,8 @@ latex=${arg_ENGINE}
   literate_list_of(${name} scripts "${figure_scripts}" list_of_scripts)
   add_custom_command(
     OUTPUT "${digest}" "${state}/draw"
-    COMMAND ${arg_PROGRAM} draw --generated "${generated}" --scripts "${figures}" --digest "${digest}"
-      --record "${state}/draw"
-    DEPENDS ${arg_PROGRAM} "${state}/compute" "${list_of_scripts}" ${figure_scripts}
+    COMMAND ${arg_PROGRAM} draw "${settings}"
+    DEPENDS ${arg_PROGRAM} "${settings}" "${state}/compute" "${list_of_scripts}" ${figure_scripts}
     COMMENT "draw"
     USES_TERMINAL
     VERBATIM)
@@ -277,13 +275,10 @@ latex=${arg_ENGINE}
   # The PDF is no output that Ninja knows, because Ninja deletes those of a command that is interrupted.
   add_custom_command(
     OUTPUT "${state}/typeset"
-    COMMAND ${arg_PROGRAM} typeset --document "${document}" --main "${arg_MAIN}" --generated "${generated}"
-      --figures "${figures}" --build "${output}/latex" --output "${output}/${name}.pdf" --digest "${digest}"
-      --manifest "${output}/manifest.json" --case "${case}" --source "${root}"
-      --repository "${repository}" --engine ${arg_ENGINE} --record "${state}/typeset"
+    COMMAND ${arg_PROGRAM} typeset "${settings}"
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
-    DEPENDS ${arg_PROGRAM} "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files}
+    DEPENDS ${arg_PROGRAM} "${settings}" "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files}
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)

@@ -30,10 +30,6 @@ namespace {
 using command_line::complain;
 using command_line::ExitCode;
 
-struct CheckOptions {
-  std::string document, generated, quoted_text, figures = "figures";
-};
-
 void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) complain(line, ExitCode::failed);
 }
@@ -78,25 +74,24 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
   return findings;
 }
 
-ExitCode run(const CheckOptions& options) {
-  const Names names = read_names(std::filesystem::path(options.generated) / "names.json");
-  ReferenceReport references = check_references(options.document, names);
-  std::ranges::move(images_of(options.document).errors, std::back_inserter(references.errors));
-  std::ranges::move(missing_inputs(options.document, options.generated),
+ExitCode run(const Settings& settings, const std::string& quoted_text) {
+  const Names names = read_names(settings.generated() / "names.json");
+  ReferenceReport references = check_references(settings.document, names);
+  std::ranges::move(images_of(settings.document).errors, std::back_inserter(references.errors));
+  std::ranges::move(missing_inputs(settings.document, settings.generated()),
                     std::back_inserter(references.errors));
-  std::ranges::move(figure_width_errors(options.document), std::back_inserter(references.errors));
-  std::vector<std::string> findings = typed_numbers_below(options.document);
+  std::ranges::move(figure_width_errors(settings.document), std::back_inserter(references.errors));
+  std::vector<std::string> findings = typed_numbers_below(settings.document);
   const auto add = [&](std::vector<std::string> more) {
     std::ranges::move(more, std::back_inserter(findings));
   };
   add(typed_numbers_in(names.texts));
-  add(script_findings(options.generated, names,
-                      std::filesystem::path(options.figures).filename().string()));
-  add(unquoted_statements(statements_below(options.document)));
-  if (!options.quoted_text.empty()) {
-    add(quotation_errors(read_quotations(options.document), options.quoted_text));
+  add(script_findings(settings.generated(), names, settings.figures.filename().string()));
+  add(unquoted_statements(statements_below(settings.document)));
+  if (!quoted_text.empty()) {
+    add(quotation_errors(read_quotations(settings.document), quoted_text));
   }
-  const Restyled restyled = restyled_values(options.document, names);
+  const Restyled restyled = restyled_values(settings.document, names);
   print(references.errors);
   print(restyled.errors);
   for (const std::string& name : references.unused) {
@@ -112,23 +107,16 @@ ExitCode run(const CheckOptions& options) {
 }  // namespace
 
 void add_check_stage(CLI::App& program, ExitCode& exit_code) {
-  using namespace command_line;
-  add_command(program, "check",
-              "Check the prose of the document against what `compute` wrote: unknown names, unused "
-              "ones, missing parts, typed numbers, points that no figure shows, quotations, what "
-              "does not hold",
-              exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<CheckOptions>();
-                add_required_text(command, "--document", options->document, "DIR",
-                                  "Folder of the LaTeX document");
-                add_required_text(command, "--generated", options->generated, "DIR",
-                                  "Folder that `compute` wrote");
-                add_text(command, "--quoted-text", options->quoted_text, "FILE",
-                         "The text that is quoted: hold every quotation against it");
-                add_text(command, "--figures", options->figures, "DIR",
-                         "Folder of the figures' scripts, for messages");
-                return [options] { return run(*options); };
-              });
+  const auto quoted_text = std::make_shared<std::string>();
+  add_stage(
+      program, exit_code, "check",
+      "Check the prose of the document against what `compute` wrote: unknown names, unused ones, "
+      "missing parts, typed numbers, points that no figure shows, quotations, what does not hold",
+      [quoted_text](const Settings& settings) { return run(settings, *quoted_text); },
+      [quoted_text](CLI::App& command) {
+        command_line::add_text(command, "--quoted-text", *quoted_text, "FILE",
+                               "The text that is quoted: hold every quotation against it");
+      });
 }
 
 }  // namespace literate

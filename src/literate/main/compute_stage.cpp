@@ -3,13 +3,12 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <system_error>
 #include <tuple>
 #include <vector>
 
-#include "command_line/options.hpp"
+#include "command_line/exit_codes.hpp"
 #include "command_line/stage.hpp"
 #include "literate/excerpts/find_excerpts.hpp"
 #include "literate/main/guarded_computation.hpp"
@@ -23,15 +22,6 @@ namespace literate {
 namespace fs = std::filesystem;
 using command_line::ExitCode;
 namespace {
-
-struct ComputeOptions {
-  std::string paper;
-  std::string case_file;
-  std::string output;
-  std::string source = ".";
-  std::string record;
-  bool defers_verdict = false;
-};
 
 // Tests before the computation whether document.write() will be able to write, and leaves no trace.
 void require_writable(const fs::path& output) {
@@ -80,10 +70,10 @@ Document computed(const Inputs& inputs, const Compute& compute) {
 
 // All that a later look holds the results against. Data from outside the checkout are known by
 // their names alone and left to the time stamps.
-FileDigests files_read(const ComputeOptions& options, const Document& document) {
+FileDigests files_read(const Settings& settings, const Document& document) {
   FileDigests files = this_program();
-  files[fs::absolute(options.case_file).string()] = document.registered().case_sha256;
-  const fs::path root = fs::weakly_canonical(options.source);
+  files[fs::absolute(settings.case_file).string()] = document.registered().case_sha256;
+  const fs::path root = fs::weakly_canonical(settings.root);
   for (const auto& [name, digest] : document.attachments().digests()) {
     if (fs::is_regular_file(root / name)) files[(root / name).string()] = digest;
   }
@@ -92,58 +82,43 @@ FileDigests files_read(const ComputeOptions& options, const Document& document) 
 
 // A case that cannot be read is told before all else. One from a pipe, which can be read only once,
 // is kept beside the output.
-std::string case_to_read(const ComputeOptions& options) {
-  const std::string text = sys::read_file(options.case_file);
-  if (fs::is_regular_file(options.case_file)) return options.case_file;
-  const fs::path output = fs::absolute(options.output + "/").lexically_normal().parent_path();
-  sys::write_if_changed(output.string() + ".case.toml", text);
-  return output.string() + ".case.toml";
+fs::path case_to_read(const Settings& settings) {
+  const std::string text = sys::read_file(settings.case_file);
+  if (fs::is_regular_file(settings.case_file)) return settings.case_file;
+  const fs::path kept = settings.output / "generated.case.toml";
+  sys::write_if_changed(kept, text);
+  return kept;
 }
 
-ExitCode run(ComputeOptions options, const Paper& paper, const Compute& compute) {
+ExitCode run(Settings settings, const Paper& paper, const Compute& compute) {
   const command_line::Stage computing("compute");
-  options.case_file = case_to_read(options);
-  const Inputs inputs{.case_file = options.case_file,
-                      .source = options.source,
-                      .excerpts = find_excerpts(options.source, paper.source_folders),
-                      .paper = options.paper};
+  settings.case_file = case_to_read(settings);
+  const Inputs inputs{.case_file = settings.case_file,
+                      .source = settings.root,
+                      .excerpts = find_excerpts(settings.root, paper.source_folders),
+                      .paper = settings.name};
   require_compiled(inputs.excerpts, paper.excerpts);
-  require_writable(options.output);
-  StageRecord record(options.record);
+  require_writable(settings.generated());
+  StageRecord record(settings.record("compute"));
   const Document document = computed(inputs, compute);
-  document.write(options.output, inputs.excerpts);
-  record.done(files_read(options, document));
+  document.write(settings.generated(), inputs.excerpts);
+  record.done(files_read(settings, document));
   computing.done(fmt::format("{} values, {} tables, {} figures, {} checks, {} claims",
                              document.values().size(), document.tables().size(),
                              document.figures().size(), document.checks().size(),
                              document.claims().size()));
-  // The document is written with its faults, which stamp every page; `typeset` prints them when the
-  // PDF exists.
-  return options.defers_verdict ? ExitCode::success
-                                : command_line::answer_faults(document.faults());
+  // The document is written with its faults, which stamp every page; `typeset` and `check` tell
+  // them.
+  return ExitCode::success;
 }
 
 }  // namespace
 
 void add_compute_stage(CLI::App& program, ExitCode& exit_code, const Paper& paper,
                        const Compute& compute) {
-  using namespace command_line;
-  add_command(
-      program, "compute", "Compute values and tables and what the figures show, and write them",
-      exit_code, [&paper, &compute](CLI::App& command) {
-        auto options = std::make_shared<ComputeOptions>();
-        add_text(command, "--paper", options->paper, "NAME",
-                 "Which paper to compute, of a program that has several");
-        add_required_text(command, "--case", options->case_file, "FILE", "Case file");
-        add_required_text(command, "--output", options->output, "DIR", "Folder to write to");
-        add_text(command, "--source", options->source, "DIR",
-                 "The checkout, for the excerpts of its sources");
-        add_text(command, "--record", options->record, "FILE",
-                 "Write what was read, with its SHA-256, when all is done");
-        add_switch(command, "--defer-verdict", options->defers_verdict,
-                   "Leave it to `typeset` to tell what does not hold, and to exit 1");
-        return [options, &paper, &compute] { return run(*options, paper, compute); };
-      });
+  add_stage(program, exit_code, "compute",
+            "Compute values and tables and what the figures show, and write them",
+            [&](const Settings& settings) { return run(settings, paper, compute); });
 }
 
 }  // namespace literate

@@ -8,29 +8,20 @@
 #include "literate/provenance/manifest.hpp"
 
 namespace literate {
-namespace {
-
-struct DescribeOptions {
-  std::string folder, manifest, citation;
-};
-
-}  // namespace
 
 void add_describe_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper) {
-  using namespace command_line;
-  add_command(
-      program, "describe", "Describe a folder of results for archives: codecheck.yml, RO-Crate",
-      exit_code, [&paper](CLI::App& command) {
-        auto options = std::make_shared<DescribeOptions>();
-        add_required_text(command, "--folder", options->folder, "DIR", "Folder with the results");
-        add_required_text(command, "--manifest", options->manifest, "FILE",
-                          "Manifest that `typeset` wrote");
-        add_required_text(command, "--citation", options->citation, "FILE", "CITATION.cff");
-        return [options, &paper] {
-          describe_folder(options->folder, read_manifest(options->manifest, paper.project),
-                          read_citation(options->citation));
-          return ExitCode::success;
-        };
+  const auto folder = std::make_shared<std::string>();
+  add_stage(
+      program, exit_code, "describe",
+      "Describe a folder of results for archives: codecheck.yml, RO-Crate",
+      [folder, &paper](const Settings& settings) {
+        describe_folder(*folder, read_manifest(settings.manifest(), paper.project),
+                        read_citation(settings.root / "CITATION.cff"));
+        return sys::ExitCode::success;
+      },
+      [folder](CLI::App& command) {
+        command_line::add_required_text(command, "--folder", *folder, "DIR",
+                                        "Folder with the results");
       });
 }
 

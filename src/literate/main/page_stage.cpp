@@ -28,18 +28,13 @@ namespace {
 using command_line::complain;
 using command_line::ExitCode;
 
-struct WriteOptions {
-  std::string document, main_file, generated, repository, build, aux, engine, record;
-};
-
-struct EmbedOptions {
-  std::string document, generated, build, look, output;
-  std::string citation_file, site, bibtex_file, beside;
+// What a page is told that stands on a site.
+struct Site {
+  std::string folder, address, beside;
 };
 
 // The PDF, whose numbers the page takes, must be of the same text.
-void require_same_state(const std::string& record) {
-  if (record.empty()) return;
+void require_same_state(const fs::path& record) {
   if (!fs::is_regular_file(record)) {
     throw sys::InputError("the PDF, whose numbers the page takes, is not made yet");
   }
@@ -62,20 +57,20 @@ std::string lines_of(std::vector<std::string> names) {
   return text;
 }
 
-ExitCode write(const WriteOptions& options) {
-  const fs::path generated = options.generated;
-  const fs::path build = options.build;
+ExitCode write(const Settings& settings) {
+  const fs::path build = settings.page_folder();
   fs::create_directories(build);
-  require_same_state(options.record);
-  PageSources sources{.document = options.document,
-                      .main_file = options.main_file,
-                      .generated = generated,
-                      .aux = options.aux,
-                      .engine = options.engine,
+  require_same_state(settings.record("typeset"));
+  PageSources sources{.document = settings.document,
+                      .main_file = settings.main_file,
+                      .generated = settings.generated(),
+                      .aux = settings.latex_folder() /
+                             fs::path(settings.main_file).replace_extension(".aux").filename(),
+                      .engine = settings.engine / "page",
                       .build = build,
-                      .known = sys::read_file(fs::path(options.engine) / "known.tex"),
+                      .known = sys::read_file(settings.engine / "page/known.tex"),
                       .repository = {}};
-  const fs::path repository = fs::path(options.repository) / "repository.tex";
+  const fs::path repository = settings.repository / "repository.tex";
   if (fs::is_regular_file(repository)) sources.repository = sys::read_file(repository);
   const Page page = write_page(sources);
   for (const std::string& error : page.errors) complain(error, ExitCode::bad_input);
@@ -105,17 +100,17 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
 }
 
 // Authors as the page prints them, between commas; those of a CITATION.cff are told one by one.
-PageCitation citation_of(const EmbedOptions& options) {
+PageCitation citation_of(const Settings& settings, const Site& site) {
   const nlohmann::json page =
-      nlohmann::json::parse(sys::read_file(fs::path(options.build) / "page.json"));
+      nlohmann::json::parse(sys::read_file(settings.page_folder() / "page.json"));
   PageCitation citation{.title = page.at("title"),
                         .authors = {},
                         .date = page.at("date"),
                         .description = page.at("description"),
-                        .site = options.site,
-                        .pdf = options.beside.substr(0, options.beside.find(':'))};
-  if (!options.citation_file.empty() && fs::is_regular_file(options.citation_file)) {
-    const Citation file = read_citation(options.citation_file);
+                        .site = site.address,
+                        .pdf = site.beside.substr(0, site.beside.find(':'))};
+  if (fs::is_regular_file(settings.root / "CITATION.cff")) {
+    const Citation file = read_citation(settings.root / "CITATION.cff");
     for (const Author& author : file.authors) citation.authors.push_back(author.name);
     citation.doi = file.doi;
   } else {
@@ -124,71 +119,43 @@ PageCitation citation_of(const EmbedOptions& options) {
   return citation;
 }
 
-ExitCode embed(const EmbedOptions& options) {
-  const PageCitation citation = citation_of(options);
-  const std::string html = one_file(
-      sys::read_file(fs::path(options.build) / "page.html"),
-      {.look = options.look,
-       .data = page_data(options.document, options.generated, fs::path(options.build) / "plotted"),
-       .meta = citation_tags(citation),
-       .bibtex = bibtex_entry(citation),
-       .beside = parts_of(options.beside, ':'),
-       .build = options.build});
-  if (!options.bibtex_file.empty()) {
-    sys::write_file_atomically(options.bibtex_file, bibtex_entry(citation));
+ExitCode embed(const Settings& settings, const Site& site) {
+  const fs::path build = settings.page_folder();
+  const PageCitation citation = citation_of(settings, site);
+  const std::string html =
+      one_file(sys::read_file(build / "page.html"),
+               {.look = settings.engine / "page",
+                .data = page_data(settings.document, settings.generated(), build / "plotted"),
+                .meta = citation_tags(citation),
+                .bibtex = bibtex_entry(citation),
+                .beside = parts_of(site.beside, ':'),
+                .build = build});
+  if (!site.folder.empty()) {
+    sys::write_file_atomically(fs::path(site.folder) / (settings.name + "-citation.bib"),
+                               bibtex_entry(citation));
   }
-  sys::write_file_atomically(options.output, html);
+  sys::write_file_atomically(
+      site.folder.empty() ? settings.page() : fs::path(site.folder) / "index.html", html);
   // As of the PDF: the page is made, since it is where one looks for the cause.
-  return command_line::answer_faults(read_names(fs::path(options.generated) / "names.json").faults);
+  return command_line::answer_faults(read_names(settings.generated() / "names.json").faults);
 }
 
 }  // namespace
 
-void add_page_stage(CLI::App& program, sys::ExitCode& exit_code) {
-  using namespace command_line;
-  add_command(program, "page", "Write the document as a page, without its figures and fonts",
-              exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<WriteOptions>();
-                add_required_text(command, "--document", options->document, "DIR",
-                                  "Folder of the LaTeX document");
-                add_required_text(command, "--main", options->main_file, "FILE", "Its main file");
-                add_required_text(command, "--generated", options->generated, "DIR",
-                                  "Folder that `compute` and `draw` wrote");
-                add_required_text(command, "--repository", options->repository, "DIR",
-                                  "Folder with the state of the repository, repository.tex");
-                add_required_text(command, "--aux", options->aux, "FILE",
-                                  "The .aux file of the PDF, with all its numbers");
-                add_required_text(command, "--engine", options->engine, "DIR",
-                                  "Folder with the filter for pandoc");
-                add_text(command, "--record", options->record, "FILE",
-                         "Record of what the PDF was made from; refuse what was changed since");
-                add_required_text(
-                    command, "--build", options->build, "DIR",
-                    "Folder for page.html, the lists figures.txt and pictures.txt, and "
-                    "typeset.txt for LaTeX");
-                return [options] { return write(*options); };
-              });
-  add_command(
-      program, "embed", "Put style, script, data, figures and fonts into the page", exit_code,
-      [](CLI::App& command) {
-        auto options = std::make_shared<EmbedOptions>();
-        add_required_text(command, "--build", options->build, "DIR",
-                          "Folder with page.html, figures, pictures and fonts");
-        add_required_text(command, "--look", options->look, "DIR",
-                          "Folder with style sheets and scripts");
-        add_required_text(command, "--document", options->document, "DIR",
-                          "Folder of the LaTeX document");
-        add_required_text(command, "--generated", options->generated, "DIR",
-                          "Folder that `compute` and `draw` wrote");
-        add_required_text(command, "--output", options->output, "FILE", "The page");
-        add_text(command, "--citation", options->citation_file, "FILE",
-                 "CITATION.cff, whose authors are the page's; none if there is no such file");
-        add_text(command, "--site", options->site, "URL", "Address at which the page will stand");
-        add_text(command, "--beside", options->beside, "FILES",
+void add_page_stages(CLI::App& program, ExitCode& exit_code) {
+  using command_line::add_text;
+  add_stage(program, exit_code, "page",
+            "Write the document as a page, without its figures and fonts", write);
+  const auto site = std::make_shared<Site>();
+  add_stage(
+      program, exit_code, "embed", "Put style, script, data, figures and fonts into the page",
+      [site](const Settings& settings) { return embed(settings, *site); },
+      [site](CLI::App& command) {
+        add_text(command, "--site", site->folder, "DIR",
+                 "Folder of a site, whose index.html the page becomes");
+        add_text(command, "--address", site->address, "URL", "Where the site will stand");
+        add_text(command, "--beside", site->beside, "FILES",
                  "Files beside the page there, which it links, between colons; the PDF first");
-        add_text(command, "--bibtex", options->bibtex_file, "FILE",
-                 "Where the entry for BibTeX is written, too");
-        return [options] { return embed(*options); };
       });
 }
 

@@ -43,14 +43,6 @@ using command_line::complain;
 using command_line::ExitCode;
 namespace {
 
-struct TypesetStageOptions {
-  std::string document, main_file, generated, build, output;
-  std::string engine = "pdflatex";
-  std::string figures = "figures";
-  bool tolerates_overfull = false;
-  std::string digest, manifest, case_file, source = ".", repository, against, record;
-};
-
 // The digests of all files below `folder` of the checkout whose names end in one of these.
 Manifest::Texts sources_below(const fs::path& source, const std::string& folder,
                               const std::vector<std::string>& endings) {
@@ -71,8 +63,8 @@ std::string name_within(const fs::path& root, const fs::path& file) {
 }
 
 // The folder of the gnuplot scripts, from the root on.
-std::string scripts_folder(const fs::path& root, const TypesetStageOptions& options) {
-  return fs::weakly_canonical(root / options.figures).lexically_relative(root).generic_string();
+std::string scripts_folder(const fs::path& root, const Settings& settings) {
+  return fs::weakly_canonical(root / settings.figures).lexically_relative(root).generic_string();
 }
 
 // All that `compute` and `draw` wrote.
@@ -84,16 +76,15 @@ std::vector<std::string> made_files(const Names& names) {
 
 // The digests of everything that the document is made from. A case from outside the checkout is
 // listed by its name alone.
-Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper,
-                          const Names& names) {
-  const fs::path root = fs::weakly_canonical(options.source);
+Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Names& names) {
+  const fs::path root = fs::weakly_canonical(settings.root);
   Manifest::Texts files;
   for (const std::string& folder : paper.source_folders) {
     files.merge(sources_below(root, folder, {".cpp", ".hpp", ".in", ".sty"}));
   }
-  files.merge(sources_below(root, scripts_folder(root, options), {".gp"}));
-  files.merge(imported_files(fs::path(options.generated) / "names.json"));
-  const fs::path document = fs::weakly_canonical(options.document);
+  files.merge(sources_below(root, scripts_folder(root, settings), {".gp"}));
+  files.merge(imported_files(settings.generated() / "names.json"));
+  const fs::path document = fs::weakly_canonical(settings.document);
   const std::string folder = name_within(root, document);
   const std::string prefix = folder == "." ? "" : folder + "/";
   files.merge(digests(document, document_files(document), prefix));
@@ -105,8 +96,8 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
   for (const Excerpt& excerpt : find_excerpts(root, paper.source_folders)) {
     files[excerpt.file] = sys::sha256_of_file(root / excerpt.file);
   }
-  if (!options.case_file.empty()) {
-    const fs::path file = fs::weakly_canonical(options.case_file);
+  if (!settings.case_file.empty()) {
+    const fs::path file = fs::weakly_canonical(settings.case_file);
     // A second reading could find another case than the computation did.
     files[name_within(root, file)] =
         names.case_sha256.empty() ? sys::sha256_of_file(file) : names.case_sha256;
@@ -116,9 +107,9 @@ Manifest::Texts inputs_of(const TypesetStageOptions& options, const Paper& paper
 
 // All that the manifest tells but the PDF and what LaTeX asked to be drawn: none of it waits for
 // LaTeX.
-Manifest manifest_without_pdf(const TypesetStageOptions& options, const Paper& paper,
+Manifest manifest_without_pdf(const Settings& settings, const Paper& paper,
                               const Repository& repository, const Names& names) {
-  const fs::path generated = options.generated;
+  const fs::path generated = settings.generated();
   Manifest::Texts libraries = engine_libraries();
   libraries.insert(paper.libraries.begin(), paper.libraries.end());
   return {.project = paper.project,
@@ -139,9 +130,9 @@ Manifest manifest_without_pdf(const TypesetStageOptions& options, const Paper& p
                     {"libraries", libraries},
                     {"tools",
                      {{"gnuplot", sys::tool_version("gnuplot")},
-                      {options.engine == "lualatex" ? "LuaTeX" : "pdfTeX",
-                       sys::tool_version(options.engine)}}}},
-          .inputs = inputs_of(options, paper, names),
+                      {settings.latex == "lualatex" ? "LuaTeX" : "pdfTeX",
+                       sys::tool_version(settings.latex)}}}},
+          .inputs = inputs_of(settings, paper, names),
           .outputs = digests(generated, made_files(names), "generated/"),
           .numbers = numbers_in(generated / "names.json"),
           .verdicts = verdicts_in(generated / "names.json")};
@@ -181,13 +172,13 @@ ExitCode compare_with(const std::string& file, const Manifest& theirs, const Man
 }
 
 // `watch` builds as any other build does, and says by a variable that its author is still writing.
-bool tolerates_overfull(const TypesetStageOptions& options) {
-  return options.tolerates_overfull || std::getenv("LITERATE_TOLERATES_OVERFULL") != nullptr;
+bool tolerates_overfull() {
+  return std::getenv("LITERATE_TOLERATES_OVERFULL") != nullptr;
 }
 
 // The digests of what LaTeX reads from the document's own folder.
-FileDigests prose_of(const TypesetStageOptions& options) {
-  const fs::path document = fs::weakly_canonical(options.document);
+FileDigests prose_of(const Settings& settings) {
+  const fs::path document = fs::weakly_canonical(settings.document);
   const std::string prefix = document.string() + "/";
   FileDigests files = digests(document, document_files(document), prefix);
   files.merge(digests(document, images_of(document).files, prefix));
@@ -202,155 +193,122 @@ FileDigests prose_of(const TypesetStageOptions& options) {
 }
 
 // What a later look holds the announced files against.
-FileDigests files_announced(const TypesetStageOptions& options, const TypesetOptions& latex,
+FileDigests files_announced(const Settings& settings, const TypesetOptions& latex,
                             FileDigests files) {
-  for (const fs::path& file : {fs::path(options.output), fs::path(options.manifest),
-                               fs::path(options.digest), in_build_dir(latex, ".pdf")}) {
+  for (const fs::path& file :
+       {settings.pdf(), settings.manifest(), settings.digest(), in_build_dir(latex, ".pdf")}) {
     if (!file.empty()) files[fs::absolute(file).string()] = sys::sha256_of_file(file);
   }
-  if (!options.repository.empty()) {
-    const fs::path file = fs::absolute(options.repository) / "repository.json";
+  if (!settings.repository.empty()) {
+    const fs::path file = fs::absolute(settings.repository) / "repository.json";
     files[file.string()] = sys::sha256_of_file(file);
   }
   return files;
 }
 
-void warn_of_unknown_commit(const TypesetStageOptions& options, const Repository& repository) {
-  if (options.repository.empty() || repository.commit != "unknown") return;
+void warn_of_unknown_commit(const Settings& settings, const Repository& repository) {
+  if (settings.repository.empty() || repository.commit != "unknown") return;
   complain(
       fmt::format("warning: the commit of '{}' is unknown, since it is no git repository with a "
                   "commit; the document cannot tell which sources it was made from",
-                  options.source),
+                  settings.root.string()),
       ExitCode::success);
 }
 
 // Typesets once. Returns nothing if the document was saved meanwhile, so that the PDF may be of
 // neither text.
-std::optional<ExitCode> typeset_once(const TypesetStageOptions& options, const Paper& paper,
-                                     const Manifest& theirs) {
+std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& paper,
+                                     const std::string& against, const Manifest& theirs) {
   Repository repository;
-  if (!options.repository.empty()) repository = read_repository(options.repository);
+  if (!settings.repository.empty()) repository = read_repository(settings.repository);
 
   const command_line::Stage typesetting("typeset");
-  StageRecord record(options.record);
-  const fs::path generated = options.generated;
+  StageRecord record(settings.record("typeset"));
+  const fs::path generated = settings.generated();
   const Names names = read_names(generated / "names.json");
-  if (!options.digest.empty()) {
-    require_as_made(generated, options.digest, made_files(names));
-  }
-  const FileDigests prose = prose_of(options);
+  require_drawn(generated, names.figure_places);
+  require_as_made(generated, settings.digest(), made_files(names));
+  const FileDigests prose = prose_of(settings);
 
-  ReferenceReport references = check_references(options.document, names);
-  std::ranges::move(images_of(options.document).errors, std::back_inserter(references.errors));
-  std::ranges::move(figure_width_errors(options.document), std::back_inserter(references.errors));
+  ReferenceReport references = check_references(settings.document, names);
+  std::ranges::move(images_of(settings.document).errors, std::back_inserter(references.errors));
+  std::ranges::move(figure_width_errors(settings.document), std::back_inserter(references.errors));
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);
-  const Restyled restyled = restyled_values(options.document, names);
+  const Restyled restyled = restyled_values(settings.document, names);
   for (const std::string& error : restyled.errors) complain(error, ExitCode::bad_input);
   if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
-  require_drawn(generated, names.figure_places);
   for (const std::string& name : references.unused) {
     complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
   }
-  warn_of_unknown_commit(options, repository);
+  warn_of_unknown_commit(settings, repository);
 
   // LaTeX looks into its output folder before all others.
-  write_statements(options.document, names, fs::path(options.build) / "statements.tex");
-  sys::write_if_changed(fs::path(options.build) / "restyled.tex", restyled.latex);
-  const TypesetOptions latex{.source_dir = options.document,
-                             .main_file = options.main_file,
-                             .generated_dir = options.generated,
-                             .repository_dir = options.repository,
-                             .build_dir = options.build,
-                             .output_pdf = options.output,
-                             .engine = options.engine,
+  write_statements(settings.document, names, settings.latex_folder() / "statements.tex");
+  sys::write_if_changed(settings.latex_folder() / "restyled.tex", restyled.latex);
+  const TypesetOptions latex{.source_dir = settings.document,
+                             .main_file = settings.main_file,
+                             .generated_dir = generated,
+                             .repository_dir = settings.repository,
+                             .build_dir = settings.latex_folder(),
+                             .output_pdf = settings.pdf(),
+                             .engine = settings.latex,
                              .figures = names.figure_places,
-                             .scripts_label = fs::path(options.figures).filename().string(),
-                             .tolerates_overfull = tolerates_overfull(options)};
-  const bool is_recorded = !options.manifest.empty() || !options.against.empty();
+                             .scripts_label = settings.figures.filename().string(),
+                             .tolerates_overfull = tolerates_overfull()};
   Typeset done;
   Manifest ours;
-  sys::for_each_parallel(is_recorded ? 2 : 1, 2, [&](std::size_t i) {
+  sys::for_each_parallel(2, 2, [&](std::size_t i) {
     if (i == 0) done = typeset(latex);
-    if (i == 1) ours = manifest_without_pdf(options, paper, repository, names);
+    if (i == 1) ours = manifest_without_pdf(settings, paper, repository, names);
   });
-  if (prose_of(options) != prose) return std::nullopt;
-  typesetting.done(fs::path(options.output).filename().string());
+  if (prose_of(settings) != prose) return std::nullopt;
+  typesetting.done(settings.pdf().filename().string());
   for (const std::string& warning : done.warnings) {
     complain("warning: " + warning, ExitCode::success);
   }
   const ExitCode verdict = command_line::answer_faults(names.faults);
-  if (!is_recorded) return verdict;
-
-  if (!done.warnings.empty() && !options.manifest.empty()) {
+  if (!done.warnings.empty()) {
     // Without a manifest the build is not done: the next one that tolerates nothing will tell.
-    fs::remove(options.manifest);
+    fs::remove(settings.manifest());
     return verdict;
   }
 
-  const fs::path pdf = options.output;
+  const fs::path pdf = settings.pdf();
   ours.outputs[pdf.filename().string()] = sys::sha256_of_file(pdf);
   ours.outputs.merge(digests(at_width_dir(latex), done.drawn));
-  if (!options.manifest.empty()) {
-    sys::write_if_changed(options.manifest, manifest_json(ours));
-  }
+  sys::write_if_changed(settings.manifest(), manifest_json(ours));
   // A document that is not to be trusted is told of each time, so it is never done.
   if (verdict != ExitCode::success) return verdict;
-  record.done(files_announced(options, latex, prose));
-  if (options.against.empty()) return verdict;
-  return compare_with(options.against, theirs, ours);
+  record.done(files_announced(settings, latex, prose));
+  return against.empty() ? verdict : compare_with(against, theirs, ours);
 }
 
-ExitCode run(const TypesetStageOptions& options, const Paper& paper) {
+ExitCode run(const Settings& settings, const Paper& paper, const std::string& against) {
   // Report a manifest that cannot be read before the work begins.
   Manifest theirs;
-  if (!options.against.empty()) theirs = read_manifest(options.against, paper.project);
+  if (!against.empty()) theirs = read_manifest(against, paper.project);
   constexpr int most_runs = 5;
   for (int n_runs = 0; n_runs < most_runs; ++n_runs) {
-    if (const auto answer = typeset_once(options, paper, theirs)) return *answer;
+    if (const auto answer = typeset_once(settings, paper, against, theirs)) return *answer;
     complain(fmt::format("warning: '{}' was saved while it was typeset; it is typeset again",
-                         options.document),
+                         settings.document.string()),
              ExitCode::success);
   }
-  throw sys::InputError(
-      fmt::format("'{}' was saved {} times while it was typeset", options.document, most_runs));
+  throw sys::InputError(fmt::format("'{}' was saved {} times while it was typeset",
+                                    settings.document.string(), most_runs));
 }
 
 }  // namespace
 
 void add_typeset_stage(CLI::App& program, ExitCode& exit_code, const Paper& paper) {
-  using namespace command_line;
-  add_command(
-      program, "typeset", "Typeset the document with LaTeX from what `compute` and `draw` wrote",
-      exit_code, [&paper](CLI::App& command) {
-        auto options = std::make_shared<TypesetStageOptions>();
-        options->main_file = paper.main_file;
-        add_required_text(command, "--document", options->document, "DIR",
-                          "Folder of the LaTeX document");
-        add_text(command, "--main", options->main_file, "FILE", "Its main file");
-        add_required_text(command, "--generated", options->generated, "DIR",
-                          "Folder that `compute` wrote");
-        add_required_text(command, "--build", options->build, "DIR",
-                          "Folder for LaTeX's own files");
-        add_required_text(command, "--output", options->output, "FILE", "The PDF");
-        add_text(command, "--figures", options->figures, "DIR",
-                 "Folder of the gnuplot scripts, for messages and the manifest");
-        add_choice(command, "--engine", options->engine, {"pdflatex", "lualatex"},
-                   "The LaTeX that typesets it");
-        add_switch(command, "--tolerate-overfull", options->tolerates_overfull,
-                   "Overfull boxes are warnings, as under `watch`");
-        add_text(command, "--digest", options->digest, "FILE",
-                 "SHA-256 of the generated files; refuse those that were changed since");
-        add_text(command, "--manifest", options->manifest, "FILE",
-                 "Write what the document was made from and with, as JSON");
-        add_text(command, "--case", options->case_file, "FILE", "Case file, for the manifest");
-        add_text(command, "--source", options->source, "DIR", "The checkout, for the manifest");
-        add_text(command, "--repository", options->repository, "DIR",
-                 "Folder with the state of the repository, for the manifest and \\papercommit");
-        add_text(command, "--against", options->against, "FILE",
-                 "Compare with the manifest of the same document made elsewhere");
-        add_text(command, "--record", options->record, "FILE",
-                 "Write what was read and made, with its SHA-256, when all is done");
-        return [options, &paper] { return run(*options, paper); };
+  const auto against = std::make_shared<std::string>();
+  add_stage(
+      program, exit_code, "typeset",
+      "Typeset the document with LaTeX from what `compute` and `draw` wrote",
+      [against, &paper](const Settings& settings) { return run(settings, paper, *against); },
+      [against](CLI::App& command) {
+        command_line::add_text(command, "--against", *against, "FILE",
+                               "Compare with the manifest of the same document made elsewhere");
       });
 }
 

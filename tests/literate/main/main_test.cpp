@@ -42,8 +42,18 @@ class Workplace {
                                "// begin excerpt: sum\nx += y;\n// end excerpt: sum\n");
     sys::write_file_atomically(folder_ / "paper/toy.tex", "It is \\val{sum}.\n\\excerpt{sum}\n");
     sys::write_file_atomically(folder_ / "case.toml", "");
+    write_settings();
   }
   ~Workplace() { fs::remove_all(folder_); }
+
+  void write_settings(const std::string& name = "toy",
+                      const std::string& case_file = "case.toml") const {
+    sys::write_file_atomically(path("toy.settings"),
+                               "name=" + name + "\nroot=" + path() + "\ndocument=" + path("paper") +
+                                   "\nmain=toy.tex\ncase=" + path(case_file) +
+                                   "\nfigures=" + path("figures") + "\noutput=" + path() +
+                                   "\nengine=" + path("engine") + "\n");
+  }
 
   Answer run(std::vector<std::string> arguments, const literate::Compute& compute) const {
     arguments.insert(arguments.begin(), "toy_program");
@@ -66,19 +76,10 @@ class Workplace {
     return answer;
   }
 
-  Answer compute(const literate::Compute& compute) const {
-    return run(
-        {"compute", "--case", path("case.toml"), "--source", path(), "--output", path("generated")},
-        compute);
+  Answer stage(const std::string& name, const literate::Compute& compute) const {
+    return run({name, path("toy.settings")}, compute);
   }
-  Answer check(const literate::Compute& compute) const {
-    return run({"check", "--document", path("paper"), "--generated", path("generated")}, compute);
-  }
-  Answer typeset(const literate::Compute& compute) const {
-    return run({"typeset", "--document", path("paper"), "--generated", path("generated"), "--build",
-                path("latex"), "--output", path("toy.pdf")},
-               compute);
-  }
+  Answer compute(const literate::Compute& what) const { return stage("compute", what); }
 
   std::string path(const std::string& file = "") const { return (folder_ / file).string(); }
 
@@ -136,13 +137,18 @@ BOOST_AUTO_TEST_CASE(an_excerpt_that_was_not_compiled_is_bad_input_and_nothing_i
   BOOST_TEST(answer.errors.starts_with("toy: src/a.cpp: excerpt 'sum' is not what this program"));
 }
 
-BOOST_AUTO_TEST_CASE(a_check_that_fails_is_told_and_ends_with_one) {
+BOOST_AUTO_TEST_CASE(a_check_that_fails_is_told_with_the_prose_and_ends_with_one) {
   const Workplace place;
-
-  const Answer answer = place.compute([](literate::Document& document, const literate::Inputs&) {
+  sys::write_file_atomically(place.path("paper/toy.tex"), "Nothing.\n");
+  const auto compute = [](literate::Document& document, const literate::Inputs&) {
     document.check("balance", false, "The forces balance.");
-  });
+  };
 
+  const Answer computed = place.compute(compute);
+  const Answer answer = place.stage("check", compute);
+
+  BOOST_TEST(computed.exit_code == 0);
+  BOOST_TEST(computed.errors == "");
   BOOST_TEST(answer.exit_code == 1);
   BOOST_TEST(answer.errors.starts_with("toy: tests/literate/main/main_test.cpp:"), answer.errors);
   BOOST_TEST(answer.errors.ends_with(": check balance failed: The forces balance.\n"),
@@ -227,14 +233,13 @@ BOOST_AUTO_TEST_CASE(a_computation_that_does_not_end_is_stopped_when_its_time_is
 BOOST_AUTO_TEST_CASE(a_case_from_a_pipe_is_read_once_and_kept_beside_the_output) {
   const Workplace place;
   BOOST_REQUIRE(::mkfifo(place.path("pipe").c_str(), 0600) == 0);
+  place.write_settings("toy", "pipe");
   std::thread writer([&] { std::ofstream(place.path("pipe")) << "E = 31\n"; });
 
   std::string read;
-  const Answer answer = place.run({"compute", "--case", place.path("pipe"), "--source",
-                                   place.path(), "--output", place.path("generated")},
-                                  [&](literate::Document&, const literate::Inputs& inputs) {
-                                    read = sys::read_file(inputs.case_file);
-                                  });
+  const Answer answer = place.compute([&](literate::Document&, const literate::Inputs& inputs) {
+    read = sys::read_file(inputs.case_file);
+  });
   writer.join();
 
   BOOST_TEST(answer.errors == "");
@@ -247,9 +252,8 @@ BOOST_AUTO_TEST_CASE(the_computation_is_told_which_paper_it_is_for) {
   const Workplace place;
   std::string paper;
 
-  place.run({"compute", "--paper", "slides", "--case", place.path("case.toml"), "--source",
-             place.path(), "--output", place.path("generated")},
-            [&](literate::Document&, const literate::Inputs& inputs) { paper = inputs.paper; });
+  place.write_settings("slides");
+  place.compute([&](literate::Document&, const literate::Inputs& inputs) { paper = inputs.paper; });
 
   BOOST_TEST(paper == "slides");
 }
@@ -264,12 +268,9 @@ BOOST_AUTO_TEST_CASE(a_page_whose_check_failed_is_made_and_ends_with_one) {
   sys::write_file_atomically(place.path("html/page.html"), "<p>Text.</p>\n");
   sys::write_file_atomically(place.path("html/page.json"),
                              R"({"title": "A toy", "authors": "", "date": "", "description": ""})");
-  sys::write_file_atomically(place.path("look/page.css"), "");
+  sys::write_file_atomically(place.path("engine/page/page.css"), "");
 
-  const Answer answer = place.run({"embed", "--document", place.path("paper"), "--generated",
-                                   place.path("generated"), "--build", place.path("html"), "--look",
-                                   place.path("look"), "--output", place.path("toy.html")},
-                                  compute);
+  const Answer answer = place.stage("embed", compute);
 
   BOOST_TEST(fs::exists(place.path("toy.html")));
   BOOST_TEST(answer.exit_code == 1);
@@ -280,9 +281,10 @@ BOOST_AUTO_TEST_CASE(a_page_whose_check_failed_is_made_and_ends_with_one) {
 BOOST_AUTO_TEST_CASE(typeset_looks_names_up_before_latex_starts) {
   const Workplace place;
   place.compute(register_sum);
+  place.stage("draw", register_sum);
   sys::write_file_atomically(place.path("paper/toy.tex"), "It is \\val{sun}.\n");
 
-  const Answer answer = place.typeset(register_sum);
+  const Answer answer = place.stage("typeset", register_sum);
 
   BOOST_TEST(answer.exit_code == 2);
   BOOST_TEST(answer.errors == "toy: paper/toy.tex:1:7: unknown value 'sun', did you mean 'sum'?\n");
@@ -293,7 +295,7 @@ BOOST_AUTO_TEST_CASE(check_passes_prose_that_uses_all_and_types_nothing) {
   const Workplace place;
   place.compute(register_sum);
 
-  const Answer answer = place.check(register_sum);
+  const Answer answer = place.stage("check", register_sum);
 
   BOOST_TEST(answer.exit_code == 0);
   BOOST_TEST(answer.errors == "");
@@ -304,7 +306,7 @@ BOOST_AUTO_TEST_CASE(check_fails_prose_that_leaves_a_value_out) {
   place.compute(register_sum);
   sys::write_file_atomically(place.path("paper/toy.tex"), "Nothing.\n");
 
-  const Answer answer = place.check(register_sum);
+  const Answer answer = place.stage("check", register_sum);
 
   BOOST_TEST(answer.exit_code == 1);
   BOOST_TEST(answer.errors.starts_with("toy: tests/literate/main/main_test.cpp:"), answer.errors);
@@ -315,7 +317,26 @@ BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_bad_input) {
   const Workplace place;
   BOOST_TEST(place.run({}, register_sum).exit_code == 2);
   BOOST_TEST(place.run({"paint"}, register_sum).exit_code == 2);
-  BOOST_TEST(place.run({"compute"}, register_sum).errors.starts_with("toy: --case is required"));
+  BOOST_TEST(place.run({"compute"}, register_sum).errors.starts_with("toy: SETTINGS is required"));
+}
+
+BOOST_AUTO_TEST_CASE(settings_that_are_wrong_are_told_by_file_and_name) {
+  const Workplace place;
+  const std::string file = place.path("toy.settings");
+  const std::string right = sys::read_file(file);
+  const auto said = [&](const std::string& text) {
+    sys::write_file_atomically(file, text);
+    const Answer answer = place.compute(register_sum);
+    BOOST_TEST(answer.exit_code == 2);
+    return answer.errors;
+  };
+
+  BOOST_TEST(said("name=toy\n") == "toy: " + file + ": the setting 'root' is missing\n");
+  BOOST_TEST(said("name=toy\nroot\n") == "toy: " + file + ":2: 'root' is no setting name=value\n");
+  BOOST_TEST(said(right + "latex=troff\n") ==
+             "toy: " + file + ": the setting 'latex' is 'troff', not pdflatex or lualatex\n");
+  fs::remove(file);
+  BOOST_TEST(place.compute(register_sum).errors.find(file) != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(the_version_names_the_paper_and_its_commit) {
@@ -364,25 +385,20 @@ BOOST_AUTO_TEST_CASE(a_case_that_never_rests_is_bad_input) {
 
 BOOST_AUTO_TEST_CASE(the_record_names_the_case_and_the_program_and_is_there_only_when_all_is_done) {
   const Workplace place;
-  const auto compute = [&](const literate::Compute& what) {
-    return place.run({"compute", "--case", place.path("case.toml"), "--source", place.path(),
-                      "--output", place.path("generated"), "--record", place.path("state")},
-                     what);
-  };
 
-  BOOST_TEST(compute(register_sum).exit_code == 0);
-  const std::string record = sys::read_file(place.path("state"));
+  BOOST_TEST(place.compute(register_sum).exit_code == 0);
+  const std::string record = sys::read_file(place.path("state/compute"));
   BOOST_TEST(record.find(sys::sha256_of_text("") + "  " + place.path("case.toml")) !=
              std::string::npos);
   BOOST_TEST(record.find("literate_tests\n") != std::string::npos);
   BOOST_TEST(record.ends_with("# done\n"));
 
-  const Answer failed = compute([](literate::Document&, const literate::Inputs&) {
+  const Answer failed = place.compute([](literate::Document&, const literate::Inputs&) {
     throw sys::ComputationError("no digit is sure");
   });
   BOOST_TEST(failed.exit_code == 1);
-  BOOST_TEST(!fs::exists(place.path("state")));
-  BOOST_TEST(sys::read_file(place.path("state.unfinished")) == "failed\n");
+  BOOST_TEST(!fs::exists(place.path("state/compute")));
+  BOOST_TEST(sys::read_file(place.path("state/compute.unfinished")) == "failed\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -59,23 +59,22 @@ with tempfile.TemporaryDirectory() as scratch:
     template, used_by_prose = filled((here / "manual.tex.in").read_text(), manual, "%")
     write_paper(paper, template)
 
-    status, said = runs(program, "compute", "--case", "case.toml", "--output", "generated", folder=paper)
+    (paper / "manual.settings").write_text(
+        f"name=manual\nroot=.\ndocument=paper\nmain=mypaper.tex\ncase=case.toml\nfigures=figures\noutput=.\n"
+        f"engine={source / 'src/literate'}\n")
+    status, said = runs(program, "compute", "manual.settings", folder=paper)
     claim("the program of the examples computes, and prints what the manual says", status == 0, said)
     if failed:
         finish()  # all else follows from it
-    status, said = runs(program, "draw", "--generated", "generated", "--scripts", "figures", folder=paper)
+    status, said = runs(program, "draw", "manual.settings", folder=paper)
     claim("the figure of the examples is drawn", status == 0, said)
-    in_paper = ["--document", "paper", "--generated", "generated"]
-    status, said = runs(program, "typeset", *in_paper, "--build", "latex", "--output", "manual.pdf", folder=paper)
+    status, said = runs(program, "typeset", "manual.settings", folder=paper)
     claim("the commands of the manual typeset", status == 0, said)
 
-    status, said = runs(program, "page", *in_paper, "--main", "mypaper.tex", "--repository", "paper", "--build", "html",
-                        "--aux", "latex/mypaper.aux", "--engine", str(source / "src/literate/page"), folder=paper)
+    status, said = runs(program, "page", "manual.settings", folder=paper)
     claim("the commands of the manual are known to the page", status == 0, said)
 
-    status, said = runs(program, "restyle", *in_paper, "--output", "restyled.tex", folder=paper)
-    claim("the restyled values of the manual can be printed", status == 0, said)
-    prints = restyled_prints((paper / "restyled.tex").read_text())
+    prints = restyled_prints((paper / "latex/restyled.tex").read_text())
     for cells in manual.tables["Restyling: option"]:
         command, wanted = codes(cells[0])[0], re.split(r"[;,] | of a | for a ", cells[1])[0]
         if found := re.fullmatch(r"\\val(\[.*\])\{(.*)\}", command):
@@ -84,7 +83,7 @@ with tempfile.TemporaryDirectory() as scratch:
 
     # The errors that the manual shows
     (paper / "paper/more.tex").write_text(r"It is \val[digits=6]{period}." "\n")
-    status, said = runs(program, "typeset", *in_paper, "--build", "latex", "--output", "manual.pdf", folder=paper)
+    status, said = runs(program, "typeset", "manual.settings", folder=paper)
     shown = re.search(r"`mypaper.tex:12:7: (\\val\[digits=6\].*?)`", readme.replace("\n", " "))[1]
     claim("digits that the error does not support end with 2 and the message of the manual",
           status == 2 and f"paper/more.tex:1:7: {shown}" in said, said)
