@@ -117,7 +117,7 @@ claim 'their program links' "$status" -eq 0
 runs two/build/both
 claim 'it knows the code and the excerpts of both' "$said" = 'src talk 2 paper.tex'
 runs ninja -C two/build -t commands slides-made
-claim 'it is told which of them to compute' "$(says ' compute --paper slides ')" = yes
+claim 'it is told which of them to compute' "$(says '/slides.settings')" = yes
 
 # A script that went away is noticed by the list of those that are there: nothing that is there would be newer.
 runs ninja -C two/build -t inputs paper-made

@@ -15,15 +15,16 @@ fi
 cd "$scratch" || exit 1
 cp -R "$source_dir/tests/literate/page/packages" paper
 printf '%s\n' name=packages project=packages "root=$scratch" "build=$scratch" "program=$program" "document=$scratch/paper" \
-  main=packages.tex case= sources= "output=$scratch" "repository=$scratch" "engine=$source_dir/src/literate" >settings
+  main=packages.tex "case=$scratch/case.toml" sources= "figures=$scratch" "output=$scratch" repository= "engine=$source_dir/src/literate" >settings
 touch case.toml
-runs "$program" compute --case case.toml --output generated --source .
+runs "$program" compute settings
+claim 'the program computes' "$status" -eq 0
+runs "$program" draw settings
 claim 'the program writes what LaTeX reads' "$status" -eq 0
 
 # make: the PDF, and the page with its words one after the other in $page.
 make_page() {
-  runs "$program" typeset --document paper --main packages.tex --generated generated --build latex --output packages.pdf \
-    --manifest manifest.json --source . --record state/typeset
+  runs "$program" typeset settings
   claim 'the paper is typeset' "$status" -eq 0
   runs bash "$source_dir/src/literate/scripts/html" settings
   claim 'the paper becomes a page' "$status" -eq 0
@@ -58,8 +59,7 @@ claim 'a command of the preamble that changed is seen in a picture' "$(sed -n 's
 
 # What LaTeX cannot set is told, in its words.
 sed -i 's/^\\begin{document}/\\AtBeginDocument{\\ifnum\\pdfstrcmp{\\jobname}{typeset}=0 \\let\\Return\\undefined\\fi}\n&/' paper/packages.tex
-runs "$program" typeset --document paper --main packages.tex --generated generated --build latex --output packages.pdf \
-  --manifest manifest.json --source . --record state/typeset
+runs "$program" typeset settings
 runs bash "$source_dir/src/literate/scripts/html" settings
 claim 'what LaTeX says of a picture is told' "$status" -eq 3 -a "$(says '! Undefined control sequence.')" = yes
 finish
