@@ -15,12 +15,25 @@ cd "$scratch/check out" || exit 1
 
 runs make help
 claim 'help succeeds' "$status" -eq 0
-for target in report reports html figures figure check-report test test-all mutants bench verify fresh dist why watch tidy format setup clean help; do
+for target in report halfspace html site dist figures watch check-report why test test-all faults mutants verify bench fresh course tidy format setup clean help; do
   claim "help tells what $target does" "$(says "make $target ")" = yes
 done
-for variable in STUDENT=id SEED_FILE=file SEED=text ROSTER=file MARKS=file; do
+for variable in CASE=file.toml NAME=name MANIFEST=file V=1; do
   claim "help has a line for $variable" "$(printf '%s\n' "$said" | grep -c "^ *$variable ")" = 1
 done
+runs make reports
+claim 'a target that there is not is told' "$(says "there is no target reports; 'make help' lists them")" = yes
+
+runs make course
+claim 'without DO the tasks of the course are listed' "$status" -eq 0
+for task in "$source_dir"/src/toolchain/course/*; do
+  if [ "$(sed -n '2s/^# \([a-z-]*\): .*/\1/p' "$task")" = "${task##*/}" ]; then
+    claim "the task ${task##*/} is listed" "$(says "${task##*/}: ")" = yes
+  fi
+done
+claim 'their variables are told' "$(says 'ROSTER=file   CSV of the class')" = yes
+runs make course DO=sleep
+claim 'a task that there is not is told' "$status $(says "DO: there is no task sleep; 'make course' lists them")" = '2 yes'
 
 # Names that CMake or Ninja would take for something else, such as a[bc].toml for a pattern
 for name in 'a;b' 'a\b' 'a|b' 'a?b' 'a[bc]' 'a
@@ -46,9 +59,7 @@ runs make -C "$scratch/check out" report CASE=one.toml
 claim 'a case that could be either of two files is refused' "$(says 'give the whole path')" = yes
 
 cd "$scratch/check out" || exit 1
-runs make figure
-claim 'a figure without a name is refused' "$(says 'NAME: give the name of a figure')" = yes
-runs make figure NAME=none
+runs make figures NAME=none
 claim 'a figure without a script is named' "$(says 'NAME: there is no script figures/none.gp')" = yes
 
 # An exported variable without a value would be empty, and TIMEOUT= lifts the limits of all tools.
@@ -58,6 +69,11 @@ runs make -f shown.mk
 claim 'without TIMEOUT the limits of the tools stay' "$said" = unset
 runs make -f shown.mk TIMEOUT=
 claim 'TIMEOUT= reaches the scripts' "$said" = TIMEOUT=
+printf 'include Makefile\n.DEFAULT_GOAL := shown\nshown:\n\t@echo "$${NAME-unset}"\n' >shown.mk
+runs env NAME=machine make -f shown.mk
+claim "a shell's own NAME is none of a figure" "$said" = unset
+runs make -f shown.mk NAME=gap
+claim 'NAME= reaches the scripts' "$said" = gap
 rm shown.mk
 
 # A process that is told to end may have started another one since they were counted, as drawing starts gnuplot.

@@ -68,7 +68,7 @@ std::vector<MistakePattern> read_patterns(const Assignment& assignment,
   for (const MistakePattern& pattern : patterns) {
     if (is_of(assignment, pattern)) continue;
     throw sys::OutputError(
-        fmt::format("'{}': wrong solution {} is of another state of the assignment; make handout "
+        fmt::format("'{}': wrong solution {} is of another state of the assignment; make course DO=handout "
                     "writes the file anew",
                     file.string(), pattern.id));
   }

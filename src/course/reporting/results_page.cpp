@@ -113,7 +113,7 @@ void add_items(pugi::xml_node body, const ClassStatistics& statistics) {
 void add_mistakes(pugi::xml_node body, const std::vector<Met>& met) {
   add_element(body, "h2", "Mistakes that were met");
   if (met.empty()) {
-    add_element(body, "p", "Nothing is known of wrong solutions; make handout tries them.", "note");
+    add_element(body, "p", "Nothing is known of wrong solutions; make course DO=handout tries them.", "note");
     return;
   }
   add_element(

@@ -1,5 +1,5 @@
 #!/bin/sh
-# grade_test.sh PROGRAM SOURCE: grades a small class of the real assignment with the script of `make grade`.
+# grade_test.sh PROGRAM SOURCE: grades a small class of the real assignment with the script of `make course DO=grade`.
 course=$1
 shift
 # shellcheck source=tests/toolchain/shell_test.sh
@@ -76,7 +76,7 @@ results one CANVAS=canvas.csv COLUMN=Exam
 claim 'a column that there is not is told with its place' "$status $(says "canvas.csv:1:1: there are 0 columns named 'Exam'")" = '2 yes'
 mkdir "$scratch/none"
 results none
-claim 'without grades there are no results' "$status $(says 'make grade comes first')" = '2 yes'
+claim 'without grades there are no results' "$status $(says 'make course DO=grade comes first')" = '2 yes'
 
 # A request that was granted counts in the table and on the page, and nothing goes out before everything is graded.
 mkdir "$scratch/regrades"
