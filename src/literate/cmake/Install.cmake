@@ -27,7 +27,7 @@ install(DIRECTORY page DESTINATION "${share}" FILES_MATCHING PATTERN "*.css" PAT
 install(FILES README.md DESTINATION "${share}")
 install(FILES document/literate.sty DESTINATION "${share}/document")
 install(FILES imports/results.schema.json DESTINATION "${share}/imports")
-install(FILES cmake/AddPaper.cmake cmake/CheckManifest.cmake cmake/WriteRepository.cmake cmake/WriteLinked.cmake
+install(FILES cmake/AddPaper.cmake cmake/WriteRepository.cmake cmake/WriteLinked.cmake
   cmake/paper.cpp.in cmake/literateConfig.cmake
   DESTINATION "${share}/cmake")
 # What the engine was installed from, for the manifests of papers and the workflows of new ones.
