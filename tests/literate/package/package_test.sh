@@ -113,7 +113,7 @@ claim 'with make it is the last that is said' "$(grep -v '^make: ' <<<"$said" | 
   "rod: paper/note.tex:1:4: unknown value 'anglee', did you mean 'angle'?"
 rm paper/note.tex
 sed -i 's/sum += 1 /sum += 1.0 /' src/pendulum.cpp
-runs build/rod_program compute --case case.toml --source . --output generated
+runs build/rod_program compute build/rod.settings
 claim 'an excerpt that the program was not compiled from ends with 2' "$status" -eq 2
 claim 'it is named' "$(says "rod: src/pendulum.cpp: excerpt 'rod-period' is not what this program was compiled from")" = yes
 runs ninja -C build rod
