@@ -13,14 +13,14 @@ run_ninja() {
   fi
 }
 
-# without_frame: removes what Ninja prints around the output of a failed command. Ninja prints
+# without_frame: prints the output of a failed command without what Ninja prints around it:
 #   FAILED: outputs
 #   the command, one line
 #   … its output …
 #   ninja: build stopped: subcommand failed.
-# and the reader wants the output alone. A command without output, such as a compiler that was killed, keeps the frame. The
-# paper's own stages write directly, before their frame, and explain by themselves why they stop. Each line about progress is
-# written over the one before, and what CMake says of a file that came or went is left out.
+# If there is no output, because the compiler was killed, the frame is all that tells of it and stays. The paper's own stages
+# have explained their failure on the terminal before their frame arrives. Each line of progress is written over the last one.
+# CMake's lines about its own progress are left out.
 without_frame() {
   local line place said='' over=''
   while IFS= read -r line; do
