@@ -204,9 +204,9 @@ Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limi
                                            : at_most_in_signs(limit_like(tolerated, quantity));
   // Whether counts are equal can be seen; of other numbers the printed digits may be the same.
   const bool is_seen = tolerated == 0 && difference.format()->notation() == Notation::exact;
-  criterion.found_ = is_seen ? phrase("{}", quantity)
-                             : phrase("{}, {} from {}", quantity,
-                                      found_phrase(difference, tolerated, Side::at_most), stated);
+  criterion.found_ =
+      is_seen ? phrase("{}", quantity)
+              : agreement_phrase(quantity, stated, difference, tolerated, Distance::absolute);
   criterion.decide(*difference.number(), error, true, quantity, place);
   return criterion;
 }
@@ -229,16 +229,17 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   constexpr int n_digits = 2;
   const Value difference(numerics::Estimate{off, unsure},
                          relative(significant(n_digits), off + unsure));
-  criterion.found_ =
-      phrase("{}, {} from {}", criterion.quantity_,
-             found_phrase(difference, criterion.limit_.number(), Side::at_most), stated);
+  criterion.found_ = agreement_phrase(criterion.quantity_, stated, difference,
+                                      criterion.limit_.number(), Distance::relative);
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
   criterion.limit_phrase_ = at_most_in_signs(relative(criterion.limit_.number()));
   criterion.decide(off, unsure, true, Value(0, exact().in_percent()), place);
   if (criterion.outcome_ == Outcome::undecided) {
     // The error, which says why, stands behind it.
-    criterion.found_ = phrase("{}, {} from {}", criterion.quantity_,
-                              relative(number_of(rounded_to_digits(off, n_digits))), stated);
+    criterion.found_ =
+        agreement_phrase(criterion.quantity_, stated,
+                         relative(number_of(rounded_to_digits(off, n_digits))).within(0),
+                         criterion.limit_.number(), Distance::relative);
   }
   return criterion;
 }

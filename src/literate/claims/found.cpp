@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "literate/values/decimal.hpp"
@@ -47,9 +48,27 @@ Value like(const Value& quantity, double number, int n_digits) {
   return {number, has_exponent ? scientific(n_digits) : significant(n_digits), quantity.unit()};
 }
 
+/// A number as it is printed, and the interval in which a reader takes it to be.
+struct Printed {
+  Phrase phrase;
+  double least, most;
+};
+
+/// Without what binary numbers add to decimal ones: 0.15 for 0.75 - 0.6.
+double decimal(double number) {
+  constexpr int n_digits = 12;
+  return number_of(rounded_to_digits(number, n_digits));
+}
+
+Printed rounded_print(const Value& value) {
+  const double half_unit = 0.5 * std::pow(10, value.last_place());
+  const double number = as_printed(value);
+  return {phrase("{}", value), decimal(number - half_unit), decimal(number + half_unit)};
+}
+
 /// «at most 3.7e-11» or «at least -3.7e-11»: the end of the quantity's interval that is nearer to
 /// the limit, rounded away from the quantity, but not across the limit.
-Phrase bound_phrase(const Value& quantity, Estimate estimate, double limit) {
+Printed bound_print(const Value& quantity, Estimate estimate, double limit) {
   const bool from_above = estimate.value <= limit;
   const double sign = from_above ? 1 : -1;
   const double magnitude = sign * estimate.value + estimate.abs_error;
@@ -61,7 +80,9 @@ Phrase bound_phrase(const Value& quantity, Estimate estimate, double limit) {
     if (!is_beyond || magnitude > sign * limit || n_digits == digits_of_double) break;
   }
   const Value printed = like(quantity, sign * number_of(bound), n_digits);
-  return from_above ? phrase("at most {}", printed) : phrase("at least {}", printed);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  return from_above ? Printed{phrase("at most {}", printed), -infinite, *printed.number()}
+                    : Printed{phrase("at least {}", printed), *printed.number(), infinite};
 }
 
 /// How many significant digits of a number other than zero are printed.
@@ -97,25 +118,82 @@ Value nearest(const Value& quantity, Estimate estimate, int n_more) {
   return digits.last_place() < decimals.last_place() ? digits : decimals;
 }
 
-}  // namespace
+/// The quantity with its error in parentheses.
+Value with_error(const Value& quantity) {
+  if (quantity.format()->notation() == Notation::integer || *quantity.abs_error() == 0) {
+    return quantity;
+  }
+  return {Estimate{*quantity.number(), *quantity.abs_error()},
+          quantity.is_percentage() ? uncertain().in_percent() : uncertain(), quantity.unit()};
+}
 
-Phrase found_phrase(const Value& quantity, double limit, Side side) {
+Printed found_print(const Value& quantity, double limit, Side side) {
   if (!quantity.number() || !quantity.abs_error()) {
     throw std::invalid_argument("what was found is a number with its error");
   }
   const Estimate estimate{*quantity.number(), *quantity.abs_error()};
-  if (std::abs(estimate.value) < estimate.abs_error) {
-    return bound_phrase(quantity, estimate, limit);
-  }
+  if (std::abs(estimate.value) < estimate.abs_error) return bound_print(quantity, estimate, limit);
   const bool is_allowed_itself = is_allowed(estimate.value, limit, side);
   for (int n_more = 0; n_more < digits_of_double; ++n_more) {
     const Value printed = nearest(quantity, estimate, n_more);
     if (is_allowed(as_printed(printed), limit, side) == is_allowed_itself) {
-      return phrase("{}", printed);
+      return rounded_print(printed);
     }
   }
-  const Format format = quantity.is_percentage() ? uncertain().in_percent() : uncertain();
-  return phrase("{}", Value(estimate, format, quantity.unit()));
+  return rounded_print(with_error(quantity));
+}
+
+/// How far apart two printed numbers are.
+double distance_of(const Value& computed, const Value& stated, Distance distance) {
+  const double from = as_printed(computed), to = as_printed(stated);
+  if (distance == Distance::relative) return decimal(std::abs(from / to - 1));
+  const int place = std::min(computed.last_place(), stated.last_place());
+  return number_of(rounded_to_place(std::abs(from - to), place));
+}
+
+}  // namespace
+
+Phrase found_phrase(const Value& quantity, double limit, Side side) {
+  return found_print(quantity, limit, side).phrase;
+}
+
+Phrase agreement_phrase(const Value& computed, const Value& stated, const Value& difference,
+                        double tolerance, Distance distance) {
+  const bool agrees = *difference.number() <= tolerance;
+  // Where a difference is less than its error, a reader is told how far it may be from nothing.
+  const bool is_lost = *difference.number() < *difference.abs_error();
+  const double limit = is_lost && !agrees ? std::numeric_limits<double>::infinity() : tolerance;
+  const Printed apart = found_print(difference, limit, Side::at_most);
+  const auto sentence = [&](const Value& from, const Value& to, const Printed& by) {
+    return phrase("{}, {} from {}", from, by.phrase, to);
+  };
+  const auto reads_true = [&](const Value& from, const Value& to) {
+    const double seen = distance_of(from, to, distance);
+    if ((seen <= tolerance) != agrees && !is_lost) return false;
+    return seen == 0 ||
+           (apart.least < seen && (seen < apart.most || (is_lost && seen <= apart.most)));
+  };
+  const auto more = [](const Value& value, int n_more) {
+    return nearest(value, {*value.number(), *value.abs_error()}, n_more);
+  };
+  if (reads_true(computed, stated)) return sentence(computed, stated, apart);
+  for (int n_more = 1; n_more < digits_of_double; ++n_more) {
+    const Value from = more(computed, n_more);
+    if (reads_true(from, stated)) return sentence(from, stated, apart);
+    const Value to = more(stated, n_more);
+    if (reads_true(from, to)) return sentence(from, to, apart);
+  }
+  // What has no error gets as many digits as the difference has.
+  const Value by = with_error(difference);
+  const auto beside = [&](const Value& value) {
+    Value printed = with_error(value);
+    for (int n_more = 1; n_more < digits_of_double && *value.abs_error() == 0; ++n_more) {
+      if (printed.last_place() <= by.last_place()) break;
+      printed = more(value, n_more);
+    }
+    return printed;
+  };
+  return sentence(beside(computed), beside(stated), is_lost ? apart : rounded_print(by));
 }
 
 }  // namespace literate

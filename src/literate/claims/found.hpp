@@ -21,4 +21,17 @@ enum class Side { at_most, at_least };
 /// Throws std::invalid_argument for a quantity without a number or without an error.
 Phrase found_phrase(const Value& quantity, double limit, Side side);
 
+/// What the difference of two numbers is held against: a number of their unit, or a ratio.
+enum class Distance { absolute, relative };
+
+/// «0.2999, 1.0e-4 from 0.3»: two numbers and how far they are apart.
+///
+/// What is printed is consistent: the difference of the two printed numbers is the printed
+/// difference, as far as that is rounded, and lies on the same side of the tolerance as what was
+/// tested. Only two numbers that are printed alike may differ by less than their digits show. Where
+/// the digits of the formats contradict this, more of them are printed, and the errors in
+/// parentheses where these support no more. The difference comes with its error.
+Phrase agreement_phrase(const Value& computed, const Value& stated, const Value& difference,
+                        double tolerance, Distance distance);
+
 }  // namespace literate

@@ -18,6 +18,7 @@ using literate::LimitKind;
 using literate::Outcome;
 using literate::percent;
 using literate::significant;
+using literate::supported;
 using literate::Value;
 
 namespace {
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
   BOOST_TEST(agrees(0.3000005, 0).condition().plain == "within 1e-6 of 0.3");
   BOOST_TEST(agrees(0.3000005, 0).limit().plain == "≤ 1e-6");
   // 0.300001 within 1e-6 of 0.3 would leave open whether it holds.
-  BOOST_TEST(agrees(0.3000008, 0).computed() == "ratio: 0.300001, 8e-7 from 0.3");
+  BOOST_TEST(agrees(0.3000008, 0).computed() == "ratio: 0.3000008, 8e-7 from 0.3");
   BOOST_TEST(agrees(0.300000012, 0).computed() == "ratio: 0.300000, at most 1.2e-7 from 0.3");
 }
 
@@ -155,6 +156,21 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
   BOOST_CHECK_THROW(Criterion::agrees_relatively("x", Value({1, 0}, fixed(1)),
                                                  Value({0.01, 0.02}, fixed(2)), limit_of(0.1)),
                     std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(the_sentence_of_an_agreement_is_consistent_with_its_own_numbers) {
+  const auto agrees = [](const Value& computed, double tolerance) {
+    return Criterion::agrees("x", computed, Value(0.75, exact()).within(0),
+                             {LimitKind::stated, tolerance, "the statement"})
+        .computed();
+  };
+  BOOST_TEST(agrees(Value({0.6, 0.04}, significant(2)), 0.05) ==
+             "x: 0.600(40), 0.150(40) from 0.75");
+  BOOST_TEST(agrees(Value(0.6432, fixed(1)).within(0), 0.05) == "x: 0.64, 0.11 from 0.75");
+  BOOST_TEST(agrees(Value({0.7, 0.1}, supported()), 0.2) == "x: 0.70(10), at most 0.16 from 0.75");
+  // Within 0.08 it may be or not.
+  BOOST_TEST(agrees(Value({0.66, 0.1}, supported()), 0.08) ==
+             "x: 0.66(10), at most 0.19 from 0.75");
 }
 
 BOOST_AUTO_TEST_CASE(cases_are_counted_and_one_that_is_undecided_keeps_all_of_them_open) {
@@ -198,7 +214,7 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
       Criterion::agrees("share", Value(0.50001, fixed(2)).within(0), Value(0.5, fixed(2)).within(0),
                         {LimitKind::printed, 0.0, "the same digits"});
   BOOST_TEST(is(share, Outcome::fails));
-  BOOST_TEST(share.computed() == "share: 0.50, 1.0e-5 from 0.50");
+  BOOST_TEST(share.computed() == "share: 0.50001, 1.0e-5 from 0.50");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_printed_as_latex_has_the_same_numbers) {
