@@ -8,6 +8,7 @@
 #include "literate/page/expansion_reading.hpp"
 #include "literate/page/html_text.hpp"
 #include "literate/text/characters.hpp"
+#include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -594,7 +595,7 @@ void Expander::number(TexScanner& in, const TexToken& token) {
   option(in);
   std::string printed(sys::stripped(argument(in)));
   if (token.name == "num") return emit(quantity_latex(printed, is_math_));
-  const std::string unit(argument(in));
+  const std::string unit = unit_of_latex(argument(in));
   if (unit.find('\\') == unit.npos) return emit(quantity_latex(printed + " " + unit, is_math_));
   emit(quantity_latex(printed, is_math_) + (is_math_ ? "\\," : " "));
   emit(fmt::format("\\si{{{}}}", unit));

@@ -144,7 +144,7 @@ std::string ColumnWriter::heading() const {
 
 std::string ColumnWriter::unit() const {
   const bool is_percentage = format_.numbers && format_.numbers->is_percentage();
-  const std::string unit = is_percentage ? "\\percent" : format_.unit;
+  const std::string unit = is_percentage ? "\\percent" : latex_unit(format_.unit);
   if (format_.exponent == 0) return unit.empty() ? "" : fmt::format("(\\unit{{{}}})", unit);
   if (unit.empty()) return fmt::format("(\\num{{e{}}})", format_.exponent);
   return fmt::format("(\\qty{{e{}}}{{{}}})", format_.exponent, unit);

@@ -129,6 +129,8 @@ bool is_defect(std::string_view line) {
   if (!has("Warning: ")) return false;
   if (has("Reference `") || has("Citation `") || has("Citation '")) return has("undefined");
   if (has("Float too large for page")) return true;
+  if (has("invalid in math mode"))
+    return true;  // which prints nothing, or a letter without its accent
   return has("multiply defined") && has("Label `");
 }
 

@@ -29,8 +29,8 @@ Value::Value(double number, std::optional<double> abs_error, const Format& forma
     latex_ = fmt::format("\\num{{{}}}", text);
     printed_ = text;
   } else {
-    latex_ = fmt::format("\\qty{{{}}}{{{}}}", text, unit);
-    printed_ = fmt::format("{} {}", text, unit);
+    latex_ = fmt::format("\\qty{{{}}}{{{}}}", text, latex_unit(unit));
+    printed_ = fmt::format("{} {}", text, plain_unit(unit));
   }
 }
 

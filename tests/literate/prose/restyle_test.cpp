@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(digits_and_formats_come_from_the_unrounded_number) {
 
 BOOST_AUTO_TEST_CASE(a_value_keeps_its_unit_and_converts_into_others) {
   BOOST_TEST(styled("width", "unit=mm").latex() == "\\qty{0.254}{mm}");
-  BOOST_TEST(styled("width", "unit={um},digits=2").latex() == "\\qty{250}{um}");
+  BOOST_TEST(styled("width", "unit={um},digits=2").latex() == "\\qty{250}{\\micro m}");
   BOOST_TEST(styled("rod", "unit=m").printed() == "1.00076 m");
   BOOST_TEST(styled("width", "digits=1").latex() == "\\qty{0.01}{in}");
   BOOST_TEST(styled("period", "unit=ms").printed() == "2346 ms");

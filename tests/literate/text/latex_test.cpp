@@ -52,6 +52,20 @@ BOOST_AUTO_TEST_CASE(plain_text_is_what_a_reader_of_latex_reads) {
   BOOST_TEST(plain_text("$\\frac{a}{b}$") == "$\\frac{a}{b}$");
 }
 
+BOOST_AUTO_TEST_CASE(a_unit_has_the_signs_that_its_names_stand_for) {
+  BOOST_TEST(plain_unit("N/um^2") == "N/µm^2");
+  BOOST_TEST(plain_unit("us/deg") == "µs/°");
+  BOOST_TEST(plain_unit("kohm.uF") == "kΩ.µF");
+  for (const char* as_it_is : {"m", "u", "lbf/in", "cup", "N.m", "min", "ounce", ""}) {
+    BOOST_TEST(plain_unit(as_it_is) == as_it_is);
+    BOOST_TEST(latex_unit(as_it_is) == as_it_is);
+  }
+  BOOST_TEST(latex_unit("degC/um") == "\\degreeCelsius /\\micro m");
+  BOOST_TEST(latex_unit("Å") == "\\LiterateAngstrom ");
+  BOOST_TEST(unit_of_latex(latex_unit("kohm/°C")) == "kΩ/°C");
+  BOOST_TEST(unit_of_latex("\\percent") == "\\percent");
+}
+
 BOOST_AUTO_TEST_CASE(mathematical_letters_are_symbols_in_italics) {
   BOOST_TEST(escape_latex("over 𝑝₀") == "over \\ensuremath{p}\\ensuremath{_{0}}");
   BOOST_TEST(escape_latex("𝑎𝑧𝐴𝑍ℎ") ==

@@ -94,6 +94,14 @@ BOOST_AUTO_TEST_CASE(a_float_that_is_too_large_for_its_page_is_a_defect) {
           .size() == 1U);
 }
 
+BOOST_AUTO_TEST_CASE(a_sign_that_formulas_lose_is_a_defect) {
+  const Lines expected = {
+      "r/a.tex:4: LaTeX Warning: Command \\textmu invalid in math mode on input line 4."};
+  BOOST_TEST((latex_defects("(./a.tex\nLaTeX Warning: Command \\textmu invalid in math mode on "
+                            "input line 4.\n",
+                            "r") == expected));
+}
+
 BOOST_AUTO_TEST_CASE(an_undefined_citation_is_a_defect) {
   BOOST_TEST(latex_defects("(./a.tex\nLaTeX Warning: Citation `none' on page 2 undefined on input "
                            "line 12.\n",

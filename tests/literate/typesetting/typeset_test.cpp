@@ -107,6 +107,24 @@ BOOST_AUTO_TEST_CASE(restyled_values_reach_text_formulas_captions_and_bookmarks)
   BOOST_TEST(contents.find("\\val [digits=2]{load_1.a-b}") != std::string::npos, contents);
 }
 
+BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
+  const Paper paper(
+      "\\val[unit=um^2,digits=2]{load_1.a-b} $a = \\val[unit=um^2,digits=2]{load_1.a-b}$\n"
+      "\\qty{2}{\\LiterateAngstrom}");
+  const Names names = read_names(paper.options.generated_dir / "names.json");
+  sys::write_file_atomically(paper.options.build_dir / "restyled.tex",
+                             restyled_values(paper.options.source_dir, names).latex);
+
+  typeset(paper.options);
+
+  const sys::ProcessResult text =
+      sys::run({.program = "pdftotext", .arguments = {paper.options.output_pdf.string(), "-"}});
+  const auto first = text.output.find("µm");
+  BOOST_TEST(first != std::string::npos, text.output);
+  BOOST_TEST(text.output.find("µm", first + 1) != std::string::npos, text.output);
+  BOOST_TEST(text.output.find("2 Å") != std::string::npos, text.output);
+}
+
 BOOST_AUTO_TEST_CASE(a_variant_that_was_not_made_is_an_error_at_its_line) {
   BOOST_TEST(Paper("\n\\val[digits=2]{load_1.a-b}").error().find("main.tex:7: ") !=
              std::string::npos);

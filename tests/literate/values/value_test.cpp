@@ -199,6 +199,14 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_refused) {
   BOOST_CHECK_THROW(Value(1, fixed(1), "%"), invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(a_unit_is_printed_with_its_signs) {
+  BOOST_TEST(Value(3, integer(), "um").latex() == "\\qty{3}{\\micro m}");
+  BOOST_TEST(Value(3, integer(), "um").printed() == "3 µm");
+  BOOST_TEST(Value(3, integer(), "um").unit() == "um");
+  BOOST_TEST(Value(90, integer(), "°").latex() == "\\qty{90}{\\degree }");
+  BOOST_TEST(Value(20, integer(), "degC").printed() == "20 °C");
+}
+
 BOOST_AUTO_TEST_CASE(a_decimal_comma_in_the_locale_changes_nothing) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaLocale));
   if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
