@@ -80,9 +80,20 @@ struct Table::Node {
   const toml::node& get(const Table& self, const std::string& key) const {
     document->asked_names[path].insert(key);
     const toml::node* node = table->get(key);
-    if (node == nullptr) self.fail(key, "missing" + sys::suggestion(key, unknown_keys()));
+    if (node == nullptr) fail_missing(self, key);
     document->asked_for.insert(node);
     return *node;
+  }
+
+  /// A key that may be misspelt is told at its own place.
+  [[noreturn]] void fail_missing(const Table& self, const std::string& key) const {
+    const auto nearest = sys::nearest_name(key, unknown_keys());
+    for (const auto& [other, node] : *table) {
+      if (other.str() != nearest) continue;
+      throw Error(fmt::format("{}: {}: missing, did you mean '{}'?",
+                              place_in(document->file, other.source()), path_of(key), *nearest));
+    }
+    self.fail(key, "missing");
   }
 
   /// The keys that nobody has asked for so far.

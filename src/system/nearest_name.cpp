@@ -28,14 +28,20 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string suggestion(const std::string& unknown, const std::set<std::string>& names) {
+std::optional<std::string> nearest_name(const std::string& unknown,
+                                        const std::set<std::string>& names) {
   const auto nearest = std::ranges::min_element(
       names, {}, [&](const std::string& name) { return distance(unknown, name); });
-  if (nearest == names.end()) return "";
+  if (nearest == names.end()) return std::nullopt;
   const std::size_t limit = std::max<std::size_t>(2, unknown.size() / 3);
   const std::size_t n_edits = distance(unknown, *nearest);
-  if (n_edits > limit || n_edits >= unknown.size()) return "";
-  return fmt::format(", did you mean '{}'?", *nearest);
+  if (n_edits > limit || n_edits >= unknown.size()) return std::nullopt;
+  return *nearest;
+}
+
+std::string suggestion(const std::string& unknown, const std::set<std::string>& names) {
+  const auto nearest = nearest_name(unknown, names);
+  return nearest ? fmt::format(", did you mean '{}'?", *nearest) : "";
 }
 
 }  // namespace sys

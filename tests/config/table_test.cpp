@@ -168,6 +168,12 @@ BOOST_AUTO_TEST_CASE(a_misspelt_key_is_told_with_the_nearest_one) {
   check_error(
       "lenght = 1\n", [](const Table& t) { t.number("length"); },
       "1:1: length: missing, did you mean 'lenght'?");
+  check_error(
+      "# a\na = 1\n  lenght = 1\n", [](const Table& t) { t.number("length"); },
+      "3:3: length: missing, did you mean 'lenght'?");
+  check_error(
+      "[t]\na = 1\nlenght = 1\n", [](const Table& t) { t.table("t").number("length"); },
+      "3:1: t.length: missing, did you mean 'lenght'?");
   const auto read = [](const Table& t) {
     t.number("length");
     if (t.has("gravity")) t.number("gravity");

@@ -74,11 +74,12 @@ def environment(**added):
     return {**kept, "LC_ALL": "C", **added}
 
 
-def start(*arguments, env=None):
-    """Starts a make in a process group of its own."""
+def start(*arguments, env=None, hears_interrupts=True):
+    """Starts a make in a process group of its own; one that a script starts in the background hears no interrupts."""
+    hears = "--default-signal=INT" if hears_interrupts else "--ignore-signal=INT"
     printed = tempfile.TemporaryFile("w+", errors="replace")
     process = subprocess.Popen(
-        ["make", *arguments], cwd=ROOT, env=env or environment(), text=True, errors="replace",
+        ["env", hears, "make", *arguments], cwd=ROOT, env=env or environment(), text=True, errors="replace",
         stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.PIPE,
         start_new_session=True)
     process.printed = printed

@@ -40,10 +40,10 @@ def duration(stage, reference):
 def interrupt(stage, seconds, number, reference, seed):
     """Interrupts one make in one stage; the next plain one has to give the reference."""
     chance = random.Random(f"{seed} {stage} {number}")
-    sent, to_group = SIGNALS[number % 3], number // 3 % 2 == 1
+    sent, to_group, hears_interrupts = SIGNALS[number % 3], number // 3 % 2 == 1, number // 6 % 2 == 0
     name, line = STAGES[stage]
     add_line(name, line)
-    process = start("report")
+    process = start("report", hears_interrupts=hears_interrupts)
     while process.poll() is None and stage != "configure" and not begins(stage):
         time.sleep(0.002)
     after = chance.uniform(0, seconds)
@@ -63,7 +63,8 @@ def interrupt(stage, seconds, number, reference, seed):
     second = make("report")
     from checkout import announced
     same = second.status == 0 and announced() == reference
-    title = f"{sent.name} to {'the group' if to_group else 'make'} {after:.2f} s into {stage}"
+    to = ("the group" if to_group else "make") + ("" if hears_interrupts else " in the background")
+    title = f"{sent.name} to {to} {after:.2f} s into {stage}"
     verdict = "stuck" if not same else "the PDF was lost" if not survived else "left running" if left and sent != signal.SIGKILL else "good"
     said = second.said() if not same else (" ".join(left) if left else "")
     return Result(title + (" (had ended)" if is_late else ""), first.status, said, survived, same, verdict)

@@ -96,6 +96,13 @@ tenths=$((($(date +%s%N) - begin) / 100000000))
 claim 'the process that held the lock was told to end' -e told
 claim "what it started last is ended with it, at once and not by force after two seconds ($tenths tenths)" "$tenths" -lt 15
 claim 'nothing holds the lock' "$(flock -n build/lock echo free)" = free
+
+# gnuplot hears an interrupt by itself, and may hang then; the program beside it is gone. Started in the background of a script,
+# make is not told of interrupts at all, and ends because the build failed.
+printf 'sleep 30 >/dev/null 2>&1 &\nexit 1\n' >"$require"
+runs make report
+claim 'a build that failed ends with 2' "$status" -eq 2
+claim 'and leaves nothing running' "$(flock -n build/lock echo free)" = free
 mv kept "$require"
 
 runs bash "$scratch/check out/src/toolchain/build" nonsense
