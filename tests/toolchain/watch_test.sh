@@ -96,6 +96,36 @@ claim 'the interrupt ends it with 0' "$status" -eq 0
 sleep 0.3
 claim 'no watcher stays behind' -z "$(ps -o stat= -g "$watch" | grep -v Z)"
 
+# A save that comes while a build runs: the next build begins at once, and nothing failed.
+cat >"$scratch/build" <<'END'
+echo "build $1"
+if [ -e slow ]; then rm slow; echo x >report/sections/a.tex; sleep 0.3; echo 'a.tex:1: half a sentence'; exit 1; fi
+END
+: >"$log"
+begin_watching "$scratch/settings"
+claim_built 'the watch begins anew' 1
+sleep 0.5
+touch "$root/slow"
+echo x >"$root/figures/f.gp"
+claim_built 'a save during a build builds again' 3
+claim 'that build is not called a failure' "$(says 'failed; waiting')" = no
+claim 'what happened is told' "$(says 'saved while it was built')" = yes
+end_watching
+
+# The last look of a paper finds what was saved since it was read.
+mkdir -p "$scratch/out/state" "$scratch/nothing"
+echo old >"$scratch/a.tex"
+{ sha256sum "$scratch/a.tex"; echo '# done'; } >"$scratch/typeset"
+printf '%s\n' name=p project=p "root=$scratch" "build=$scratch/nothing" "program=$scratch/nothing/p" "output=$scratch/out" >"$scratch/looked"
+echo new >"$scratch/a.tex"
+cp "$scratch/typeset" "$scratch/out/state"
+runs bash "$source_dir/src/literate/scripts/look" "$scratch/looked" --tell
+claim 'a make tells to build again' "$status$(says 'a.tex is not as it was made, or was saved since; build again')" = 1yes
+cp "$scratch/typeset" "$scratch/out/state"
+runs env LITERATE_WATCHES=1 bash "$source_dir/src/literate/scripts/look" "$scratch/looked" --tell
+claim 'a watch, which builds again by itself, does not' "$status$(says 'build again')" = 0no
+claim 'the stage is made again' ! -e "$scratch/out/state/typeset"
+
 # A paper that `literate new` made: its case lies in the root, beside everything else.
 paper="$scratch/my paper"
 mkdir -p "$paper/build"
