@@ -33,7 +33,7 @@ set arrow from x_of_h2,-apex to x_of_h2,-before_at_h2 as 1 front
 set label '$h_2$' at x_of_h2 + 0.06,0.2 * height front
 
 plot after using "x":"body1":(-1.15 * height) with filledcurves fs transparent solid 0.12 lc rgb ink, \
-     after using "x":"body2":(1.15 * height) with filledcurves fs transparent solid 0.12 lc rgb teal, \
+     after using "x":"body2":(1.15 * height) with filledcurves fs transparent solid 0.12 lc rgb blue, \
      before using "x":"body1" with lines ls 4, \
      before using "x":"body2" with lines ls 4, \
      after using "x":"body1" with lines ls 1, \

@@ -17,6 +17,6 @@ set label 'order $\tfrac12$' at 90,0.12
 set label 'order 2' at 300,8e-5
 plot largest using "elements":"least":"greatest" with filledcurves fs solid 0.18 noborder lc rgb rust title 'uniform grid, largest', \
      for [bound in "least greatest"] largest using "elements":bound with lines lw 1 lc rgb rust notitle, \
-     inside using "elements":"least":"greatest" with filledcurves lc rgb teal title 'uniform grid, rms inside', \
+     inside using "elements":"least":"greatest" with filledcurves lc rgb blue title 'uniform grid, rms inside', \
      graded using "elements":"largest" with linespoints ls 1 pt 7 ps 0.6 lw 1.2 title 'graded grid, largest', \
      0.4*x**-0.5 with lines ls 4 lw 1 notitle, 1.2*x**-2 with lines ls 4 lw 1 notitle

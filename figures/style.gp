@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What all figures share; it is read before each script. The colours stand here and nowhere else.
 
-# From dark to light, so that they differ in grey as well.
+# From dark to light, so that they differ in grey as well, and for readers without red or green cones.
 ink = '#1b1b3a'
 rust = '#c1440e'
-teal = '#3d8f8f'
-grey = '#8a8a8a'
+blue = '#2a84a6'
+grey = '#9a9a9a'
 shade = '#dcdcdc'
 set palette maxcolors 10 defined (0 '#f7f4e9', 0.5 '#5fa8a8', 1 '#1b1b3a')
 
 # Lines: solid, dashed, dotted, dash-dotted. Points: circles, squares, crosses.
 set style line 1 lc rgb ink lw 2.2 dt solid
 set style line 2 lc rgb rust lw 2.2 dt (9,5)
-set style line 3 lc rgb teal lw 2.6 dt (2,3)
+set style line 3 lc rgb blue lw 2.6 dt (2,3)
 set style line 4 lc rgb grey lw 1.8 dt (9,3,2,3)
 set style line 11 lc rgb rust lw 1.8 pt 6 ps 0.65
-set style line 12 lc rgb teal lw 1.8 pt 4 ps 0.85
+set style line 12 lc rgb blue lw 1.8 pt 4 ps 0.85
 set style line 13 lc rgb ink lw 1.6 pt 2 ps 0.5
 
 # Arrows of schematic figures: a length, an axis, a level.

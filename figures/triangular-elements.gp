@@ -20,7 +20,7 @@ set label '$p_0$' at -0.15,1.06 right
 set label '$p_j$' at x_j + 0.12,p_j + 0.07
 set arrow from x_j,-0.1 to x_j + 1,-0.1 as 1
 set label '$c$' at x_j + 0.5,-0.18 center
-plot triangles using "x":"height" with filledcurves y=0 fs transparent solid 0.25 lc rgb teal, \
-     triangles using "x":"height" with lines lc rgb teal lw 1.2 dt (5,3), \
+plot triangles using "x":"height" with filledcurves y=0 fs transparent solid 0.25 lc rgb blue, \
+     triangles using "x":"height" with lines lc rgb blue lw 1.2 dt (5,3), \
      nodes using "x":"pressure" with lines ls 1, \
      nodes using "x":"pressure" with points pt 7 ps 0.4 lc rgb ink

@@ -17,7 +17,7 @@ set label '$a$' at 1,-0.14 center
 set label '$d$' at 3.4,-0.14 center
 set label 'datum: $u_z=0$' at 3.4,0.2 center
 set arrow from 3.4,-0.05 to 3.4,0.05 nohead lw 1.5
-plot triangle using "x":"p" with filledcurves y=0 fs solid 0.25 lc rgb teal, \
+plot triangle using "x":"p" with filledcurves y=0 fs solid 0.25 lc rgb blue, \
      triangle using "x":"p" with lines lc rgb ink lw 2
 
 unset label
@@ -28,7 +28,7 @@ set label '$x$' at 3.75,-0.14
 set arrow from 1,-0.12 to 2,-0.12 as 1
 set label '$c$' at 1.5,-0.27 center
 set label '$p_j$' at 1.12,1.02
-plot row using "x":"p" with lines lc rgb teal lw 1.2 dt (5,3), \
+plot row using "x":"p" with lines lc rgb blue lw 1.2 dt (5,3), \
      sum using "x":"p" with lines lc rgb ink lw 2, \
      sum using "x":"p" with points pt 7 ps 0.4 lc rgb ink
 unset multiplot

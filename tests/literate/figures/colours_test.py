@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""colours_test.py SOURCE_DIR: readers without red or green cones tell the curves of a new paper apart by their colours."""
+"""colours_test.py SOURCE_DIR: readers without red or green cones tell the curves of a new paper, and of this report, apart by their colours."""
 
 import itertools
 import pathlib
@@ -38,12 +38,18 @@ def linear_of(colour):
 
 # Ten times the difference that is just noticed beside one another (CIE 1976), since curves lie apart.
 FAR = 23
-style = (pathlib.Path(sys.argv[1]) / "src/literate/template/figures/style.gp").read_text()
-colours = re.findall(r"^set linetype \d lc rgb '(#[0-9a-f]{6})'", style, re.M)
-claim("five curves have a colour each", len(set(colours)) == len(colours) == 5)
-for sight, matrix in SIGHTS.items():
-    seen = [lab(times(matrix, linear_of(colour))) for colour in colours]
-    for (one, a), (other, b) in itertools.combinations(zip(colours, seen), 2):
-        distance = sum((p - q) ** 2 for p, q in zip(a, b)) ** 0.5
-        claim(f"{one} and {other} differ with {sight}, {distance:.0f}", distance >= FAR)
+
+
+def tell_apart(figures, pattern, n):
+    colours = re.findall(pattern, (pathlib.Path(sys.argv[1]) / figures / "style.gp").read_text(), re.M)
+    claim(f"{n} curves of {figures} have a colour each", len(set(colours)) == len(colours) == n)
+    for sight, matrix in SIGHTS.items():
+        seen = [lab(times(matrix, linear_of(colour))) for colour in colours]
+        for (one, a), (other, b) in itertools.combinations(zip(colours, seen), 2):
+            distance = sum((p - q) ** 2 for p, q in zip(a, b)) ** 0.5
+            claim(f"{one} and {other} of {figures} differ with {sight}, {distance:.0f}", distance >= FAR)
+
+
+tell_apart("src/literate/template/figures", r"^set linetype \d lc rgb '(#[0-9a-f]{6})'", 5)
+tell_apart("figures", r"^(?:ink|rust|blue|grey) = '(#[0-9a-f]{6})'", 4)
 finish()
