@@ -130,6 +130,23 @@ rm two/figures/a.gp
 runs ninja -C two/build build.ninja
 claim 'one that is gone is not' "$(grep -c 'figures/a.gp$' two/build/generated/paper/scripts.list)" -eq 0
 
+touch two/figures/b.gp
+runs bash "$source_dir/src/literate/scripts/ninja" two/build/paper.settings build.ninja
+claim 'CMake does not say what it does then' "$status$said" = 0
+
+# What the page alone reads does not typeset the paper again.
+mkdir two/paper
+touch two/paper/paper.tex
+runs ninja -C two/build build.ninja
+touch two/paper/page.tex
+runs ninja -C two/build build.ninja
+runs ninja -C two/build -t inputs paper-made
+claim 'the paper depends on its prose' "$(says two/paper/paper.tex)" = yes
+claim 'and not on the preamble of the page' "$(says two/paper/page.tex)" = no
+claim 'nor on a list of files that names it' "$(grep -c page.tex two/build/generated/paper/document.list)" -eq 0
+runs ninja -C two/build -t inputs paper-html
+claim 'the page does' "$(says two/paper/page.tex)" = yes
+
 runs "$literate" new
 claim 'without a folder it ends with 2' "$status" -eq 2
 runs "$literate" new no/such/place
