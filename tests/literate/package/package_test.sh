@@ -48,6 +48,9 @@ builds 'added paper'
 for other in 'fetched paper' 'added paper'; do
   claim "the PDF of the $other has the bytes of the installed one's" "$(cmp 'installed paper/build/rod/rod.pdf' "$other/build/rod/rod.pdf" && echo same)" = same
 done
+runs pdfinfo 'installed paper/build/rod/rod.pdf'
+claim 'the PDF tells its title' "$(printf '%s\n' "$said" | grep -c '^Title: *How much longer a wide swing takes$')" -eq 1
+claim 'and its author' "$(printf '%s\n' "$said" | grep -c '^Author: *Your Name$')" -eq 1
 text=$(pdftotext -layout 'installed paper/build/rod/rod.pdf' -)
 said=$text
 # K(sin 45°)·2/π = 1.180340599016… (Abramowitz & Stegun, table 17.1: K = 1.854074677301372)
