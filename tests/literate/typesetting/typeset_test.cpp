@@ -376,6 +376,21 @@ BOOST_AUTO_TEST_CASE(attachments_are_listed_in_order_by_their_names) {
   BOOST_TEST(sys::read_file(saved / "tables-b_2.csv") == document.tables().at("b_2").csv());
 }
 
+BOOST_AUTO_TEST_CASE(two_attachments_of_one_name_are_refused) {
+  const Paper paper(
+      "\\makeatletter\\lit@attach{a-b/c.csv}\\lit@attach{a-b/c.csv}\n\\lit@attach{a/b-c.csv}");
+  for (const char* file : {"a-b/c.csv", "a/b-c.csv"}) {
+    sys::write_file_atomically(paper.options.generated_dir / file, "1\n");
+  }
+
+  const std::string error = paper.error();
+
+  BOOST_TEST(error.find("main.tex:7: ") != std::string::npos, error);
+  BOOST_TEST(error.find("'a-b/c.csv' and 'a/b-c.csv' would both be attached as 'a-b-c.csv'") !=
+                 std::string::npos,
+             error);
+}
+
 BOOST_AUTO_TEST_CASE(lualatex_typesets_the_same_document_with_the_same_bytes_each_time) {
   const std::string body =
       "\\val{load_1.a-b} \\begin{figure}\\fig{f}\\end{figure}\\today\\provenance";
