@@ -142,6 +142,7 @@ function(literate_document_files document result)
     string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" other "${other}")
     list(FILTER files EXCLUDE REGEX "^${other}")
   endforeach()
+  list(REMOVE_ITEM files "${document}/page.tex") # which the page alone reads
   set(${result} "${files}" PARENT_SCOPE)
 endfunction()
 
@@ -298,11 +299,12 @@ latex=${arg_ENGINE}
   # The same sources as one page.
   file(GLOB page_parts CONFIGURE_DEPENDS LIST_DIRECTORIES false
     "${engine}/page/*.css" "${engine}/page/*.js" "${engine}/page/*.tex"
-    "${engine}/page/*.lua")
+    "${engine}/page/*.lua" "${document}/page.tex")
+  literate_list_of(${name} page "${page_parts}" list_of_page)
   add_custom_command(
     OUTPUT "${output}/${name}.html"
     COMMAND bash "${scripts}/html" "${settings}"
-    DEPENDS "${state}/typeset" "${digest}" "${repository}/repository.tex" ${files} ${page_parts} "${scripts}/html"
+    DEPENDS "${state}/typeset" "${digest}" "${repository}/repository.tex" ${files} "${list_of_page}" ${page_parts} "${scripts}/html"
       ${arg_PROGRAM}
     COMMENT "html"
     USES_TERMINAL

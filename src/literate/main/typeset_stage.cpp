@@ -23,6 +23,7 @@
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/figure_widths.hpp"
 #include "literate/prose/images.hpp"
+#include "literate/prose/inputs.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
@@ -231,6 +232,10 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
   const FileDigests prose = prose_of(settings);
 
   ReferenceReport references = check_references(settings.document, names);
+  std::vector<std::string> made = made_files(names);
+  made.insert(made.end(), {"statements.tex", "restyled.tex", "repository.tex"});
+  std::ranges::move(misplaced_files(settings.document, made),
+                    std::back_inserter(references.errors));
   std::ranges::move(images_of(settings.document).errors, std::back_inserter(references.errors));
   std::ranges::move(figure_width_errors(settings.document), std::back_inserter(references.errors));
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);

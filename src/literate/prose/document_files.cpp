@@ -19,7 +19,9 @@ bool begins_document(const std::filesystem::path& file) {
 
 std::vector<std::string> document_files(const std::filesystem::path& source_dir) {
   std::vector<std::string> files = sys::files_below(source_dir);
-  std::erase_if(files, [](const std::string& file) { return !file.ends_with(".tex"); });
+  std::erase_if(files, [](const std::string& file) {
+    return !file.ends_with(".tex") || file == page_preamble;
+  });
   std::vector<std::string> others;  // folders of other documents, each with a '/' at its end
   for (const std::string& file : files) {
     const auto slash = file.rfind('/');

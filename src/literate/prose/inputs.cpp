@@ -49,4 +49,26 @@ std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& 
   return errors;
 }
 
+std::vector<std::string> misplaced_files(const fs::path& folder,
+                                         const std::vector<std::string>& generated) {
+  const std::string label = source_label(folder);
+  std::vector<std::string> errors;
+  for (const std::string& file : generated) {
+    if (!fs::exists(folder / file)) continue;
+    errors.push_back(fmt::format(
+        "{}/{}: has the name of a file that is generated, and would take its place; rename it",
+        label, file));
+  }
+  for (const std::string& file : document_files(folder)) {
+    const std::string text = sys::read_file(folder / file);
+    for (const TexCommand& use : commands_in(text, {"input", "include"})) {
+      const fs::path name = fs::path(use.argument).lexically_normal();
+      if (name != page_preamble && name != fs::path(page_preamble).stem()) continue;
+      errors.push_back(fmt::format("{}/{}:{}:{}: {} is read for the page alone; rename this part",
+                                   label, file, use.line, use.column, page_preamble));
+    }
+  }
+  return errors;
+}
+
 }  // namespace literate

@@ -14,4 +14,11 @@ namespace literate {
 std::vector<std::string> missing_inputs(const std::filesystem::path& folder,
                                         const std::filesystem::path& generated);
 
+/// The parts and files that would take the place of others without a word: an \input of the page's
+/// own preamble, whose changes do not typeset the document again, and files of the document's
+/// folder that bear the name of one of the `generated` files, which TeX would not find. Each is one
+/// line.
+std::vector<std::string> misplaced_files(const std::filesystem::path& folder,
+                                         const std::vector<std::string>& generated);
+
 }  // namespace literate

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "literate/prose/document_files.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
 
@@ -13,15 +14,48 @@ using namespace literate;
 BOOST_AUTO_TEST_CASE(a_part_that_is_not_there_is_told_with_its_place_and_the_nearest_name) {
   const TemporaryFolder scratch;
   const auto folder = scratch / "report";
-  sys::write_file_atomically(folder / "main.tex",
-                             "\\input{parts/theory}\\input{parts/theory.tex}\n"
-                             "% \\input{none}\n \\include{parts/teory}\\input{values}\\input{\\x}\n");
+  sys::write_file_atomically(
+      folder / "main.tex",
+      "\\input{parts/theory}\\input{parts/theory.tex}\n"
+      "% \\input{none}\n \\include{parts/teory}\\input{values}\\input{\\x}\n");
   sys::write_file_atomically(folder / "parts/theory.tex", "");
   sys::write_file_atomically(scratch / "generated/values.tex", "");
 
   BOOST_TEST(missing_inputs(folder, scratch / "generated") ==
                  (std::vector<std::string>{"report/main.tex:3:2: there is no file 'parts/teory', "
                                            "did you mean 'parts/theory'?"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_file_that_would_take_the_place_of_a_generated_one_is_refused) {
+  const TemporaryFolder scratch;
+  const auto folder = scratch / "report";
+  sys::write_file_atomically(folder / "main.tex", "\\input{tables/mine}");
+  sys::write_file_atomically(folder / "values.tex", "");
+  sys::write_file_atomically(folder / "tables/mine.tex", "");
+  sys::write_file_atomically(folder / "tables/periods.tex", "");
+
+  BOOST_TEST(misplaced_files(folder, {"values.tex", "tables/periods.tex", "claims.tex"}) ==
+                 (std::vector<std::string>{
+                     "report/values.tex: has the name of a file that is generated, and would take "
+                     "its place; rename it",
+                     "report/tables/periods.tex: has the name of a file that is generated, and "
+                     "would take its place; rename it"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_the_page_alone_reads_is_no_part_of_the_document) {
+  const TemporaryFolder scratch;
+  const auto folder = scratch / "report";
+  sys::write_file_atomically(folder / "main.tex", "\\input{parts/page}\n\\input{./page}\n");
+  sys::write_file_atomically(folder / "page.tex", "");
+  sys::write_file_atomically(folder / "parts/page.tex", "");
+
+  BOOST_TEST(document_files(folder) == (std::vector<std::string>{"main.tex", "parts/page.tex"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(misplaced_files(folder, {}) ==
+                 (std::vector<std::string>{
+                     "report/main.tex:2:1: page.tex is read for the page alone; rename this part"}),
              boost::test_tools::per_element());
 }
 
