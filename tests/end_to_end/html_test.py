@@ -54,6 +54,10 @@ def check_on_desktop(browser):
     claim("formulas are laid out", browser.evaluate(
         "[...document.querySelectorAll('math')].filter(e => e.textContent.trim() &&"
         " !e.getBoundingClientRect().width).map(e => e.id)"))
+    claim("no parenthesis around a letter is as wide as one around a fraction", browser.evaluate(
+        "[...document.querySelectorAll('main math mrow')].filter(e => /^\\(\\w\\)$/.test(e.textContent) &&"
+        " e.firstChild.getBoundingClientRect().width > .6 * parseFloat(getComputedStyle(e).fontSize))"
+        ".map(e => e.closest('math').getAttribute('alttext'))"))
     claim("no formula is an error", browser.evaluate(
         "[...document.querySelectorAll('merror')]"
         ".map(e => e.textContent)"))

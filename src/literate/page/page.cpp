@@ -151,6 +151,32 @@ std::string with_captions(std::string html) {
   return html;
 }
 
+// Where a row's element ends that begins at a place.
+std::size_t end_of_row(std::string_view html, std::size_t at) {
+  for (int depth = 0;;) {
+    const auto open = html.find("<mrow", at), close = html.find("</mrow>", at);
+    if (close == html.npos) return html.size();
+    depth += open < close ? 1 : -1;
+    at = std::min(open, close) + 1;
+    if (depth == 0) return at;
+  }
+}
+
+// Pandoc stretches every parenthesis, and browsers set one that may stretch twice as wide. Around
+// what is no higher than a letter with its exponent it need not.
+std::string with_plain_fences(std::string_view html) {
+  constexpr std::string_view row = "<mrow><mo stretchy=\"true\" form=\"prefix\">";
+  std::string text(html);
+  for (auto at = text.find(row); at != text.npos; at = text.find(row, at + 1)) {
+    const std::size_t size = end_of_row(text, at) - at;
+    const std::string inside = text.substr(at, size);
+    const auto has = [&](const char* element) { return inside.find(element) != inside.npos; };
+    if (has("<mfrac") || has("<mtable") || has("<mun") || has("<mover") || has("<msqrt")) continue;
+    text.replace(at, size, replaced(inside, "stretchy=\"true\"", "stretchy=\"false\""));
+  }
+  return text;
+}
+
 // Formulas without the names that HTML does not need, and their TeX in an attribute; lines of code
 // with their numbers, and without links that nobody can name.
 std::string tidied(std::string_view html) {
@@ -164,7 +190,7 @@ std::string tidied(std::string_view html) {
     html.remove_prefix(at);
     if (html.starts_with(math)) {
       const std::string_view whole = html.substr(0, html.find("</math>"));
-      const std::string_view body = between(whole, "<semantics>", annotation);
+      const std::string body = with_plain_fences(between(whole, "<semantics>", annotation));
       // A head of nothing but a formula has no name for a screen reader.
       const bool is_head = text.ends_with("\">") && text.rfind("<th") == text.rfind('<');
       const std::string name = is_head ? fmt::format(" aria-label=\"{}\"", text_of_html(body)) : "";
