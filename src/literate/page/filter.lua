@@ -106,7 +106,6 @@ return {
   {Pandoc = function(doc)
     local blocks = contents(doc)
     blocks:extend(doc.blocks)
-    blocks:insert(pandoc.RawBlock("html", "</main>"))
     return pandoc.Pandoc(blocks, {})
   end},
 }

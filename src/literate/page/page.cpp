@@ -31,7 +31,8 @@ constexpr std::string_view head = R"(<!DOCTYPE html>
 </head>
 <body>
 <a class="lit-skip" href="#main">Skip to the text</a>
-{2}<!--lit:data-->
+{2}</main>
+<!--lit:data-->
 </body>
 </html>
 )";

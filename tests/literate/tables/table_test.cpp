@@ -281,4 +281,30 @@ BOOST_AUTO_TEST_CASE(csv_has_the_errors_beside_their_numbers) {
              "1.5,,,\n");
 }
 
+BOOST_AUTO_TEST_CASE(the_table_of_the_page_has_every_cell_in_its_place) {
+  Table table("prices",
+              {Column::text("fruit"), Column("price", fixed(2), "kr").exact().under("2026"),
+               Column("weight", integer(), "g").under("2026")});
+  table.add_row({"apple < pear", 1.5, 160}).add_row({"plum", Cell(2.75).marked("a"), 40});
+  table.note("a", "of this year");
+
+  const std::string html = table.html();
+
+  const auto begin = html.find("<thead>"), end = html.find("</table>");
+  BOOST_TEST(html.substr(begin, end - begin) ==
+             "<thead>\n"
+             "<tr><td></td><th colspan=\"2\" scope=\"colgroup\"><tex>2026</tex></th></tr>\n"
+             "<tr><th scope=\"col\"><tex>fruit</tex></th>"
+             "<th scope=\"col\" class=\"lit-middle\"><tex>price</tex></th>"
+             "<th scope=\"col\" class=\"lit-middle\"><tex>weight</tex></th></tr>\n"
+             "<tr><td><tex></tex></td><td class=\"lit-middle\"><tex>(\\unit{kr})</tex></td>"
+             "<td class=\"lit-middle\"><tex>(\\unit{g})</tex></td></tr>\n"
+             "</thead>\n<tbody>\n"
+             "<tr><td><tex>apple \\textless{} pear</tex></td><td class=\"lit-numeric\">1.50</td>"
+             "<td class=\"lit-numeric\">160</td></tr>\n"
+             "<tr><td><tex>plum</tex></td><td class=\"lit-numeric\">2.75<sup>a</sup></td>"
+             "<td class=\"lit-numeric\">40</td></tr>\n"
+             "</tbody>\n");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

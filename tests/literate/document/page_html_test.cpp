@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/document/page_html.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "literate/document/document.hpp"
+
+BOOST_AUTO_TEST_SUITE(page_html_test)
+
+using namespace literate;
+
+namespace {
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Claim claim_of_apples(double limit) {
+  return {.route = "weighing & adding up",
+          .expected = Verdict::confirmed,
+          .criteria = {Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "kr"),
+                                          {LimitKind::stated, limit, "half of the last digit"})}};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_ledgers_entry_has_the_verdict_that_was_found) {
+  const SourcePlace place{"src/apples.cpp", "register_apples", 12, 3};
+  const std::string html = claim_html("apples", claim_of_apples(2.5), place);
+
+  for (const char* part : {"id=\"claim-apples\"", "data-verdict=\"refuted\">refuted</strong>",
+                           "<strong>not confirmed as expected</strong>", "\\LedgerSentence{apples}",
+                           "weighing \\& adding up", "<strong><tex>\\qty{2.61}{kr}</tex></strong>",
+                           "$\\le$~\\qty{2.5}{kr}", "data-outcome=\"fails\"",
+                           "half of the last digit", "src/apples.cpp:12"}) {
+    BOOST_TEST(holds(html, part), part << " in " << html);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_index_has_every_value_with_its_error) {
+  Document document;
+  document.value("price", Value({2.612, 0.001}, fixed(2), "kr"));
+  document.value("stalls", Value(3, integer()));
+  const std::string html = index_html(document.registered());
+
+  for (const char* part :
+       {"<p id=\"val-price\">", "<tex>\\qty{2.61}{kr}</tex>, error <tex>$\\le$~\\qty{1.0e-3}{kr}",
+        "<p id=\"val-stalls\">", "page\\_html\\_test.cpp:"}) {
+    BOOST_TEST(holds(html, part), part << " in " << html);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/page/page.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <vector>
+
+#include "literate/document/document.hpp"
+#include "message_of.hpp"
+#include "needed_tool.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "temporary_folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(page_test)
+
+using namespace literate;
+using boost::test_tools::per_element;
+
+namespace {
+
+// What LaTeX wrote of «\section{Weighing}\label{weighing}» and an equation, by a class of its own.
+const std::string aux =
+    "\\LiterateNumber{section}{II}{document}{}{1}\n\\newlabel{weighing}{{II}{1}{}{}{}}\n"
+    "\\LiterateNumber{equation}{2.7}{equation}{}{2}\n\\newlabel{mass}{{2.7}{1}{}{}{}}\n";
+const std::string body =
+    "\\section{Weighing}\\label{weighing}\n"
+    "By section~\\ref{weighing} and eq.~\\eqref{mass} an apple has \\val{mass}\\claim{apples}.\n"
+    "\\begin{equation}\\label{mass}m = 3\\end{equation}\n"
+    "\\statement[market, stall~3]{apples}{An apple weighs 2.6 g.}\n\\tab{prices}\n\\claimledger\n";
+
+void register_apples(Document& document) {
+  document.value("mass", Value({2.612, 0.001}, fixed(2), "g"));
+  document.claim("apples",
+                 {.route = "weighing <twice> & adding up",
+                  .expected = Verdict::confirmed,
+                  .criteria = {Criterion::at_most("mass", Value({2.612, 0.001}, fixed(2), "g"),
+                                                  {LimitKind::stated, 2.65, "half a digit"})}});
+  Table prices("prices", {Column::text("fruit"), Column("price", fixed(2), "kr").exact()});
+  prices.add_row({"apple & pear", 1.5}).add_row({"plum", 2.75});
+  document.table(std::move(prices));
+}
+
+Page page_of(const std::string& text, const std::string& numbers = aux) {
+  need_tool("pandoc", "pages");
+  const TemporaryFolder scratch;
+  Document document;
+  register_apples(document);
+  document.write(scratch / "generated");
+  scratch.write("text/main.tex",
+                "\\documentclass{article}\n\\begin{document}\n" + text + "\\end{document}\n");
+  scratch.write("main.aux", numbers);
+  const std::filesystem::path engine = LITERATE_PAGE_DIR;
+  return write_page({.document = scratch / "text",
+                     .main_file = "main.tex",
+                     .generated = scratch / "generated",
+                     .aux = scratch / "main.aux",
+                     .engine = engine,
+                     .build = scratch.path(),
+                     .known = sys::read_file(engine / "known.tex")});
+}
+
+// Errors, from the place in the file on.
+std::vector<std::string> errors_of(const std::string& text, const std::string& numbers = aux) {
+  std::vector<std::string> errors = page_of(text, numbers).errors;
+  for (std::string& error : errors) error.erase(0, error.find("main.tex:"));
+  return errors;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_number_is_that_of_the_pdf) {
+  const std::string html = page_of(body).html;
+
+  for (const char* part : {"<span class=\"lit-number\">II</span> Weighing",
+                           "href=\"#weighing\">II</a>", "href=\"#mass\">(2.7)</a>",
+                           "<span class=\"lit-equation-number\" id=\"mass\">(2.7)</span>"}) {
+    BOOST_TEST(holds(html, part), part << " in " << html);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(values_and_claims_keep_their_marks) {
+  const std::string html = page_of(body).html;
+
+  for (const char* part : {"data-key=\"mass\"", ">2.61 g</a></span>", "data-claim=\"apples\"",
+                           "data-verdict=\"confirmed\"", "weighing &lt;twice&gt; &amp; adding up",
+                           "market, stall 3", "data-table=\"prices\"", "apple &amp; pear"}) {
+    BOOST_TEST(holds(html, part), part << " in " << html);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_neither_engine_nor_pandoc_knows_is_told_with_its_place) {
+  const std::vector<std::string> told{"main.tex:9:3: \\unheard is not known to the page"};
+
+  BOOST_TEST(errors_of(body + "A \\unheard{b}.\n") == told, per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_pdf_of_another_state_is_told) {
+  const std::string other =
+      "\\LiterateNumber{section}{II}{document}{}{1}\n\\newlabel{weighing}{{III}{1}{}{}{}}\n";
+  const std::vector<std::string> told{
+      "main.tex:3:10: 'weighing' has the number III in the PDF and II here: the PDF was made from "
+      "another state of the document"};
+  BOOST_TEST(errors_of("\\section{Weighing}\\label{weighing}\n", other) == told, per_element());
+
+  const std::vector<std::string> more{
+      "main.tex:1:1: the PDF has more numbers than the page: 1 equation"};
+  BOOST_TEST(errors_of("\\section{Weighing}\\label{weighing}\n") == more, per_element());
+
+  BOOST_TEST(message_of<sys::InputError>(
+                 [] { page_of(body + "\\begin{equation}n = 4\\end{equation}\n"); }) ==
+             "text/main.tex:9:17: the PDF has no further number of a equation: it was made from "
+             "another state of the "
+             "document");
+}
+
+BOOST_AUTO_TEST_CASE(a_parenthesis_stretches_around_a_fraction_alone) {
+  const std::string html =
+      page_of("\\(f(x)\\) and \\(\\left(\\frac12\\right)\\)\n", "\\relax\n").html;
+
+  BOOST_TEST(holds(html, "<mo stretchy=\"false\" form=\"prefix\">(</mo><mi>x</mi>"), html);
+  BOOST_TEST(holds(html, "<mo stretchy=\"true\" form=\"prefix\">(</mo><mfrac>"), html);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
