@@ -122,14 +122,13 @@ PageCitation citation_of(const Settings& settings, const Site& site) {
 ExitCode embed(const Settings& settings, const Site& site) {
   const fs::path build = settings.page_folder();
   const PageCitation citation = citation_of(settings, site);
-  const std::string html =
-      one_file(sys::read_file(build / "page.html"),
-               {.look = settings.engine / "page",
-                .data = page_data(settings.document, settings.generated(), build / "plotted"),
-                .meta = citation_tags(citation),
-                .bibtex = bibtex_entry(citation),
-                .beside = parts_of(site.beside, ':'),
-                .build = build});
+  const std::string html = one_file(sys::read_file(build / "page.html"),
+                                    {.look = settings.engine / "page",
+                                     .data = page_data(settings.generated(), build / "plotted"),
+                                     .meta = citation_tags(citation),
+                                     .bibtex = bibtex_entry(citation),
+                                     .beside = parts_of(site.beside, ':'),
+                                     .build = build});
   if (!site.folder.empty()) {
     sys::write_file_atomically(fs::path(site.folder) / (settings.name + "-citation.bib"),
                                bibtex_entry(citation));

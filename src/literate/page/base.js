@@ -13,7 +13,7 @@ const lit = {
   /// What `page-data` wrote, read when it is first asked for; empty parts where there is none.
   get facts() {
     const text = document.getElementById("lit-data")?.textContent.trim() || "{}";
-    const facts = Object.assign({claims: {}, values: {}, figures: {}, tables: {}}, JSON.parse(text));
+    const facts = Object.assign({values: {}, figures: {}, tables: {}}, JSON.parse(text));
     Object.defineProperty(lit, "facts", {value: facts});
     return facts;
   },
@@ -37,19 +37,17 @@ const lit = {
   copy(element) {
     const copy = element.cloneNode(true);
     for (const part of [copy, ...copy.querySelectorAll("*")]) {
-      for (const name of ["id", "name", "tabindex", "aria-controls", "aria-describedby"]) part.removeAttribute(name);
+      for (const name of ["id", "name", "tabindex", "aria-describedby"]) part.removeAttribute(name);
     }
-    for (const part of copy.querySelectorAll(".lit-data, .lit-bar, .lit-listing-bar, .lit-filter, .lit-legend, .lit-reading, " +
-                                             ".lit-pointed > svg, .lit-card, .lit-source-mark, annotation")) part.remove();
+    for (const part of copy.querySelectorAll(".lit-data, .lit-reading, .lit-pointed > svg, .lit-card")) part.remove();
     for (const button of copy.querySelectorAll("button")) button.replaceWith(...button.childNodes);
-    for (const folded of [copy, ...copy.querySelectorAll(".lit-folded")]) folded.classList.remove("lit-folded");
-    copy.hidden = false;
     return copy;
   },
 
-  /// The words of an element, without the TeX of its formulas and what the script added.
+  /// The words of an element, without what the script added.
   words(element) {
     const copy = lit.copy(element);
+    for (const cell of copy.querySelectorAll("td, th")) cell.append(" ");
     return copy.textContent.replace(/\s+/g, " ").trim();
   },
 
@@ -59,69 +57,24 @@ const lit = {
     return id ? document.getElementById(id) : null;
   },
 
-  /// The listing that shows a line of code, «src/x.cpp:12», if one does.
-  listingOf(place) {
-    const [, file, line] = /^(.*?):(\d+)/.exec(place || "") || [];
-    if (!file) return null;
-    return [...document.querySelectorAll("[data-listing]")].find((listing) => {
-      const [, path, from, to] = /^(.*):(\d+)-(\d+)$/.exec(listing.dataset.listing) || [];
-      return path === file && Number(from) <= Number(line) && Number(line) <= Number(to);
-    }) || null;
-  },
-
-  /// A line of code as text, with a link to the listing that shows it.
-  place(place) {
-    const listing = lit.listingOf(place);
-    const code = lit.make("code", {}, place || "");
-    return listing?.id ? lit.make("a", {href: "#" + listing.id}, code) : code;
-  },
-
-  /// Tells a screen reader what changed without a new page.
-  say(text) {
-    if (!lit.said) {
-      lit.said = lit.make("p", {class: "lit-said", role: "status"});
-      (document.querySelector("main") || document.body).append(lit.said);
-    }
-    lit.said.textContent = text;
+  /// A number that a program wrote, such as -1.2e-6, as a reader knows it.
+  number(text) {
+    return text.replace(/e\+?(-?\d+)/, (whole, power) => " × 10" + power.replace(/[-\d]/g, (c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]))
+      .replace(/^-/, "−");
   },
 
   /// Puts a text into the clipboard, and says on the button whether that worked.
   async clip(text, button) {
     const label = button.textContent;
-    let done = true;
-    try {
-      await navigator.clipboard.writeText(text);
-    } catch {
-      const area = lit.make("textarea", {class: "lit-said", "aria-hidden": "true"});
-      area.value = text;
-      document.body.append(area);
-      area.select();
-      done = document.execCommand("copy");
-      area.remove();
-      button.focus();
-    }
-    button.textContent = done ? "Copied" : "Not allowed";
+    button.textContent = await navigator.clipboard.writeText(text).then(() => "Copied", () => "Not allowed");
     lit.say(button.textContent);
     setTimeout(() => { button.textContent = label; }, 1500);
   },
 
-  /// Saves a text as a file, from the page itself.
-  save(name, text) {
-    const type = name.endsWith(".csv") ? "text/csv" : "text/plain";
-    const address = URL.createObjectURL(new Blob([text], {type: type + ";charset=utf-8"}));
-    const link = lit.make("a", {href: address, download: name});
-    document.body.append(link);
-    link.click();
-    link.remove();
-    setTimeout(() => URL.revokeObjectURL(address), 1000);
-  },
-
-  remember(key, value) {
-    try {
-      if (value === undefined) return localStorage.getItem("lit-" + key);
-      localStorage.setItem("lit-" + key, value);
-    } catch { /* a page from a file may not be allowed to */ }
-    return null;
+  /// Tells a screen reader what changed without a new page.
+  say(text) {
+    lit.said ??= document.querySelector("main").appendChild(lit.make("p", {class: "lit-said", role: "status"}));
+    lit.said.textContent = text;
   },
 };
 

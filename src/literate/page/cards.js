@@ -1,89 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cards: what is behind a claim, a value, a reference, an equation or a citation, shown where one points at it, tabs to it or
-// touches it. One card is open at a time; it stands behind its mark in the document, so that Tab leads into it.
-
-const verdictNames = {confirmed: "confirmed", partly: "partly confirmed", refuted: "refuted", undecided: "undecided"};
-const verdictSigns = {confirmed: "✓", partly: "◐", refuted: "✗", undecided: "?"};
+// touches it: a copy of what the page has elsewhere, so that the two cannot differ. One card is open at a time, as a popover
+// of the browser, which closes it by Escape or a touch elsewhere; it stands behind its mark, so that Tab leads into it.
 
 /// What has a card, the innermost first, and who writes it. A writer returns nothing where there is nothing to show.
 const cardKinds = [
   [".lit-number-button", equationCard],
-  [".lit-claim", claimCard],
   [".lit-value", valueCard],
-  ["a.lit-cite", (link) => referenceCard(link, "Source")],
-  ["a.lit-ref", (link) => referenceCard(link)],
+  ["a.lit-claim, a.lit-cite, a.lit-ref", referenceCard],
 ];
-
-const latexLetters = {alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ", epsilon: "ε", varepsilon: "ε", eta: "η", theta: "θ",
-  kappa: "κ", lambda: "λ", mu: "μ", nu: "ν", xi: "ξ", pi: "π", rho: "ρ", sigma: "σ", Sigma: "Σ", tau: "τ", phi: "φ", varphi: "φ", psi: "ψ",
-  omega: "ω", Omega: "Ω", partial: "∂", infty: "∞", times: "×", cdot: "·", pm: "±", le: "≤", ge: "≥", leq: "≤", geq: "≥", approx: "≈",
-  textendash: "–", textemdash: "—", ldots: "…", dots: "…", degree: "°"};
-
-/// Raised digits, of which Unicode has its own.
-function raised(digits) {
-  return digits.replace(/[-\d]/g, (sign) => sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign]);
-}
-
-/// A text of LaTeX as a reader sees it, as far as letters can show it; for what the page does not hold in another form.
-function plainLatex(latex) {
-  return (latex || "").replace(/~|\\[,;: ]/g, "\u00a0").replace(/---?/g, "–").replace(/\\quoted\{[^}]*\}/g, "…")
-    .replace(/\\([a-zA-Z]+)\*?(\[[^\]]*\])?/g, (whole, name) => latexLetters[name] || "")
-    .replace(/\^\{?(-?\d+)\}?/g, (whole, digits) => raised(digits)).replace(/\\(.)/g, "$1").replace(/[{}$]/g, "")
-    .replace(/_(\w)/g, "$1").replace(/\s+/g, " ").trim();
-}
-
-function rows(...pairs) {
-  return lit.make("dl", {}, pairs.filter(([, value]) => value)
-    .map(([name, value]) => [lit.make("dt", {}, name), lit.make("dd", {}, value)]));
-}
-
-function verdictMark(verdict) {
-  return lit.make("span", {class: "lit-verdict", "data-verdict": verdict},
-                  `${verdictSigns[verdict] || ""} ${verdictNames[verdict] || verdict}`);
-}
-
-function claimCard(mark) {
-  const key = mark.dataset.claim;
-  const claim = lit.facts.claims[key];
-  const entry = document.getElementById("claim-" + key);
-  if (!claim && !entry) return null;
-  const sentence = entry?.querySelector(".lit-ledger-statement em");
-  const verdict = claim?.verdict || entry.dataset.verdict;
-  const origin = claim?.origin || entry.dataset.origin;
-  const found = (claim?.criteria || []).map((criterion) => [
-    lit.make("p", {}, lit.make("b", {}, criterion.found), ` — ${criterion.name}, asked to be ${criterion.condition}: `,
-             criterion.outcome, criterion.missing ? ` (${criterion.missing})` : ""),
-    lit.make("p", {class: "lit-quiet"}, criterion.reason)]);
-  return [
-    lit.make("p", {class: "lit-card-head"}, claim ? `Claim ${claim.number}` : "Claim", verdictMark(verdict)),
-    lit.make("div", {class: "lit-said-here"}, sentence ? lit.copy(sentence) : plainLatex(claim?.sentence)),
-    rows(["said by", origin === "paper" ? plainLatex(claim?.source) || "the paper" : "this document"],
-         ["found", found], ["route", claim?.route], ["expected", claim && claim.expected !== verdict && verdictNames[claim.expected]],
-         ["registered", claim && lit.place(claim.place)]),
-    entry && lit.make("p", {}, lit.make("a", {href: "#claim-" + key}, "In the ledger")),
-  ];
-}
 
 function valueCard(mark) {
   const key = mark.dataset.key;
   const value = lit.facts.values[key];
   if (!value) return null;
-  const inUnit = (number) => number === undefined ? "" : `${number}${value.unit ? " " + value.unit : ""}`;
-  const error = value.abs_error === 0 || value.exact ? "exact"
+  const inUnit = (number) => `${lit.number(String(number))}${value.unit ? " " + value.unit : ""}`;
+  const error = value.abs_error === 0 || value.exact ? "none: the value is exact"
     : value.abs_error === undefined ? "no bound is known" : "at most " + inUnit(value.abs_error);
-  const entry = document.getElementById("val-" + key);
+  const row = (name, text) => [lit.make("dt", {}, name), lit.make("dd", {}, text)];
   return [
-    lit.make("p", {class: "lit-card-head"}, value.printed),
-    rows(["unrounded", value.number !== undefined && inUnit(value.number) + (value.percent ? " (as a ratio)" : "")],
-         ["error", value.number !== undefined && error], ["key", lit.make("code", {}, key)], ["computed at", lit.place(value.place)]),
-    lit.make("p", {}, entry && lit.make("a", {href: "#" + entry.id}, "In the index of values"), entry && " ",
+    lit.make("p", {class: "lit-card-head"}, lit.number(value.printed)),
+    lit.make("dl", {},
+      value.number === undefined ? [] : [row("unrounded", inUnit(value.number) + (value.percent ? " (as a ratio)" : "")), row("error", error)],
+      row("name", lit.make("code", {}, key)), row("computed at", lit.make("code", {}, value.place))),
+    lit.make("p", {}, document.getElementById("val-" + key) && [lit.make("a", {href: "#val-" + key}, "In the index of values"), " "],
              lit.button("Copy the number", (event) => lit.clip(String(value.number ?? value.printed), event.currentTarget))),
   ];
 }
 
-/// The formula, figure, table, listing, item or heading around an id.
+/// The claim, formula, figure, table, listing, item or heading around an id.
 function shownOf(target) {
-  const whole = target.closest(".lit-equation, figure, li, [data-table]");
+  const whole = target.closest(".lit-ledger-entry, .lit-equation, figure, li, [data-table]");
   if (whole) return [lit.copy(whole.closest(".lit-scroll") || whole)];
   const heading = target.matches("h1, h2, h3, h4, h5") ? target : target.querySelector("h1, h2, h3, h4, h5");
   if (!heading) return [lit.copy(target.closest("p, dd, dt, td") || target)];
@@ -92,13 +39,12 @@ function shownOf(target) {
   return [lit.copy(heading), first && lit.copy(first)];
 }
 
-function referenceCard(link, name = "") {
+function referenceCard(link) {
   const target = lit.target(link);
   if (!target || target.closest(".lit-card")) return null;
   return [
-    name && lit.make("p", {class: "lit-card-head"}, name),
     lit.make("div", {class: "lit-shown"}, shownOf(target)),
-    lit.make("p", {}, lit.make("a", {href: link.getAttribute("href")}, "Go there")),
+    lit.make("p", {}, lit.make("a", {href: link.getAttribute("href")}, link.matches(".lit-claim") ? "In the ledger" : "Go there")),
   ];
 }
 
@@ -134,42 +80,51 @@ function focusOf(mark) {
   return mark.matches("a[href], button") ? mark : mark.querySelector("a[href]") || mark;
 }
 
-const card = {element: null, mark: null, timer: 0, touched: false};
+const card = {element: null, mark: null, timer: 0, touched: false, isClosing: false};
 
 function openCard({mark, write}) {
   clearTimeout(card.timer);
   if (card.mark === mark) return;
-  closeCard();
   const content = write(mark);
   if (!content) return;
-  const name = `About ${lit.words(mark) || "this formula"}`;
-  card.mark = mark;
-  card.element = lit.make("span", {class: "lit-card", id: "lit-card", role: "dialog", "aria-label": name, popover: "manual"});
-  card.element.append(lit.make("div", {}, content));
+  closeCard();
+  const made = lit.make("span", {class: "lit-card", id: "lit-card", role: "dialog", popover: "auto",
+    "aria-label": `About ${lit.words(mark) || "this formula"}`, beforetoggle: (event) => { if (event.newState === "closed") forgetCard(made); }});
+  made.append(lit.make("div", {}, content));
   focusOf(mark).setAttribute("aria-details", "lit-card");
-  mark.after(card.element);
-  card.element.showPopover?.();
+  mark.after(made);
+  Object.assign(card, {element: made, mark});
+  made.showPopover();
   placeCard();
+}
+
+/// The browser may give the focus back to the mark now, which is no reason to open the card again.
+function forgetCard(element) {
+  focusOf(card.mark).removeAttribute("aria-details");
+  Object.assign(card, {element: null, mark: null, isClosing: true});
+  setTimeout(() => {
+    card.isClosing = false;
+    element.remove();
+  });
+}
+
+function closeCard() {
+  clearTimeout(card.timer);
+  const element = card.element;
+  element?.hidePopover();
+  element?.remove();
+  card.isClosing = false;
 }
 
 /// Below the mark, or above it where there is more room.
 function placeCard() {
   if (!card.element) return;
-  const lines = card.mark.getClientRects();
-  const mark = lines[0] || card.mark.getBoundingClientRect();
+  const mark = card.mark.getClientRects()[0] || card.mark.getBoundingClientRect();
   const {width, height} = card.element.getBoundingClientRect();
   const below = mark.bottom + 6, above = mark.top - height - 6;
   const top = below + height <= innerHeight || above < 0 ? Math.min(below, innerHeight - height - 4) : above;
   card.element.style.top = `${Math.max(4, top)}px`;
   card.element.style.left = `${Math.max(8, Math.min(mark.left, document.documentElement.clientWidth - width - 8))}px`;
-}
-
-function closeCard() {
-  clearTimeout(card.timer);
-  if (!card.element) return;
-  focusOf(card.mark).removeAttribute("aria-details");
-  card.element.remove();
-  card.element = card.mark = null;
 }
 
 function later(milliseconds, action) {
@@ -201,42 +156,28 @@ lit.part(function cards() {
     if (card.element && !card.element.contains(document.activeElement)) later(280, closeCard);
     else if (!card.element) clearTimeout(card.timer);
   });
-  document.addEventListener("pointerdown", (event) => {
-    card.touched = event.pointerType === "touch";
-    if (card.element && !holds(event.target)) closeCard();
-  });
+  document.addEventListener("pointerdown", (event) => { card.touched = event.pointerType === "touch"; });
   // A touch has no hovering: the first shows the card, which has the link.
   document.addEventListener("click", (event) => {
     const found = markAt(event.target);
-    if (found && (card.touched || found.mark.matches("button"))) {
+    if (found && (card.touched || found.mark.matches("button, [role=button]"))) {
       event.preventDefault();
       openCard(found);
-    } else if (card.element && card.element.contains(event.target.closest?.("a[href^='#']"))) {
+    } else if (card.element?.contains(event.target.closest?.("a[href^='#']"))) {
       setTimeout(closeCard);
     }
   });
   document.addEventListener("focusin", (event) => {
-    if (holds(event.target)) return;
+    if (holds(event.target) || card.isClosing) return;
     const found = markAt(event.target);
     if (found && event.target.matches(":focus-visible")) openCard(found);
-    else if (card.element) closeCard();
+    else closeCard();
   });
   document.addEventListener("keydown", (event) => {
-    if (event.key === "Escape" && card.element) {
-      const focus = focusOf(card.mark);
-      const wasInside = card.element.contains(document.activeElement);
-      closeCard();
-      if (wasInside) {
-        focus.focus();
-        closeCard();
-      }
-      event.preventDefault();
-    } else if ((event.key === "Enter" || event.key === " ") && event.target.matches?.(".lit-value[role=button]")) {
-      openCard(markAt(event.target));
-      event.preventDefault();
-    }
+    if (!["Enter", " "].includes(event.key) || !event.target.matches?.(".lit-value[role=button]")) return;
+    openCard(markAt(event.target));
+    event.preventDefault();
   });
   addEventListener("scroll", placeCard, {passive: true});
   addEventListener("resize", closeCard);
-  addEventListener("hashchange", closeCard);
 });

@@ -1,25 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The data at hand: below each figure and table its data and script, to copy and to save, and the line of code that
-// registered it. All of it is in the page.
+// The data at hand: below each figure and table its data and script, to copy and to save, and the line of code that made it.
+// All of it is in the page. Code can be copied too, without its line numbers, which the style draws.
 
+/// A line of buttons for one file; its address is made when the list is opened.
+function fileLine(file) {
+  const address = URL.createObjectURL(new Blob([file.text], {type: "text/plain;charset=utf-8"}));
+  return lit.make("li", {}, lit.make("span", {}, lit.make("code", {}, file.name)),
+    lit.button("Copy", (event) => lit.clip(file.text, event.currentTarget), {"aria-label": `Copy ${file.name}`}),
+    lit.make("a", {href: address, download: file.name, "aria-label": `Save ${file.name}`}, "Save"));
+}
+
+/// Two of one figure stand below their own drawing or table, and say of which they are.
 lit.part(function data() {
   for (const shown of document.querySelectorAll("main :is(img[data-drawing], table[data-table])")) {
-    const isFigure = shown.dataset.drawing !== undefined;
-    const name = isFigure ? shown.dataset.drawing : shown.dataset.table;
-    const facts = (isFigure ? lit.facts.figures : lit.facts.tables)[name];
+    const {drawing, table} = shown.dataset;
+    if (drawing !== undefined) {
+      const drawn = lit.make("div", {class: "lit-drawn"});
+      shown.replaceWith(drawn);
+      drawn.append(shown);
+    }
+    const facts = drawing === undefined ? lit.facts.tables[table] : lit.facts.figures[drawing];
     if (!facts) continue;
-    const files = [...facts.data, ...(facts.script ? [facts.script] : []),
-                   ...(isFigure && lit.facts.style ? [lit.facts.style] : [])];
-    const lines = files.map((file) => lit.make("li", {}, lit.make("span", {}, lit.make("code", {}, file.name)),
-      lit.button(file.name.endsWith(".csv") ? "Copy as CSV" : "Copy", (event) => lit.clip(file.text, event.currentTarget),
-                 {"aria-label": `Copy ${file.name}`}),
-      lit.button("Save", () => lit.save(file.name, file.text), {"aria-label": `Save ${file.name}`})));
-    lines.push(lit.make("li", {}, lit.make("span", {}, "registered at ", lit.place(facts.place))));
-    const box = lit.make("details", {class: "lit-data"},
-      lit.make("summary", {}, isFigure ? "Data and script" : "Data", lit.make("span", {class: "lit-said"}, ` of ${isFigure ? "figure" : "table"} ${name}`)),
-      lit.make("ul", {}, lines));
+    const files = [...facts.data, facts.script, drawing !== undefined && lit.facts.style].filter(Boolean);
     const figure = shown.closest("figure");
-    if (figure) figure.append(box);
-    else (shown.closest(".lit-scroll, .lit-pointed") || shown).after(box);
+    const several = [...(figure || shown.parentNode).querySelectorAll(shown.tagName)].filter((one) => one.matches("[data-drawing], [data-table]"));
+    const isAlone = (figure?.querySelectorAll(":is(img[data-drawing], table[data-table])").length ?? 1) < 2;
+    const which = several.length > 1 ? ` of ${drawing === undefined ? "table" : "drawing"} ${several.indexOf(shown) + 1}` : "";
+    const list = lit.make("ul", {});
+    const box = lit.make("details", {class: "lit-data", toggle: () => {
+      if (!list.firstChild) list.append(...files.map(fileLine), lit.make("li", {}, lit.make("span", {}, "made by ", lit.make("code", {}, facts.place))));
+    }}, lit.make("summary", {}, (drawing === undefined ? "Data" : "Data and script") + which,
+                 which ? "" : lit.make("span", {class: "lit-said"}, ` of ${drawing === undefined ? "table" : "figure"} ${drawing ?? table}`)), list);
+    if (figure && isAlone) figure.append(box);
+    else if (drawing === undefined) (shown.closest(".lit-scroll") || shown).after(box);
+    else shown.parentNode.append(box);
+  }
+
+  for (const code of document.querySelectorAll("main pre")) {
+    const copied = code.closest("[data-listing]")?.dataset.listing || "the entry for BibTeX";
+    if (!code.closest("[data-listing], .lit-cite-page")) continue;
+    code.before(lit.make("div", {class: "lit-listing-bar"},
+      lit.button("Copy", (event) => lit.clip(code.textContent.replace(/\n*$/, "\n"), event.currentTarget), {"aria-label": `Copy ${copied}`})));
   }
 });

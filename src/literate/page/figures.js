@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Figures that can be pointed at: the nearest point of a curve is marked and its numbers are told, by the pointer, a touch
-// or the arrow keys; the names of the curves hide and show them. What gnuplot drew stays as it is below.
+// or the arrow keys. What gnuplot drew stays as it is below.
 
 /// Where a number stands on an axis, as a share of the frame.
 function shareOf(axis, number) {
@@ -24,17 +24,10 @@ function pointsOf(panels) {
   return points.filter(({across, down}) => Number.isFinite(across) && Number.isFinite(down));
 }
 
-/// A number with five digits, and a power of ten where it is long.
-function shortNumber(number) {
-  const text = Number(number.toPrecision(5)).toString().replace("e+", "e");
-  return text.replace(/^-/, "−").replace(/e(-?\d+)$/, (whole, exponent) => "·10" + raised(exponent));
-}
-
-/// «eq. (3): x = 0.01 in, u = −1.2»
+/// «eq. (3): x: 0.01, u: −1.2 × 10⁻⁷»
 function readingOf({panel, curve, x, y}) {
-  const name = (axis, letter) => plainLatex(axis.label) || letter;
-  return `${curve.title ? plainLatex(curve.title) + ": " : ""}${name(panel.x, "x")}: ${shortNumber(x)}, ` +
-    `${name(panel.y, "y")}: ${shortNumber(y)}`;
+  const told = (label, number) => `${label}: ${lit.number(String(Number(number.toPrecision(5))))}`;
+  return `${curve.title ? curve.title + ": " : ""}${told(panel.x.label || "x", x)}, ${told(panel.y.label || "y", y)}`;
 }
 
 const svgNames = "http://www.w3.org/2000/svg";
@@ -116,96 +109,6 @@ function makePointable(image, panels) {
     else return;
     event.preventDefault();
   });
-  addLegend(box, reading, panels, points);
-}
-
-/// Buttons that hide and show the curves of each name, if there are several.
-function addLegend(box, reading, panels, points) {
-  const names = [...new Set(panels.flatMap(({curves}) => curves.map(({title}) => title)).filter(Boolean))];
-  if (names.length < 2) return;
-  let parts = null;
-  const buttons = names.map((name) => lit.button(plainLatex(name), (event) => {
-    parts ??= partsOf(box, panels, points);
-    const button = event.currentTarget;
-    const isShown = button.getAttribute("aria-pressed") !== "true";
-    button.setAttribute("aria-pressed", String(isShown));
-    for (const part of parts.get(name) || []) part.style.visibility = isShown ? "" : "hidden";
-  }, {"aria-pressed": "true"}));
-  reading.after(lit.make("div", {class: "lit-legend", role: "group", "aria-label": "Curves shown"}, buttons));
-}
-
-/// The paths of the drawing that belong to each name. The drawing takes the place of its picture, in a shadow so that its ids
-/// stay its own; a path belongs to a curve if it is made of the curve's points, or is a mark at one of them.
-function partsOf(box, panels, points) {
-  const image = box.querySelector("img");
-  const comma = image.src.indexOf(",");
-  const data = image.src.slice(comma + 1);
-  const text = image.src.slice(0, comma).endsWith(";base64")
-    ? new TextDecoder().decode(Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0)))
-    : decodeURIComponent(data);
-  const drawing = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
-  const holder = lit.make("span", {id: image.id || undefined, role: "img", "aria-label": image.alt, class: "lit-drawing"});
-  const shadow = holder.attachShadow({mode: "open"});
-  const size = image.getBoundingClientRect();
-  drawing.setAttribute("width", size.width);
-  drawing.setAttribute("height", size.height);
-  drawing.style.maxWidth = "100%";
-  drawing.style.height = "auto";
-  drawing.style.display = "block";
-  shadow.append(document.importNode(drawing, true));
-  image.replaceWith(holder);
-
-  const root = shadow.querySelector("svg");
-  const {width, height} = root.viewBox.baseVal;
-  const curves = [...new Set(points.map(({curve}) => curve))].map((curve) => ({
-    title: curve.title, places: points.filter((point) => point.curve === curve).map(({across, down}) => [across * width, down * height])}));
-  const parts = new Map(curves.map(({title}) => [title, []]));
-  const toRoot = root.getScreenCTM().inverse();
-  for (const path of shadow.querySelectorAll("path")) {
-    if (path.closest("defs, symbol, clipPath")) continue;
-    const matrix = toRoot.multiply(path.getScreenCTM());
-    const vertices = verticesOf(path.getAttribute("d") || "").map(([x, y]) => [matrix.a * x + matrix.c * y + matrix.e, matrix.b * x + matrix.d * y + matrix.f]);
-    const owner = ownerOf(vertices, curves, 0.01 * width);
-    if (owner) parts.get(owner.title)?.push(path);
-  }
-  return parts;
-}
-
-/// The ends of a path's segments.
-function verticesOf(path) {
-  const vertices = [];
-  for (const [, command, rest] of path.matchAll(/([MLC])([^MLCZ]*)/gi)) {
-    const numbers = rest.match(/-?[\d.]+(?:e-?\d+)?/g)?.map(Number) || [];
-    const step = command.toUpperCase() === "C" ? 6 : 2;
-    for (let i = step; i <= numbers.length; i += step) vertices.push([numbers[i - 2], numbers[i - 1]]);
-  }
-  return vertices;
-}
-
-/// The curve whose polygon or whose points a path lies on; nothing if there is none.
-function ownerOf(vertices, curves, markSize) {
-  if (vertices.length === 0) return null;
-  const middle = [0, 1].map((k) => vertices.reduce((sum, vertex) => sum + vertex[k], 0) / vertices.length);
-  const extent = Math.max(...vertices.map(([x, y]) => Math.hypot(x - middle[0], y - middle[1])));
-  let best = null, least = 0.6;
-  for (const curve of curves) {
-    const isMark = extent < markSize;
-    const distance = isMark ? Math.min(...curve.places.map(([x, y]) => Math.hypot(x - middle[0], y - middle[1])))
-      : Math.max(...vertices.map((vertex) => distanceToPolygon(vertex, curve.places)));
-    if (distance < least) [best, least] = [curve, distance];
-  }
-  return best;
-}
-
-function distanceToPolygon([x, y], places) {
-  let least = Infinity;
-  for (let i = 0; i < places.length; ++i) {
-    const [x1, y1] = places[Math.max(0, i - 1)], [x2, y2] = places[i];
-    const length = (x2 - x1) ** 2 + (y2 - y1) ** 2;
-    const t = length === 0 ? 0 : Math.min(1, Math.max(0, ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / length));
-    least = Math.min(least, Math.hypot(x - x1 - t * (x2 - x1), y - y1 - t * (y2 - y1)));
-  }
-  return least;
 }
 
 lit.part(function figures() {

@@ -78,25 +78,28 @@ local function native_table(tbl)
   return tbl
 end
 
--- The contents: each heading without what is no text of it.
+-- The contents: each heading without what is no text of it, the lower ones in a list within the one above. The end of an item
+-- need not be said.
 local function contents(doc)
-  local items, depth = pandoc.List(), 0
+  local items, depth, is_inner = pandoc.List(), 0, false
+  local function add(text) items:insert(pandoc.RawBlock("html", text)) end
   doc:walk({Header = function(header)
     local text = header.content:walk({
       RawInline = function(raw) return raw.text:match("lit%-number") and raw or raw.text == "</span>" and raw or {} end,
       Note = function() return {} end,
       Link = function(link) return link.content end})
     local is_part = pandoc.utils.stringify(text):match("^Part") ~= nil
-    items:insert(pandoc.RawBlock("html", string.format('<li class="lit-toc-%s">',
-      is_part and "part" or header.level <= 2 + depth and "section" or "subsection")))
     if is_part then depth = 1 end
+    local is_lower = not is_part and header.level > 2 + depth
+    if is_lower ~= is_inner then add(is_lower and "<ol>" or "</ol>") end
+    is_inner = is_lower
+    add(is_part and '<li class="lit-toc-part">' or "<li>")
     items:insert(pandoc.Plain({pandoc.Link(text, "#" .. header.identifier)}))
-    items:insert(pandoc.RawBlock("html", "</li>"))
   end})
-  local nav = pandoc.List({pandoc.RawBlock("html", '<nav id="contents" aria-label="Contents"><ol>')})
-  nav:extend(items)
-  nav:insert(pandoc.RawBlock("html", '</ol></nav>\n<main id="main">'))
-  return nav
+  if is_inner then add("</ol>") end
+  items:insert(1, pandoc.RawBlock("html", '<nav id="contents" aria-label="Contents"><ol>'))
+  add('</ol></nav>\n<main id="main">')
+  return items
 end
 
 return {

@@ -175,6 +175,22 @@ std::string with_plain_fences(std::string_view html) {
     if (has("<mfrac") || has("<mtable") || has("<mun") || has("<mover") || has("<msqrt")) continue;
     text.replace(at, size, replaced(inside, "stretchy=\"true\"", "stretchy=\"false\""));
   }
+  // Sizes of \big and its like, which browsers take with a unit alone, and not below an exponent,
+  // which then stands at a space of the same height.
+  for (const auto& [size, height] :
+       {std::pair{"1.2", "0.8"}, {"1.8", "1.1"}, {"2.4", "1.4"}, {"3.0", "1.7"}}) {
+    const std::string mo = "<mo minsize=\"" + std::string(size), raised = "<msup>" + mo;
+    for (auto at = text.find(raised); at != text.npos; at = text.find(raised, at)) {
+      text.erase(at, 6);
+      text.insert(text.find("</mo>", at) + 5,
+                  fmt::format("<msup><mspace height=\"{}em\" />", height));
+    }
+    const auto sizes = [size = size](const char* unit, const char* stretches) {
+      return fmt::format("minsize=\"{0}{1}\" maxsize=\"{0}{1}\" stretchy=\"{2}\"", size, unit,
+                         stretches);
+    };
+    text = replaced(text, sizes("", "false"), sizes("em", "true"));
+  }
   return text;
 }
 

@@ -8,10 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "literate/document/names.hpp"
-#include "literate/page/html_text.hpp"
 #include "literate/page/plotted_json.hpp"
-#include "literate/prose/statements.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
@@ -21,29 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using nlohmann::json;
-
-/// «file:line» of a place that names the column too.
-std::string without_column(const std::string& place) {
-  const auto line = place.find(':');
-  return place.substr(0, place.find(':', line == std::string::npos ? line : line + 1));
-}
-
-json claims_of(const json& names, const std::vector<NumberedStatement>& statements) {
-  json claims = json::object();
-  for (const auto& [number, statement] : statements) {
-    const json& registered = names.at("claims").at(statement.id);
-    claims[statement.id] = {{"number", number},
-                            {"sentence", statement.sentence},
-                            {"source", statement.source},
-                            {"origin", statement.source.empty() ? "ours" : "paper"},
-                            {"verdict", one_word(registered.at("found"))},
-                            {"expected", one_word(registered.at("expected"))},
-                            {"route", registered.at("route")},
-                            {"criteria", registered.at("criteria")},
-                            {"place", without_column(registered.at("place"))}};
-  }
-  return claims;
-}
 
 json values_of(const json& names) {
   json values = json::object();
@@ -116,13 +90,11 @@ std::string for_html(const std::string& text) {
 
 }  // namespace
 
-std::string page_data(const fs::path& document, const fs::path& generated, const fs::path& kept) {
+std::string page_data(const fs::path& generated, const fs::path& kept) {
   const fs::path file = generated / "names.json";
-  const auto statements = numbered_statements(statements_below(document), read_names(file));
   try {
     const json names = json::parse(sys::read_file(file));
-    json data{{"claims", claims_of(names, statements)},
-              {"values", values_of(names)},
+    json data{{"values", values_of(names)},
               {"figures", figures_of(names, generated / "figures", kept)},
               {"tables", tables_of(names, generated / "tables")}};
     if (!data["figures"].empty()) {

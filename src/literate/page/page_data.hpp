@@ -9,21 +9,15 @@ namespace literate {
 /// Writes what the page's script knows of the document, as JSON that may stand in a script element
 /// of HTML: every «<» is escaped.
 ///
-/// - `claims`, by id: number in the ledger, sentence and source (LaTeX), origin («paper» for a
-///   statement of others, «ours»), verdict («confirmed», «partly», «refuted», «undecided») and the
-///   expected one, route, criteria with what was found, and the line of code that registered it;
 /// - `values`, by key: printed text, unrounded number, bound of its error in the unit of the
-/// number,
-///   unit, line of code;
+///   number, unit, line of code;
 /// - `figures` and `tables`, by name: line of code, data files with their bytes, and of figures the
 ///   script as it was drawn and what its panels show, for readers who point at it;
 /// - `style`: the script that all figures share.
 ///
-/// `document` is the folder of the prose, where the statements stand, and `generated` the folder
-/// that `compute` and `draw` wrote. What gnuplot tells of a figure is kept in the folder `kept`,
-/// and asked for again when the figure is drawn from something else. Throws sys::OutputError for a
-/// file that is missing or malformed.
-std::string page_data(const std::filesystem::path& document, const std::filesystem::path& generated,
-                      const std::filesystem::path& kept);
+/// `generated` is the folder that `compute` and `draw` wrote. What gnuplot tells of a figure is
+/// kept in the folder `kept`, and asked for again when the figure is drawn from something else.
+/// Throws sys::OutputError for a file that is missing or malformed.
+std::string page_data(const std::filesystem::path& generated, const std::filesystem::path& kept);
 
 }  // namespace literate

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "literate/figures/plotted.hpp"
+#include "literate/text/latex.hpp"
 #include "system/files.hpp"
 
 namespace literate {
@@ -17,7 +18,7 @@ using nlohmann::json;
 constexpr std::size_t most_points = 1000;
 
 json axis_json(const PlottedAxis& axis) {
-  return {{"label", axis.label},
+  return {{"label", plain_text(axis.label)},
           {"start", axis.at_start},
           {"end", axis.at_end},
           {"log", axis.is_logarithmic}};
@@ -30,7 +31,7 @@ json curve_json(const PlottedCurve& curve) {
     points.push_back(curve.points[i].first);
     points.push_back(curve.points[i].second);
   }
-  return {{"title", curve.title}, {"points", std::move(points)}};
+  return {{"title", plain_text(curve.title)}, {"points", std::move(points)}};
 }
 
 json panel_json(const PlottedPanel& panel) {
@@ -50,7 +51,7 @@ std::string plotted_json(const fs::path& folder, const std::string& name, const 
   // The record of the drawing has the digests of script, style, data and gnuplot; the first line is
   // another one when this file writes another form.
   const std::string digest =
-      sys::sha256_of_text("form 1\n" + sys::read_file(folder / "drawn.sha256")) + "\n";
+      sys::sha256_of_text("form 2\n" + sys::read_file(folder / "drawn.sha256")) + "\n";
   const fs::path file = kept / (name + ".json");
   if (fs::is_regular_file(file)) {
     const std::string former = sys::read_file(file);

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bar above the text: contents on a small screen, search, light and dark.
+// The bar above the text: contents on a small screen, search, light and dark, which is the system's until the reader chooses.
 
+const themes = {
+  root: document.documentElement,
+  kept(theme) {
+    try {
+      return theme ? localStorage.setItem("lit-theme", theme) : localStorage.getItem("lit-theme");
+    } catch { /* a page from a file may not be allowed to */ }
+    return null;
+  },
+  isDark: () => (themes.root.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")) === "dark",
+};
 // Set before the first paint, so that nothing flashes.
-function setTheme(theme) {
-  document.documentElement.dataset.theme = theme;
-}
-const darkOutside = matchMedia("(prefers-color-scheme: dark)");
-setTheme(lit.remember("theme") || (darkOutside.matches ? "dark" : "light"));
-darkOutside.addEventListener("change", () => {
-  if (!lit.remember("theme")) setTheme(darkOutside.matches ? "dark" : "light");
-});
+if (themes.kept()) themes.root.dataset.theme = themes.kept();
 
 lit.part(function tools() {
-  const root = document.documentElement;
   const dark = lit.button("Dark", () => {
-    setTheme(root.dataset.theme === "dark" ? "light" : "dark");
-    lit.remember("theme", root.dataset.theme);
-    dark.setAttribute("aria-pressed", String(root.dataset.theme === "dark"));
-  }, {"aria-pressed": String(root.dataset.theme === "dark")});
-  darkOutside.addEventListener("change", () => dark.setAttribute("aria-pressed", String(root.dataset.theme === "dark")));
+    themes.root.dataset.theme = themes.isDark() ? "light" : "dark";
+    themes.kept(themes.root.dataset.theme);
+    tell();
+  });
+  const tell = () => dark.setAttribute("aria-pressed", String(themes.isDark()));
+  tell();
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", tell);
   const contents = document.getElementById("contents") && lit.button("Contents", () => {
-    const isOpen = root.classList.toggle("lit-contents-open");
-    contents.setAttribute("aria-expanded", String(isOpen));
+    contents.setAttribute("aria-expanded", String(themes.root.classList.toggle("lit-contents-open")));
   }, {class: "lit-contents-button", "aria-expanded": "false", "aria-controls": "contents"});
-  const bar = lit.make("header", {class: "lit-tools"}, contents, makeSearch(), dark);
-  const skip = document.querySelector("body > .lit-skip");
-  if (skip) skip.after(bar);
-  else document.body.prepend(bar);
+  document.querySelector("body > .lit-skip").after(lit.make("header", {class: "lit-tools"}, contents, makeSearch(), dark));
 });

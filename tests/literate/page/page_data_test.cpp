@@ -18,28 +18,16 @@ using nlohmann::json;
 
 namespace {
 
-Criterion misfit_at_most(double limit) {
-  return Criterion::at_most("misfit", Value({2.385, 0.001}, significant(3), "mm"),
-                            {LimitKind::stated, limit, "said so"});
-}
-
-Claim claim_with(std::vector<Criterion> criteria, Verdict expected) {
-  return {.route = "two rulers", .expected = expected, .criteria = std::move(criteria)};
-}
-
 const std::string script =
     "set xrange [0:4]\nset yrange [0:50]\nset xlabel '$x$ (m)'\n"
     "plot points using \"x\":\"y\" with lines title 'a curve'\n";
 
-/// What `compute` and `draw` leave behind of a small document, and its prose.
+/// What `compute` and `draw` leave behind of a small document.
 struct Paper {
-  explicit Paper(const std::string& prose) {
+  Paper() {
     Document document;
     document.value("length", Value({2.385, 0.001}, significant(3), "mm"));
     document.value("name", Value::text("a </script> of <!-- text"));
-    document.claim("long", claim_with({misfit_at_most(3)}, Verdict::confirmed));
-    document.claim("short", claim_with({misfit_at_most(1)}, Verdict::refuted));
-    document.claim("both", claim_with({misfit_at_most(3), misfit_at_most(1)}, Verdict::confirmed));
     Table table("lengths", {Column("$x$", integer()).exact()});
     table.add_row({7});
     document.table(std::move(table));
@@ -51,58 +39,18 @@ struct Paper {
     folder.write("figures/curve.gp", script);
     folder.write("figures/style.gp", "# style\n");
     draw_figures(generated(), folder / "figures", {{"curve", "x.cpp:1"}});
-    folder.write("prose/main.tex", prose);
   }
   std::filesystem::path generated() const { return folder / "generated"; }
-  std::string text() const { return page_data(folder / "prose", generated(), folder / "kept"); }
+  std::string text() const { return page_data(generated(), folder / "kept"); }
   json data() const { return json::parse(text()); }
 
   TemporaryFolder folder;
 };
 
-const std::string all_stated =
-    "\\statement[a book, p.~3]{long}{It is $l$ long.}\n"
-    "\\statement{short}{It is short.}\n\\statement[a book, p.~4]{both}{It is both.}\n";
-
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_claim_has_its_sentence_from_the_prose_and_its_verdict_from_the_criteria) {
-  const json claims = Paper(all_stated).data().at("claims");
-
-  const json& claim = claims.at("long");
-  BOOST_TEST(claim.at("number") == "C1");
-  BOOST_TEST(claim.at("sentence") == "It is $l$ long.");
-  BOOST_TEST(claim.at("source") == "a book, p.~3");
-  BOOST_TEST(claim.at("origin") == "paper");
-  BOOST_TEST(claim.at("verdict") == "confirmed");
-  BOOST_TEST(claim.at("route") == "two rulers");
-  BOOST_TEST(claim.at("criteria").at(0).at("found") == "2.38 mm");
-  BOOST_TEST(claim.at("criteria").at(0).at("condition") == "at most 3 mm");
-  BOOST_TEST(claim.at("criteria").at(0).at("outcome") == "holds");
-  BOOST_TEST(claims.at("short").at("number") == "R1");
-  BOOST_TEST(claims.at("short").at("origin") == "ours");
-  BOOST_TEST(claims.at("short").at("verdict") == "refuted");
-  BOOST_TEST(claims.at("both").at("number") == "C2");
-  BOOST_TEST(claims.at("both").at("verdict") == "partly");
-  BOOST_TEST(claims.at("both").at("expected") == "confirmed");
-}
-
-BOOST_AUTO_TEST_CASE(a_place_is_file_and_line_without_the_column) {
-  const json data = Paper(all_stated).data();
-
-  for (const json& place :
-       {data.at("claims").at("long").at("place"), data.at("values").at("length").at("place"),
-        data.at("figures").at("curve").at("place"), data.at("tables").at("lengths").at("place")}) {
-    const auto text = place.get<std::string>();
-    const auto colon = text.find(':');
-    BOOST_TEST_REQUIRE(colon != std::string::npos, text);
-    BOOST_TEST(text.substr(0, colon).ends_with("page_data_test.cpp"), text);
-    BOOST_TEST(text.find_first_not_of("0123456789", colon + 1) == std::string::npos, text);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(a_value_has_its_number_with_the_error_and_the_unit) {
-  const json values = Paper(all_stated).data().at("values");
+  const json values = Paper().data().at("values");
 
   BOOST_TEST(values.at("length").at("printed") == "2.38 mm");
   BOOST_TEST(values.at("length").at("number") == 2.385);
@@ -112,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_value_has_its_number_with_the_error_and_the_unit) {
 }
 
 BOOST_AUTO_TEST_CASE(figures_and_tables_bring_the_bytes_of_their_data_and_the_script) {
-  const json data = Paper(all_stated).data();
+  const json data = Paper().data();
 
   const json& figure = data.at("figures").at("curve");
   BOOST_TEST(figure.at("data").at(0).at("name") == "curve-band.csv");
@@ -125,17 +73,17 @@ BOOST_AUTO_TEST_CASE(figures_and_tables_bring_the_bytes_of_their_data_and_the_sc
 }
 
 BOOST_AUTO_TEST_CASE(a_figure_tells_what_its_axes_and_curves_show) {
-  const json panels = Paper(all_stated).data().at("figures").at("curve").at("panels");
+  const json panels = Paper().data().at("figures").at("curve").at("panels");
 
   BOOST_TEST_REQUIRE(panels.size() == 1U);
-  BOOST_TEST(panels.at(0).at("x").at("label") == "$x$ (m)");
+  BOOST_TEST(panels.at(0).at("x").at("label") == "x (m)");
   BOOST_TEST(panels.at(0).at("y").at("end") == 50);
   BOOST_TEST(panels.at(0).at("curves").at(0).at("title") == "a curve");
   BOOST_TEST(panels.at(0).at("curves").at(0).at("points") == json({1, 10, 2, 20, 4, 40}));
 }
 
 BOOST_AUTO_TEST_CASE(gnuplot_is_asked_again_only_for_a_figure_that_is_drawn_from_something_else) {
-  const Paper paper(all_stated);
+  const Paper paper;
   const json before = paper.data();
   const auto kept = paper.folder / "kept/curve.json";
   const auto file = sys::read_file(kept);
@@ -150,25 +98,18 @@ BOOST_AUTO_TEST_CASE(gnuplot_is_asked_again_only_for_a_figure_that_is_drawn_from
 }
 
 BOOST_AUTO_TEST_CASE(no_text_ends_the_script_element_that_the_data_stand_in) {
-  const Paper paper(all_stated);
+  const Paper paper;
 
   BOOST_TEST(paper.text().find('<') == std::string::npos);
   BOOST_TEST(paper.data().at("values").at("name").at("printed") == "a </script> of <!-- text");
 }
 
 BOOST_AUTO_TEST_CASE(the_same_document_gives_the_same_bytes) {
-  BOOST_TEST(Paper(all_stated).text() == Paper(all_stated).text());
-}
-
-BOOST_AUTO_TEST_CASE(a_claim_that_the_prose_does_not_state_is_left_to_the_other_stages) {
-  const json claims = Paper("\\statement{long}{It is long.}\n").data().at("claims");
-
-  BOOST_TEST(claims.size() == 1U);
-  BOOST_TEST(claims.contains("long"));
+  BOOST_TEST(Paper().text() == Paper().text());
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_is_missing_is_named) {
-  const Paper paper(all_stated);
+  const Paper paper;
   std::filesystem::remove(paper.generated() / "figures/curve/script.gp");
 
   const std::string message = message_of<sys::OutputError>([&] { paper.text(); });
@@ -177,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_missing_is_named) {
 }
 
 BOOST_AUTO_TEST_CASE(names_that_another_version_wrote_are_refused) {
-  const Paper paper(all_stated);
+  const Paper paper;
   paper.folder.write("generated/names.json", "{}");
 
   const std::string message = message_of<sys::OutputError>([&] { paper.text(); });

@@ -118,12 +118,15 @@ BOOST_AUTO_TEST_CASE(a_pdf_of_another_state_is_told) {
              "document");
 }
 
-BOOST_AUTO_TEST_CASE(a_parenthesis_stretches_around_a_fraction_alone) {
+BOOST_AUTO_TEST_CASE(a_parenthesis_is_as_large_as_in_the_pdf) {
   const std::string html =
-      page_of("\\(f(x)\\) and \\(\\left(\\frac12\\right)\\)\n", "\\relax\n").html;
+      page_of("\\(f(x)\\), \\(\\bigl(y\\bigr)\\) and \\(\\left(\\frac12\\right)\\)\n", "\\relax\n")
+          .html;
 
   BOOST_TEST(holds(html, "<mo stretchy=\"false\" form=\"prefix\">(</mo><mi>x</mi>"), html);
   BOOST_TEST(holds(html, "<mo stretchy=\"true\" form=\"prefix\">(</mo><mfrac>"), html);
+  BOOST_TEST(holds(html, "maxsize=\"1.2em\" stretchy=\"true\" form=\"prefix\">(</mo><mi>y</mi>"),
+             html);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
