@@ -2,7 +2,7 @@
 #include "system/csv.hpp"
 
 #include <csv.h>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>

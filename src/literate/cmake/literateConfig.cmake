@@ -10,6 +10,9 @@ find_dependency(fmt)
 find_dependency(nlohmann_json)
 find_dependency(jsoncpp)
 find_dependency(yaml-cpp)
+if(NOT TARGET yaml-cpp::yaml-cpp) # until version 0.8 the target had another name
+  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
+endif()
 find_dependency(tomlplusplus)
 if(NOT TARGET utf8::cpp) # its package cannot be found twice, and until version 4 the target had another name
   find_dependency(utf8cpp)

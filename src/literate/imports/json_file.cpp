@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/imports/json_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <json/reader.h>
 
 #include <algorithm>

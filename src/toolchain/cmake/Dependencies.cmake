@@ -49,6 +49,9 @@ want_package({fmt} 9 fmt)
 want_package(nlohmann-json 3.11 nlohmann_json)
 want_package(JsonCpp 1.9 jsoncpp)
 want_package(yaml-cpp 0.7 yaml-cpp)
+if(yaml-cpp_FOUND AND NOT TARGET yaml-cpp::yaml-cpp) # until version 0.8 it was called otherwise
+  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
+endif()
 want_package(OpenSSL 3 OpenSSL COMPONENTS Crypto)
 find_package(Threads REQUIRED)
 if(NOT TARGET utf8::cpp) # its package cannot be found twice
