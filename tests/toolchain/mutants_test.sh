@@ -6,8 +6,8 @@
 unset ONLY
 
 if ! command -v python3 >/dev/null; then
-  echo 'no python3 here'
-  exit 0
+  echo 'skipped: there is no python3, in which the script is written'
+  exit 77
 fi
 export PYTHONDONTWRITEBYTECODE=1
 
