@@ -35,6 +35,7 @@ for case in report/ruggiero2001.toml tests/end_to_end/steel_mm.toml; do
   settings "$scratch" "$case"
   "$program" compute "$scratch/page.settings" >/dev/null
   page "$scratch"
+  python3 -B "$source_dir/tests/literate/page/page_and_pdf.py" "$scratch" "$source_dir/report" report page
   # The report's own case is looked at in every way; axe-core is not everywhere.
   ways=() status=0
   if [[ $case = report/* ]]; then ways=(--as-read); fi

@@ -52,6 +52,16 @@ std::optional<std::string_view> option(TexScanner& in) {
   return group.substr(1, group.size() - 2);
 }
 
+std::vector<std::string> names_in(std::string_view text) {
+  std::vector<std::string> parts;
+  while (true) {
+    const auto end = text.find(',');
+    parts.emplace_back(sys::stripped(text.substr(0, end)));
+    if (end == text.npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
 }  // namespace page_reading
 using namespace page_reading;
 
@@ -91,7 +101,6 @@ Expanded Expander::expand() {
     const auto name = registered_.at("case_name").get<std::string>();
     macros_["papercase"] = {.body = escape_latex(name)};
   }
-  has_parts_ = false;
   *out_ = "\\begin{document}\n";
   read_file(main);
   *out_ += "\n\\end{document}\n";
@@ -127,7 +136,8 @@ void Expander::read_preamble(std::string_view text) {
   static const std::vector<Handler> definitions{
       &Expander::define,         &Expander::define_by_pattern, &Expander::define_environment,
       &Expander::define_theorem, &Expander::define_operator,   &Expander::set_picture,
-      &Expander::metadata,       &Expander::package,           &Expander::letter_region};
+      &Expander::metadata,       &Expander::title_line,        &Expander::package,
+      &Expander::document_class, &Expander::letter_region};
   TexScanner in(text);
   while (const auto token = in.next()) {
     if (token->kind != TexKind::command) continue;
@@ -178,11 +188,27 @@ void Expander::read(TexScanner& in, const TexToken& token) {
     case TexKind::command:
       return read_command(in, token);
     case TexKind::verbatim:
-      if (token.name != "comment") emit(token.text);
-      return;
+      return verbatim(token);
     default:
       emit(token.text);
   }
+}
+
+// \\begin{lstlisting}[language=C] … \\end{lstlisting}, \\begin{verbatim}, \\verb, and what is no
+// text.
+void Expander::verbatim(const TexToken& token) {
+  if (token.name == "comment") return;
+  if (token.name != "lstlisting") return emit(token.text);
+  std::string_view code = token.text.substr(token.text.find('}') + 1);
+  const std::string_view options = group_at(code, '[', ']');
+  code.remove_prefix(std::min(code.find('\n', options.size()), code.size() - 1) + 1);
+  code = code.substr(0, code.rfind("\\end"));
+  std::string language;
+  for (const std::string& setting : names_in(options.substr(0, options.size() - 1))) {
+    const auto at = setting.find("language=");
+    if (at < 2) language = setting.substr(at + 9);
+  }
+  listing(std::string(code), language, 0);
 }
 
 void Expander::read_command(TexScanner& in, const TexToken& token) {
@@ -217,9 +243,13 @@ void Expander::read_begin(TexScanner& in, const TexToken& token) {
 }
 
 void Expander::read_end(TexScanner&, const TexToken& token) {
-  if (ends_.empty() || ends_.back().first != token.name) return emit(token.text);
-  const std::string end = ends_.back().second;
-  ends_.pop_back();
+  // An environment of the document's own may end others, which it began.
+  const auto open = std::find_if(ends_.rbegin(), ends_.rend(),
+                                 [&](const auto& begun) { return begun.first == token.name; });
+  const bool is_own = own_environments_.contains(token.name);
+  if (open == ends_.rend() || (open != ends_.rbegin() && !is_own)) return emit(token.text);
+  const std::string end = open->second;
+  ends_.erase(std::next(open).base());
   if (end == "block") {
     end_block();
   } else if (end == "float") {
@@ -308,6 +338,17 @@ void Expander::fail(const std::string& message) {
   result_.errors.push_back(fmt::format("{}: {}", place(), message));
 }
 
+// What cites a number and what prints it cannot differ; a class may cite more than it prints.
+void Expander::hold_against(const std::string& key, const std::string& number,
+                            const std::string& what) {
+  const std::string& known = numbers_.label(key).number;
+  if (known.ends_with(number)) return;
+  fail(fmt::format(
+      "{}'{}' has the number {} in the PDF and {} here: the PDF was made from another state of the "
+      "document",
+      what, key, known, number));
+}
+
 std::size_t Expander::mark(std::string open, std::string close, bool is_plain) {
   result_.marks.push_back({std::move(open), std::move(close), is_plain});
   return result_.marks.size();
@@ -342,6 +383,14 @@ void Expander::fragment(std::string_view html) {
   end_block();
 }
 
+// pandoc's own reader of lstlisting takes a comment in the first line for LaTeX's.
+void Expander::listing(std::string code, const std::string& language, int first_line) {
+  begin_block(std::move(code), "");
+  result_.marks.back().language = language.empty() ? "text" : language;
+  result_.marks.back().first_line = first_line;
+  end_block();
+}
+
 std::string Expander::use_id(const std::string& kind, const std::string& name) {
   std::vector<Use>& uses = uses_[{kind, name}];
   uses.push_back({fmt::format("use-{}-{}-{}", kind, name, uses.size() + 1), section_});
@@ -351,7 +400,7 @@ std::string Expander::use_id(const std::string& kind, const std::string& name) {
 // «used in § 2, § 3», a link to the first use in each section.
 std::string Expander::uses(const std::string& kind, const std::string& name) const {
   const auto found = uses_.find({kind, name});
-  if (found == uses_.end()) return "not used";
+  if (found == uses_.end()) return "<span class=\"lit-uses\">not used</span>";
   std::string html, last;
   for (const Use& use : found->second) {
     if (!html.empty() && use.section == last) continue;
@@ -359,7 +408,7 @@ std::string Expander::uses(const std::string& kind, const std::string& name) con
                         escape_html(use.id), use.section.empty() ? "the text" : "§ " + use.section);
     last = use.section;
   }
-  return "used in " + html;
+  return "<span class=\"lit-uses\">used in " + html + "</span>";
 }
 
 // What is known only at the end: who uses a name, and whether a link has its target.
@@ -477,12 +526,7 @@ void Expander::show_display(const std::string& environment, std::vector<Row> row
     }
     if (!row.label.empty()) {
       const std::string& known = numbers_.label(row.label).number;
-      if (!row.tag.empty() && row.tag != "(" + known + ")" && row.tag != known) {
-        fail(
-            fmt::format("equation '{}' has the number {} in the PDF and {} here: the PDF was made "
-                        "from another state of the document",
-                        row.label, known, row.tag));
-      }
+      if (row.tag != "(" + known + ")") hold_against(row.label, row.tag, "equation ");
     }
     has_numbers = has_numbers || !row.tag.empty();
     const std::string id =

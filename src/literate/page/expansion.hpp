@@ -24,7 +24,9 @@ namespace literate {
 /// environment that begins with an empty one.
 struct PageMark {
   std::string open, close;
-  bool is_plain = false;  ///< whether the block's own paragraphs have no element
+  bool is_plain = false;      ///< whether the block's own paragraphs have no element
+  std::string language = {};  ///< of a listing, whose code is `open`
+  int first_line = 0;         ///< of a listing that has numbers
 };
 
 /// A document of which all is expanded that the engine or the document itself defines, so that
@@ -80,6 +82,7 @@ class Expander {
   std::filesystem::path file_of(std::string_view name) const;
   void read_all(std::string_view text);
   void read(TexScanner& in, const TexToken& token);
+  void verbatim(const TexToken& token);
   void read_command(TexScanner& in, const TexToken& token);
   void read_begin(TexScanner& in, const TexToken& token);
   void read_end(TexScanner& in, const TexToken& token);
@@ -89,6 +92,7 @@ class Expander {
   std::string expanded(std::string_view text);
   void emit(std::string_view text);
   void fail(const std::string& message);
+  void hold_against(const std::string& key, const std::string& number, const std::string& what);
   std::string place() const;
 
   // Marks.
@@ -97,6 +101,7 @@ class Expander {
   void begin_block(std::string open, std::string close, bool is_plain = true);
   void end_block();
   void fragment(std::string_view html);
+  void listing(std::string code, const std::string& language, int first_line);
   std::string use_id(const std::string& kind, const std::string& name);
   std::string uses(const std::string& kind, const std::string& name) const;
   void finish();
@@ -108,7 +113,10 @@ class Expander {
   void define_theorem(TexScanner&, const TexToken&);
   void define_operator(TexScanner&, const TexToken&);
   void set_picture(TexScanner&, const TexToken&);
+  void document_class(TexScanner&, const TexToken&);
   void metadata(TexScanner&, const TexToken&);
+  void title_line(TexScanner&, const TexToken&);
+  std::string title_marks(std::string_view labels) const;
   void package(TexScanner&, const TexToken&);
   void condition(TexScanner&, const TexToken&);
   void letter_region(TexScanner&, const TexToken&);
@@ -145,6 +153,10 @@ class Expander {
   // What LaTeX numbers, and what cites it.
   void title(TexScanner&, const TexToken&);
   void heading(TexScanner&, const TexToken&);
+  void appendix(TexScanner&, const TexToken&);
+  std::string appendix_word(std::string_view heading) const;
+  /// REVTeX prints neither «Abstract» nor «References».
+  bool has_heads() const { return !class_.starts_with("revtex"); }
   void label(TexScanner&, const TexToken&);
   void reference(TexScanner&, const TexToken&);
   void clever_reference(TexScanner&, const TexToken&);
@@ -176,6 +188,7 @@ class Expander {
   void show_display(const std::string& environment, std::vector<Row> rows);
   void number(TexScanner&, const TexToken&);
   void boxed(TexScanner&, const TexToken&);
+  void skip_length(TexScanner&, const TexToken&);
   void rule(TexScanner&, const TexToken&);
 
   const PageSources& sources_;
@@ -200,8 +213,10 @@ class Expander {
   std::vector<std::pair<std::string, int>> lists_;  ///< counters of the open lists, items so far
   std::vector<std::pair<std::string, std::string>> ends_;  ///< what ends the open environments
   std::string section_;
-  bool is_math_ = false, is_inline_ = false, has_parts_ = false, is_modified_ = false;
-  int depth_ = 0;
+  std::string class_;
+  bool is_math_ = false, is_inline_ = false, is_modified_ = false, is_appendix_ = false,
+       is_author_year_ = false, has_parts_ = false, has_chapters_ = false;
+  int depth_ = 0, n_notes_among_sources_ = 0;
 };
 
 /// A printed quantity, such as «-1.2e-6 lbf/in», as LaTeX for text or for mathematics.

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/expansion_reading.hpp"
@@ -17,16 +18,6 @@ namespace literate {
 namespace fs = std::filesystem;
 using namespace page_reading;
 namespace {
-
-std::vector<std::string> names_in(std::string_view text) {
-  std::vector<std::string> parts;
-  while (true) {
-    const auto end = text.find(',');
-    parts.emplace_back(sys::stripped(text.substr(0, end)));
-    if (end == text.npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
 
 std::string listed(const std::vector<std::string>& parts) {
   std::string text;
@@ -52,7 +43,9 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::define_theorem, {"newtheorem"});
     add(&E::define_operator, {"DeclareMathOperator"});
     add(&E::set_picture, {"LiteratePicture"});
+    add(&E::document_class, {"documentclass"});
     add(&E::metadata, {"title", "author", "date"});
+    add(&E::title_line, {"affiliation", "address", "email", "cortext"});
     add(&E::package, {"usepackage", "RequirePackage"});
     add(&E::condition, {"ifdim", "ifnum", "iftrue", "iffalse"});
     add(&E::letter_region, {"makeatletter"});
@@ -81,13 +74,14 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::excerpt, {"excerpt"});
     add(&E::title, {"maketitle"});
     add(&E::heading,
-        {"part", "section", "subsection", "subsubsection", "paragraph", "subparagraph"});
+        {"part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"});
+    add(&E::appendix, {"appendix", "appendices"});
     add(&E::label, {"label"});
     add(&E::reference, {"ref", "eqref", "pageref", "nameref", "autoref"});
     add(&E::clever_reference, {"cref", "Cref", "labelcref"});
     add(&E::clever_range, {"crefrange", "Crefrange"});
     add(&E::citation, {"cite", "citep", "citet", "citealp", "onlinecite"});
-    add(&E::bibliography, {"bibliography"});
+    add(&E::bibliography, {"bibliography", "printindex"});
     add(&E::footnote, {"footnote", "footnotemark", "footnotetext", "thanks"});
     add(&E::caption, {"caption", "captionof"});
     add(&E::subfloat, {"subfloat"});
@@ -97,6 +91,7 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::number, {"num", "qty", "SI"});
     add(&E::boxed, {"makebox", "framebox"});
     add(&E::rule, {"rule"});
+    add(&E::skip_length, {"hskip", "vskip", "kern", "penalty"});
     return table;
   }();
   return all;
@@ -137,40 +132,53 @@ void Expander::title(TexScanner&, const TexToken&) {
   fragment(html + "<!--lit:cite-->\n</header>");
 }
 
-// Levels of headings follow each other, since assistive software reads them so: with parts a
-// section is one level deeper than before the first part.
+void Expander::appendix(TexScanner&, const TexToken&) {
+  is_appendix_ = true;
+}
+
+// What these classes print before the letter of an appendix.
+std::string Expander::appendix_word(std::string_view heading) const {
+  const bool has_word = class_ == "IEEEtran" || class_.starts_with("revtex");
+  return is_appendix_ && has_word && heading == "section" ? "Appendix~" : "";
+}
+
+// Levels of headings follow each other, since assistive software reads them so: with parts or
+// chapters a section is deeper than before the first of them.
 void Expander::heading(TexScanner& in, const TexToken& token) {
-  static const std::vector<std::string> levels{"section", "subsection", "subsubsection",
-                                               "paragraph", "subparagraph"};
+  static const std::vector<std::string> names{
+      "part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"};
   const std::string name(token.name);
   const bool is_starred = token.text.ends_with('*');
   option(in);
   const std::string text = expanded(argument(in));
-  std::string number;
-  if (!is_starred && numbers_.has(name)) number = numbers_.take(name).number;
-  if (name == "part" || name == "section") section_ = number;
-  if (name == "paragraph" || name == "subparagraph") {
-    return emit(fmt::format("\n\n{}\\textbf{{{}}} ", number.empty() ? "" : number + " ", text));
+  std::string number, printed;
+  if (!is_starred && numbers_.has(name)) {
+    const PrintedNumber found = numbers_.take(name);
+    number = found.number;
+    const bool has_word = name == "part" || name == "chapter";
+    printed = expanded(has_word              ? found.shown + "~" + number
+                       : found.shown.empty() ? appendix_word(name) + number
+                                             : appendix_word(name) + found.shown);
   }
-  if (name == "part") has_parts_ = true;
-  const std::string printed = name == "part" && !number.empty() ? "Part~" + number : number;
-  const auto at = static_cast<std::size_t>(std::ranges::find(levels, name) - levels.begin());
-  const std::string& level = name == "part" ? levels[0] : levels[at + (has_parts_ ? 1 : 0)];
+  const auto level = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  if (level <= 2) section_ = expanded(number);
+  if (level > 4) {
+    return emit(fmt::format("\n\n{}\\textbf{{{}}} ", printed.empty() ? "" : printed + " ", text));
+  }
+  has_parts_ = has_parts_ || level == 0;
+  has_chapters_ = has_chapters_ || level == 1;
+  const std::size_t above = level == 0 ? 0 : (has_parts_ ? 1 : 0);
+  const std::size_t depth = above + (level < 2 ? 0 : level - 2 + (has_chapters_ ? 1 : 0));
   const std::string mark =
       printed.empty() ? "" : marked("<span class=\"lit-number\">", printed, "</span>");
-  emit(fmt::format("\n\n\\{}{{{} {}}}", level, mark, text));
+  emit(fmt::format("\n\n\\{}{{{} {}}}", names[depth + 2], mark, text));
   TexScanner behind(in.rest());
   skip_blanks(behind);
   if (behind.rest().starts_with("\\label{")) {
     in = behind;
     in.next();
     const std::string key(argument(in));
-    if (!number.empty() && numbers_.label(key).number != number) {
-      fail(fmt::format(
-          "'{}' has the number {} in the PDF and {} here: the PDF was made from another "
-          "state of the document",
-          key, numbers_.label(key).number, number));
-    }
+    if (!number.empty()) hold_against(key, number, "");
     ids_.insert(key);
     emit("\\label{" + key + "}");
   }
@@ -192,8 +200,9 @@ void Expander::label(TexScanner& in, const TexToken&) {
 }
 
 std::string Expander::link_to(const std::string& key, const std::string& latex) {
-  if (is_math_) return latex;
-  return marked(fmt::format("<a class=\"lit-ref\" href=\"#{}\">", escape_html(key)), latex, "</a>");
+  const std::string text = expanded(latex);
+  if (is_math_) return text;
+  return marked(fmt::format("<a class=\"lit-ref\" href=\"#{}\">", escape_html(key)), text, "</a>");
 }
 
 std::string Expander::number_of(const std::string& key) const {
@@ -228,7 +237,8 @@ void Expander::clever_reference(TexScanner& in, const TexToken& token) {
   for (auto& [type, keys] : kinds) {
     std::ranges::sort(keys, {}, [&](const std::string& key) { return numbers_.label(key).order; });
     const auto names = numbers_.names(type);
-    const std::size_t form = (token.name == "Cref" ? 2U : 0U) + (keys.size() > 1 ? 1U : 0U);
+    const bool is_capital = token.name == "Cref" && texts.empty();
+    const std::size_t form = (is_capital ? 2U : 0U) + (keys.size() > 1 ? 1U : 0U);
     const std::string name = token.name == "labelcref" ? "" : names[form] + "~";
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < keys.size();) {
@@ -252,35 +262,41 @@ void Expander::clever_range(TexScanner& in, const TexToken& token) {
        link_to(last, number_of(last)));
 }
 
+// natbib's citations of author and year stand in the text, or in brackets where they have a note.
 void Expander::citation(TexScanner& in, const TexToken& token) {
   const auto first = option(in), second = option(in);
   const std::string before(second ? *first : ""), behind(second ? *second : first.value_or(""));
-  std::vector<std::string> parts;
+  const bool is_bare = token.name == "cite" && is_author_year_ && !first;
+  const bool is_textual = token.name == "citet" || is_bare;
+  std::string text;
   for (const std::string& key : names_in(argument(in))) {
     const std::vector<std::string> cited = numbers_.citation(key);
-    const std::string text =
-        token.name == "citet" && cited.size() > 2 ? cited[2] + " [" + cited[0] + "]" : cited[0];
-    parts.push_back(marked(fmt::format("<a class=\"lit-cite\" href=\"#bib-{}\">", escape_html(key)),
-                           text, "</a>"));
+    const std::string& number = is_author_year_ ? cited.at(1) : cited[0];
+    std::string shown = number;
+    if (is_textual) shown = (cited.size() > 2 ? cited[2] + " " : "") + "{[}" + number + "{]}";
+    if (!is_textual && is_author_year_) shown = cited[2] + ", " + number;
+    text += (text.empty()                     ? ""
+             : is_author_year_ && !is_textual ? "; "
+                                              : ", ") +
+            marked(fmt::format("<a class=\"lit-cite\" href=\"#bib-{}\">", escape_html(key)), shown,
+                   "</a>");
   }
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   if (!before.empty()) text = expanded(before) + " " + text;
   if (!behind.empty()) text += ", " + expanded(behind);
-  emit(token.name == "citet" || token.name == "citealp" ? text : "{[}" + text + "{]}");
+  emit(is_textual || token.name == "citealp" ? text : "{[}" + text + "{]}");
 }
 
-void Expander::bibliography(TexScanner& in, const TexToken&) {
-  argument(in);
+// What BibTeX or MakeIndex wrote for the PDF.
+void Expander::bibliography(TexScanner& in, const TexToken& token) {
+  const bool is_index = token.name == "printindex";
+  if (!is_index) argument(in);
   fs::path file = sources_.aux;
-  read_all(sys::read_file(file.replace_extension(".bbl")));
+  read_all(sys::read_file(file.replace_extension(is_index ? ".ind" : ".bbl")));
 }
 
 void Expander::bibliography_items(TexScanner& in, const TexToken& token) {
   const std::string_view body = body_of(in, token.name);
-  const auto name = macros_.find("refname");
-  emit(fmt::format("\n\n\\{}{{{}}}\n\n", has_parts_ ? "subsection" : "section",
-                   name == macros_.end() ? "References" : name->second.body));
+  if (has_heads()) read_all("\\section*{\\refname}");
   begin_block("<ol class=\"lit-bibliography\">", "</ol>");
   const std::string counter = numbers_.has("enumiv") ? "enumiv" : "NAT@ctr";
   bool is_open = false;
@@ -296,8 +312,10 @@ void Expander::bibliography_items(TexScanner& in, const TexToken& token) {
     const std::string key(argument(items));
     if (is_open) end_block();
     begin_block(fmt::format("<li id=\"bib-{}\">", escape_html(key)), "</li>");
-    emit(marked("<span class=\"lit-bib-label\">", "{[}" + numbers_.citation(key)[0] + "{]}",
-                "</span> "));
+    if (!is_author_year_) {
+      emit(marked("<span class=\"lit-bib-label\">", "{[}" + numbers_.citation(key)[0] + "{]}",
+                  "</span> "));
+    }
     is_open = true;
   }
   if (is_open) end_block();
@@ -307,10 +325,18 @@ void Expander::bibliography_items(TexScanner& in, const TexToken& token) {
 void Expander::footnote(TexScanner& in, const TexToken& token) {
   option(in);
   if (token.name != "footnotetext") {
-    // The notes of the title have signs, which LaTeX does not count.
-    constexpr const char* signs[] = {"∗", "†", "‡", "§", "¶"};
-    const std::string number =
-        token.name == "thanks" ? signs[notes_.size() % 5] : numbers_.take("footnote").number;
+    // REVTeX may print notes among the sources; IEEEtran's notes to the title have no mark.
+    const bool is_title = token.name == "thanks";
+    const bool has_number = numbers_.has("footnote") &&
+                            (!is_title || numbers_.peek("footnote").number.starts_with('\\'));
+    const std::string note = fmt::format("Note{}", n_notes_among_sources_ + 1);
+    if (!is_title && numbers_.cites(note)) {
+      ++n_notes_among_sources_;
+      if (has_number) numbers_.take("footnote");
+      argument(in);
+      return read_all("\\cite{" + note + "}");
+    }
+    const std::string number = has_number ? expanded(numbers_.take("footnote").number) : "";
     notes_.push_back(number);
     const std::string place = fmt::format("note-{}", notes_.size());
     emit(
@@ -452,8 +478,10 @@ void Expander::proof(TexScanner& in, const TexToken& token) {
   ends_.insert(ends_.end() - 1, {"lit-block", "block"});
 }
 
-void Expander::abstract(TexScanner&, const TexToken& token) {
-  begin_block("<section class=\"lit-abstract\"><h2>Abstract</h2>", "</section>", false);
+void Expander::abstract(TexScanner& in, const TexToken& token) {
+  if (class_ == "elsarticle") title(in, token);  // which has no \\maketitle
+  const char* head = has_heads() ? "><h2>Abstract</h2>" : " aria-label=\"Abstract\">";
+  begin_block(std::string("<section class=\"lit-abstract\"") + head, "</section>", false);
   ends_.emplace_back(token.name, "block");
 }
 
@@ -464,101 +492,6 @@ void Expander::transparent(TexScanner& in, const TexToken& token) {
   if (token.name == "multicols" || token.name == "minipage") argument(in);
   emit("\n\n");
   ends_.emplace_back(token.name, token.name == "minipage" ? "minipage" : "\n\n");
-}
-
-// pandoc takes only letters for columns. What stands between two of them, as the point of r@{.}l,
-// joins their cells.
-void Expander::tabular(TexScanner& in, const TexToken& token) {
-  const std::string name(token.name);
-  option(in);
-  if (name == "tabular*" || name == "tabularx") argument(in);
-  std::string columns;
-  std::vector<std::string> between;  // before the second column, the third, …
-  const std::string given(expanded(argument(in)));
-  TexScanner form(given);
-  std::string pending;
-  const std::function<void(std::string_view)> read_form = [&](std::string_view text) {
-    TexScanner letters(text);
-    while (!letters.rest().empty()) {
-      const char c = letters.skip(1).front();
-      if (c == '*') {
-        const int n = std::stoi(std::string(argument(letters)));
-        const std::string repeated(argument(letters));
-        for (int i = 0; i < n; ++i) read_form(repeated);
-      } else if (c == '@' || c == '!') {
-        const std::string_view joint = argument(letters);
-        if (c == '@' && !joint.empty() && joint.front() != '\\' && !sys::stripped(joint).empty())
-          pending = joint;
-      } else if (c == '>' || c == '<') {
-        argument(letters);
-      } else if (is_letter(c)) {
-        const bool has_width = c == 'p' || c == 'm' || c == 'b' || c == 'w';
-        if (has_width) argument(letters);
-        if (!columns.empty()) between.push_back(pending);
-        if (columns.empty() || pending.empty()) columns += (c == 'r' || c == 'c') ? c : 'l';
-        pending.clear();
-      }
-    }
-  };
-  read_form(given);
-  std::string body(body_of(in, name));
-  begin_block("<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\">",
-              "</div>");
-  emit("\\begin{tabular}{" + columns + "}");
-  rows_of_tabular(body, between);
-  emit("\\end{tabular}");
-  end_block();
-}
-
-void Expander::rows_of_tabular(std::string_view body, const std::vector<std::string>& between) {
-  TexScanner in(body);
-  std::size_t column = 0;
-  int depth = 0;
-  while (const auto token = in.next()) {
-    if (token->kind == TexKind::open) ++depth;
-    if (token->kind == TexKind::close) --depth;
-    if (token->name == "multicolumn") {
-      const auto n = static_cast<std::size_t>(std::stoul(std::string(argument(in))));
-      std::string form(argument(in));
-      std::size_t joined = 0;
-      for (std::size_t i = column; i + 1 < column + n && i < between.size(); ++i)
-        joined += between[i].empty() ? 0U : 1U;
-      std::erase_if(form, [](char c) { return c != 'l' && c != 'c' && c != 'r'; });
-      emit(fmt::format("\\multicolumn{{{}}}{{{}}}{{{}}}", n - joined, form.empty() ? "l" : form,
-                       expanded(argument(in))));
-      column += n - 1;
-    } else if (token->text == "\\\\" && depth == 0) {
-      option(in);
-      emit("\\\\\n");
-      column = 0;
-    } else if (token->name == "cmidrule" || token->name == "cline" ||
-               token->name == "addlinespace") {
-      const std::string_view trim = group_at(in.rest(), '(', ')');
-      in.skip(trim.size());
-      if (token->name == "addlinespace")
-        option(in);
-      else
-        argument(in);
-    } else if (token->kind == TexKind::text && depth == 0) {
-      std::string_view text = token->text;
-      for (auto at = text.find('&'); at != text.npos; at = text.find('&')) {
-        const bool is_joined = column < between.size() && !between[column].empty();
-        emit(is_joined ? sys::stripped(text.substr(0, at)) : text.substr(0, at));
-        if (is_joined) {
-          while (out_->ends_with(' ')) out_->pop_back();
-          read_all(between[column]);
-        } else {
-          emit("&");
-        }
-        ++column;
-        text.remove_prefix(at + 1);
-        if (is_joined) text.remove_prefix(std::min(text.find_first_not_of(" \n"), text.size()));
-      }
-      emit(text);
-    } else {
-      read(in, *token);
-    }
-  }
 }
 
 fs::path Expander::file_of(std::string_view name) const {
@@ -580,6 +513,20 @@ void Expander::boxed(TexScanner& in, const TexToken&) {
   option(in);
   read_all(argument(in));
   if (has_width) emit(" ");
+}
+
+// \\hskip1em plus .5em minus .4em, \\penalty0
+void Expander::skip_length(TexScanner& in, const TexToken& token) {
+  static const std::regex length(
+      R"(^\s*-?[\d.]+\s*[a-z]{2}(\s*plus\s*[\d.]+\s*[a-z]+)?(\s*minus\s*[\d.]+\s*[a-z]+)?)"),
+      number(R"(^\s*-?\d+\s?)");
+  std::match_results<std::string_view::const_iterator> found;
+  const std::string_view rest = in.rest();
+  const bool is_number = token.name == "penalty";
+  if (std::regex_search(rest.begin(), rest.end(), found, is_number ? number : length)) {
+    in.skip(static_cast<std::size_t>(found.length()));
+  }
+  emit(is_number ? "" : " ");
 }
 
 // A bar, which may be drawn to scale.

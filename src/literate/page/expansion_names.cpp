@@ -79,7 +79,8 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
                          !number.empty() && number.find_first_of("0123456789") != number.npos;
   if (!is_number) return escape_latex(printed);
   const auto e = number.find('e');
-  const std::string exponent(e == number.npos ? "" : number.substr(e + 1));
+  std::string exponent(e == number.npos ? "" : number.substr(e + 1));
+  if (exponent == "0") exponent.clear();  // as siunitx prints it
   std::string_view mantissa = number.substr(0, e);
   std::string text;
   if (mantissa.starts_with('-')) text = is_math ? "{-}" : "−";
@@ -110,7 +111,7 @@ void Expander::define(TexScanner& in, const TexToken& token) {
   }
   macro.body = argument(in);
   const bool is_known = macros_.contains(name) || commands().contains(name);
-  if (name.find('@') != name.npos || (token.name == "providecommand" && is_known)) return;
+  if (token.name == "providecommand" && is_known) return;
   macros_[name] = std::move(macro);
 }
 
@@ -123,9 +124,7 @@ void Expander::define_by_pattern(TexScanner& in, const TexToken&) {
   Macro macro;
   macro.n_arguments = static_cast<std::size_t>(std::ranges::count(pattern, '#'));
   macro.body = argument(in);
-  if (name.find('@') == name.npos && pattern.size() == 2 * macro.n_arguments) {
-    macros_[name] = std::move(macro);
-  }
+  if (pattern.size() == 2 * macro.n_arguments) macros_[name] = std::move(macro);
 }
 
 void Expander::define_environment(TexScanner& in, const TexToken&) {
@@ -159,16 +158,55 @@ void Expander::set_picture(TexScanner& in, const TexToken&) {
   picture_environments_.emplace(argument(in));
 }
 
-void Expander::metadata(TexScanner& in, const TexToken& token) {
+void Expander::document_class(TexScanner& in, const TexToken&) {
   option(in);
-  std::string& text = metadata_[std::string(token.name)];
-  text += (text.empty() || token.name != "author" ? "" : ", ") + std::string(argument(in));
+  class_ = argument(in);
+  // Without a \\date these classes print today's.
+  if (class_ == "article" || class_ == "report") metadata_["date"] = "\\today";
+  if (class_ == "report" || class_ == "book") macros_["refname"] = {.body = "\\bibname"};
+}
+
+void Expander::metadata(TexScanner& in, const TexToken& token) {
+  const std::string marks(option(in).value_or(""));
+  const std::string text(argument(in));
+  std::string& known = metadata_[std::string(token.name)];
+  if (token.name == "author" && !known.empty()) {
+    known += (known.ends_with("\\\\") ? "" : ", ") + text + title_marks(marks);
+  } else {
+    const bool is_dated = token.name == "date" && class_.starts_with("revtex") && !text.empty();
+    known = is_dated ? "(Dated: " + text + ")" : text + title_marks(marks);
+  }
+}
+
+// What a class for journals says below an author.
+void Expander::title_line(TexScanner& in, const TexToken& token) {
+  const std::string marks(option(in).value_or(""));
+  const std::string text(argument(in));
+  std::string& authors = metadata_["author"];
+  if (token.name == "email") {
+    authors += "\\thanks{" + text + "}";
+  } else {
+    authors += (authors.ends_with("\\\\") ? "" : "\\\\") +
+               (token.name == "cortext" ? "\\textsuperscript{∗}" : title_marks(marks)) + text +
+               "\\\\";
+  }
+}
+
+std::string Expander::title_marks(std::string_view labels) const {
+  if (labels.empty() || class_ != "elsarticle") return {};
+  std::string text;
+  for (const std::string& label : names_in(labels)) {
+    text += (text.empty() ? "" : ",") + numbers_.label(label).number;
+  }
+  return "\\textsuperscript{" + text + "}";
 }
 
 // A package of the document's own folder is part of the document.
 void Expander::package(TexScanner& in, const TexToken&) {
-  option(in);
-  const fs::path file = sources_.document / (std::string(argument(in)) + ".sty");
+  const std::string_view options = option(in).value_or("");
+  const std::string name(argument(in));
+  if (name == "natbib") is_author_year_ = options.find("numbers") == options.npos;
+  const fs::path file = sources_.document / (name + ".sty");
   if (fs::is_regular_file(file)) read_preamble(sys::read_file(file));
 }
 
@@ -372,12 +410,15 @@ void Expander::finding_says(TexScanner& in, const TexToken&) {
 
 void Expander::findings(TexScanner& in, const TexToken& token) {
   const std::string_view body = body_of(in, token.name);
+  std::string heads = macros_.at("LiterateFindingsHead").body;
+  for (auto at = heads.find('&'); at != heads.npos; at = heads.find('&', at)) {
+    heads.replace(at, 1, "</tex></th><th scope=\"col\"><tex>");
+  }
   fragment(
       "<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"findings\"><table "
-      "class=\"lit-table lit-findings\"><thead><tr><th scope=\"col\">statement</th><th "
-      "scope=\"col\">found here</th><th scope=\"col\">verdict</th><th scope=\"col\">section"
-      "</th></tr></thead><tbody><tex>" +
-      std::string(body) + "</tex></tbody></table></div>");
+      "class=\"lit-table lit-findings\"><thead><tr><th scope=\"col\"><tex>" +
+      replaced(heads, "<th scope=\"col\"><tex> </tex></th>", "<td></td>") +
+      "</tex></th></tr></thead><tbody><tex>" + std::string(body) + "</tex></tbody></table></div>");
 }
 
 void Expander::finding(TexScanner& in, const TexToken&) {
@@ -529,11 +570,8 @@ void Expander::excerpt(TexScanner& in, const TexToken&) {
   }
   emit(address.empty() ? lines : fmt::format("\\href{{{}}}{{{}}}", address, lines));
   end_block();
-  emit(
-      fmt::format("\n\n\\begin{{lstlisting}}[language={{{}}},numbers=left,firstnumber={}]\n{}"
-                  "\\end{{lstlisting}}\n\n",
-                  facts.value("language", ""), first,
-                  sys::read_file(sources_.generated / "excerpts" / (name + ".txt"))));
+  listing(sys::read_file(sources_.generated / "excerpts" / (name + ".txt")),
+          facts.value("language", ""), first);
   end_block();
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "literate/prose/tex_scanner.hpp"
 
@@ -17,5 +19,8 @@ std::string_view argument(TexScanner& in);
 
 /// An argument in brackets; none if there is no bracket, over at most one line end.
 std::optional<std::string_view> option(TexScanner& in);
+
+/// The names between commas, without blanks.
+std::vector<std::string> names_in(std::string_view text);
 
 }  // namespace literate::page_reading

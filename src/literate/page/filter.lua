@@ -10,12 +10,23 @@ local function mark_of(element)
   return marks[tonumber(element.target:match("^lit:(%d+)$") or "0")]
 end
 
+local languages = {["C++"] = "cpp", Octave = "octave", Fortran = "fortran", LaTeX = "latex", TeX = "latex", make = "makefile"}
+local function listing(mark)
+  local name = mark.language:gsub("^%[.*%]", "")
+  local classes, attributes = {languages[name] or name:lower()}, {}
+  if mark.first > 0 then
+    classes[2], attributes.startFrom = "numberLines", tostring(mark.first)
+  end
+  return pandoc.CodeBlock(mark.open, pandoc.Attr("", classes, attributes))
+end
+
 -- A center environment that begins with an empty mark is a block of HTML.
 local function block(div)
   local first = div.content[1]
   if not div.classes:includes("center") or not first or not first.content then return nil end
   local mark = mark_of(first.content[1])
   if not mark or #first.content[1].content > 0 then return nil end
+  if mark.language then return listing(mark) end
   first.content:remove(1)
   while first.content[1] and (first.content[1].t == "Space" or first.content[1].t == "SoftBreak") do
     first.content:remove(1)
@@ -42,16 +53,6 @@ local function unknown(raw)
   if raw.format ~= "latex" then return nil end
   io.stderr:write("unknown: ", (raw.text:gsub("%s+", " ")), "\n")
   return {}
-end
-
-local languages = {["C++"] = "cpp", Octave = "octave", Fortran = "fortran", LaTeX = "latex", TeX = "latex", make = "makefile"}
-local function listing(code)
-  local given = code.attributes.language or ""
-  local name = given:gsub("^%[.*%]", "")
-  local from = code.attributes.startFrom
-  code.attributes = from and {startFrom = from} or {}
-  code.classes = {languages[name] or name:lower(), from and "numberLines" or nil}
-  return code
 end
 
 -- A formula in a line may break behind a relation, as TeX breaks it; a browser breaks none, so that each part is one of its own.
@@ -85,7 +86,7 @@ local function contents(doc)
   local function add(text) items:insert(pandoc.RawBlock("html", text)) end
   doc:walk({Header = function(header)
     local text = header.content:walk({
-      RawInline = function(raw) return raw.text:match("lit%-number") and raw or raw.text == "</span>" and raw or {} end,
+      RawInline = function() return {} end,
       Note = function() return {} end,
       Link = function(link) return link.content end})
     local is_part = pandoc.utils.stringify(text):match("^Part") ~= nil
@@ -105,7 +106,7 @@ end
 return {
   {Div = block},
   {Link = inline},
-  {RawInline = unknown, RawBlock = unknown, CodeBlock = listing, Table = native_table, Math = breakable},
+  {RawInline = unknown, RawBlock = unknown, Table = native_table, Math = breakable},
   {Pandoc = function(doc)
     local blocks = contents(doc)
     blocks:extend(doc.blocks)

@@ -60,7 +60,8 @@ void LatexNumbers::read(const std::filesystem::path& aux) {
     if (open == line.npos) continue;
     const std::string_view command = line.substr(0, open);
     if (command != "\\newlabel" && command != "\\bibcite" && command != "\\LiterateNumber" &&
-        command != "\\LiterateName" && command != "\\@input" && command != "\\@writefile") {
+        command != "\\LiterateName" && command != "\\Newlabel" && command != "\\@input" &&
+        command != "\\@writefile") {
       continue;
     }
     const std::vector<std::string> arguments = groups_at(line.substr(open));
@@ -74,6 +75,7 @@ void LatexNumbers::read(const std::filesystem::path& aux) {
       if (!entry.empty()) captioned_.insert(entry[0]);
     }
     if (command == "\\newlabel" && n == 2) read_label(arguments);
+    if (command == "\\Newlabel" && n == 2) labels_[arguments[0]].number = arguments[1];
     if (command == "\\bibcite" && n == 2) {
       const auto parts = groups_at(arguments[1]);
       citations_[arguments[0]] = parts.empty() ? std::vector{arguments[1]} : parts;
@@ -83,7 +85,7 @@ void LatexNumbers::read(const std::filesystem::path& aux) {
     }
     // An environment of several numbered parts steps its counter once more for the whole.
     if (command == "\\LiterateNumber" && n == 5 && arguments[2] != "subequations" &&
-        arguments[0] != "lstnumber") {
+        !arguments[1].empty()) {
       numbers_[arguments[0]].push_back(
           {arguments[1], arguments[2], arguments[3], std::atoi(arguments[4].c_str())});
     }
@@ -142,7 +144,9 @@ std::string LatexNumbers::left() const {
       "table", "enumi",   "lstlisting", "footnote",   "enumii",        "enumiii"};
   std::string text;
   for (const auto& [counter, queue] : numbers_) {
-    if (queue.empty() || !(printed.contains(counter) || taken_.contains(counter))) continue;
+    const bool is_printed =
+        printed.contains(counter) || taken_.contains(counter) || captioned_.contains(counter);
+    if (queue.empty() || !is_printed) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", queue.size(), counter);
   }
   return text;

@@ -47,6 +47,11 @@ class LatexNumbers {
   /// PDF has no more.
   std::string captioned(const std::string& environment) const;
 
+  /// The counter's next number, of which there is one.
+  const PrintedNumber& peek(const std::string& counter) const {
+    return numbers_.at(counter).front();
+  }
+
   /// Takes the counter's next number. Throws sys::InputError if the PDF has no more.
   PrintedNumber take(const std::string& counter);
 
@@ -62,6 +67,8 @@ class LatexNumbers {
   /// How a reference to labels of one type begins: singular, plural, and both at the start of a
   /// sentence.
   std::array<std::string, 4> names(const std::string& type) const;
+
+  bool cites(const std::string& key) const { return citations_.contains(key); }
 
   /// The label of a citation, such as 3; of natbib also year and authors.
   std::vector<std::string> citation(const std::string& key) const;

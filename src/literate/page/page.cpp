@@ -42,8 +42,9 @@ std::string marks_lua(const std::vector<PageMark>& marks) {
   const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
   std::string lua = "return {\n";
   for (const PageMark& mark : marks) {
-    lua += fmt::format("{{open={}, close={}, plain={}}},\n", quoted(mark.open), quoted(mark.close),
-                       mark.is_plain);
+    lua += fmt::format("{{open={}, close={}, plain={}, language={}, first={}}},\n",
+                       quoted(mark.open), quoted(mark.close), mark.is_plain,
+                       mark.language.empty() ? "nil" : quoted(mark.language), mark.first_line);
   }
   return lua + "}\n";
 }

@@ -35,6 +35,13 @@ for class in "${classes[@]}"; do
   runs ninja -C build "$class-dist"
   claim "$class is packed, and typesets elsewhere" "$(says 'typeset elsewhere to the same text, the same bytes')" = yes
 
+  if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
+    runs ninja -C build "$class-html"
+    claim "$class has its page" "$status" -eq 0
+    runs python3 -B "$source_dir/tests/literate/page/page_and_pdf.py" "build/$class" paper "$class"
+    claim "page and PDF of $class have the same words and numbers" "$status" -eq 0
+  fi
+
   # A co-author has LaTeX, and nothing else.
   mkdir "$scratch/$class" && tar -C "$scratch/$class" -xzf "build/dist/$class.tar.gz"
   cd "$scratch/$class" || exit 1

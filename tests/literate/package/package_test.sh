@@ -84,6 +84,8 @@ if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
   for wanted in 'data-figure="period"' 'data-table="periods"' 'id="claim-longer"' 'id="bib-landau"' 'src/pendulum.cpp</code>, lines'; do
     claim "the page has $wanted" "$(says "$wanted")" = yes
   done
+  runs python3 -B "$source_dir/tests/literate/page/page_and_pdf.py" build/rod paper rod
+  claim 'page and PDF have the same words and numbers' "$status" -eq 0
   runs python3 -B "$source_dir/tests/literate/page/any_page_test.py" build/rod/rod.html
   claim 'its page is whole in every way of reading it' "$status" -eq 0 -o "$status" -eq 77
 fi
