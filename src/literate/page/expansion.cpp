@@ -342,7 +342,10 @@ void Expander::fail(const std::string& message) {
 void Expander::hold_against(const std::string& key, const std::string& number,
                             const std::string& what) {
   const std::string& known = numbers_.label(key).number;
-  if (known.ends_with(number)) return;
+  // A class may put that of the section in front, as REVTeX does: «II A» for subsection A.
+  const bool has_prefix = known.ends_with(number) && known.size() > number.size();
+  const char before = has_prefix ? known[known.size() - number.size() - 1] : '\0';
+  if (known == number || (has_prefix && !is_letter(before) && !is_digit(before))) return;
   fail(fmt::format(
       "{}'{}' has the number {} in the PDF and {} here: the PDF was made from another state of the "
       "document",
