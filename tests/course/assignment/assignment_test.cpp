@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_quantitys_nominal_value_is_one_that_it_may_have) {
 }
 
 BOOST_AUTO_TEST_CASE(a_slip_of_the_pen_has_its_place) {
-  check_error("title = \"Roots and means\"", "titel = \"\"", "title: missing", -1);
+  check_error("title = \"Roots and means\"", "titel = \"\"", "title: missing, did you mean 'titel'?");
   check_error("floor = 0", "floor = 0\nflor = 2", "flor: unknown key", 1);
   check_error("run_seconds = 2", "run_second = 2", "limits.run_second: unknown key");
   check_error("run_seconds = 2", "run_seconds = 0", "0 is not from 1 to 86400");
