@@ -66,7 +66,7 @@ std::vector<std::string> computed_files(const fs::path& folder, const std::strin
   return files;
 }
 
-/// Where the scripts and data of figures lie that gnuplot refused.
+/// Where the scripts and data of the figures lie that were drawn beside one that gnuplot refused.
 fs::path failed_figures(const fs::path& generated) {
   return fs::absolute(generated / "").lexically_normal().parent_path().string() + ".failed";
 }
@@ -121,9 +121,9 @@ class Drawing {
     try {
       require_drawn_well({name_, folder, scripts_->label, place_}, result);
     } catch (const sys::ToolError& error) {
-      throw sys::ToolError(error.what() + kept(folder));
+      throw sys::ToolError(error.what() + kept());
     } catch (const sys::InputError& error) {
-      throw sys::InputError(error.what() + kept(folder));
+      throw sys::InputError(error.what() + kept());
     }
 
     sys::write_file_atomically(folder / "files.tex", files_tex());
@@ -131,13 +131,8 @@ class Drawing {
   }
 
  private:
-  // Keeps what gnuplot read, for the author to read and to run.
-  std::string kept(const fs::path& folder) const {
+  std::string kept() const {
     const fs::path failed = failed_figures(computed_.parent_path().parent_path());
-    fs::remove_all(failed / "figures" / name_);
-    fs::create_directories(failed / "figures");
-    fs::copy(folder, failed / "figures" / name_, fs::copy_options::recursive);
-    sys::write_file_atomically(failed / "figures/style.gp", scripts_->style);
     return fmt::format("; what gnuplot read is kept in '{}'",
                        (failed / "figures" / name_ / (name_ + ".gp")).string());
   }
@@ -214,8 +209,15 @@ std::size_t draw_figures(const fs::path& generated, const fs::path& scripts_fold
 
   // Draw them beside one another.
   sys::write_file_atomically(staging.path() / "figures/style.gp", scripts.style);
-  sys::for_each_parallel(drawings.size(), 0,
-                         [&](std::size_t i) { drawings[i].draw(staging.path()); });
+  try {
+    sys::for_each_parallel(drawings.size(), 0,
+                           [&](std::size_t i) { drawings[i].draw(staging.path()); });
+  } catch (...) {
+    // Keep what gnuplot read, for the author to read and to run.
+    fs::create_directories(failed_figures(generated));
+    fs::rename(staging.path() / "figures", failed_figures(generated) / "figures");
+    throw;
+  }
   staging.publish(former);
   return drawings.size();
 }

@@ -21,7 +21,7 @@ using FigurePlaces = std::map<std::string, std::string>;
 /// drawn.sha256 (what it was drawn from). So `gnuplot name.gp` draws it again there. Drawings of
 /// figures that are no longer registered are removed.
 ///
-/// Either all is drawn or nothing changes; what gnuplot read of a figure that it refused is kept
+/// Either all is drawn or nothing changes; if gnuplot refuses a figure, all that it read is kept
 /// beside `generated`, in «generated.failed», and named. Throws sys::InputError for a script that
 /// is missing or reads or writes what it must not, sys::ToolError for what gnuplot refuses (as
 /// require_drawn_well; of several errors, that of the first figure by name), and sys::OutputError

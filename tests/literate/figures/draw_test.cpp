@@ -243,6 +243,24 @@ BOOST_AUTO_TEST_CASE(an_error_of_gnuplot_has_script_line_message_and_place_of_re
   BOOST_TEST(has(message, "draw_test.cpp:"));
 }
 
+BOOST_AUTO_TEST_CASE(what_gnuplot_read_is_kept_of_all_figures_that_fail_at_the_same_time) {
+  // Many, since threads that are in one another's way meet by chance.
+  Workplace workplace;
+  std::vector<std::string> names;
+  for (char letter = 'a'; letter <= 'p'; ++letter) names.emplace_back(1, letter);
+  for (const std::string& name : names) {
+    workplace.figure(name);
+    workplace.script(name, "plott x\n");
+  }
+
+  const std::string message = message_of<sys::ToolError>([&] { workplace.draw(); });
+
+  BOOST_TEST(message.starts_with("figures/a.gp:1: "), message);
+  const fs::path kept = workplace.generated().string() + ".failed/figures";
+  BOOST_TEST(fs::exists(kept / "style.gp"));
+  for (const std::string& name : names) BOOST_TEST(fs::exists(kept / name / (name + ".gp")), name);
+}
+
 BOOST_AUTO_TEST_CASE(an_error_in_the_style_is_told_there) {
   Workplace workplace;
   workplace.script("style", "set border 3\nset nonsense\n");
