@@ -186,8 +186,8 @@ std::string with_plain_fences(std::string_view html) {
       text.insert(text.find("</mo>", at) + 5,
                   fmt::format("<msup><mspace height=\"{}em\" />", height));
     }
-    const auto sizes = [size = size](const char* unit, const char* stretches) {
-      return fmt::format("minsize=\"{0}{1}\" maxsize=\"{0}{1}\" stretchy=\"{2}\"", size, unit,
+    const auto sizes = [number = size](const char* unit, const char* stretches) {
+      return fmt::format("minsize=\"{0}{1}\" maxsize=\"{0}{1}\" stretchy=\"{2}\"", number, unit,
                          stretches);
     };
     text = replaced(text, sizes("", "false"), sizes("em", "true"));
