@@ -92,6 +92,12 @@ bool write_if_changed(const fs::path& file, std::string_view text) {
   return true;
 }
 
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw failure("remove", file, error);
+}
+
 std::string sha256_of_text(std::string_view text) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;

@@ -19,6 +19,9 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view t
 /// stamp. Returns whether it was written.
 bool write_if_changed(const std::filesystem::path& file, std::string_view text);
 
+/// Removes a file if it is there; throws OutputError naming it if that fails.
+void remove_file(const std::filesystem::path& file);
+
 /// Returns the SHA-256 of a text in lower-case hexadecimal.
 std::string sha256_of_text(std::string_view text);
 

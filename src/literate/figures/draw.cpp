@@ -4,13 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "literate/figures/gnuplot.hpp"
 #include "literate/figures/script_check.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/parallel.hpp"
+#include "system/record.hpp"
 #include "system/staging.hpp"
 #include "system/tool_version.hpp"
 
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* record_name = "drawn.sha256";
+constexpr const char* gnuplot_entry = "gnuplot --version";
 
 /// The scripts of an author, and what messages call their folder.
 struct Scripts {
@@ -53,10 +55,6 @@ void require_script(const Scripts& scripts, const std::string& name, const std::
                                     scripts.label_of(name), place));
 }
 
-std::string line_of(const std::string& hash, const std::string& file) {
-  return fmt::format("{}  {}\n", hash, file);
-}
-
 /// The files that the program wrote for a figure: its variables and its data.
 std::vector<std::string> computed_files(const fs::path& folder, const std::string& name) {
   std::vector<std::string> files = sys::files_below(folder);
@@ -72,13 +70,9 @@ fs::path failed_figures(const fs::path& generated) {
 }
 
 /// Whether the files of a record, below the folder of its figure, have its digests.
-bool are_as_recorded(const std::string& record, const fs::path& folder) {
-  return std::ranges::all_of(sys::lines_of(record), [&](std::string_view line) {
-    const auto blank = line.find("  ");
-    if (blank == std::string_view::npos) return false;
-    const fs::path file = folder / line.substr(blank + 2);
-    return line.ends_with("gnuplot --version") ||
-           (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, blank));
+bool are_as_recorded(const sys::Record& record, const fs::path& folder) {
+  return std::ranges::all_of(record, [&](const sys::RecordEntry& entry) {
+    return entry.name == gnuplot_entry || sys::is_as_recorded(folder, entry);
   });
 }
 
@@ -93,19 +87,17 @@ class Drawing {
     require_script(scripts, name_, place_);
     script_ = sys::read_file(scripts.file_of(name_));
     require_draws_only(script_, scripts.label_of(name_));
-    inputs_ = line_of(sys::sha256_of_text(scripts.gnuplot), "gnuplot --version") +
-              line_of(sys::sha256_of_text(script_), "script.gp") +
-              line_of(sys::sha256_of_text(scripts.style), "../style.gp");
-    for (const std::string& file : computed_files(computed_, name_)) {
-      inputs_ += line_of(sys::sha256_of_file(computed_ / file), file);
-    }
+    inputs_ = {{sys::sha256_of_text(scripts.gnuplot), gnuplot_entry},
+               {sys::sha256_of_text(script_), "script.gp"},
+               {sys::sha256_of_text(scripts.style), "../style.gp"}};
+    std::ranges::move(sys::record_entries(computed_, computed_files(computed_, name_)),
+                      std::back_inserter(inputs_));
   }
 
   /// Whether the drawing that is there was made from this, and lies beside a copy of it.
   bool is_up_to_date() const {
     const fs::path record = computed_ / record_name;
-    return fs::is_regular_file(record) &&
-           sys::read_file(record) == inputs_ + outputs_in(computed_) &&
+    return fs::is_regular_file(record) && sys::read_file(record) == record_of(computed_) &&
            are_as_recorded(inputs_, computed_);
   }
 
@@ -127,7 +119,7 @@ class Drawing {
     }
 
     sys::write_file_atomically(folder / "files.tex", files_tex());
-    sys::write_file_atomically(folder / record_name, inputs_ + outputs_in(folder));
+    sys::write_file_atomically(folder / record_name, record_of(folder));
   }
 
  private:
@@ -137,25 +129,22 @@ class Drawing {
                        (failed / "figures" / name_ / (name_ + ".gp")).string());
   }
 
-  std::string outputs_in(const fs::path& folder) const {
-    std::string lines;
-    for (const std::string& file : {name_ + ".pdf", name_ + ".tex", std::string("files.tex")}) {
-      const bool is_there = fs::is_regular_file(folder / file);
-      lines += line_of(is_there ? sys::sha256_of_file(folder / file) : "-", file);
-    }
-    return lines;
+  // What it was drawn from, and the drawing in this folder.
+  std::string record_of(const fs::path& folder) const {
+    sys::Record record = inputs_;
+    std::ranges::move(sys::record_entries(folder, {name_ + ".pdf", name_ + ".tex", "files.tex"}),
+                      std::back_inserter(record));
+    return sys::record_text(record);
   }
 
   // What the document shows and attaches: script, style and data with their digests.
   std::string files_tex() const {
     std::string text;
-    for (const std::string_view line : sys::lines_of(inputs_)) {
-      const auto blank = line.find("  ");
-      const std::string_view file = line.substr(blank + 2);
-      if (file == "gnuplot --version") continue;
+    for (const auto& [digest, file] : inputs_) {
+      if (file == gnuplot_entry) continue;
       const std::string path = file.starts_with("../") ? fmt::format("figures/{}", file.substr(3))
                                                        : fmt::format("figures/{}/{}", name_, file);
-      text += fmt::format("\\LiterateFile{{{}}}{{{}}}%\n", path, line.substr(0, blank));
+      text += fmt::format("\\LiterateFile{{{}}}{{{}}}%\n", path, digest);
     }
     return text;
   }
@@ -164,7 +153,7 @@ class Drawing {
   std::string name_, place_;
   fs::path computed_;
   std::string script_;
-  std::string inputs_;  // a line each, «SHA-256  file»
+  sys::Record inputs_;
 };
 
 std::vector<std::string> drawn_files_of(const std::string& name) {
@@ -236,7 +225,10 @@ void require_drawn(const fs::path& generated, const FigurePlaces& figures) {
   for (const auto& [name, place] : figures) {
     const fs::path folder = generated / "figures" / name;
     const fs::path record = folder / record_name;
-    if (fs::is_regular_file(record) && are_as_recorded(sys::read_file(record), folder)) continue;
+    if (fs::is_regular_file(record)) {
+      const auto drawn = sys::parse_record(sys::read_file(record));
+      if (drawn && are_as_recorded(*drawn, folder)) continue;
+    }
     throw sys::OutputError(fmt::format(
         "figure '{}' in '{}' is not drawn from the data that are there; `draw` comes before this",
         name, generated.string()));

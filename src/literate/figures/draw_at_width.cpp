@@ -9,6 +9,7 @@
 #include "literate/figures/script_check.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
+#include "system/record.hpp"
 #include "system/staging.hpp"
 
 namespace literate {
@@ -28,13 +29,9 @@ std::string drawn_from(const fs::path& generated, const FigureAtWidth& figure) {
 }
 
 std::string record_of(const std::string& inputs, const fs::path& folder, const std::string& name) {
-  std::string text = inputs;
-  for (const std::string ending : {".pdf", ".tex"}) {
-    const fs::path file = folder / (name + ending);
-    text += fs::is_regular_file(file) ? sys::sha256_of_file(file) : std::string("-");
-    text += fmt::format("  at width {}\n", name + ending);
-  }
-  return text;
+  sys::Record drawn = sys::record_entries(folder, {name + ".pdf", name + ".tex"});
+  for (sys::RecordEntry& entry : drawn) entry.name = "at width " + entry.name;
+  return inputs + sys::record_text(drawn);
 }
 
 bool is_up_to_date(const fs::path& generated, const fs::path& output, const FigureAtWidth& figure) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@
 #include "literate/page/page_data.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -35,17 +36,14 @@ struct Site {
 
 // The PDF, whose numbers the page takes, must be of the same text.
 void require_same_state(const fs::path& record) {
-  if (!fs::is_regular_file(record)) {
-    throw sys::InputError("the PDF, whose numbers the page takes, is not made yet");
-  }
-  const std::string text = sys::read_file(record);
-  for (const std::string_view line : sys::lines_of(text)) {
-    const auto blank = line.find("  ");
-    const std::string file(line.substr(std::min(blank + 2, line.size())));
-    if (!file.ends_with(".tex") && !file.ends_with(".sha256")) continue;
-    if (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, blank)) continue;
+  const auto typeset = fs::is_regular_file(record) ? sys::parse_record(sys::read_file(record))
+                                                   : std::optional<sys::Record>();
+  if (!typeset) throw sys::InputError("the PDF, whose numbers the page takes, is not made yet");
+  for (const sys::RecordEntry& entry : *typeset) {
+    const bool is_read = entry.name.ends_with(".tex") || entry.name.ends_with(".sha256");
+    if (!is_read || sys::is_as_recorded("/", entry)) continue;
     throw sys::InputError(
-        fmt::format("'{}' is not as it was when the PDF was made: make the PDF again", file));
+        fmt::format("'{}' is not as it was when the PDF was made: make the PDF again", entry.name));
   }
 }
 

@@ -11,12 +11,9 @@ namespace literate {
 /// The SHA-256 of files by their names.
 using FileDigests = std::map<std::string, std::string>;
 
-/// Writes lines «SHA-256  file» as `sha256sum --check` reads them, and «# done» at the end, by
-/// which a record that was cut off is known.
-std::string record_text(const FileDigests& files);
-
 /// Says on disk how far a stage is. While the record exists the stage is done, and the record
-/// lists all that it read and made. Until then «record.unfinished» holds «running» or «failed».
+/// lists all that it read and made, and ends with the line «# done». Until then «record.unfinished»
+/// holds «running» or «failed».
 ///
 /// The constructor removes the record. A stage that is killed stays running, and one that ends
 /// without done() has failed. Without a name nothing is kept. Throws sys::OutputError for a folder

@@ -8,17 +8,13 @@
 
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
 
 std::string digest_of(const fs::path& folder) {
-  std::string text;
-  for (const std::string& file : sys::files_below(folder)) {
-    text += fmt::format("{}  {}\n", sys::sha256_of_file(folder / file), file);
-  }
-  return text;
+  return sys::record_text(sys::record_entries(folder, sys::files_below(folder)));
 }
 
 void require_as_made(const fs::path& folder, const fs::path& digest_file,
@@ -31,18 +27,17 @@ void require_as_made(const fs::path& folder, const fs::path& digest_file,
                     (folder / file).string()));
   }
 
+  const auto record = sys::parse_record(sys::read_file(digest_file));
+  if (!record) {
+    throw sys::OutputError(fmt::format("'{}' is not a list of digests", digest_file.string()));
+  }
   std::set<std::string> named;
-  const std::string digest = sys::read_file(digest_file);
-  for (const std::string_view line : sys::lines_of(digest)) {
-    const auto end = line.find("  ");
-    if (end == std::string_view::npos) {
-      throw sys::OutputError(fmt::format("'{}' is not a list of digests", digest_file.string()));
-    }
-    const fs::path file = folder / line.substr(end + 2);
-    named.emplace(line.substr(end + 2));
-    if (fs::is_regular_file(file) && sys::sha256_of_file(file) == line.substr(0, end)) continue;
-    throw sys::OutputError(fmt::format(
-        "'{}' was changed after it was made; 'make report' makes it again", file.string()));
+  for (const sys::RecordEntry& entry : *record) {
+    named.insert(entry.name);
+    if (sys::is_as_recorded(folder, entry)) continue;
+    throw sys::OutputError(
+        fmt::format("'{}' was changed after it was made; 'make report' makes it again",
+                    (folder / entry.name).string()));
   }
   for (const std::string& file : made) {
     if (named.contains(file)) continue;

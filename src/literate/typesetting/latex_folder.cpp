@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/typesetting/latex_folder.hpp"
 
-#include <fmt/core.h>
-
-#include <system_error>
-
-#include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* record_name = "as-left.sha256";
-
-void remove_file(const fs::path& file) {
-  std::error_code error;
-  fs::remove(file, error);
-  if (error) {
-    throw sys::OutputError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
-  }
-}
 
 }  // namespace
 
@@ -35,11 +23,11 @@ bool LatexFolder::is_as_left() const {
 
 void LatexFolder::clear() const {
   begin();
-  for (const std::string& file : files()) remove_file(folder_ / file);
+  for (const std::string& file : files()) sys::remove_file(folder_ / file);
 }
 
 void LatexFolder::begin() const {
-  remove_file(folder_ / record_name);
+  sys::remove_file(folder_ / record_name);
 }
 
 void LatexFolder::keep() const {
@@ -62,11 +50,7 @@ std::vector<std::string> LatexFolder::files() const {
 }
 
 std::string LatexFolder::digests() const {
-  std::string text;
-  for (const std::string& file : files()) {
-    text += fmt::format("{}  {}\n", sys::sha256_of_file(folder_ / file), file);
-  }
-  return text;
+  return sys::record_text(sys::record_entries(folder_, files()));
 }
 
 }  // namespace literate

@@ -13,6 +13,7 @@
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::string_view format_record = "preamble.sha256";
 constexpr std::string_view no_format = "-";
+constexpr std::string_view file_prefix = "file ";
 constexpr int preamble_seconds = 300;  // the slowest seen took 3
 
 /// Where the body begins, and the text of the main file up to there.
@@ -39,14 +41,6 @@ std::optional<Preamble> preamble_of(const TypesetOptions& options) {
   return std::nullopt;
 }
 
-std::string record_line(std::string_view hash, std::string_view name) {
-  return fmt::format("{}  {}\n", hash, name);
-}
-
-std::string hash_of_file(const fs::path& file) {
-  return fs::is_regular_file(file) ? sys::sha256_of_file(file) : std::string(no_format);
-}
-
 /// The names of the TeX files right in a folder: one more could be read instead of another.
 std::string tex_files_in(const fs::path& folder) {
   static const std::set<std::string> endings = {".tex", ".sty", ".cls", ".clo", ".cfg",
@@ -63,15 +57,15 @@ std::string tex_files_in(const fs::path& folder) {
 }
 
 /// A format in its folder, and the record of what it was made from.
-class Keeper {
+class PreambleCache {
  public:
-  Keeper(const TypesetOptions& options, Preamble preamble)
+  PreambleCache(const TypesetOptions& options, Preamble preamble)
       : options_(&options),
         preamble_(std::move(preamble)),
         folder_(options.build_dir / "preamble"),
         stem_(fs::path(options.main_file).filename().replace_extension().string()) {}
 
-  PreambleFormat keep() const {
+  PreambleFormat up_to_date() const {
     const std::string known = fs::is_regular_file(folder_ / format_record)
                                   ? sys::read_file(folder_ / format_record)
                                   : std::string();
@@ -89,27 +83,27 @@ class Keeper {
  private:
   /// A line «SHA-256  name» for the format and for all that it depends on.
   std::string record(const std::set<std::string>& files, bool is_usable) const {
-    std::string text =
-        record_line(is_usable ? hash_of_file(folder_ / "preamble.fmt") : std::string(no_format),
-                    "format") +
-        record_line(sys::sha256_of_text(keep_preamble_tex), "engine") +
-        record_line(fmt::format("{}", options_->source_date_epoch), "date") +
-        record_line(sys::sha256_of_text(preamble_.text), "preamble") +
-        record_line(tex_files_in(options_->source_dir), "document") +
-        record_line(tex_files_in(options_->generated_dir), "generated");
+    const std::string format =
+        is_usable ? sys::record_entry(folder_, "preamble.fmt").digest : std::string(no_format);
+    sys::Record record = {{format, "format"},
+                          {sys::sha256_of_text(keep_preamble_tex), "engine"},
+                          {fmt::format("{}", options_->source_date_epoch), "date"},
+                          {sys::sha256_of_text(preamble_.text), "preamble"},
+                          {tex_files_in(options_->source_dir), "document"},
+                          {tex_files_in(options_->generated_dir), "generated"}};
     for (const std::string& file : files) {
-      text += record_line(hash_of_file(options_->source_dir / file), "file " + file);
+      record.push_back(
+          {sys::record_entry(options_->source_dir, file).digest, std::string(file_prefix) + file});
     }
-    return text;
+    return sys::record_text(record);
   }
 
   static bool has_format(const std::string& known) { return !known.starts_with(no_format); }
 
   static std::set<std::string> files_named_in(const std::string& known) {
     std::set<std::string> files;
-    for (const std::string_view line : sys::lines_of(known)) {
-      const auto at = line.find("  file ");
-      if (at != std::string_view::npos) files.emplace(line.substr(at + 7));
+    for (const auto& [digest, name] : sys::parse_record(known).value_or(sys::Record())) {
+      if (name.starts_with(file_prefix)) files.insert(name.substr(file_prefix.size()));
     }
     return files;
   }
@@ -169,7 +163,7 @@ class Keeper {
 PreambleFormat keep_preamble(const TypesetOptions& options) {
   const auto preamble = preamble_of(options);
   if (!preamble) return {};
-  return Keeper(options, *preamble).keep();
+  return PreambleCache(options, *preamble).up_to_date();
 }
 
 }  // namespace literate

@@ -3,11 +3,9 @@
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "system/files.hpp"
-#include "system/process.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(stage_record_test)
@@ -32,26 +30,6 @@ BOOST_AUTO_TEST_CASE(a_stage_is_running_then_done_or_failed) {
   }
   BOOST_TEST(!fs::exists(record));
   BOOST_TEST(sys::read_file(unfinished) == "failed\n");
-}
-
-BOOST_AUTO_TEST_CASE(sha256sum_reads_a_record_whatever_the_names_are) {
-  const TemporaryFolder scratch;
-  FileDigests files;
-  for (const std::string name : {"plain", "a b", "back\\slash", "line\nend"}) {
-    const fs::path file = scratch / name;
-    sys::write_file_atomically(file, name);
-    files[file.string()] = sys::sha256_of_file(file);
-  }
-  sys::write_file_atomically(scratch / "record", record_text(files));
-  const auto check = [&] {
-    return sys::run({.program = "sha256sum",
-                     .arguments = {"--check", "--strict", (scratch / "record").string()}})
-        .exit_status;
-  };
-
-  BOOST_TEST(check() == 0);
-  sys::write_file_atomically(scratch / "line\nend", "another");
-  BOOST_TEST(check() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(this_program_is_the_test) {
