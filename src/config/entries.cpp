@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "config/table.hpp"
+#include "system/lines.hpp"
 
 namespace config {
 namespace {
@@ -18,16 +19,7 @@ std::string text_of(const toml::node& node) {
   if (const auto number = node.value_exact<double>()) return fmt::format("{}", *number);
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
-  std::string line;
-  for (const char c : text.str()) {
-    const bool is_blank = c == '\n' || c == ' ';
-    if (!is_blank) {
-      line += c;
-    } else if (!line.empty() && line.back() != ' ') {
-      line += ' ';
-    }
-  }
-  return line;
+  return sys::one_line(text.str());
 }
 
 void collect(const toml::table& table, const std::string& prefix, Entries& entries) {

@@ -47,8 +47,7 @@ class CsvReader {
   std::string place() const { return fmt::format("{}:{}:{}", file_, line_, column_); }
 
   bool begins_comment(char byte) const {
-    return comments_ == CsvComments::number_sign && byte == '#' && column_ == 1 && row_.empty() &&
-           !is_in_field_;
+    return comments_ == CsvComments::number_sign && byte == '#' && column_ == 1 && !is_in_field_;
   }
 
   void take(char byte) {

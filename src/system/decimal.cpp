@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "system/ascii.hpp"
+
 namespace sys {
 namespace {
 

@@ -9,11 +9,6 @@
 
 namespace sys {
 
-/// Whether a character is an ASCII digit, whatever the locale says.
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /// The number that the whole text spells, whatever the locale says; none if the text is anything
 /// else, or a number beyond the range of the type.
 template <class Number>

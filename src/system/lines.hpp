@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,18 @@ inline std::string_view stripped(std::string_view text) {
   const auto first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Puts a text into one line: its words with a blank between them.
+inline std::string one_line(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  std::string line;
+  for (text = stripped(text); !text.empty(); text = stripped(text)) {
+    const std::string_view word = text.substr(0, text.find_first_of(blanks));
+    line.append(line.empty() ? "" : " ").append(word);
+    text.remove_prefix(word.size());
+  }
+  return line;
 }
 
 }  // namespace sys

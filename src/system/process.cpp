@@ -19,7 +19,7 @@
 
 #include "system/decimal.hpp"
 #include "system/error.hpp"
-#include "system/proc_file.hpp"
+#include "system/proc.hpp"
 #include "system/spawn.hpp"
 
 namespace sys {
@@ -73,31 +73,11 @@ bool read_to_end(int descriptor, std::optional<Clock::time_point> deadline, std:
   return false;
 }
 
-/// The parent of each process, by the fourth field of its «stat»: the second may hold anything.
-std::multimap<pid_t, pid_t> children_by_parent() {
-  std::multimap<pid_t, pid_t> children;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator("/proc", error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.find_first_not_of("0123456789") != name.npos) continue;
-    const std::string text = read_proc_file(entry.path() / "stat");
-    const auto bracket = text.rfind(") ");
-    if (bracket == text.npos) continue;
-    children.emplace(static_cast<pid_t>(std::atol(text.c_str() + bracket + 4)),
-                     static_cast<pid_t>(std::atol(name.c_str())));
-  }
-  return children;
-}
-
 /// Ends a child and all that it started, which would otherwise go on writing.
 void end_with_descendants(pid_t child) {
-  const std::multimap<pid_t, pid_t> children = children_by_parent();
-  std::vector<pid_t> ended{child};
-  for (std::size_t i = 0; i < ended.size(); ++i) {
-    ::kill(ended[i], SIGKILL);
-    const auto [begin, end] = children.equal_range(ended[i]);
-    for (auto entry = begin; entry != end; ++entry) ended.push_back(entry->second);
-  }
+  std::vector<pid_t> ended = descendants(child);
+  ended.push_back(child);
+  for (const pid_t process : ended) ::kill(process, SIGKILL);
 }
 
 int wait_for(pid_t child) {

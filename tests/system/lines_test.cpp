@@ -25,4 +25,9 @@ BOOST_AUTO_TEST_CASE(only_blanks_at_the_ends_are_stripped) {
   BOOST_TEST(stripped(" \t ").empty());
 }
 
+BOOST_AUTO_TEST_CASE(one_line_has_the_words_with_a_blank_between_them) {
+  BOOST_TEST(one_line(" \n one  two\r\n\tthree \n") == "one two three");
+  BOOST_TEST(one_line(" \n").empty());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

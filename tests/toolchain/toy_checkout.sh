@@ -62,6 +62,9 @@ output=${to}
 repository=${PROJECT_BINARY_DIR}/repository
 engine=${PROJECT_SOURCE_DIR}/src/literate
 ")
+file(GLOB_RECURSE document CONFIGURE_DEPENDS report/*.tex)
+list(JOIN document "\n" document)
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/document.list" CONTENT "${document}\n")
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/repository/repository.tex" CONTENT "")
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/repository/repository.json" CONTENT "")
 add_custom_target(ask_for_commit COMMAND "${CMAKE_COMMAND}" -E true)

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "config/table.hpp"
+#include "system/ascii.hpp"
 #include "system/decimal.hpp"
 
 namespace course {
@@ -53,10 +54,8 @@ int integer(const Table& table, const std::string& key, int least, int most) {
 // Reads an identifier, which must not be among those known.
 std::string new_id(const Table& table, const std::string& key, std::set<std::string>& known) {
   const std::string id = text(table, key);
-  const bool is_word = std::ranges::all_of(id, [](unsigned char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  });
+  const bool is_word = std::ranges::all_of(
+      id, [](char c) { return sys::is_alphanumeric(c) || c == '_' || c == '-'; });
   if (!is_word) {
     table.fail(key, fmt::format("\"{}\" is not of letters, digits, '_' and '-' alone", id));
   }

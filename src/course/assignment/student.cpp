@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "course/assignment/student_text.hpp"
+#include "system/ascii.hpp"
 #include "system/error.hpp"
 
 namespace course {
@@ -29,9 +30,8 @@ std::string_view ending_of(std::string_view name) {
   return ending == endings.end() ? std::string_view{} : *ending;
 }
 
-bool is_id_character(unsigned char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-         c == '_' || c == '-' || c == '@';
+bool is_id_character(char c) {
+  return sys::is_alphanumeric(c) || c == '.' || c == '_' || c == '-' || c == '@';
 }
 
 }  // namespace

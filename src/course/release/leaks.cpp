@@ -8,6 +8,7 @@
 
 #include "course/release/zip.hpp"
 #include "course/sandbox/scratch_folder.hpp"
+#include "system/ascii.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -44,8 +45,7 @@ bool is_telling(const std::string& dense, const std::string& known) {
 }
 
 bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '-';
+  return sys::is_alphanumeric(c) || c == '_' || c == '-';
 }
 
 bool has_word(std::string_view text, std::string_view word) {
@@ -59,9 +59,7 @@ bool has_word(std::string_view text, std::string_view word) {
 
 // Joins the groups of three digits between which typeset numbers have thin spaces.
 std::string without_thin_spaces(std::string_view text) {
-  const auto is_digit = [&](std::size_t i) {
-    return i < text.size() && text[i] >= '0' && text[i] <= '9';
-  };
+  const auto is_digit = [&](std::size_t i) { return i < text.size() && sys::is_digit(text[i]); };
   std::string joined;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::size_t width = text.substr(i).starts_with("\u2009") ? 3 : text[i] == ' ' ? 1 : 0;
@@ -78,7 +76,7 @@ bool is_entry_of_table(std::string_view line) {
   if (line.size() < form.size()) return false;
   for (std::size_t i = 0; i < form.size(); ++i) {
     const char c = line[i];
-    const bool fits = form[i] == 'd'   ? c >= '0' && c <= '9'
+    const bool fits = form[i] == 'd'   ? sys::is_digit(c)
                       : form[i] == 'k' ? c == 'n' || c == 'f'
                                        : c == ' ';
     if (!fits) return false;

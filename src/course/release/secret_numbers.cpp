@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "system/ascii.hpp"
 #include "system/decimal.hpp"
 
 namespace course {
@@ -20,7 +21,7 @@ constexpr std::size_t telling_digits = 5;  // anybody may have written a number 
 using sys::is_digit;
 
 bool continues_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  return sys::is_alphanumeric(c) || c == '_';
 }
 
 // The significant digits of a number, rounded to n.

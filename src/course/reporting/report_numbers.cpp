@@ -11,6 +11,7 @@
 #include "course/marking/build.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/handout.hpp"
+#include "system/ascii.hpp"
 #include "system/lines.hpp"
 #include "system/process.hpp"
 
@@ -28,12 +29,10 @@ constexpr std::size_t most_said = 4000;  ///< bytes of what a program says that 
 bool is_wanted(const std::string& name) {
   constexpr std::size_t longest = 100;
   if (name.empty()) return false;
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-  };
-  const bool is_plain = is_letter(name.front()) && std::ranges::all_of(name, [&](char c) {
-                          return is_letter(c) || c == '.' || c == '-' || c == '_';
-                        });
+  const bool is_plain =
+      sys::is_alphanumeric(name.front()) && std::ranges::all_of(name, [&](char c) {
+        return sys::is_alphanumeric(c) || c == '.' || c == '-' || c == '_';
+      });
   return is_plain && name.size() <= longest && (name == "numbers.tex" || name.ends_with(".dat"));
 }
 

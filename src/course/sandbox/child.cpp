@@ -21,11 +21,13 @@
 #include <thread>
 #include <utility>
 
-#include "course/sandbox/descendants.hpp"
+#include "course/sandbox/usage.hpp"
 #include "course/sandbox/write_fence.hpp"
+#include "system/ascii.hpp"
 #include "system/descriptor.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/proc.hpp"
 #include "system/spawn.hpp"
 
 namespace course {
@@ -107,7 +109,7 @@ bool kill_children() {
   pid_t child = 0;
   for (ssize_t i = 0; i < n_read; ++i) {
     const char c = text[static_cast<std::size_t>(i)];
-    if (c >= '0' && c <= '9') {
+    if (sys::is_digit(c)) {
       child = 10 * child + (c - '0');
     } else if (child > 0) {
       ::kill(child, SIGKILL);
@@ -218,7 +220,7 @@ class Attended {
     Seconds in_all{};
     for (int ready = 0; (ready = ::poll(&poll, 1, 50)) <= 0;) {
       if (ready < 0 && errno != EINTR) break;
-      const Usage usage = usage_of(descendants(attendant_));
+      const Usage usage = usage_of(sys::descendants(attendant_));
       const Clock::time_point now = Clock::now();
       const Seconds seen = std::min(Seconds(now - last), longest_look);
       const double cpu_seconds = std::max(usage.cpu_seconds, seen_seconds(usage));
@@ -276,7 +278,7 @@ class Attended {
 
   void end_all() {
     while (!has_ended()) {
-      for (const pid_t process : descendants(attendant_)) ::kill(process, SIGKILL);
+      for (const pid_t process : sys::descendants(attendant_)) ::kill(process, SIGKILL);
       std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
   }

@@ -12,7 +12,7 @@
 
 #include "system/descriptor.hpp"
 #include "system/error.hpp"
-#include "system/proc_file.hpp"
+#include "system/proc.hpp"
 
 namespace course {
 namespace {

@@ -72,15 +72,6 @@ void require_registered(const ScriptRun& run, const Message& message) {
   }
 }
 
-std::string one_line(std::string_view text) {
-  std::string result;
-  for (const std::string_view line : sys::lines_of(text)) {
-    const std::string_view words = sys::stripped(line);
-    if (!words.empty()) result += (result.empty() ? "" : " ") + std::string(words);
-  }
-  return result;
-}
-
 /// Refuses half a file, which gnuplot leaves when it is ended or the disk is full, sometimes with
 /// status 0.
 void require_whole(const ScriptRun& run, const std::string& script, const std::string& extension,
@@ -117,7 +108,7 @@ void require_drawn_well(const ScriptRun& run, const sys::ProcessResult& result) 
   }
   const std::string script = fmt::format("{}/{}.gp", run.label, run.name);
   if (result.exit_status != 0) {
-    const std::string said = one_line(result.output);
+    const std::string said = sys::one_line(result.output);
     throw sys::ToolError(fmt::format("{}: gnuplot ended with {}{}{} ({})", script,
                                      sys::end_of(result), said.empty() ? " and said nothing" : ": ",
                                      said, registration(run)));

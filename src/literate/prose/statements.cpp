@@ -13,6 +13,7 @@
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 #include "system/nearest_name.hpp"
 
 namespace literate {
@@ -29,17 +30,6 @@ std::string take_group(std::string_view& text, char open, char close) {
   if (group.empty()) return {};
   text.remove_prefix(begin + group.size());
   return std::string(group.substr(1, group.size() - 2));
-}
-
-/// The same text on one line.
-std::string on_one_line(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    const bool is_space = c == ' ' || c == '\n' || c == '\r' || c == '\t';
-    if (!is_space) line += c;
-    if (is_space && !line.empty() && line.back() != ' ') line += ' ';
-  }
-  return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
 /// LaTeX without its comments, which end with their line.
@@ -71,9 +61,9 @@ std::vector<Statement> statements_below(const std::filesystem::path& folder) {
                           .line = command.line,
                           .column = command.column,
                           .branches = command.branches};
-      statement.source = on_one_line(without_comments(take_group(rest, '[', ']')));
+      statement.source = sys::one_line(without_comments(take_group(rest, '[', ']')));
       statement.id = take_group(rest, '{', '}');
-      statement.sentence = on_one_line(without_comments(take_group(rest, '{', '}')));
+      statement.sentence = sys::one_line(without_comments(take_group(rest, '{', '}')));
       statements.push_back(std::move(statement));
     }
   }

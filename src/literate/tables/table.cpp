@@ -11,6 +11,7 @@
 #include "literate/tables/column_writer.hpp"
 #include "literate/text/latex.hpp"
 #include "system/csv.hpp"
+#include "system/lines.hpp"
 
 namespace literate {
 namespace {
@@ -67,12 +68,6 @@ std::string header(const Columns& columns) {
 
 std::string code_place(const std::source_location& location) {
   return fmt::format("{}:{}", location.file_name(), location.line());
-}
-
-/// Puts LaTeX's text into one line, as a comment of a CSV file has to be.
-std::string one_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
-  return text;
 }
 
 }  // namespace
@@ -253,7 +248,7 @@ std::string csv_heading(const ColumnFormat& format) {
 std::string csv_cell(const Cell& cell) {
   if (cell.is_empty()) return "";
   if (cell.number() != nullptr) return fmt::format("{}", *cell.number());
-  return one_line(cell.plain().empty() ? plain_text(*cell.text()) : cell.plain());
+  return sys::one_line(cell.plain().empty() ? plain_text(*cell.text()) : cell.plain());
 }
 
 /// A bare number is exact; only of one that is quoted without an error none is known.
@@ -293,7 +288,7 @@ std::string Table::csv() const {
   text += marks;
   for (const TableNote& note : notes_) {
     text += fmt::format("# {}{}{}\n", note.mark, note.mark.empty() ? "" : ": ",
-                        one_line(plain_text(note.text)));
+                        sys::one_line(plain_text(note.text)));
   }
   return text;
 }

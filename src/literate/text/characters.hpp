@@ -4,15 +4,13 @@
 #include <string>
 #include <string_view>
 
-#include "system/decimal.hpp"
+#include "system/ascii.hpp"
 
 namespace literate {
 
-/// Whether a character is an ASCII letter, whatever the locale says.
-constexpr bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
+using sys::is_alphanumeric;
 using sys::is_digit;
+using sys::is_letter;
 
 /// Whether the name of a TeX command may hold this character.
 constexpr bool is_command_letter(char c) {

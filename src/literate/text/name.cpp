@@ -9,13 +9,6 @@
 #include "literate/text/characters.hpp"
 
 namespace literate {
-namespace {
-
-bool is_alphanumeric(char c) {
-  return is_letter(c) || is_digit(c);
-}
-
-}  // namespace
 
 bool is_key(std::string_view text) {
   const auto is_allowed = [](char c) {

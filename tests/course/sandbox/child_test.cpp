@@ -8,9 +8,9 @@
 #include <chrono>
 #include <csignal>
 
-#include "course/sandbox/descendants.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/proc.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(child_test)
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(what_a_child_leaves_behind_ends_with_it) {
 
   run_child(shell.child("setsid sleep 100 & sleep 100 & exit 0"));
 
-  BOOST_TEST(course::descendants(::getpid()).empty());
+  BOOST_TEST(sys::descendants(::getpid()).empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_child_that_exceeds_a_limit_is_ended_and_the_limit_named) {

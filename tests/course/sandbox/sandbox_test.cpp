@@ -11,17 +11,15 @@
 #include <fstream>
 #include <functional>
 #include <string>
-#include <thread>
 
 #include "course/sandbox/child.hpp"
-#include "course/sandbox/descendants.hpp"
 #include "course/sandbox/job_user.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "course/sandbox/write_fence.hpp"
 #include "course/walls.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/proc_file.hpp"
+#include "system/proc.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sandbox_test, *boost::unit_test::fixture(&need_walls))
@@ -380,24 +378,6 @@ BOOST_AUTO_TEST_CASE(without_walls_and_rights_nothing_is_left_behind_and_process
   BOOST_TEST(!is_sleeping("98761"));
   BOOST_TEST(
       as_nobody(work, [&] { return run_freely(work, many).ending == Ending::too_many_processes; }));
-}
-
-BOOST_AUTO_TEST_CASE(the_children_of_every_thread_are_found) {
-  const auto before = descendants(::getpid()).size();
-  std::size_t during = 0;
-
-  std::thread([&] {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::pause();
-      ::_exit(0);
-    }
-    during = descendants(::getpid()).size();
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
-  }).join();
-
-  BOOST_TEST(during == before + 1);
 }
 
 BOOST_AUTO_TEST_CASE(gradings_at_the_same_time_run_as_different_users) {

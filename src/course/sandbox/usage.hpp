@@ -8,10 +8,6 @@
 
 namespace course {
 
-/// All processes below a process, whichever of its threads started them, without the process
-/// itself. A process that starts or ends meanwhile may be among them or not.
-std::vector<pid_t> descendants(pid_t process);
-
 /// The processor time of a process, without that of its children.
 struct ProcessTime {
   pid_t process = 0;

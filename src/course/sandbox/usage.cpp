@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/sandbox/descendants.hpp"
+#include "course/sandbox/usage.hpp"
 
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <iterator>
 #include <sstream>
 #include <string>
-#include <system_error>
 
-#include "system/proc_file.hpp"
+#include "system/proc.hpp"
 
 namespace course {
-namespace fs = std::filesystem;
 namespace {
-
-/// The numbers among the names in a folder of /proc.
-std::vector<pid_t> numbers_in(const std::string& folder) {
-  std::vector<pid_t> numbers;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (name.find_first_not_of("0123456789") == name.npos) numbers.push_back(std::stoi(name));
-  }
-  return numbers;
-}
 
 /// The fields of /proc/ID/stat of a process or thread from the third on. The second is a name,
 /// which may hold anything.
@@ -41,7 +26,7 @@ std::vector<std::string> statistics_of(pid_t process) {
 
 /// Whether no thread of a process is on a processor, in the queue for one, or at a disk.
 bool waits(pid_t process) {
-  for (const pid_t thread : numbers_in(fmt::format("/proc/{}/task", process))) {
+  for (const pid_t thread : sys::processes_in(fmt::format("/proc/{}/task", process))) {
     const std::vector<std::string> fields = statistics_of(thread);
     if (!fields.empty() && (fields[0] == "R" || fields[0] == "D")) return false;
   }
@@ -49,19 +34,6 @@ bool waits(pid_t process) {
 }
 
 }  // namespace
-
-std::vector<pid_t> descendants(pid_t process) {
-  std::vector<pid_t> found = {process};
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::string tasks = fmt::format("/proc/{}/task", found[i]);
-    for (const pid_t task : numbers_in(tasks)) {
-      std::istringstream children(sys::read_proc_file(fmt::format("{}/{}/children", tasks, task)));
-      for (pid_t child = 0; children >> child;) found.push_back(child);
-    }
-  }
-  found.erase(found.begin());
-  return found;
-}
 
 Usage usage_of(const std::vector<pid_t>& processes) {
   const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
@@ -83,7 +55,7 @@ Usage usage_of(const std::vector<pid_t>& processes) {
 
 std::size_t own_tasks() {
   std::size_t n_tasks = 0;
-  for (const pid_t process : numbers_in("/proc")) {
+  for (const pid_t process : sys::processes_in("/proc")) {
     struct stat status {};
     const std::string folder = fmt::format("/proc/{}", process);
     if (::stat(folder.c_str(), &status) != 0 || status.st_uid != ::geteuid()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/sandbox/descendants.hpp"
+#include "course/sandbox/usage.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,7 +10,9 @@
 #include <thread>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(descendants_test)
+#include "system/proc.hpp"
+
+BOOST_AUTO_TEST_SUITE(usage_test)
 
 BOOST_AUTO_TEST_CASE(processes_that_end_while_they_are_looked_at_are_no_error) {
   using std::chrono::steady_clock;
@@ -29,14 +31,14 @@ BOOST_AUTO_TEST_CASE(processes_that_end_while_they_are_looked_at_are_no_error) {
 
   std::size_t n_seen = 0;
   while (steady_clock::now() < end) {
-    const std::vector<pid_t> processes = course::descendants(::getpid());
+    const std::vector<pid_t> processes = sys::descendants(::getpid());
     course::usage_of(processes);
     n_seen += processes.size();
   }
   ::waitpid(parent, nullptr, 0);
 
   BOOST_TEST(n_seen > 0U);
-  BOOST_TEST(course::descendants(::getpid()).empty());
+  BOOST_TEST(sys::descendants(::getpid()).empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_process_whose_thread_works_does_not_wait) {
