@@ -198,6 +198,12 @@ void Expander::read(TexScanner& in, const TexToken& token) {
 // text.
 void Expander::verbatim(const TexToken& token) {
   if (token.name == "comment") return;
+  if (const auto open = token.text.find('{');
+      token.text.find('\\', 1) < token.text.size() &&
+      (token.name == "href" || token.name == "url" || token.name == "nolinkurl")) {
+    const std::string_view address = token.text.substr(open + 1, token.text.size() - open - 2);
+    return emit(fmt::format("\\{}{{{}}}", token.name, expanded(address)));
+  }
   if (token.name != "lstlisting") return emit(token.text);
   std::string_view code = token.text.substr(token.text.find('}') + 1);
   const std::string_view options = group_at(code, '[', ']');
@@ -517,6 +523,8 @@ void Expander::display(TexScanner& in, const TexToken& token) {
   if (bare == "displaymath") bare = "equation";
   if (bare == "flalign" || bare == "alignat") bare = "align";
   show_display(bare, std::move(rows));
+  // It steps its counter once more than it prints it, and back again.
+  if (name.starts_with("eqnarray")) numbers_.take("equation");
 }
 
 void Expander::show_display(const std::string& environment, std::vector<Row> rows) {

@@ -187,9 +187,13 @@ class Expander {
   std::vector<Row> rows_of_display(std::string_view body);
   void show_display(const std::string& environment, std::vector<Row> rows);
   void number(TexScanner&, const TexToken&);
+  void unit(TexScanner&, const TexToken&);
   void boxed(TexScanner&, const TexToken&);
   void skip_length(TexScanner&, const TexToken&);
   void rule(TexScanner&, const TexToken&);
+  void step_counter(TexScanner&, const TexToken&);
+  void set_counter(TexScanner&, const TexToken&);
+  void remove_blanks(TexScanner&, const TexToken&);
 
   const PageSources& sources_;
   nlohmann::json registered_;  ///< names.json

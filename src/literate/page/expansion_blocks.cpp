@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/expansion_reading.hpp"
@@ -18,6 +19,37 @@ namespace literate {
 namespace fs = std::filesystem;
 using namespace page_reading;
 namespace {
+
+// A unit of siunitx with a solidus, as the PDF has it: \joule\per\mole\per\kelvin is J/(mol K).
+std::string unit_with_solidus(std::string_view unit) {
+  static const std::set<std::string_view, std::less<>> prefixes{
+      "yocto", "zepto", "atto",  "femto", "pico",   "nano", "micro", "milli",
+      "centi", "deci",  "deca",  "hecto", "kilo",   "mega", "giga",  "tera",
+      "peta",  "exa",   "zetta", "yotta", "square", "cubic"};
+  std::string above, below;
+  std::string* part = &above;
+  int n_below = 0;
+  bool is_whole = true, is_below = false;  // whether a unit was read, and the next stands below
+  TexScanner in(unit);
+  while (const auto token = in.next()) {
+    const bool is_power = token->name == "squared" || token->name == "cubed" ||
+                          token->name == "tothe" || token->kind != TexKind::command;
+    if (token->name == "per") {
+      is_below = true;
+      continue;
+    }
+    if (is_whole && !is_power) {
+      part = is_below ? &below : &above;
+      n_below += is_below ? 1 : 0;
+      is_below = false;
+    }
+    *part += token->text;
+    if (!is_power) is_whole = !prefixes.contains(token->name);
+  }
+  std::string text = above.empty() ? "" : "\\si{" + above + "}";
+  if (n_below > 0) text += n_below > 1 ? "/(\\si{" + below + "})" : "/\\si{" + below + "}";
+  return text;
+}
 
 std::string listed(const std::vector<std::string>& parts) {
   std::string text;
@@ -89,8 +121,12 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::item, {"item"});
     add(&E::input, {"input", "include"});
     add(&E::number, {"num", "qty", "SI"});
+    add(&E::unit, {"si", "unit"});
     add(&E::boxed, {"makebox", "framebox"});
     add(&E::rule, {"rule"});
+    add(&E::step_counter, {"stepcounter", "refstepcounter"});
+    add(&E::set_counter, {"setcounter", "addtocounter"});
+    add(&E::remove_blanks, {"unskip"});
     add(&E::skip_length, {"hskip", "vskip", "kern", "penalty"});
     return table;
   }();
@@ -207,7 +243,8 @@ std::string Expander::link_to(const std::string& key, const std::string& latex) 
 
 std::string Expander::number_of(const std::string& key) const {
   const PrintedLabel& label = numbers_.label(key);
-  return label.type == "equation" ? "(" + label.number + ")" : label.number;
+  const bool is_equation = label.type == "equation" || label.type == "subequation";
+  return is_equation ? "(" + label.number + ")" : label.number;
 }
 
 void Expander::reference(TexScanner& in, const TexToken& token) {
@@ -323,8 +360,12 @@ void Expander::bibliography_items(TexScanner& in, const TexToken& token) {
 }
 
 void Expander::footnote(TexScanner& in, const TexToken& token) {
-  option(in);
-  if (token.name != "footnotetext") {
+  const auto given = option(in);
+  std::size_t note_number = notes_.size();
+  if (token.name == "footnotetext") {
+    const auto mark = given ? std::find(notes_.rbegin(), notes_.rend(), *given) : notes_.rbegin();
+    note_number = static_cast<std::size_t>(notes_.rend() - mark);
+  } else {
     // REVTeX may print notes among the sources; IEEEtran's notes to the title have no mark.
     const bool is_title = token.name == "thanks";
     const bool has_number = numbers_.has("footnote") &&
@@ -336,16 +377,19 @@ void Expander::footnote(TexScanner& in, const TexToken& token) {
       argument(in);
       return read_all("\\cite{" + note + "}");
     }
-    const std::string number = has_number ? expanded(numbers_.take("footnote").number) : "";
+    const std::string number = given        ? std::string(*given)
+                               : has_number ? expanded(numbers_.take("footnote").number)
+                                            : "";
     notes_.push_back(number);
-    const std::string place = fmt::format("note-{}", notes_.size());
+    note_number = notes_.size();
+    const std::string place = fmt::format("note-{}", note_number);
     emit(
         marked(fmt::format("<sup class=\"lit-note-mark\"><a id=\"{0}-mark\" href=\"#{0}\">", place),
                number, "</a></sup>"));
   }
   if (token.name == "footnotemark") return;
   const std::string text = expanded(argument(in));
-  emit(marked(fmt::format("<span class=\"lit-note\" id=\"note-{}\" role=\"note\">", notes_.size()),
+  emit(marked(fmt::format("<span class=\"lit-note\" id=\"note-{}\" role=\"note\">", note_number),
               text, "</span>"));
 }
 
@@ -390,13 +434,15 @@ void Expander::caption_setup(TexScanner& in, const TexToken&) {
 
 void Expander::item(TexScanner& in, const TexToken&) {
   const auto given = option(in);
-  if (given) return emit("\\item[" + expanded(*given) + "] ");
+  const bool is_described = !ends_.empty() && ends_.back().first == "description";
+  if (given && is_described) return emit("\\item[" + expanded(*given) + "] ");
   emit("\\item ");
-  if (lists_.empty() || lists_.back().first.empty()) return;
+  if (lists_.empty()) return;
   auto& [counter, n] = lists_.back();
-  const std::string shown = numbers_.take(counter).shown;
+  if (counter.empty() && !given) return;
+  const std::string shown = given ? std::string(*given) : numbers_.take(counter).shown;
   if (shown != std::to_string(++n) + ".") {
-    emit(marked("<span class=\"lit-item\">", shown, "</span> "));
+    emit(marked("<span class=\"lit-item\">", expanded(shown), "</span> "));
   }
 }
 
@@ -529,6 +575,21 @@ void Expander::skip_length(TexScanner& in, const TexToken& token) {
   emit(is_number ? "" : " ");
 }
 
+void Expander::step_counter(TexScanner& in, const TexToken&) {
+  const std::string counter(argument(in));
+  macros_["the" + counter] = {.body = numbers_.take(counter).number};
+}
+
+// Its number is known again when it is stepped.
+void Expander::set_counter(TexScanner& in, const TexToken&) {
+  macros_.erase("the" + std::string(argument(in)));
+  argument(in);
+}
+
+void Expander::remove_blanks(TexScanner&, const TexToken&) {
+  while (out_->ends_with(' ') || out_->ends_with('\n')) out_->pop_back();
+}
+
 // A bar, which may be drawn to scale.
 void Expander::rule(TexScanner& in, const TexToken&) {
   option(in);
@@ -544,8 +605,15 @@ void Expander::number(TexScanner& in, const TexToken& token) {
   if (token.name == "num") return emit(quantity_latex(printed, is_math_));
   const std::string unit = unit_of_latex(argument(in));
   if (unit.find('\\') == unit.npos) return emit(quantity_latex(printed + " " + unit, is_math_));
-  emit(quantity_latex(printed, is_math_) + (is_math_ ? "\\," : " "));
-  emit(fmt::format("\\si{{{}}}", unit));
+  const std::string bare = unit_with_solidus(unit);
+  emit(quantity_latex(printed, is_math_) + (bare.starts_with('/') ? "" : is_math_ ? "\\," : " "));
+  emit(bare);
+}
+
+void Expander::unit(TexScanner& in, const TexToken&) {
+  option(in);
+  const std::string bare = unit_with_solidus(argument(in));
+  emit(bare.starts_with('/') ? "1" + bare : bare);
 }
 
 }  // namespace literate

@@ -91,9 +91,12 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
   if (point < bracket)
     text += "." + in_threes(mantissa.substr(point + 1, bracket - point - 1), true);
   text += mantissa.substr(bracket);
-  if (!exponent.empty() && is_math) text += "\\times10^{" + exponent + "}";
+  if (!exponent.empty() && is_math) {
+    text += (text.empty() ? "" : "\\times") + ("10^{" + exponent + "}");
+  }
   if (!exponent.empty() && !is_math) {
-    text += fmt::format(" × 10\\textsuperscript{{{}}}", replaced(exponent, "-", "−"));
+    text += fmt::format("{}10\\textsuperscript{{{}}}", text.empty() ? "" : " × ",
+                        replaced(exponent, "-", "−"));
   }
   if (blank == printed.npos) return text;
   const std::string unit = escape_latex(printed.substr(blank + 1));

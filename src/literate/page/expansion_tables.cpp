@@ -73,6 +73,9 @@ void Expander::rows_of_tabular(std::string_view body, const std::vector<std::str
       emit(fmt::format("\\multicolumn{{{}}}{{{}}}{{{}}}", n - joined, form.empty() ? "l" : form,
                        expanded(argument(in))));
       column += n - 1;
+      if (joined == 0 && column < between.size() && !between[column].empty()) {
+        fail("a cell behind \\multicolumn is joined to it by @{…}, which the page cannot show");
+      }
     } else if (token->text == "\\\\" && depth == 0) {
       option(in);
       emit("\\\\\n");

@@ -31,6 +31,8 @@ void read_cleveref(const std::string& text, PrintedLabel& label) {
   }
   if (parts.size() < 3) return;
   label.type = parts[0];
+  // cleveref calls both the same.
+  if (label.type == "subsection" || label.type == "subsubsection") label.type = "section";
   label.order = fmt::format("{:>40}{:>8}", parts[2], parts[1]);
   label.above = parts[2];
   label.count = std::atoi(std::string(parts[1]).c_str());
@@ -164,7 +166,7 @@ bool LatexNumbers::follows(const std::string& first, const std::string& second) 
 }
 
 std::array<std::string, 4> LatexNumbers::names(const std::string& type) const {
-  const auto found = names_.find(type);
+  const auto found = names_.find(type == "subequation" ? "equation" : type);
   return found == names_.end() ? std::array{type, type + "s", type, type + "s"} : found->second;
 }
 

@@ -12,9 +12,9 @@ namespace {
 // clang-format off
 const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
-    "Cref", "cref", "documentclass", "eqref", "fig", "finding", "findingsays", "href", "hspace", "hypertarget",
+    "Cref", "cref", "documentclass", "eqref", "fig", "finding", "findingsays", "hspace", "hypertarget",
     "ifflag", "image", "include", "includegraphics", "input", "label", "limitkind", "pageref", "parbox", "phantom",
-    "quoted", "quotedpage", "raisebox", "rawval", "ref", "statement", "tag", "textcolor", "url", "usepackage",
+    "quoted", "quotedpage", "raisebox", "rawval", "ref", "statement", "tag", "textcolor", "usepackage",
     "val", "verdictsign", "vspace"};
 const std::set<std::string_view> two_silent = {
     "addtocounter", "addtolength", "claimcount", "crefrange", "fontsize", "rule", "setcounter", "setlength"};

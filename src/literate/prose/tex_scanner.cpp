@@ -86,6 +86,10 @@ TexToken TexScanner::take_command() {
   const std::string_view name = rest_.substr(1, end - 1);
   if (name.empty()) return take_symbol();
   if (name == "verb") return take(TexKind::verbatim, verb_length(rest_, end));
+  if (name == "url" || name == "nolinkurl" || name == "href") {
+    const std::string_view address = group_at(rest_.substr(end));
+    if (!address.empty()) return take(TexKind::verbatim, end + address.size(), name);
+  }
   if (name == "begin" || name == "end") {
     const std::string_view group = group_at(rest_.substr(end));
     if (!group.empty()) return take_environment(name == "begin", end + group.size(), inside(group));

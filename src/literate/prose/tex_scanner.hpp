@@ -12,7 +12,8 @@ enum class TexMode : char { text, inline_math, display_math };
 enum class TexKind {
   text,      ///< characters without a meaning of their own
   comment,   ///< from % to the end of the line, which does not belong to it
-  verbatim,  ///< \verb with its text; a whole verbatim or lstlisting environment
+  verbatim,  ///< \verb with its text, \url or \href with its address, in which % begins no comment;
+             ///< a whole verbatim or lstlisting environment
   command,   ///< \name, with a star if there is one
   symbol,    ///< a backslash and a character that is no letter
   begin,     ///< \begin{name}

@@ -1,20 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The words and numbers of a page and of its PDF: page_and_pdf.py OUTPUT DOCUMENT MAIN [NAME], the folders of a build and of its
-document, the name of the main file, and that of page and PDF if it is another one. It ends with 1 if a word or number
-stands more often in one than in the other.
+document, the name of the main file, and that of page and PDF if it is another one. It ends with 1 if a word, a number or a sign
+of mathematics stands more often in one than in the other, or if words follow each other in the page and not in the PDF.
 
 Each word and number of the page's text has to stand in the PDF as often, and what the PDF has besides has to be the letters and
 digits of the page's formulas, each as often: a formula's own words cannot be told in a PDF, where its parts stand above and
-below each other. The order of the words is not compared, since floats and notes stand elsewhere.
+below each other. Any two words beside each other in a paragraph of the page are so in the PDF; not in tables and formulas, nor
+over a claim's mark or a note.
 
 Left out, on both sides: listings; labels in drawings, which are typeset once more and counted; running heads; lists of
 contents; marks at captions that lead to data; where a claim, a value or a drawing is used, for which the PDF has pages and the
 page has sections; the word behind a claim's mark, for which the page has a sign; the second mark of a footnote; heads that a
-table repeats on each sheet; and all signs but letters and digits. Capitals are not told from small letters, since some classes
+table repeats on each sheet; and punctuation. Capitals are not told from small letters, since some classes
 print headings in capitals."""
 import collections
 import html.parser
+import itertools
 import json
 import pathlib
 import re
@@ -24,12 +26,16 @@ import tempfile
 import unicodedata
 import xml.etree.ElementTree as ElementTree
 
-TOKEN = re.compile(r"[^\W\d_]+|\d+(?:\.\d+)*")
+SIGN = "−+=<>≤≥±×"
+TOKEN = re.compile(rf"[^\W\d_]+|\d+(?:\.\d+)*|[{SIGN}]")
 VOID = {"meta", "link", "img", "br", "hr", "input", "col", "wbr"}
 IN_LINE = {"a", "span", "em", "strong", "code", "sup", "sub", "math", "b", "i"}
+APART = "\0"
+LEADING = 22  # points within which a line goes on beside or below
+GAP = 9  # points between words that do not follow each other
 LEVELS = ["part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"]
-# What pdftotext makes of TeX's large signs.
-SIGNS = {"∫": "zr", "∑": "xp", "∏": "yq", "√": "pqrs"}
+# What pdftotext may make of TeX's composed signs.
+SIGNS = {"∫": "zr", "∑": "xp", "∏": "yq", "√": "pqrs", "≠": "="}
 ONE_LETTER = str.maketrans("ϵϕϑϱıȷ∆", "εφθρijδ", "ˆ")
 
 
@@ -39,7 +45,7 @@ def normal(text):
 
 def letters_of(words):
     """Letters without accents, which a PDF has apart."""
-    return collections.Counter(c for c in unicodedata.normalize("NFD", "".join(words.elements())) if c.isalnum())
+    return collections.Counter(c for c in unicodedata.normalize("NFD", "".join(words.elements())) if c.isalnum() or c in SIGN)
 
 
 def tokens(text):
@@ -50,6 +56,8 @@ class Page(html.parser.HTMLParser):
     """What a page says: its words with their places, the letters of its formulas, the code of its listings; and what it shows."""
 
     SKIPPED = {"nav", "script", "style", "svg", "head"}
+    # The PDF has something behind it or elsewhere.
+    APART = {"lit-claim", "lit-note", "lit-note-mark", "lit-sign", "lit-uses"}
     SKIPPED_CLASSES = {"lit-skip", "lit-formats", "lit-cite-page", "lit-uses", "lit-ledger-place"}
 
     def __init__(self, file):
@@ -58,6 +66,7 @@ class Page(html.parser.HTMLParser):
         self.signs, self.lists, self.items, self.parts = collections.Counter(), [], [], set()
         self.drawings, self.verdicts, self.used, self.notes, self.places = [], [], [], [], {}
         self.open, self.said, self.kinds, self.at = [], "", "", "the beginning"
+        self.pairs = []
         self.feed(file.read_text(encoding="utf-8"))
         self.end_of_text()
 
@@ -66,6 +75,8 @@ class Page(html.parser.HTMLParser):
         classes = set((attributes.get("class") or "").split())
         if tag not in IN_LINE or "lit-note" in classes:
             self.end_of_text()
+        if classes & self.APART:
+            self.add(APART, "text")
         if attributes.get("id") and tag in {"section", "figure", "div", "article", "p"}:
             self.at = attributes["id"]
         if tag in {"ol", "ul"} or tag == "li":
@@ -109,7 +120,10 @@ class Page(html.parser.HTMLParser):
 
     def handle_endtag(self, tag):
         while self.open and any(tag == name for name, _, _ in self.open):
-            if self.open.pop()[0] == tag:
+            closed, _, classes = self.open.pop()
+            if classes & self.APART:
+                self.add(APART, "text")
+            if closed == tag:
                 break
         if tag not in IN_LINE:
             self.end_of_text()
@@ -133,16 +147,20 @@ class Page(html.parser.HTMLParser):
             # A letter that is raised stands apart in the PDF.
             if data[:1].isalpha() and self.open and self.open[-1][0] in {"sup", "sub"}:
                 data = f" {data} "
-            self.said += data
-            self.kinds += ("t" if kind == "text" else "f") * len(data)
+            self.add(data, kind)
             if kind == "note":
                 self.notes += tokens(data)
+
+    def add(self, text, kind):
+        self.said += text
+        self.kinds += ("t" if kind == "text" else "f") * len(text)
 
     def end_of_text(self):
         """A word that touches a formula is part of it: nobody can tell them apart in the PDF."""
         said, kinds, self.said, self.kinds = self.said, self.kinds, "", ""
         if any(tag == "thead" for tag, _, _ in self.open):
             self.heads[self.table] += tokens(said)
+        is_table, former, from_former = any(tag == "table" for tag, _, _ in self.open), None, 0
         for match in TOKEN.finditer(said):
             begin, end = match.span()
             around = [i for i in range(max(begin - 1, 0), min(end + 1, len(said)))
@@ -150,29 +168,50 @@ class Page(html.parser.HTMLParser):
             in_formula = any(kinds[i] == "f" for i in around)
             place = f"#{self.at}: …{' '.join(said[max(begin - 40, 0):end + 25].split())}…"
             (self.formulas if in_formula else self.words).extend((word, place) for word in tokens(match.group()))
+            word = None if in_formula or is_table else normal(match.group())
+            if former and word and APART not in said[from_former:begin]:
+                self.pairs.append(((former, word), place))
+            former, from_former = word, end
+
+
+Line = collections.namedtuple("Line", "sheet top left right text is_last")
+
+
+def parts_of(line):
+    """The words of a line, apart from those of another column."""
+    parts = []
+    for word in line:
+        if not parts or float(word.get("xMin")) - float(parts[-1][-1].get("xMax")) > GAP:
+            parts.append([])
+        parts[-1].append(word)
+    return parts
 
 
 def all_lines(pdf):
-    """The lines of each sheet, with their heights on it."""
+    """The lines of each sheet; of a block the last is marked, and each that another column follows."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "text.xml")
         subprocess.run(["pdftotext", "-bbox-layout", pdf, file], check=True)
         text = re.sub(r"[\x00-\x08\x0b\x0c\x0e-\x1f]", " ", file.read_text(encoding="utf-8"))
     name = "{http://www.w3.org/1999/xhtml}"
     sheets = []
-    for page in ElementTree.fromstring(text).iter(name + "page"):
-        lines = [(float(line.get("yMin")), " ".join(word.text or "" for word in line.iter(name + "word")))
-                 for line in page.iter(name + "line")]
-        sheets.append(lines)
+    for number, page in enumerate(ElementTree.fromstring(text).iter(name + "page"), 1):
+        sheets.append([])
+        for block in page.iter(name + "block"):
+            parts = [part for line in block for part in parts_of(line)]
+            for part, behind in zip(parts, parts[1:] + [None]):
+                is_last = behind is None or float(behind[0].get("xMin")) > float(part[-1].get("xMax"))
+                sheets[-1].append(Line(number, float(part[0].get("yMin")), float(part[0].get("xMin")), float(part[-1].get("xMax")),
+                                       " ".join(word.text or "" for word in part), is_last))
     return sheets
 
 
 def without_heads(sheets):
     """A head or foot stands at the edge of a sheet, in the height and with the words of others, and with their number or the next."""
     def edges(number, lines):
-        heights = [y for y, _ in lines]
-        return [(i, round(y / 2), re.sub(r"\d+", lambda match: f"#{int(match.group()) - number}", text))
-                for i, (y, text) in enumerate(lines) if y < min(heights) + 3 or y > max(heights) - 3]
+        heights = [line.top for line in lines]
+        return [(i, round(line.top / 2), re.sub(r"\d+", lambda match: f"#{int(match.group()) - number}", line.text))
+                for i, line in enumerate(lines) if line.top < min(heights) + 3 or line.top > max(heights) - 3]
 
     said = collections.Counter()
     for number, lines in enumerate(sheets):
@@ -180,28 +219,29 @@ def without_heads(sheets):
     for number, lines in enumerate(sheets):
         drop = {i for i, y, text in edges(number, lines) if said[y, text] > max(1, len(sheets) / 3)}
         # elsarticle's first sheet has a foot of its own.
-        if number == 0 and any(text.startswith("Preprint submitted to") for _, text in lines):
+        if number == 0 and any(line.text.startswith("Preprint submitted to") for line in lines):
             drop |= {i for i, _, _ in edges(number, lines) if i > len(lines) / 2}
-        yield [line for i, (_, line) in enumerate(lines) if i not in drop]
+        yield [line for i, line in enumerate(lines) if i not in drop]
 
 
 def pdf_words(sheets, known):
-    """Words with their places; of a hyphenated word both halves are joined where the page knows the whole."""
-    lines = [(f"sheet {number}: {line}", tokens(small_capitals(line, known)), bool(re.search(r"[^\W\d_](?:-|\u2010)$", line)))
-             for number, lines in enumerate(sheets, 1) for line in lines]
-    for i, (_, found, is_broken) in enumerate(lines):
+    """Each line with its words; of a hyphenated word both halves are joined where the page knows the whole."""
+    lines = [(line, tokens(small_capitals(line.text, known))) for lines in sheets for line in lines]
+    for i, (line, found) in enumerate(lines):
         # A float or another column may stand between the halves.
-        for _, others, _ in lines[i + 1:] if is_broken and found else []:
+        is_broken = found and re.search(r"[^\W\d_](?:-|\u2010)$", line.text)
+        for _, others in lines[i + 1:] if is_broken else []:
             if others and found[-1] + others[0] in known:
                 found[-1] += others.pop(0)
                 break
-    return [(word, place) for place, found, _ in lines for word in found]
+    return [(line, found) for line, found in lines if found]
 
 
 def small_capitals(line, known):
-    """V ALUES is a word whose first letter is larger."""
+    """V ALUES is a word whose first letter is larger; and the logo is a word."""
     return re.sub(r"\b([A-Z]) ([A-Z]+)\b",
-                  lambda match: "".join(match.groups()) if normal("".join(match.groups())) in known else match.group(), line)
+                  lambda match: "".join(match.groups()) if normal("".join(match.groups())) in known else match.group(),
+                  line.replace("L A TEX", "LATEX"))
 
 
 def tex_tokens(text, values):
@@ -299,9 +339,9 @@ def drawn_words(output, page, aux):
                          "\\pdfhorigin=2in\\pdfvorigin=2in\\shipout\\hbox{\\raise\\dp\\figurebox\\box\\figurebox}\n")
         pathlib.Path(folder, "labels.tex").write_text("".join(lines) + "\\end{document}\n", encoding="utf-8")
         subprocess.run(["pdflatex", "-interaction=batchmode", "labels.tex"], cwd=folder, stdout=subprocess.DEVNULL, check=bool(drawn))
-        if not drawn:
-            return []
-        return [word for lines in all_lines(pathlib.Path(folder, "labels.pdf")) for _, line in lines for word in tokens(line)]
+        files = [pathlib.Path(folder, "labels.pdf"), output / "html/typeset.pdf"]
+        return [word for file in files if file.exists() for lines in all_lines(file) for line in lines
+                for word in tokens(line.text)]
 
 
 def main():
@@ -309,7 +349,8 @@ def main():
     name = sys.argv[4] if len(sys.argv) > 4 else main_name
     page = Page(output / f"{name}.html")
     names = json.loads((output / "generated/names.json").read_text(encoding="utf-8"))
-    pdf = pdf_words(without_heads(all_lines(output / f"{name}.pdf")), {word for word, _ in page.words})
+    lines = pdf_words(without_heads(all_lines(output / f"{name}.pdf")), {word for word, _ in page.words})
+    pdf = [(word, f"sheet {line.sheet}: {line.text}") for line, found in lines for word in found]
     out, marks, aux = left_out(output, document, main_name, page, names)
     out.update(drawn_words(output, page, aux))
 
@@ -331,13 +372,33 @@ def main():
     for sign, forms in SIGNS.items():
         surplus = [c for c in forms for _ in range((letters - wanted)[c])]
         letters -= collections.Counter(surplus[:page.signs[sign]])
-    n_errors = show("page", "PDF", lacking, page.words)
+    n_errors = show("page in this order", "PDF", disordered(page.pairs, lines), page.pairs)
+    n_errors += show("page", "PDF", lacking, page.words)
     n_errors += show("PDF", "page", {word: n for word, n in left.items() if set(word) & set(letters - wanted)}, pdf)
     n_errors += show("page", "PDF", {word: n for word, n in formulas.items() if set(word) & set(wanted - letters)}, page.formulas)
     if letters != wanted:
         print("letters and digits of formulas that only the PDF has:", dict(letters - wanted), "only the page:", dict(wanted - letters))
+        n_errors = n_errors or 1
     print(f"{len(page.words)} words and {len(page.formulas)} pieces of formulas compared; {n_errors} stand in one and not the other")
     return 1 if n_errors else 0
+
+
+def disordered(pairs, lines):
+    """Words that follow each other in the page more often than in the PDF, where a line may go on in the next, in the one beside or
+    below it and, at the end of a block, in any other; a letter between two words may be part of a large sign."""
+    words = [word for _, found in lines for word in found]
+    follow = collections.Counter(zip(words, words[1:]))
+    follow.update((one, two) for one, sign, two in zip(words, words[1:], words[2:]) if len(sign) == 1)
+    ends, begins = set(), set()
+    for (line, found), (_, behind) in itertools.pairwise(lines):
+        near = [(other, others) for other, others in lines if other.sheet == line.sheet and abs(other.top - line.top) < LEADING]
+        follow.update({(found[-1], word) for other, others in near for word in others[:2]
+                       if other.left >= line.right - 1 or other.top > line.top + 2})
+        if line.is_last:
+            ends.add(found[-1])
+            begins.update(behind[:2 if len(behind[0]) == 1 else 1])
+    counted = collections.Counter(pair for pair, _ in pairs) - follow
+    return {pair: n for pair, n in counted.items() if not (pair[0] in ends and pair[1] in begins)}
 
 
 def show(here, there, counted, words):

@@ -99,6 +99,25 @@ BOOST_AUTO_TEST_CASE(what_neither_engine_nor_pandoc_knows_is_told_with_its_place
   BOOST_TEST(errors_of(body + "A \\unheard{b}.\n") == told, per_element());
 }
 
+// Nothing is shown otherwise than in the PDF in silence.
+BOOST_AUTO_TEST_CASE(what_only_latex_can_decide_is_told_with_its_place) {
+  for (const auto& [latex, told] :
+       {std::pair<std::string, std::string>{"\\ifdim1em<10pt a\\else b\\fi",
+                                            "1: the page cannot decide \\ifdim1em<10pt"},
+        {"\\ifnum\\value{run}=12 a\\else b\\fi", "1: the page cannot decide \\ifnum"},
+        {"\\ifdim\\wide<10pt a\\else b\\fi", "1: the page cannot decide \\ifdim"},
+        {"\\ifodd 3 a\\else b\\fi", "1: \\ifodd is not known to the page"},
+        {"\\setcounter{run}{9}\\therun", "20: \\therun is not known to the page"},
+        {"\\begin{tabular}{cl@{ m }r}\\multicolumn{2}{l}{a} & 3\\end{tabular}",
+         "25: a cell behind \\multicolumn is joined to it by @{…}, which the page cannot show"}}) {
+    const std::vector<std::string> errors = errors_of(latex + "\n", "\\relax\n");
+    BOOST_TEST_CONTEXT(latex) {
+      BOOST_REQUIRE(!errors.empty());
+      BOOST_TEST(errors.front() == "main.tex:3:" + told);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_pdf_of_another_state_is_told) {
   const std::string other =
       "\\LiterateNumber{section}{II}{document}{}{1}\n\\newlabel{weighing}{{III}{1}{}{}{}}\n";

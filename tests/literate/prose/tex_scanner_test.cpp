@@ -73,6 +73,15 @@ BOOST_AUTO_TEST_CASE(nothing_within_verbatim_text_is_read) {
              per_element());
 }
 
+BOOST_AUTO_TEST_CASE(a_per_cent_sign_in_an_address_begins_no_comment) {
+  const std::string latex = "\\url{a%20b} \\href{c%7Ed}{e} \\nolinkurl{f}% g";
+
+  BOOST_TEST(texts_of(TexKind::verbatim, latex) ==
+                 (Texts{"\\url{a%20b}", "\\href{c%7Ed}", "\\nolinkurl{f}"}),
+             per_element());
+  BOOST_TEST(texts_of(TexKind::comment, latex) == (Texts{"% g"}), per_element());
+}
+
 BOOST_AUTO_TEST_CASE(environments_begin_and_end_by_name) {
   const auto tokens = tokens_of("\\begin{figure}[ht]\\end {figure}");
   BOOST_REQUIRE(tokens.size() == 3U);
