@@ -35,10 +35,6 @@ RefinedSolution RefinedSolution::combination(const std::vector<RefinedSolution>&
   return {Solution::combination(fine, factors), Solution::combination(coarse, factors)};
 }
 
-numerics::Estimate RefinedSolution::displacement_x(double x, double z) const {
-  return compare(fine_.displacement(x, z).x(), coarse_.displacement(x, z).x());
-}
-
 numerics::Estimate RefinedSolution::displacement_z(double x, double z) const {
   return compare(fine_.displacement(x, z).y(), coarse_.displacement(x, z).y());
 }

@@ -33,8 +33,7 @@ class RefinedSolution {
   const Solution& fine() const { return fine_; }
   const Solution& coarse() const { return coarse_; }
 
-  /// u_x and u_z at any point, two lengths; InvalidQuantity is thrown outside the block.
-  numerics::Estimate displacement_x(double x, double z) const;
+  /// u_z at any point, a length; InvalidQuantity is thrown outside the block.
   numerics::Estimate displacement_z(double x, double z) const;
 
   /// The measures of Appendix 2, see measures().

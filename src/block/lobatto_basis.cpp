@@ -35,10 +35,6 @@ Eigen::VectorXd LobattoBasis::values(double xi) const {
   return terms / terms.sum();
 }
 
-Eigen::VectorXd LobattoBasis::derivatives(double xi) const {
-  return nodal_derivatives_.transpose() * values(xi);
-}
-
 Eigen::MatrixXd LobattoBasis::values_at(const Eigen::VectorXd& points) const {
   Eigen::MatrixXd result(points.size(), nodes_.size());
   for (Eigen::Index k = 0; k < points.size(); ++k) result.row(k) = values(points[k]);

@@ -20,10 +20,8 @@ class LobattoBasis {
   /// N_i(ξ), i = 0 … p, by the barycentric formula.
   Eigen::VectorXd values(double xi) const;
 
-  /// dN_i/dξ, i = 0 … p; exact because each is a polynomial that its nodal values determine.
-  Eigen::VectorXd derivatives(double xi) const;
-
-  /// N_i(ξ_k) as an array of points × (p + 1), and dN_i/dξ(ξ_k) likewise.
+  /// N_i(ξ_k) as an array of points × (p + 1), and dN_i/dξ(ξ_k) likewise, which is exact because
+  /// each N_i is a polynomial that its nodal values determine.
   Eigen::MatrixXd values_at(const Eigen::VectorXd& points) const;
   Eigen::MatrixXd derivatives_at(const Eigen::VectorXd& points) const;
 

@@ -12,7 +12,7 @@ MassProperties mass_properties(const Rectangle& block, double density) {
   const double ixx = mass * block.height() * block.height() / 12;
   const double iyy = mass * block.width() * block.width() / 12;
   const double steiner = mass * centre_y * centre_y;
-  return {mass, 0, centre_y, {ixx + steiner, iyy, ixx + steiner + iyy}, {ixx, iyy, ixx + iyy}};
+  return {mass, centre_y, {ixx + steiner, iyy, ixx + steiner + iyy}, {ixx, iyy, ixx + iyy}};
 }
 
 }  // namespace block

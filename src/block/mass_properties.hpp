@@ -15,10 +15,9 @@ struct Inertia {
   double izz;
 };
 
-/// Mass, centre of mass and inertia of the block, unit thickness.
+/// Mass, centre of mass (0, centre_y) and inertia of the block, unit thickness.
 struct MassProperties {
   double mass;
-  double centre_x;
   double centre_y;
   Inertia about_origin;
   Inertia about_centre;

@@ -38,7 +38,6 @@ class Solution {
                               const std::vector<double>& factors);
 
   const Model& model() const { return *model_; }
-  const Eigen::VectorXd& nodal_displacements() const { return displacements_; }
 
   /// u = Σ N_i u_i at any point of the block; InvalidQuantity is thrown for one outside.
   Eigen::Vector2d displacement(double x, double z) const;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "contact/contact_error.hpp"
@@ -99,16 +98,6 @@ Solution solve_by_variational_method(const Problem& problem, double line_load) {
       problem, line_load,
       {std::move(minimum.phi), std::move(minimum.gap), minimum.approach + system.least_gap(), error,
        Work{.iterations = minimum.products / 2, .products = minimum.products}});
-}
-
-double energy(const Problem& problem, const Solution& solution) {
-  const DenseSystem system(problem, solution.line_load());
-  const ArrayXd phi = solution.pressure / solution.pressure_per_phi;
-  const ArrayXd weighted = phi * system.weights().array();
-  const ArrayXd displacement = (compliance_of(system) * phi.matrix()).array();
-  // p = φ πE*/(2c), elements c wide: E* π/2 times the sum over nodes
-  return std::numbers::pi / 2 *
-         (weighted * (displacement / 2 + system.initial_gap().array() + system.least_gap())).sum();
 }
 
 }  // namespace contact

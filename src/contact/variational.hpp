@@ -20,7 +20,4 @@ namespace contact {
 /// grid; ContactError when the minimum is not reached in 100 √n products or more.
 Solution solve_by_variational_method(const Problem& problem, double line_load);
 
-/// (½ pᵀCp + hᵀp)/E* of a solution, its least value, an area: E* times it is an energy per length.
-double energy(const Problem& problem, const Solution& solution);
-
 }  // namespace contact

@@ -22,10 +22,4 @@ void compute(Document& document, const parameters::Case& from_file,
   for (Document& part : documents) document.append(std::move(part));
 }
 
-std::vector<std::string> section_names() {
-  std::vector<std::string> names;
-  for (const Section& section : sections()) names.push_back(section.name);
-  return names;
-}
-
 }  // namespace paper

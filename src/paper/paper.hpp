@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "literate/document/document.hpp"
 #include "literate/main/paper.hpp"
@@ -28,9 +26,5 @@ void require_reportable(const parameters::Case& c);
 void compute(literate::Document& document, const parameters::Case& from_file,
              const std::optional<Listings>& listings = std::nullopt,
              const literate::Paper& paper = {});
-
-/// The sections that compute something, in the order of the report: «x_y» is computed by
-/// src/paper/x_y_section.cpp for report/sections/x-y.tex.
-std::vector<std::string> section_names();
 
 }  // namespace paper

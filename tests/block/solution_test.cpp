@@ -130,13 +130,11 @@ BOOST_AUTO_TEST_CASE(estimates_are_the_finer_value_and_its_distance_from_the_coa
 
   const auto solution = analysis.on(block::with_sides(Support::roller)).solve(skew_load);
 
-  const Eigen::Vector2d fine = solution.fine().displacement(0.1, 0.2);
-  const Eigen::Vector2d difference = fine - solution.coarse().displacement(0.1, 0.2);
-  BOOST_TEST(solution.displacement_x(0.1, 0.2).value == fine.x());
-  BOOST_TEST(solution.displacement_x(0.1, 0.2).abs_error == std::abs(difference.x()));
-  BOOST_TEST(solution.displacement_z(0.1, 0.2).value == fine.y());
-  BOOST_TEST(solution.displacement_z(0.1, 0.2).abs_error == std::abs(difference.y()));
-  BOOST_TEST(std::abs(difference.y()) > 0);
+  const double fine = solution.fine().displacement(0.1, 0.2).y();
+  const double difference = fine - solution.coarse().displacement(0.1, 0.2).y();
+  BOOST_TEST(solution.displacement_z(0.1, 0.2).value == fine);
+  BOOST_TEST(solution.displacement_z(0.1, 0.2).abs_error == std::abs(difference));
+  BOOST_TEST(std::abs(difference) > 0);
 }
 
 BOOST_AUTO_TEST_CASE(points_outside_the_block_are_refused) {

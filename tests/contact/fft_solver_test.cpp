@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/contact_error.hpp"
+#include "contact/energy.hpp"
 #include "contact/hertz.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "contact/power_law.hpp"

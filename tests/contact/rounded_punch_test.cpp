@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "contact/cauchy_integral.hpp"
-#include "contact/flat_punch.hpp"
 #include "contact/hertz.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
@@ -193,10 +192,10 @@ BOOST_AUTO_TEST_CASE(under_a_light_load_it_is_the_flat_punch) {
   // to a part of the order of (a−b)/b = 2e-9
   const double load = 1.137e-11;
   const RoundedPunch contact(modulus, b, curvature, load);
-  const contact::FlatPunch flat(modulus, b, load);
 
   for (const double x : {0.0, 0.3137 * b, -0.8713 * b}) {
-    BOOST_TEST(tolerance::relative_difference(contact.pressure(x), flat.pressure(x)) < 1e-8);
+    const double flat = load / (pi * std::sqrt((b - x) * (b + x)));  // Johnson 2.64
+    BOOST_TEST(tolerance::relative_difference(contact.pressure(x), flat) < 1e-8);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "contact/dense_system.hpp"
+#include "contact/energy.hpp"
 #include "contact/matrix_inversion.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"

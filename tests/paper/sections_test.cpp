@@ -40,8 +40,9 @@ std::set<std::string> names_in(const std::string& folder, const std::string& end
 }
 
 std::set<std::string> names_in_table() {
-  const std::vector<std::string> names = paper::section_names();
-  return {names.begin(), names.end()};
+  std::set<std::string> names;
+  for (const paper::Section& section : paper::sections()) names.insert(section.name);
+  return names;
 }
 
 }  // namespace
@@ -77,7 +78,8 @@ BOOST_AUTO_TEST_CASE(each_numbered_equation_of_the_paper_is_found_by_one_grep) {
 BOOST_AUTO_TEST_CASE(sections_are_computed_in_the_order_in_which_the_report_has_them) {
   const std::string report = sys::read_file(source_dir + "/report/report.tex");
   std::size_t last = 0;
-  for (std::string name : paper::section_names()) {
+  for (const paper::Section& section : paper::sections()) {
+    std::string name = section.name;
     std::ranges::replace(name, '_', '-');
     const std::size_t at = report.find("\\input{sections/" + name + "}");
     BOOST_TEST((at != std::string::npos && at > last), name);

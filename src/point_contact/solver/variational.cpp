@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "contact/contact_error.hpp"
@@ -73,10 +72,6 @@ ElementLoads minimise(InfluenceOperator& influence, const VectorXd& gaps, double
       fmt::format("the variational method did not reach its minimum in {} products", max_products));
 }
 
-InfluenceOperator operator_for(const Problem& problem, const RowTeam& team) {
-  return {ElementPotential(problem.element, problem.grid.lattice), problem.grid, team};
-}
-
 }  // namespace
 
 Solution solve_by_variational_method(const Problem& problem, double load,
@@ -85,23 +80,11 @@ Solution solve_by_variational_method(const Problem& problem, double load,
   require_tolerance(accuracy.tolerance);
   const RowTeam team(accuracy.n_threads);
   const VectorXd gaps = initial_gaps(problem, team);
-  InfluenceOperator influence = operator_for(problem, team);
+  InfluenceOperator influence(ElementPotential(problem.element, problem.grid.lattice), problem.grid,
+                              team);
   ElementLoads loads = minimise(influence, gaps, total, accuracy.tolerance);
   require_free_ends(problem, loads.phi, Control::load, load);
   return to_solution(problem, load, std::move(loads));
-}
-
-double energy(const Problem& problem, const Solution& solution) {
-  const RowTeam team(1);
-  const VectorXd gaps = initial_gaps(problem, team);
-  InfluenceOperator influence = operator_for(problem, team);
-  const double area = problem.grid.lattice.cell_area();
-  VectorXd displacements;
-  influence.displacements(solution.pressure, displacements);
-  displacements *= problem.grid.spacing() / (std::numbers::pi * problem.contact_modulus);
-  const auto in_contact = solution.pressure.array() > 0;
-  return area *
-         in_contact.select(solution.pressure.array() * (displacements / 2 + gaps).array(), 0).sum();
 }
 
 }  // namespace point_contact

@@ -22,7 +22,4 @@ namespace point_contact {
 Solution solve_by_variational_method(const Problem& problem, double load,
                                      const Accuracy& accuracy = {});
 
-/// A(½ pᵀu + hᵀp) of a solution, A the area of a cell: the energy that contact makes least.
-double energy(const Problem& problem, const Solution& solution);
-
 }  // namespace point_contact
