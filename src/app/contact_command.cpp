@@ -30,7 +30,7 @@ struct ContactCommandOptions {
 // The pressure at the nodes about the contact, the closed form and the shear, if there are any.
 literate::Figure contact_figure(const ContactInput& input, const SolvedContact& solved,
                                 const config::UnitSystem& units) {
-  const contact::Solution& s = solved.solution;
+  const line_contact::Solution& s = solved.solution;
   const auto regions = s.regions();
   const double begin = regions.front().begin;
   const double end = regions.back().end;

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "contact/dense_system.hpp"
-#include "contact/fft_solver.hpp"
-#include "contact/hertz.hpp"
+#include "line_contact/dense_system.hpp"
+#include "line_contact/fft_solver.hpp"
+#include "line_contact/hertz.hpp"
 #include "system/require.hpp"
 
 namespace app {
@@ -18,11 +18,11 @@ namespace {
 
 using parameters::CylinderCase;
 
-contact::Element element_named(const std::string& name) {
-  for (const auto element : {contact::Element::point, contact::Element::uniform}) {
-    if (name == contact::name_of(element)) return element;
+line_contact::Element element_named(const std::string& name) {
+  for (const auto element : {line_contact::Element::point, line_contact::Element::uniform}) {
+    if (name == line_contact::name_of(element)) return element;
   }
-  return contact::Element::triangular;
+  return line_contact::Element::triangular;
 }
 
 }  // namespace
@@ -68,17 +68,18 @@ elasticity::Material ContactOptions::Body::material(
   return {young.number_or(given_young), poisson.number_or(given_poisson)};
 }
 
-contact::Radius ContactOptions::Body::radius_or(const std::optional<CylinderCase>& given) const {
-  if (radius.text() == "plane") return contact::Radius::of_plane();
+line_contact::Radius ContactOptions::Body::radius_or(
+    const std::optional<CylinderCase>& given) const {
+  if (radius.text() == "plane") return line_contact::Radius::of_plane();
   if (radius.text().empty() && given) return given->radius;
   const double length = radius.number_or(std::nullopt);
-  return contact::Radius::of_cylinder(radius.flag().c_str() + 2, length);
+  return line_contact::Radius::of_cylinder(radius.flag().c_str() + 2, length);
 }
 
 void ContactOptions::set_profile(ContactInput& input,
                                  const std::optional<parameters::Case>& from_file) const {
   profile_.refuse_flags_of_others();
-  contact::Profile& profile = input.problem.profile;
+  line_contact::Profile& profile = input.problem.profile;
   const ProfileChoice& choice = profile_choices()[profile_.row()];
   if (!choice.choose) {
     std::optional<CylinderCase> given1, given2;
@@ -86,9 +87,9 @@ void ContactOptions::set_profile(ContactInput& input,
       given1 = from_file->contact.body1;
       given2 = from_file->contact.body2;
     }
-    const contact::Radius radius1 = body1_.radius_or(given1);
-    const contact::Radius radius2 = body2_.radius_or(given2);
-    const contact::CylinderPair cylinders(input.material1, radius1, input.material2, radius2);
+    const line_contact::Radius radius1 = body1_.radius_or(given1);
+    const line_contact::Radius radius2 = body2_.radius_or(given2);
+    const line_contact::CylinderPair cylinders(input.material1, radius1, input.material2, radius2);
     profile = cylinders.profile();
     input.least_radius = 1 / std::max(std::abs(radius1.curvature()), std::abs(radius2.curvature()));
     if (!input.line_load) return;
@@ -104,8 +105,8 @@ void ContactOptions::set_profile(ContactInput& input,
 }
 
 void ContactOptions::set_grid(ContactInput& input, Eigen::Index n_nodes) const {
-  contact::Grid& grid = input.problem.grid;
-  const contact::Profile& profile = input.problem.profile;
+  line_contact::Grid& grid = input.problem.grid;
+  const line_contact::Profile& profile = input.problem.profile;
   const bool is_one_sided = grid_ == "one-sided";
   std::optional<double> width = domain_.number();
   double centre = 0;
@@ -113,14 +114,14 @@ void ContactOptions::set_grid(ContactInput& input, Eigen::Index n_nodes) const {
     centre = (profile.begin() + profile.end()) / 2;
     if (!width) width = profile.end() - profile.begin();
   } else if (!width && input.closed_form) {
-    const contact::Grid around = contact::grid_around(input.closed_form->half_width,
-                                                      is_one_sided ? 2 * n_nodes - 1 : n_nodes);
-    grid = is_one_sided ? contact::Grid{n_nodes, around.spacing, 0, true} : around;
+    const line_contact::Grid around = line_contact::grid_around(
+        input.closed_form->half_width, is_one_sided ? 2 * n_nodes - 1 : n_nodes);
+    grid = is_one_sided ? line_contact::Grid{n_nodes, around.spacing, 0, true} : around;
     return;
   }
   if (!width) throw sys::InputError("--domain is missing: with --approach the width must be given");
-  grid = is_one_sided ? contact::one_sided_grid(*width, n_nodes)
-                      : contact::grid_of_width(*width, n_nodes, centre);
+  grid = is_one_sided ? line_contact::one_sided_grid(*width, n_nodes)
+                      : line_contact::grid_of_width(*width, n_nodes, centre);
 }
 
 ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_file) const {
@@ -143,10 +144,10 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
   ContactInput input{
       .material1 = material1,
       .material2 = material2,
-      .problem = {contact::Profile::parabola(1), modulus, {}, element_named(element_)},
+      .problem = {line_contact::Profile::parabola(1), modulus, {}, element_named(element_)},
       .profile = profile_.text(),
       .method = method_,
-      .tolerance = tolerance_.number_or(contact::default_tolerance),
+      .tolerance = tolerance_.number_or(line_contact::default_tolerance),
       .line_load = {},
       .approach = approach_.number(),
       .datum = datum,
@@ -171,7 +172,7 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
   if (input.method != "fft" && tolerance_.number()) {
     throw sys::InputError("--tolerance has no meaning for --method " + input.method);
   }
-  contact::require_tolerance(input.tolerance);
+  line_contact::require_tolerance(input.tolerance);
   set_profile(input, from_file);
   set_grid(input, *n_nodes);
   return input;

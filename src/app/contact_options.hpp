@@ -6,10 +6,10 @@
 
 #include "app/profile_choices.hpp"
 #include "command_line/options.hpp"
-#include "contact/friction.hpp"
-#include "contact/hertz.hpp"
-#include "contact/problem.hpp"
-#include "contact/solution.hpp"
+#include "line_contact/friction.hpp"
+#include "line_contact/hertz.hpp"
+#include "line_contact/problem.hpp"
+#include "line_contact/solution.hpp"
 #include "parameters/case.hpp"
 
 namespace app {
@@ -19,7 +19,7 @@ using namespace command_line;
 struct ContactInput {
   elasticity::Material material1;
   elasticity::Material material2;
-  contact::Problem problem;
+  line_contact::Problem problem;
   std::string profile;               ///< as given
   std::string method;                ///< matrix-inversion, variational or fft
   double tolerance;                  ///< of fft
@@ -29,8 +29,8 @@ struct ContactInput {
   std::optional<double> friction;    ///< μ
   std::optional<double> tangential;  ///< Q; without it the bodies slide
   std::optional<ClosedForm> closed_form;
-  std::optional<contact::Hertz> hertz;  ///< for cylinders under a load
-  double least_radius = 0;              ///< of the two cylinders; 0 for other profiles
+  std::optional<line_contact::Hertz> hertz;  ///< for cylinders under a load
+  double least_radius = 0;                   ///< of the two cylinders; 0 for other profiles
 };
 
 /// The flags that describe a contact: `halfspace contact` and `halfspace stress` have them.
@@ -48,7 +48,7 @@ class ContactOptions {
   struct Body {
     Body(CLI::App& command, const std::string& number);
     elasticity::Material material(const std::optional<parameters::CylinderCase>& given) const;
-    contact::Radius radius_or(const std::optional<parameters::CylinderCase>& given) const;
+    line_contact::Radius radius_or(const std::optional<parameters::CylinderCase>& given) const;
     NumberOption young, poisson, radius;
   };
 
@@ -67,10 +67,10 @@ class ContactOptions {
 
 /// A solved contact and what it took.
 struct SolvedContact {
-  contact::Solution solution;
+  line_contact::Solution solution;
   std::optional<double> approach;  ///< where a datum is given
-  std::optional<contact::Friction> friction;
-  std::optional<contact::Slopes> slopes;  ///< with friction
+  std::optional<line_contact::Friction> friction;
+  std::optional<line_contact::Slopes> slopes;  ///< with friction
   double seconds;
 };
 

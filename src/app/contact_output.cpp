@@ -21,14 +21,14 @@ std::vector<double> to_vector(const Eigen::VectorXd& vector) {
 
 // The half-width: for cylinders from the second moment of the pressure, for other profiles half the
 // distance between the edges.
-double half_width_of(const ContactInput& input, const contact::Solution& solution) {
+double half_width_of(const ContactInput& input, const line_contact::Solution& solution) {
   if (input.profile == "cylinder") return solution.half_width();
   const auto regions = solution.regions();
   if (regions.empty()) return 0;
   return (regions.back().end - regions.front().begin) / 2;
 }
 
-double largest_gap_residual(const contact::Residuals& residuals) {
+double largest_gap_residual(const line_contact::Residuals& residuals) {
   return std::max(residuals.gap, residuals.separation);
 }
 
@@ -41,9 +41,9 @@ nlohmann::ordered_json friction_json(const ContactInput& input, const SolvedCont
   return json;
 }
 
-nlohmann::ordered_json regions_json(const contact::Solution& solution) {
+nlohmann::ordered_json regions_json(const line_contact::Solution& solution) {
   auto json = nlohmann::ordered_json::array();
-  for (const contact::Region& region : solution.regions()) {
+  for (const line_contact::Region& region : solution.regions()) {
     json.push_back({{"begin", region.begin},
                     {"end", region.end},
                     {"load", region.load},
@@ -59,7 +59,7 @@ nlohmann::ordered_json closed_form_json(const ClosedForm& exact) {
   return json;
 }
 
-std::string regions_text(const contact::Solution& solution, const config::UnitSystem& units) {
+std::string regions_text(const line_contact::Solution& solution, const config::UnitSystem& units) {
   std::string text;
   const auto regions = solution.regions();
   constexpr std::size_t most_shown = 10;
@@ -80,7 +80,7 @@ std::vector<std::string> validity_warnings(const ContactInput& input, const Solv
 }
 
 void require_finite(const ContactInput& input, const SolvedContact& solved) {
-  const contact::Solution& s = solved.solution;
+  const line_contact::Solution& s = solved.solution;
   if (solved.friction) {
     command_line::finite_result("shear", solved.friction->shear.sum());
     command_line::finite_result("slope_of_pressure", solved.slopes->of_pressure.sum());
@@ -109,14 +109,14 @@ void require_finite(const ContactInput& input, const SolvedContact& solved) {
 }
 
 std::string contact_json(const ContactInput& input, const SolvedContact& solved) {
-  const contact::Solution& s = solved.solution;
+  const line_contact::Solution& s = solved.solution;
   nlohmann::ordered_json json;
   json["half_width"] = half_width_of(input, s);
   json["peak_pressure"] = s.peak_pressure();
   json["load"] = s.line_load();
   if (solved.approach) json["approach"] = *solved.approach;
   json["profile"] = input.profile;
-  json["element"] = contact::name_of(s.element);
+  json["element"] = line_contact::name_of(s.element);
   json["method"] = input.method;
   json["nodes"] = s.grid.n_nodes;
   json["nodes_in_contact"] = s.n_in_contact();
@@ -142,7 +142,7 @@ std::string contact_json(const ContactInput& input, const SolvedContact& solved)
 }
 
 std::string contact_csv(const ContactInput& input, const SolvedContact& solved) {
-  const contact::Solution& s = solved.solution;
+  const line_contact::Solution& s = solved.solution;
   std::string text = "x,pressure";
   if (input.closed_form) {
     text += input.closed_form->name == "hertz" ? ",hertz_pressure" : ",exact_pressure";
@@ -167,7 +167,7 @@ std::string contact_csv(const ContactInput& input, const SolvedContact& solved) 
 
 std::string contact_text(const ContactInput& input, const SolvedContact& solved,
                          const config::UnitSystem& units) {
-  const contact::Solution& s = solved.solution;
+  const line_contact::Solution& s = solved.solution;
   std::string text;
   const auto single = [&](const char* name, double value, const std::string& unit) {
     text += fmt::format("{:<16}{:>16.9g}  {}\n", name, value, unit);
@@ -208,7 +208,7 @@ std::string contact_text(const ContactInput& input, const SolvedContact& solved,
   }
   text += fmt::format("{} of {} nodes in contact, {:.6g} {} apart; {}, {} elements",
                       s.n_in_contact(), s.grid.n_nodes, s.grid.spacing, units.length, input.method,
-                      contact::name_of(s.element));
+                      line_contact::name_of(s.element));
   if (s.work.solves > 0) text += fmt::format(", steps to find the contact: {}", s.work.solves);
   if (s.work.iterations > 0) text += fmt::format(", {} iterations", s.work.iterations);
   text += fmt::format(

@@ -7,11 +7,11 @@
 
 #include "app/contact_options.hpp"
 #include "command_line/number_text.hpp"
-#include "contact/approach_control.hpp"
-#include "contact/dense_system.hpp"
-#include "contact/fft_solver.hpp"
-#include "contact/matrix_inversion.hpp"
-#include "contact/variational.hpp"
+#include "line_contact/approach_control.hpp"
+#include "line_contact/dense_system.hpp"
+#include "line_contact/fft_solver.hpp"
+#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/variational.hpp"
 
 namespace app {
 namespace {
@@ -23,8 +23,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 // Prints a line on standard error for every second that a solve takes.
-contact::ProgressReport progress_line() {
-  return [start = Clock::now(), shown = 0.0](const contact::Progress& progress) mutable {
+line_contact::ProgressReport progress_line() {
+  return [start = Clock::now(), shown = 0.0](const line_contact::Progress& progress) mutable {
     const double seconds = seconds_since(start);
     if (seconds < shown + 1) return;
     shown = seconds;
@@ -34,12 +34,12 @@ contact::ProgressReport progress_line() {
   };
 }
 
-contact::Method method_of(const ContactInput& input) {
-  if (input.method == "variational") return contact::solve_by_variational_method;
-  if (input.method == "matrix-inversion") return contact::solve_by_matrix_inversion;
-  return [tolerance = input.tolerance, report = progress_line()](const contact::Problem& problem,
-                                                                 double line_load) {
-    return contact::solve_by_fft(problem, line_load, tolerance, report);
+line_contact::Method method_of(const ContactInput& input) {
+  if (input.method == "variational") return line_contact::solve_by_variational_method;
+  if (input.method == "matrix-inversion") return line_contact::solve_by_matrix_inversion;
+  return [tolerance = input.tolerance, report = progress_line()](
+             const line_contact::Problem& problem, double line_load) {
+    return line_contact::solve_by_fft(problem, line_load, tolerance, report);
   };
 }
 
@@ -47,17 +47,17 @@ contact::Method method_of(const ContactInput& input) {
 void announce_long_solve(const ContactInput& input) {
   constexpr Eigen::Index quick = 3000;
   const Eigen::Index n_nodes = input.problem.grid.n_nodes;
-  if (input.method == "fft" || n_nodes <= quick || n_nodes > contact::max_dense_nodes) return;
+  if (input.method == "fft" || n_nodes <= quick || n_nodes > line_contact::max_dense_nodes) return;
   fmt::print(stderr, "halfspace: {} nodes by {}, whose cost grows with their cube; fft is quick\n",
              n_nodes, input.method);
 }
 
 // Refuse a contact of one or two nodes: these carry any load without a residual, and their
 // pressure means nothing.
-void require_resolved(const contact::Solution& solution) {
+void require_resolved(const line_contact::Solution& solution) {
   constexpr Eigen::Index enough = 3;
   Eigen::Index most = 0;
-  for (const contact::Region& region : solution.regions()) {
+  for (const line_contact::Region& region : solution.regions()) {
     const bool is_mirrored = solution.grid.is_one_sided && region.begin < 0;
     most = std::max(most, is_mirrored ? 2 * region.n_nodes - 1 : region.n_nodes);
   }
@@ -72,12 +72,12 @@ void require_resolved(const contact::Solution& solution) {
 
 SolvedContact solve(const ContactInput& input) {
   const Clock::time_point start = Clock::now();
-  const contact::Method method = method_of(input);
+  const line_contact::Method method = method_of(input);
   announce_long_solve(input);
   SolvedContact solved{.solution = input.line_load
                                        ? method(input.problem, *input.line_load)
-                                       : contact::solve_for_approach(input.problem, *input.approach,
-                                                                     *input.datum, method),
+                                       : line_contact::solve_for_approach(
+                                             input.problem, *input.approach, *input.datum, method),
                        .approach = {},
                        .friction = {},
                        .slopes = {},
@@ -85,15 +85,15 @@ SolvedContact solve(const ContactInput& input) {
   require_resolved(solved.solution);
   if (input.datum) solved.approach = solved.solution.approach(*input.datum);
   if (input.friction && input.tangential) {
-    solved.friction = contact::partial_slip(input.problem, solved.solution, *input.friction,
-                                            *input.tangential, method);
+    solved.friction = line_contact::partial_slip(input.problem, solved.solution, *input.friction,
+                                                 *input.tangential, method);
   } else if (input.friction) {
-    solved.friction = contact::sliding(solved.solution, *input.friction);
+    solved.friction = line_contact::sliding(solved.solution, *input.friction);
   }
   if (solved.friction) {
     const double beta = elasticity::dundurs_beta(input.material1, input.material2);
     solved.slopes =
-        contact::surface_slopes(input.problem, solved.solution, solved.friction->shear, beta);
+        line_contact::surface_slopes(input.problem, solved.solution, solved.friction->shear, beta);
   }
   solved.seconds = seconds_since(start);
   return solved;

@@ -36,7 +36,7 @@ std::optional<double> curvature_of(const NumberOption& radius) {
   if (radius.text() == "plane") return 0;
   const auto length = radius.number();
   if (!length) return std::nullopt;
-  return contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length).curvature();
+  return line_contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length).curvature();
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 #include "app/csv_columns.hpp"
 #include "command_line/number_text.hpp"
-#include "contact/power_law.hpp"
-#include "contact/rounded_punch.hpp"
-#include "contact/wedge.hpp"
+#include "line_contact/power_law.hpp"
+#include "line_contact/rounded_punch.hpp"
+#include "line_contact/wedge.hpp"
 #include "system/require.hpp"
 
 namespace app {
@@ -17,9 +17,9 @@ namespace {
 
 ChosenProfile wedge(const ChoiceOption& given, double modulus, std::optional<double> load) {
   const double slope = given.number("--slope");
-  ChosenProfile chosen{contact::Profile::wedge(slope), {}};
+  ChosenProfile chosen{line_contact::Profile::wedge(slope), {}};
   if (load) {
-    chosen.closed_form = closed_form("wedge", contact::Wedge(modulus, slope, *load),
+    chosen.closed_form = closed_form("wedge", line_contact::Wedge(modulus, slope, *load),
                                      std::numeric_limits<double>::infinity());
   }
   return chosen;
@@ -28,27 +28,27 @@ ChosenProfile wedge(const ChoiceOption& given, double modulus, std::optional<dou
 ChosenProfile rounded_punch(const ChoiceOption& given, double modulus, std::optional<double> load) {
   const double flat = given.number("--flat");
   const double curvature = 1 / sys::require_positive("edge-radius", given.number("--edge-radius"));
-  ChosenProfile chosen{contact::Profile::rounded_punch(flat, curvature), {}};
+  ChosenProfile chosen{line_contact::Profile::rounded_punch(flat, curvature), {}};
   if (load) {
-    const contact::RoundedPunch punch(modulus, flat, curvature, *load);
+    const line_contact::RoundedPunch punch(modulus, flat, curvature, *load);
     chosen.closed_form = closed_form("rounded-punch", punch, punch.peak_pressure());
   }
   return chosen;
 }
 
 ChosenProfile power_law(const ChoiceOption& given, double modulus, std::optional<double> load) {
-  const int n = given.integer("--power", 1, contact::Profile::max_power);
+  const int n = given.integer("--power", 1, line_contact::Profile::max_power);
   const double coefficient = given.number("--coefficient");
-  ChosenProfile chosen{contact::Profile::power_law(coefficient, n), {}};
+  ChosenProfile chosen{line_contact::Profile::power_law(coefficient, n), {}};
   if (load) {
-    const contact::PowerLaw power(modulus, coefficient, n, *load);
+    const line_contact::PowerLaw power(modulus, coefficient, n, *load);
     chosen.closed_form = closed_form("power", power, power.peak_pressure());
   }
   return chosen;
 }
 
 // A measured profile from a CSV file: x and the gap h there, in the unit of length of the case.
-contact::Profile read_profile(const std::string& file) {
+line_contact::Profile read_profile(const std::string& file) {
   const CsvColumns points = read_columns(file, "x", "gap");
   const std::vector<double>& x = points.first;
   for (std::size_t i = 1; i < x.size(); ++i) {
@@ -62,7 +62,7 @@ contact::Profile read_profile(const std::string& file) {
     throw sys::InputError(
         fmt::format("{}: holds {} points, {} or more are needed", file, x.size(), min_points));
   }
-  return contact::Profile::tabulated(x, points.second);
+  return line_contact::Profile::tabulated(x, points.second);
 }
 
 ChosenProfile measured(const ChoiceOption& given, double /*modulus*/,

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/choices.hpp"
-#include "contact/profile.hpp"
+#include "line_contact/profile.hpp"
 
 namespace app {
 
@@ -20,7 +20,7 @@ struct ClosedForm {
   std::function<double(double)> pressure;
 };
 
-/// The closed form of a solved contact such as contact::Wedge.
+/// The closed form of a solved contact such as line_contact::Wedge.
 template <class Contact>
 ClosedForm closed_form(std::string name, const Contact& contact, double peak_pressure) {
   return {std::move(name), contact.half_width(), peak_pressure,
@@ -29,7 +29,7 @@ ClosedForm closed_form(std::string name, const Contact& contact, double peak_pre
 
 /// A gap, and the closed form of its contact under a load.
 struct ChosenProfile {
-  contact::Profile profile;
+  line_contact::Profile profile;
   std::optional<ClosedForm> closed_form = {};
 };
 

@@ -18,8 +18,8 @@
 #include "app/picture.hpp"
 #include "app/validity.hpp"
 #include "command_line/number_text.hpp"
-#include "contact/mcewen.hpp"
-#include "contact/traction.hpp"
+#include "line_contact/mcewen.hpp"
+#include "line_contact/traction.hpp"
 
 namespace app {
 namespace {
@@ -73,8 +73,8 @@ std::vector<Point> points_of(const StressCommandOptions& options) {
 void compute(std::vector<Point>& points, const ContactInput& input, const SolvedContact& solved,
              bool is_second) {
   const Eigen::VectorXd shear = solved.friction ? solved.friction->shear : Eigen::VectorXd();
-  const auto traction = contact::traction_on(solved.solution, is_second ? -shear : shear);
-  std::optional<contact::McEwen> mcewen;
+  const auto traction = line_contact::traction_on(solved.solution, is_second ? -shear : shear);
+  std::optional<line_contact::McEwen> mcewen;
   if (input.hertz && !solved.friction) mcewen.emplace(*input.hertz);
   for (Point& point : points) {
     const elasticity::Stress s = traction.stress(point.x, point.z);

@@ -72,17 +72,17 @@ Estimate gradient(const HalfSpaceCase& c, double x) {
   return {value, 1e-13 * std::abs(value)};
 }
 
-double pressure_error(const contact::Solution& solution) {
+double pressure_error(const line_contact::Solution& solution) {
   const auto n = static_cast<double>(solution.n_in_contact());
   return 4 * solution.residuals.pressure / solution.peak_pressure() + 16 * epsilon * std::sqrt(n);
 }
 
-double half_width_error(const contact::Solution& solution) {
+double half_width_error(const line_contact::Solution& solution) {
   constexpr double of_pressures = 1.5;  // (16/(3π) + 4/π)/2
   return of_pressures * pressure_error(solution) + 8 * epsilon;
 }
 
-double edge_error(const contact::Solution& solution) {
+double edge_error(const line_contact::Solution& solution) {
   // The edge lies at c p₁²/(p₂² − p₁²) beyond the last node. With δ the error of either pressure it
   // moves by some 4cδ/p₁, and p₁ is not less than the least pressure of all.
   double least = solution.peak_pressure();

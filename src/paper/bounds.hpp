@@ -2,7 +2,7 @@
 // How wrong what the report prints may be: each bound with where it comes from.
 #pragma once
 
-#include "contact/solution.hpp"
+#include "line_contact/solution.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
@@ -40,17 +40,17 @@ Estimate gradient(const HalfSpaceCase& c, double x);
 
 /// How wrong the nodal pressures may be as the solution of the discrete equations, over their peak:
 /// four times what the method's residual stands for, and rounding that the residual does not see.
-double pressure_error(const contact::Solution& solution);
+double pressure_error(const line_contact::Solution& solution);
 
 /// The same of Solution::half_width(), relative. With δ the error of the pressures over their peak,
 /// ∫px² of Hertz's pressure moves by (16/3π)δ of itself at most and ∫p by (4/π)δ, and the root of
 /// their ratio by half of both.
-double half_width_error(const contact::Solution& solution);
+double half_width_error(const line_contact::Solution& solution);
 
 /// How wrong the place of an edge of contact may be as that of the discrete solution: p² is
 /// extrapolated from the last nodes, whose pressures are wrong by δp₀ each. A length, at most one
 /// spacing.
-double edge_error(const contact::Solution& solution);
+double edge_error(const line_contact::Solution& solution);
 
 /// How wrong the results of a point contact may be, relatively, when its nodal pressures are wrong
 /// by δ of the peak. Of the radius, half of what the second moment, 15/8 δ, and the load, 3/2 δ,

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/matrix_inversion.hpp"
+#include "line_contact/matrix_inversion.hpp"
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
 #include "paper/conventions.hpp"
@@ -261,7 +261,7 @@ void find_edges(Document& document, const ContactCase& contact, const ContactMIn
 // The mended program against this report's solver, and against Hertz.
 void compare_mended(Document& document, const ContactCase& contact, const ContactMInput& input,
                     const std::vector<Row>& rows, const Hertz& hertz) {
-  const contact::Solution solution = contact::solve_by_matrix_inversion(
+  const line_contact::Solution solution = line_contact::solve_by_matrix_inversion(
       {contact.cylinders.profile(),
        contact.cylinders.contact_modulus(),
        {.n_nodes = input.n_nodes, .spacing = input.spacing, .is_one_sided = true}},

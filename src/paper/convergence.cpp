@@ -4,32 +4,33 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/fft_solver.hpp"
+#include "line_contact/fft_solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
 
-contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
-                                  contact::Element element, long n_nodes) {
+line_contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
+                                       line_contact::Element element, long n_nodes) {
   constexpr double tolerance = 1e-12;
-  return contact::solve_by_fft(
+  return line_contact::solve_by_fft(
       {c.cylinders.profile(), c.cylinders.contact_modulus(),
-       contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes), element},
+       line_contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes), element},
       c.line_load, tolerance);
 }
 
-std::vector<contact::Grid> grids_of(const Hertz& hertz, long n_nodes, int n_places) {
+std::vector<line_contact::Grid> grids_of(const Hertz& hertz, long n_nodes, int n_places) {
   const double elements = static_cast<double>(n_nodes) / cylinder_domain;
-  std::vector<contact::Grid> grids;
+  std::vector<line_contact::Grid> grids;
   for (int k = 0; k < n_places; ++k) {
     const double part = elements / (elements + static_cast<double>(k) / n_places);
-    grids.push_back(contact::grid_of_width(part * cylinder_domain * hertz.half_width(), n_nodes));
+    grids.push_back(
+        line_contact::grid_of_width(part * cylinder_domain * hertz.half_width(), n_nodes));
   }
   return grids;
 }
 
-HertzErrors errors_against(const Hertz& hertz, const contact::Solution& solution) {
+HertzErrors errors_against(const Hertz& hertz, const line_contact::Solution& solution) {
   constexpr double inner_part = 0.9;
   const double a = hertz.half_width();
   double squares = 0;
@@ -43,7 +44,7 @@ HertzErrors errors_against(const Hertz& hertz, const contact::Solution& solution
     squares += error * error;
     ++n_inside;
   }
-  const contact::Region region = solution.regions().front();
+  const line_contact::Region region = solution.regions().front();
   return {a / solution.grid.spacing,
           std::sqrt(squares / n_inside),
           largest,
@@ -54,7 +55,7 @@ HertzErrors errors_against(const Hertz& hertz, const contact::Solution& solution
 }
 
 ConvergenceStudy convergence_study(const ContactCase& c, const Hertz& hertz,
-                                   contact::Element element) {
+                                   line_contact::Element element) {
   constexpr int n_grids = 80;
   constexpr double coarsest = 33;
   constexpr double finest = 50 * coarsest;
@@ -62,7 +63,7 @@ ConvergenceStudy convergence_study(const ContactCase& c, const Hertz& hertz,
   for (int k = 0; k < n_grids; ++k) {
     const double share = k / (n_grids - 1.0);
     const long n_nodes = std::lround(coarsest * std::pow(finest / coarsest, share));
-    const contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
+    const line_contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
     const HertzErrors e = errors_against(hertz, solution);
     study.elements.push_back(e.elements);
     study.inside.push_back(e.inside);

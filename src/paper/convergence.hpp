@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "contact/solution.hpp"
+#include "line_contact/solution.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
@@ -23,8 +23,8 @@ struct HertzErrors {
 inline constexpr double cylinder_domain = 2.2;
 
 /// The case's cylinders solved on n_nodes over this domain.
-contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
-                                  contact::Element element, long n_nodes);
+line_contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
+                                       line_contact::Element element, long n_nodes);
 
 /// How many places between two nodes the edge of the contact takes on grids_of().
 inline constexpr int n_edge_places = 10;
@@ -34,9 +34,10 @@ inline constexpr int n_edge_places = 10;
 /// a/c is n_nodes/cylinder_domain + k/n_places. Where the edge falls changes the errors by an order
 /// of magnitude, so that a single grid tells little. Means over ten places are good; the largest
 /// errors are those just before a node comes into contact, which only many places meet.
-std::vector<contact::Grid> grids_of(const Hertz& hertz, long n_nodes, int n_places = n_edge_places);
+std::vector<line_contact::Grid> grids_of(const Hertz& hertz, long n_nodes,
+                                         int n_places = n_edge_places);
 
-HertzErrors errors_against(const Hertz& hertz, const contact::Solution& solution);
+HertzErrors errors_against(const Hertz& hertz, const line_contact::Solution& solution);
 
 /// The errors on a number of grids from 15 to 750 elements over the half-width, so many that the
 /// edge of the contact falls everywhere between nodes.
@@ -47,6 +48,6 @@ struct ConvergenceStudy {
   std::vector<double> of_pressure, of_edge, of_moment;
 };
 ConvergenceStudy convergence_study(const ContactCase& c, const Hertz& hertz,
-                                   contact::Element element);
+                                   line_contact::Element element);
 
 }  // namespace paper

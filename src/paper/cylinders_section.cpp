@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/matrix_inversion.hpp"
+#include "line_contact/matrix_inversion.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/sections.hpp"
@@ -14,12 +14,13 @@
 namespace paper {
 namespace {
 
-using contact::Solution;
+using line_contact::Solution;
 
 Solution solve(const ContactCase& c, const Hertz& hertz, long n_nodes) {
-  return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
-                                             contact::grid_around(hertz.half_width(), n_nodes)},
-                                            c.line_load);
+  return line_contact::solve_by_matrix_inversion(
+      {c.cylinders.profile(), c.cylinders.contact_modulus(),
+       line_contact::grid_around(hertz.half_width(), n_nodes)},
+      c.line_load);
 }
 
 // The pressure over p₀ against x/a of Hertz, and its difference from Hertz at the nodes.
@@ -69,8 +70,8 @@ EdgeSweep sweep_edge(const ContactCase& c, const Hertz& hertz, double elements) 
   };
   for (int k = 0; k < n_grids; ++k) {
     const double here = elements + static_cast<double>(k) / n_grids;
-    const contact::Grid grid{c.n_nodes + 2, a / here};
-    const Solution solution = contact::solve_by_matrix_inversion(
+    const line_contact::Grid grid{c.n_nodes + 2, a / here};
+    const Solution solution = line_contact::solve_by_matrix_inversion(
         {c.cylinders.profile(), c.cylinders.contact_modulus(), grid}, c.line_load);
     sweep.most_elements = here;
     take(sweep.peak, solution.peak_pressure() / hertz.peak_pressure() - 1,
@@ -87,7 +88,7 @@ EdgeSweep sweep_edge(const ContactCase& c, const Hertz& hertz, double elements) 
 
 void register_residuals(Document& document, const Solution& solution, const Hertz& hertz,
                         const ContactCase& c, const UnitSystem& units) {
-  const contact::Residuals& r = solution.residuals;
+  const line_contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
   document.value("cylinders.residual.contact",
                  Value(r.gap, scientific(1).rounded_up(), units.length));

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
-#include "contact/graded_contact.hpp"
 #include "elasticity/linear_potential.hpp"
+#include "line_contact/graded_contact.hpp"
 #include "numerics/dense_lu.hpp"
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
@@ -50,8 +50,8 @@ EdgeErrors errors_of_triangles(const ContactCase& c, const Hertz& hertz, double 
   return errors;
 }
 
-// Up to 300 elements rounding leaves 2e-6 in the pressures (contact/graded_contact.hpp), which at
-// the edge is 6 times its square in the half-width, as 0.23/n² is of 0.30/n⁴. The peak goes with
+// Up to 300 elements rounding leaves 2e-6 in the pressures (line_contact/graded_contact.hpp), which
+// at the edge is 6 times its square in the half-width, as 0.23/n² is of 0.30/n⁴. The peak goes with
 // the load over the half-width.
 constexpr double of_graded_pressure = 2e-6;
 constexpr double of_graded_width = 6 * of_graded_pressure * of_graded_pressure;
@@ -65,7 +65,7 @@ Graded errors_of_graded(const ContactCase& c, const Hertz& hertz) {
   const double a = hertz.half_width();
   Graded graded;
   for (const long n : n_elements) {
-    const contact::GradedSolution s = contact::solve_on_graded_grid(
+    const line_contact::GradedSolution s = line_contact::solve_on_graded_grid(
         c.cylinders.profile(), c.cylinders.contact_modulus(), c.line_load, n, {-1.3 * a, 1.3 * a});
     double largest = 0;
     for (Eigen::Index i = 0; i < s.x.size(); ++i) {
@@ -111,7 +111,7 @@ void check_graded(Document& document, const Graded& graded) {
 std::vector<double> pressures_on_nodes(const ContactCase& c, const std::vector<double>& nodes) {
   const auto n = static_cast<Eigen::Index>(nodes.size());
   const auto at = [&](Eigen::Index i) { return nodes[static_cast<std::size_t>(i)]; };
-  const contact::Profile profile = c.cylinders.profile();
+  const line_contact::Profile profile = c.cylinders.profile();
   const double half_span = (nodes.back() - nodes.front()) / 2;
 
   // Assemble Σ V φ + δ = h at the inner nodes and Σ w φ = 2P/(πE*), lengths over the half-span

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "contact/element_field.hpp"
-#include "contact/mcewen.hpp"
+#include "line_contact/element_field.hpp"
+#include "line_contact/mcewen.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
@@ -15,9 +15,9 @@ constexpr double span = 0.9;  // of the half-width
 // The means by the midpoint rule with so many points to an element. At the ends of uniform elements
 // the slope is infinite like a logarithm, which has an integral; no point lies there.
 ElementQuality mean_errors(const ContactCase& c, const Hertz& hertz,
-                           const contact::Solution& solution, int n_points) {
-  const contact::McEwen mcewen(hertz);
-  const contact::Grid& grid = solution.grid;
+                           const line_contact::Solution& solution, int n_points) {
+  const line_contact::McEwen mcewen(hertz);
+  const line_contact::Grid& grid = solution.grid;
   const double a = hertz.half_width();
   const double curvature = c.cylinders.relative_curvature();
   double slope_sum = 0, shear_sum = 0;
@@ -27,8 +27,8 @@ ElementQuality mean_errors(const ContactCase& c, const Hertz& hertz,
       const double x = grid.x(i) + (k + 0.5) / n_points * grid.spacing;
       const double z = grid.spacing / 2;
       if (std::abs(x) > span * a) continue;
-      const double slope = contact::surface_slope(solution, c.cylinders.contact_modulus(), x);
-      const double shear = contact::stress_beneath(solution, x, z).max_shear();
+      const double slope = line_contact::surface_slope(solution, c.cylinders.contact_modulus(), x);
+      const double shear = line_contact::stress_beneath(solution, x, z).max_shear();
       slope_sum += std::abs((slope + curvature * x) / (curvature * a));
       shear_sum += std::abs(shear - mcewen.stress(x, z).max_shear()) / hertz.peak_pressure();
       ++n_sampled;
@@ -41,7 +41,7 @@ ElementQuality mean_errors(const ContactCase& c, const Hertz& hertz,
 }  // namespace
 
 ElementQuality quality_of(const ContactCase& c, const Hertz& hertz,
-                          const contact::Solution& solution) {
+                          const line_contact::Solution& solution) {
   constexpr int n_points = 16;
   const ElementQuality first = mean_errors(c, hertz, solution, n_points);
   const ElementQuality second = mean_errors(c, hertz, solution, 2 * n_points);

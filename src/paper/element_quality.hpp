@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact/solution.hpp"
+#include "line_contact/solution.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
@@ -17,6 +17,6 @@ struct ElementQuality {
 
 /// By the midpoint rule, extrapolated; wrong by the difference from half as many points.
 ElementQuality quality_of(const ContactCase& c, const Hertz& hertz,
-                          const contact::Solution& solution);
+                          const line_contact::Solution& solution);
 
 }  // namespace paper

@@ -5,10 +5,10 @@
 #include <limits>
 #include <vector>
 
-#include "contact/element.hpp"
-#include "contact/fft_solver.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/load_shapes.hpp"
+#include "line_contact/element.hpp"
+#include "line_contact/fft_solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/edge_study.hpp"
@@ -18,7 +18,7 @@
 namespace paper {
 namespace {
 
-using contact::Element;
+using line_contact::Element;
 
 // An element of load 1 at x = 0 and its influence: the displacement −T and its gradient −T′.
 Figure element_figure() {
@@ -37,8 +37,8 @@ Figure element_figure() {
     const bool at_force = i == n / 2;
     abscissae.push_back(x);
     point.push_back(at_force ? infinite : elasticity::normal_displacement(unit, force, x, 1));
-    uniform_u.push_back(-contact::influence_coefficient(Element::uniform, x));
-    triangular_u.push_back(-contact::influence_coefficient(Element::triangular, x));
+    uniform_u.push_back(-line_contact::influence_coefficient(Element::uniform, x));
+    triangular_u.push_back(-line_contact::influence_coefficient(Element::triangular, x));
     const bool at_end = i == 2 * n / 5 || i == 3 * n / 5;  // |x| = 1/2
     point_slope.push_back(at_force ? infinite : elasticity::normal_gradient(unit, force, x));
     uniform_slope.push_back(at_end ? infinite : elasticity::normal_gradient(unit, uniform, x));
@@ -79,7 +79,7 @@ QualityStudy study_quality(const ContactCase& c, const Hertz& hertz, Element ele
   QualityStudy study;
   constexpr long finest = 89;  // a/c = 40.45
   for (long n_nodes = coarsest; n_nodes <= finest; n_nodes += 4) {
-    const contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
+    const line_contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
     const ElementQuality quality = quality_of(c, hertz, solution);
     // Pressures that are wrong by δp₀ move the slope by (2/π)(ln N + 1)δ a/R at most, five for any
     // N up to 500, and the shear by less.
@@ -167,8 +167,8 @@ Estimate finest_over_fit(Document& document, const ContactCase& c, const Hertz& 
   constexpr double tolerance = 1e-11;
   double squares = 0;
   double bound = 0;
-  for (const contact::Grid& grid : grids_of(hertz, n_nodes)) {
-    const contact::Solution solution = contact::solve_by_fft(
+  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes)) {
+    const line_contact::Solution solution = line_contact::solve_by_fft(
         {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, Element::triangular},
         c.line_load, tolerance);
     const HertzErrors errors = errors_against(hertz, solution);
@@ -213,8 +213,8 @@ void register_spread(Document& document, const ContactCase& c, const Hertz& hert
   constexpr double tolerance = 1e-12;
   std::vector<double> elements, errors;
   double bound = 0;
-  for (const contact::Grid& grid : grids_of(hertz, n_nodes, n_places)) {
-    const contact::Solution solution = contact::solve_by_fft(
+  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes, n_places)) {
+    const line_contact::Solution solution = line_contact::solve_by_fft(
         {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, Element::triangular},
         c.line_load, tolerance);
     const HertzErrors e = errors_against(hertz, solution);

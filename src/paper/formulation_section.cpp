@@ -37,8 +37,8 @@ void register_parameters(Document& document, const HalfSpaceCase& half_space,
 // Heights are positive upwards.
 Figure geometry() {
   const elasticity::Material material(1, 0);
-  const auto radius = contact::Radius::of_cylinder("radius", 1);
-  const contact::CylinderPair cylinders(material, radius, material, radius);
+  const auto radius = line_contact::Radius::of_cylinder("radius", 1);
+  const line_contact::CylinderPair cylinders(material, radius, material, radius);
   const Hertz hertz(cylinders, 1);
   const double a = hertz.half_width();
   const double unit = cylinders.profile().gap(a);  // h at the edge of the contact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact/cylinder_pair.hpp"
-#include "contact/problem.hpp"
-#include "contact/solution.hpp"
+#include "line_contact/cylinder_pair.hpp"
+#include "line_contact/problem.hpp"
+#include "line_contact/solution.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
@@ -13,11 +13,11 @@ namespace paper {
 /// Lengths, loads and stresses in the case's units; `line_load` is a force per length, `beta` is
 /// Dundurs's second constant, without dimension.
 struct Pair {
-  contact::CylinderPair cylinders;
+  line_contact::CylinderPair cylinders;
   double line_load;
   Hertz hertz;
-  contact::Problem problem;
-  contact::Solution solution;
+  line_contact::Problem problem;
+  line_contact::Solution solution;
   double beta;
 };
 

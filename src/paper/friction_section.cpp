@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/friction.hpp"
+#include "line_contact/friction.hpp"
 
 #include <fmt/core.h>
 
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "contact/coupled_sliding.hpp"
-#include "contact/mcewen.hpp"
-#include "contact/sliding_hertz.hpp"
 #include "elasticity/surface_quadrature.hpp"
+#include "line_contact/coupled_sliding.hpp"
+#include "line_contact/mcewen.hpp"
+#include "line_contact/sliding_hertz.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/friction_pair.hpp"
@@ -23,12 +23,12 @@
 namespace paper {
 namespace {
 
-using contact::CoupledSliding;
 using elasticity::Material;
+using line_contact::CoupledSliding;
 
-contact::Slopes sliding_slopes(const Pair& pair, double mu) {
-  return contact::surface_slopes(pair.problem, pair.solution,
-                                 contact::sliding(pair.solution, mu).shear, pair.beta);
+line_contact::Slopes sliding_slopes(const Pair& pair, double mu) {
+  return line_contact::surface_slopes(pair.problem, pair.solution,
+                                      line_contact::sliding(pair.solution, mu).shear, pair.beta);
 }
 
 // The slope at the edge of contact, a/R, from the elements' half-width.
@@ -92,8 +92,8 @@ constexpr double friction_of_large_rise = 0.25;
 void claim_small_loss(Document& document, const std::vector<Criterion>& losses, const Hertz& hertz,
                       double mu) {
   const double a = hertz.half_width();
-  const double still = contact::McEwen(hertz).greatest_shear().shear;
-  const double sliding = greatest_shear(contact::SlidingHertz(hertz, mu), a).shear;
+  const double still = line_contact::McEwen(hertz).greatest_shear().shear;
+  const double sliding = greatest_shear(line_contact::SlidingHertz(hertz, mu), a).shear;
   constexpr double of_closed_forms = 1e-12;
   std::vector<Criterion> criteria;
   if (!losses.empty()) {
@@ -198,7 +198,7 @@ bool are_alike(const ContactCase& c) {
 
 // What the shear does to each body's slope, and to their sum, at the middle of the contact.
 void compare_bodies(Document& document, const ContactCase& c, const Pair& own, double mu) {
-  const contact::Friction sliding = contact::sliding(own.solution, mu);
+  const line_contact::Friction sliding = line_contact::sliding(own.solution, mu);
   const double peak = sliding.shear.maxCoeff() / edge_slope(own);
   const double slope1 = c.body1.material.local_compliance() * peak;
   const double slope2 = c.body2.material.local_compliance() * peak;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact/shear_search.hpp"
+#include "line_contact/shear_search.hpp"
 
 namespace paper {
 
@@ -11,9 +11,9 @@ inline constexpr double least_shear_depth = 0.1;
 
 /// The greatest shear beneath the surface of a body whose contact has the half-width a.
 template <typename Body>
-contact::ShearPoint greatest_shear(const Body& body, double a) {
-  return contact::find_greatest_shear([&](double x, double z) { return body.stress(x, z); }, a,
-                                      least_shear_depth * a);
+line_contact::ShearPoint greatest_shear(const Body& body, double a) {
+  return line_contact::find_greatest_shear([&](double x, double z) { return body.stress(x, z); }, a,
+                                           least_shear_depth * a);
 }
 
 }  // namespace paper

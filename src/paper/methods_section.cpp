@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/fft_solver.hpp"
-#include "contact/influence_operator.hpp"
-#include "contact/matrix_inversion.hpp"
-#include "contact/variational.hpp"
+#include "line_contact/fft_solver.hpp"
+#include "line_contact/influence_operator.hpp"
+#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/variational.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -14,19 +14,19 @@
 namespace paper {
 namespace {
 
-using contact::Problem;
-using contact::Solution;
 using Eigen::Index;
 using Eigen::VectorXd;
+using line_contact::Problem;
+using line_contact::Solution;
 
 // The same discrete contact by three methods.
 void register_methods(Document& document, const ContactCase& c, const Hertz& hertz) {
   constexpr Index n_nodes = 181;
   const Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
-                        contact::grid_around(hertz.half_width(), n_nodes)};
-  const Solution inversion = contact::solve_by_matrix_inversion(problem, c.line_load);
-  const Solution least = contact::solve_by_variational_method(problem, c.line_load);
-  const Solution fast = contact::solve_by_fft(problem, c.line_load);
+                        line_contact::grid_around(hertz.half_width(), n_nodes)};
+  const Solution inversion = line_contact::solve_by_matrix_inversion(problem, c.line_load);
+  const Solution least = line_contact::solve_by_variational_method(problem, c.line_load);
+  const Solution fast = line_contact::solve_by_fft(problem, c.line_load);
 
   // The differences are nothing but rounding and what the methods leave over.
   double pressure = 0;
@@ -68,7 +68,7 @@ void register_methods(Document& document, const ContactCase& c, const Hertz& her
 double rounding_of_displacements(const Problem& problem, const Solution& solution) {
   const VectorXd in_contact = (solution.pressure.array() > 0).cast<double>().matrix();
   const VectorXd phi = solution.pressure / solution.pressure_per_phi;
-  contact::InfluenceOperator influence(problem.element, phi.size());
+  line_contact::InfluenceOperator influence(problem.element, phi.size());
   VectorXd misfit, change, uniform_answer;
   influence.potentials(phi, misfit);
   for (Index i = 0; i < phi.size(); ++i) {
@@ -95,9 +95,10 @@ void register_large_grids(Document& document, const ContactCase& c, const Hertz&
   double left_over = 0;
   for (const int power : {7, 10, 13, 16}) {
     const Index n_nodes = Index{1} << power;
-    const Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
-                          contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes)};
-    const Solution solution = contact::solve_by_fft(problem, c.line_load);
+    const Problem problem{
+        c.cylinders.profile(), c.cylinders.contact_modulus(),
+        line_contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes)};
+    const Solution solution = line_contact::solve_by_fft(problem, c.line_load);
     const HertzErrors errors = errors_against(hertz, solution);
     n.push_back(static_cast<double>(n_nodes));
     inside.push_back(errors.inside);
@@ -123,7 +124,8 @@ void register_large_grids(Document& document, const ContactCase& c, const Hertz&
   document.value("large.products.most", Value(*most, integer()));
   document.value("large.rounding", Value(rounding.back(), scientific(1)));
   document.value("large.left-over", Value(left_over, scientific(1).rounded_up()));
-  document.value("large.tolerance", Value(contact::default_tolerance, scientific(1).rounded_up()));
+  document.value("large.tolerance",
+                 Value(line_contact::default_tolerance, scientific(1).rounded_up()));
   document.check(
       "work-does-not-grow",
       {Criterion::at_most(

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/cattaneo_mindlin.hpp"
-#include "contact/friction.hpp"
-#include "contact/matrix_inversion.hpp"
 #include "elasticity/surface_quadrature.hpp"
+#include "line_contact/cattaneo_mindlin.hpp"
+#include "line_contact/friction.hpp"
+#include "line_contact/matrix_inversion.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/prelude.hpp"
@@ -19,8 +19,8 @@
 namespace paper {
 namespace {
 
-using contact::CattaneoMindlin;
-using contact::Solution;
+using line_contact::CattaneoMindlin;
+using line_contact::Solution;
 
 // One load on one grid, against the closed form.
 struct SlipErrors {
@@ -31,7 +31,8 @@ struct SlipErrors {
 };
 
 // The half-width of what is taken away, p − q/μ, as Solution::half_width does it.
-double stick_half_width(const Solution& solution, const contact::Friction& friction, double mu) {
+double stick_half_width(const Solution& solution, const line_contact::Friction& friction,
+                        double mu) {
   Solution sticking = solution;
   sticking.pressure = solution.pressure - friction.shear / mu;
   return sticking.half_width();
@@ -39,7 +40,7 @@ double stick_half_width(const Solution& solution, const contact::Friction& frict
 
 struct Slip {
   CattaneoMindlin exact;
-  contact::Friction friction;
+  line_contact::Friction friction;
   double stick;
   SlipErrors errors;
 };
@@ -47,8 +48,8 @@ struct Slip {
 Slip partial_slip(const Pair& pair, double mu, double share) {
   const double load = share * mu * pair.solution.line_load();
   Slip slip{CattaneoMindlin(pair.hertz, mu, load),
-            contact::partial_slip(pair.problem, pair.solution, mu, load,
-                                  contact::solve_by_matrix_inversion),
+            line_contact::partial_slip(pair.problem, pair.solution, mu, load,
+                                       line_contact::solve_by_matrix_inversion),
             0,
             {}};
   slip.stick = stick_half_width(pair.solution, slip.friction, mu);

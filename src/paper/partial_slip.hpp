@@ -10,7 +10,7 @@ namespace paper {
 /// three tangential loads, beside Cattaneo and Mindlin, and the orders of their errors.
 ///
 /// `own` is the case's pair of bodies, `mu` their coefficient of friction, greater than 0. Throws
-/// what contact::partial_slip() and contact::solve_by_matrix_inversion() throw.
+/// what line_contact::partial_slip() and line_contact::solve_by_matrix_inversion() throw.
 void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu,
                           bool is_papers_case);
 

@@ -5,7 +5,7 @@
 
 #include "config/printed_number.hpp"
 #include "config/units.hpp"
-#include "contact/hertz.hpp"
+#include "line_contact/hertz.hpp"
 #include "literate/document/document.hpp"
 #include "numerics/estimate.hpp"
 #include "numerics/power_fit.hpp"
@@ -15,7 +15,7 @@ namespace paper {
 
 using config::PrintedNumber;
 using config::UnitSystem;
-using contact::Hertz;
+using line_contact::Hertz;
 using literate::Cell;
 using literate::Column;
 using literate::Criterion;

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "contact/fft_solver.hpp"
-#include "contact/power_law.hpp"
-#include "contact/rounded_punch.hpp"
-#include "contact/wedge.hpp"
+#include "line_contact/fft_solver.hpp"
+#include "line_contact/power_law.hpp"
+#include "line_contact/rounded_punch.hpp"
+#include "line_contact/wedge.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"
@@ -21,10 +21,10 @@
 namespace paper {
 namespace {
 
-using contact::Grid;
-using contact::Profile;
-using contact::Solution;
 using Eigen::Index;
+using line_contact::Grid;
+using line_contact::Profile;
+using line_contact::Solution;
 
 // A profile that has a closed form, scaled to have the half-width of the cylinders.
 struct KnownContact {
@@ -40,8 +40,8 @@ constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double flat_share = 0.7;  // of the contact under the rounded punch
 
 double punch_curvature(const ContactCase& c, double a) {
-  return contact::RoundedPunch::edge_curvature_for(c.cylinders.contact_modulus(), flat_share * a, a,
-                                                   c.line_load);
+  return line_contact::RoundedPunch::edge_curvature_for(c.cylinders.contact_modulus(),
+                                                        flat_share * a, a, c.line_load);
 }
 
 std::vector<KnownContact> known_contacts(const ContactCase& c, const Hertz& hertz) {
@@ -57,14 +57,14 @@ std::vector<KnownContact> known_contacts(const ContactCase& c, const Hertz& hert
   };
   add("cylinders", c.cylinders.profile(), hertz, hertz.peak_pressure(), none);
   const double slope = load / (modulus * a);
-  add("wedge", Profile::wedge(slope), contact::Wedge(modulus, slope, load), none, 0);
+  add("wedge", Profile::wedge(slope), line_contact::Wedge(modulus, slope, load), none, 0);
   const double curvature = punch_curvature(c, a);
-  const contact::RoundedPunch punch(modulus, flat_share * a, curvature, load);
+  const line_contact::RoundedPunch punch(modulus, flat_share * a, curvature, load);
   add("rounded punch", Profile::rounded_punch(flat_share * a, curvature), punch,
       punch.peak_pressure(), flat_share * a);
   for (const int n : {2, 3}) {
-    const double coefficient = contact::PowerLaw::coefficient_for(modulus, n, a, load);
-    const contact::PowerLaw law(modulus, coefficient, n, load);
+    const double coefficient = line_contact::PowerLaw::coefficient_for(modulus, n, a, load);
+    const line_contact::PowerLaw law(modulus, coefficient, n, load);
     add(fmt::format("power law, $n = {}$", n), Profile::power_law(coefficient, n), law,
         law.peak_pressure(), none);
   }
@@ -99,7 +99,7 @@ ProfileErrors errors_of(const KnownContact& known, const Solution& solution, dou
       ++counts[k];
     }
   }
-  const contact::Region region = solution.regions().front();
+  const line_contact::Region region = solution.regions().front();
   const Index beside = grid.n_nodes / 2 + 1;  // n is odd
   return {a / grid.spacing,
           std::sqrt(squares[0] / counts[0]),
@@ -178,8 +178,8 @@ ProfileStudy study_of(const KnownContact& known, const ContactCase& c, const Her
   for (const Index n_nodes : {Index{89}, printed, Index{353}, Index{705}}) {
     std::vector<ProfileErrors> on_grids;
     for (const Grid& grid : grids_of(hertz, n_nodes, n_places)) {
-      const Solution solution =
-          contact::solve_by_fft({known.profile, c.cylinders.contact_modulus(), grid}, c.line_load);
+      const Solution solution = line_contact::solve_by_fft(
+          {known.profile, c.cylinders.contact_modulus(), grid}, c.line_load);
       const ProfileErrors& e = on_grids.emplace_back(errors_of(known, solution, scale));
       study.edges.push_back({std::abs(e.edge), e.bound * e.elements});
       if (n_nodes == printed && on_grids.size() == 1) {

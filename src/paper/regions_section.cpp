@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "contact/approach_control.hpp"
-#include "contact/fft_solver.hpp"
+#include "line_contact/approach_control.hpp"
+#include "line_contact/fft_solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
-using contact::Problem;
-using contact::Profile;
-using contact::Solution;
 using Eigen::Index;
+using line_contact::Problem;
+using line_contact::Profile;
+using line_contact::Solution;
 
 // The cylinders with waves on them: h = x²/(2R) + Δ[1 − cos(2πx/λ)], given by points.
 struct WavyCylinders {
@@ -46,10 +46,11 @@ WavyCylinders wavy_cylinders(const ContactCase& c, const WavesCase& waves, const
     const double rise = std::pow(std::sin(std::numbers::pi * x.back() / length), 2);
     gap.push_back(smooth.gap(x.back()) + 2 * amplitude * rise);
   }
-  return {length,
-          amplitude,
-          flattening,
-          {Profile::tabulated(x, gap), modulus, contact::grid_of_width(domain * a, n_wavy_nodes)}};
+  return {
+      length,
+      amplitude,
+      flattening,
+      {Profile::tabulated(x, gap), modulus, line_contact::grid_of_width(domain * a, n_wavy_nodes)}};
 }
 
 // Valleys lie midway between crests; one is closed if a region of contact spans it.
@@ -57,7 +58,7 @@ int closed_valleys(const WavyCylinders& wavy, const Solution& solution) {
   int n = 0;
   for (int k = -10; k < 10; ++k) {
     const double x = (k + 0.5) * wavy.length;
-    n += std::ranges::any_of(solution.regions(), [x](const contact::Region& region) {
+    n += std::ranges::any_of(solution.regions(), [x](const line_contact::Region& region) {
       return region.begin < x && x < region.end;
     });
   }
@@ -114,11 +115,11 @@ void register_regions(Document& document, const ContactCase& c, const Hertz& her
   std::vector<Criterion> loads_with_valleys_as_expected;
   for (const Loading& loading : loadings) {
     const double load = loading.share * c.line_load;
-    const Solution solution = contact::solve_by_fft(wavy.problem, load);
+    const Solution solution = line_contact::solve_by_fft(wavy.problem, load);
     const Hertz smooth(c.cylinders, load);
-    const std::vector<contact::Region> regions = solution.regions();
+    const std::vector<line_contact::Region> regions = solution.regions();
     double touching = 0;
-    for (const contact::Region& region : regions) touching += region.end - region.begin;
+    for (const line_contact::Region& region : regions) touching += region.end - region.begin;
     const double extent = regions.back().end - regions.front().begin;
     const int closed = closed_valleys(wavy, solution);
     const int expected = valleys_expected_closed(wavy, smooth);
@@ -177,11 +178,11 @@ void register_regions(Document& document, const ContactCase& c, const Hertz& her
 void check_round_trip(Document& document, const ContactCase& c, const WavyCylinders& wavy) {
   const auto method = [](const Problem& problem, double load) {
     constexpr double tolerance = 1e-12;
-    return contact::solve_by_fft(problem, load, tolerance);
+    return line_contact::solve_by_fft(problem, load, tolerance);
   };
   const Solution solution = method(wavy.problem, c.line_load / 2);
   const double approach = solution.approach(c.datum);
-  const Solution again = contact::solve_for_approach(wavy.problem, approach, c.datum, method);
+  const Solution again = line_contact::solve_for_approach(wavy.problem, approach, c.datum, method);
   const double difference = std::abs(again.line_load() / solution.line_load() - 1);
   document.check(
       "approach-gives-the-load-back",

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "contact/friction.hpp"
-#include "contact/matrix_inversion.hpp"
-#include "contact/mcewen.hpp"
-#include "contact/sliding_hertz.hpp"
-#include "contact/traction.hpp"
+#include "line_contact/friction.hpp"
+#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/mcewen.hpp"
+#include "line_contact/sliding_hertz.hpp"
+#include "line_contact/traction.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
@@ -21,16 +21,17 @@
 namespace paper {
 namespace {
 
-using contact::McEwen;
-using contact::ShearPoint;
-using contact::SlidingHertz;
-using contact::Solution;
 using elasticity::PiecewiseLinearTraction;
+using line_contact::McEwen;
+using line_contact::ShearPoint;
+using line_contact::SlidingHertz;
+using line_contact::Solution;
 
 Solution solve(const ContactCase& c, const Hertz& hertz, long n_nodes) {
-  return contact::solve_by_matrix_inversion({c.cylinders.profile(), c.cylinders.contact_modulus(),
-                                             contact::grid_around(hertz.half_width(), n_nodes)},
-                                            c.line_load);
+  return line_contact::solve_by_matrix_inversion(
+      {c.cylinders.profile(), c.cylinders.contact_modulus(),
+       line_contact::grid_around(hertz.half_width(), n_nodes)},
+      c.line_load);
 }
 
 // How wrong the shear beneath a solution's elements may be, over p₀: its pressures with at most
@@ -40,7 +41,7 @@ double shear_error_of(const Solution& solution) {
   return 2 * pressure_error(solution) + 1e-13;
 }
 
-// McEwen's closed form, over p₀ (contact/mcewen.hpp, contact/sliding_hertz.hpp).
+// McEwen's closed form, over p₀ (line_contact/mcewen.hpp, line_contact/sliding_hertz.hpp).
 constexpr double of_mcewen = 1e-13;
 
 // How wrong the place of the greatest shear may be, over a: the shear is known to so much only, its
@@ -126,7 +127,7 @@ void compare_deep(Document& document, const PiecewiseLinearTraction& traction,
 }
 
 void compare_greatest(Document& document, const PiecewiseLinearTraction& traction,
-                      const contact::GreatestShear& exact, const Solution& solution,
+                      const line_contact::GreatestShear& exact, const Solution& solution,
                       const Hertz& hertz) {
   const double a = hertz.half_width();
   const ShearPoint found = greatest_shear(traction, a);
@@ -164,7 +165,7 @@ void fit_order(Document& document, const ContactCase& c, const Hertz& hertz) {
   std::vector<double> elements, errors, bounds;
   for (double n = 21; n < 200; n *= 1.06) {
     const Solution solution = solve(c, hertz, std::lround(n));
-    const double shear = contact::traction_on(solution, {}).stress(0, exact.depth).max_shear();
+    const double shear = line_contact::traction_on(solution, {}).stress(0, exact.depth).max_shear();
     elements.push_back(hertz.half_width() / solution.grid.spacing);
     errors.push_back(std::abs(shear / exact.shear - 1));
     bounds.push_back(4 * shear_error_of(solution));
@@ -196,7 +197,8 @@ void compare_sliding(Document& document, const FrictionCase& friction, const Sol
   ShearPoint still{}, sliding{};
   const double between = (friction.light + friction.coefficient) / 2;
   for (const double mu : {0.0, friction.light, between, friction.coefficient}) {
-    const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
+    const auto traction =
+        line_contact::traction_on(solution, line_contact::sliding(solution, mu).shear);
     const ShearPoint found = greatest_shear(traction, a);
     const ShearPoint exact = greatest_shear(SlidingHertz(hertz, mu), a);
     const double difference = found.shear / exact.shear - 1;
@@ -226,7 +228,8 @@ void compare_sliding(Document& document, const FrictionCase& friction, const Sol
 
 // The shear on the surface of sliding cylinders is μp₀ wherever they touch.
 void check_surface(Document& document, const Solution& solution, const Hertz& hertz, double mu) {
-  const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
+  const auto traction =
+      line_contact::traction_on(solution, line_contact::sliding(solution, mu).shear);
   const double expected = mu * hertz.peak_pressure();
   double largest = 0;
   for (int i = -40; i <= 40; ++i) {
@@ -282,7 +285,8 @@ void add_field(Figure& figure, const std::string& name, const Solution& solution
                const Hertz& hertz, double mu) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
-  const auto traction = contact::traction_on(solution, contact::sliding(solution, mu).shear);
+  const auto traction =
+      line_contact::traction_on(solution, line_contact::sliding(solution, mu).shear);
   const ShearPoint greatest = greatest_shear(traction, a);
   ShearPoints field, labels, peak;
   constexpr int n_along_x = 100, n_along_z = 60;
@@ -323,7 +327,7 @@ Figure shear_figure(const Solution& solution, const Hertz& hertz, double mu) {
     const double z = 0.0125 * k;
     closed.add(0, z, mcewen.stress(0, z * a).max_shear() / p0);
   }
-  const auto traction = contact::traction_on(solution, {});
+  const auto traction = line_contact::traction_on(solution, {});
   for (int k = 0; k <= 20; ++k) {
     const double z = 0.125 * k;
     nodes.add(0, z, traction.stress(0, z * a).max_shear() / p0);
@@ -340,8 +344,8 @@ void compute_stresses(Document& document, const Case& from) {
   const FrictionCase& friction = c.friction.value();
   const Hertz hertz(c.cylinders, c.line_load);
   const Solution solution = solve(c, hertz, c.n_nodes);
-  const PiecewiseLinearTraction traction = contact::traction_on(solution, {});
-  const contact::GreatestShear exact = McEwen(hertz).greatest_shear();
+  const PiecewiseLinearTraction traction = line_contact::traction_on(solution, {});
+  const line_contact::GreatestShear exact = McEwen(hertz).greatest_shear();
 
   compare_greatest(document, traction, exact, solution, hertz);
   compare_depths(document, traction, solution, hertz, exact.depth / hertz.half_width());

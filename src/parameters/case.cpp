@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "config/table.hpp"
-#include "contact/grid.hpp"
-#include "contact/hertz.hpp"
+#include "line_contact/grid.hpp"
+#include "line_contact/hertz.hpp"
 #include "point_contact/closed_forms/hertz.hpp"
 #include "system/require.hpp"
 
@@ -135,7 +135,7 @@ HalfSpaceCase read_half_space(const config::Table& table, const config::UnitSyst
   return {material, triangle, datum, points};
 }
 
-std::string shown(const contact::Radius& radius, const config::UnitSystem& units) {
+std::string shown(const line_contact::Radius& radius, const config::UnitSystem& units) {
   if (radius.is_plane()) return "\"plane\"";
   return fmt::format("{:.12g} {}", 1 / radius.curvature(), units.length);
 }
@@ -144,11 +144,11 @@ CylinderCase read_body(const config::Table& table, const config::UnitSystem& uni
   const elasticity::Material material = read_material(table.table("material"), units);
   if (table.is_text("radius", "plane")) {
     table.text("radius");
-    return {material, contact::Radius::of_plane()};
+    return {material, line_contact::Radius::of_plane()};
   }
   const double radius = in_range(table, "radius", config::Dimension::length, units);
   return {material,
-          table.at("radius", [&] { return contact::Radius::of_cylinder("radius", radius); })};
+          table.at("radius", [&] { return line_contact::Radius::of_cylinder("radius", radius); })};
 }
 
 double read_poisson(const config::Table& table, const std::string& key) {
@@ -201,12 +201,13 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
                                   : "1/radius1 + 1/radius2 must be greater than 0: at most one "
                                     "hollow, wider than the cylinder in it, and one plane"));
   }
-  const contact::CylinderPair cylinders(body1.material, body1.radius, body2.material, body2.radius);
-  const long n_nodes = integer_in(table, "nodes", contact::min_nodes, contact::max_nodes);
+  const line_contact::CylinderPair cylinders(body1.material, body1.radius, body2.material,
+                                             body2.radius);
+  const long n_nodes = integer_in(table, "nodes", line_contact::min_nodes, line_contact::max_nodes);
   const double line_load = positive(table, "load", config::Dimension::line_load, units);
   const double datum = positive(table, "datum", config::Dimension::length, units);
-  const contact::Grid grid =
-      contact::grid_around(contact::Hertz(cylinders, line_load).half_width(), n_nodes);
+  const line_contact::Grid grid =
+      line_contact::grid_around(line_contact::Hertz(cylinders, line_load).half_width(), n_nodes);
   const double end = grid.x(grid.n_nodes - 1);
   if (datum <= end) {
     table.fail("datum",

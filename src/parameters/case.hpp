@@ -12,9 +12,9 @@
 #include "config/printed_number.hpp"
 #include "config/table.hpp"
 #include "config/units.hpp"
-#include "contact/cylinder_pair.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"
+#include "line_contact/cylinder_pair.hpp"
 #include "point_contact/bodies/rough_surface.hpp"
 
 namespace parameters {
@@ -34,7 +34,7 @@ struct HalfSpaceCase {
 /// One of the two bodies in contact.
 struct CylinderCase {
   elasticity::Material material;
-  contact::Radius radius;
+  line_contact::Radius radius;
 };
 
 /// Two materials that slide on one another, as the report's table of pairs has them.
@@ -63,7 +63,7 @@ struct WavesCase {
 struct ContactCase {
   CylinderCase body1;
   CylinderCase body2;
-  contact::CylinderPair cylinders;
+  line_contact::CylinderPair cylinders;
   double line_load;
   double datum;  ///< where the points lie whose approach is stated
   long n_nodes;

@@ -12,14 +12,14 @@
 
 #include "assignment/given/shapes.hpp"
 #include "assignment/valid_variant.hpp"
-#include "contact/cylinder_pair.hpp"
-#include "contact/element.hpp"
-#include "contact/matrix_inversion.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
 #include "course/assignment/variants.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
+#include "line_contact/cylinder_pair.hpp"
+#include "line_contact/element.hpp"
+#include "line_contact/matrix_inversion.hpp"
 
 namespace programs {
 
@@ -78,7 +78,7 @@ inline Numbers displacement(const Numbers& in) {
 
 inline Numbers influence(const Numbers& in) {
   const auto unit = [](double k) {
-    return contact::influence_coefficient(contact::Element::triangular, k);
+    return line_contact::influence_coefficient(line_contact::Element::triangular, k);
   };
   Numbers out;
   for (const double k : std::span(in).subspan(3)) {
@@ -88,13 +88,13 @@ inline Numbers influence(const Numbers& in) {
 }
 
 inline Numbers contact_of(const Numbers& in) {
-  using contact::Radius;
-  const contact::CylinderPair pair({in[0], in[1]}, Radius::of_cylinder("R1", in[2]), {in[3], in[4]},
-                                   Radius::of_cylinder("R2", in[5]));
-  const contact::Solution solution = contact::solve_by_matrix_inversion(
+  using line_contact::Radius;
+  const line_contact::CylinderPair pair({in[0], in[1]}, Radius::of_cylinder("R1", in[2]),
+                                        {in[3], in[4]}, Radius::of_cylinder("R2", in[5]));
+  const line_contact::Solution solution = line_contact::solve_by_matrix_inversion(
       {pair.profile(), pair.contact_modulus(), {std::lround(in[8]), in[7]}}, in[6]);
   const double to_datum =
-      contact::influence_coefficient(contact::Element::triangular, in[9] / in[7]);
+      line_contact::influence_coefficient(line_contact::Element::triangular, in[9] / in[7]);
   const double total_phi = 2 * in[6] / (std::numbers::pi * pair.contact_modulus());
   Numbers out = {solution.approach_at_spacing + total_phi * to_datum, solution.half_width()};
   out.insert(out.end(), solution.pressure.begin(), solution.pressure.end());

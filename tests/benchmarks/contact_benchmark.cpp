@@ -8,26 +8,26 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/fft_solver.hpp"
-#include "contact/hertz.hpp"
-#include "contact/matrix_inversion.hpp"
-#include "contact/variational.hpp"
+#include "line_contact/fft_solver.hpp"
+#include "line_contact/hertz.hpp"
+#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/variational.hpp"
 #include "numerics/power_fit.hpp"
 
 namespace {
 
 const elasticity::Material steel(30e6, 0.30);
-const contact::CylinderPair cylinders(steel, contact::Radius::of_cylinder("radius1", 1), steel,
-                                      contact::Radius::of_cylinder("radius2", 3));
+const line_contact::CylinderPair cylinders(steel, line_contact::Radius::of_cylinder("radius1", 1),
+                                           steel, line_contact::Radius::of_cylinder("radius2", 3));
 constexpr double load = 2500;
-const contact::Hertz hertz(cylinders, load);
+const line_contact::Hertz hertz(cylinders, load);
 
-contact::Problem problem_of(long n_nodes) {
+line_contact::Problem problem_of(long n_nodes) {
   return {cylinders.profile(), cylinders.contact_modulus(),
-          contact::grid_of_width(4.1 * hertz.half_width(), n_nodes)};
+          line_contact::grid_of_width(4.1 * hertz.half_width(), n_nodes)};
 }
 
-void count(benchmark::State& state, const contact::Solution& solution) {
+void count(benchmark::State& state, const line_contact::Solution& solution) {
   double inside = 0;
   for (Eigen::Index i = 0; i < solution.grid.n_nodes; ++i) {
     const double x = solution.grid.x(i);
@@ -45,8 +45,8 @@ void count(benchmark::State& state, const contact::Solution& solution) {
 
 template <class Method>
 void run(benchmark::State& state, const Method& method) {
-  const contact::Problem problem = problem_of(state.range(0));
-  contact::Solution solution{};
+  const line_contact::Problem problem = problem_of(state.range(0));
+  line_contact::Solution solution{};
   for (auto _ : state) {
     solution = method(problem, load);
     benchmark::DoNotOptimize(solution.pressure.data());
@@ -54,15 +54,15 @@ void run(benchmark::State& state, const Method& method) {
   count(state, solution);
 }
 
-contact::Solution by_fft(const contact::Problem& problem, double line_load) {
-  return contact::solve_by_fft(problem, line_load);
+line_contact::Solution by_fft(const line_contact::Problem& problem, double line_load) {
+  return line_contact::solve_by_fft(problem, line_load);
 }
 
 void matrix_inversion(benchmark::State& state) {
-  run(state, contact::solve_by_matrix_inversion);
+  run(state, line_contact::solve_by_matrix_inversion);
 }
 void variational(benchmark::State& state) {
-  run(state, contact::solve_by_variational_method);
+  run(state, line_contact::solve_by_variational_method);
 }
 void fft(benchmark::State& state) {
   run(state, by_fft);
@@ -74,7 +74,7 @@ void fft_exponent(benchmark::State& state) {
   std::vector<double> seconds;
   for (auto _ : state) {
     for (int power = 14; power <= 22; ++power) {
-      const contact::Problem problem = problem_of(1L << power);
+      const line_contact::Problem problem = problem_of(1L << power);
       double best = 1e300;
       for (int repeat = 0; repeat < 3; ++repeat) {
         const auto start = std::chrono::steady_clock::now();

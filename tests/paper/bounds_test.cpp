@@ -10,17 +10,17 @@
 #include <stdexcept>
 #include <vector>
 
-#include "contact/fft_solver.hpp"
-#include "contact/graded_contact.hpp"
-#include "contact/hertz.hpp"
-#include "contact/matrix_inversion.hpp"
-#include "contact/variational.hpp"
+#include "line_contact/fft_solver.hpp"
+#include "line_contact/graded_contact.hpp"
+#include "line_contact/hertz.hpp"
+#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/variational.hpp"
 
 BOOST_AUTO_TEST_SUITE(bounds_test)
 
 using config::PrintedNumber;
-using contact::Solution;
 using elasticity::Material;
+using line_contact::Solution;
 using numerics::Estimate;
 
 namespace {
@@ -28,8 +28,8 @@ namespace {
 parameters::ContactCase cylinders_of(double radius1, double radius2) {
   const Material steel(206e3, 0.28);
   const Material aluminium(71.5e3, 0.345);
-  const auto r1 = contact::Radius::of_cylinder("radius1", radius1);
-  const auto r2 = contact::Radius::of_cylinder("radius2", radius2);
+  const auto r1 = line_contact::Radius::of_cylinder("radius1", radius1);
+  const auto r2 = line_contact::Radius::of_cylinder("radius2", radius2);
   return {{steel, r1}, {aluminium, r2}, {steel, r1, aluminium, r2}, 780, 30, 91, {}, {}};
 }
 
@@ -39,13 +39,13 @@ bool contains(Estimate estimate, double truth) {
 
 // The same discrete contact by every method there is.
 std::vector<Solution> by_all_methods(const parameters::ContactCase& c, long n_nodes) {
-  const contact::Hertz hertz(c.cylinders, c.line_load);
-  const contact::Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
-                                 contact::grid_around(hertz.half_width(), n_nodes)};
-  return {contact::solve_by_matrix_inversion(problem, c.line_load),
-          contact::solve_by_variational_method(problem, c.line_load),
-          contact::solve_by_fft(problem, c.line_load),
-          contact::solve_by_fft(problem, c.line_load, 1e-12)};
+  const line_contact::Hertz hertz(c.cylinders, c.line_load);
+  const line_contact::Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
+                                      line_contact::grid_around(hertz.half_width(), n_nodes)};
+  return {line_contact::solve_by_matrix_inversion(problem, c.line_load),
+          line_contact::solve_by_variational_method(problem, c.line_load),
+          line_contact::solve_by_fft(problem, c.line_load),
+          line_contact::solve_by_fft(problem, c.line_load, 1e-12)};
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(closed_forms_are_within_their_roundings_of_extended_precisi
     const double r2 = -40 * r1 / (30 + 9 * uniform(random));  // a hollow, from near to wide
     if (1 / r1 + 1 / r2 <= 0) continue;
     const parameters::ContactCase c = cylinders_of(r1, r2);
-    const contact::Hertz hertz(c.cylinders, c.line_load);
+    const line_contact::Hertz hertz(c.cylinders, c.line_load);
     const auto compliance = [](const Material& m) {
       const long double nu = m.poisson();
       return (1 - nu * nu) / m.young();
@@ -156,12 +156,12 @@ BOOST_AUTO_TEST_CASE(methods_differ_by_no_more_than_the_errors_of_their_pressure
 
 BOOST_AUTO_TEST_CASE(a_looser_tolerance_is_seen_in_the_error_of_the_pressures) {
   const parameters::ContactCase c = cylinders_of(25, 75);
-  const contact::Hertz hertz(c.cylinders, c.line_load);
-  const contact::Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
-                                 contact::grid_of_width(2.2 * hertz.half_width(), 4096)};
-  const Solution tight = contact::solve_by_fft(problem, c.line_load, 1e-13);
+  const line_contact::Hertz hertz(c.cylinders, c.line_load);
+  const line_contact::Problem problem{c.cylinders.profile(), c.cylinders.contact_modulus(),
+                                      line_contact::grid_of_width(2.2 * hertz.half_width(), 4096)};
+  const Solution tight = line_contact::solve_by_fft(problem, c.line_load, 1e-13);
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Solution loose = contact::solve_by_fft(problem, c.line_load, tolerance);
+    const Solution loose = line_contact::solve_by_fft(problem, c.line_load, tolerance);
     const double apart =
         (loose.pressure - tight.pressure).lpNorm<Eigen::Infinity>() / tight.peak_pressure();
     BOOST_TEST(apart <= paper::pressure_error(loose) + paper::pressure_error(tight), tolerance);

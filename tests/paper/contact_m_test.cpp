@@ -7,9 +7,9 @@
 #include <numeric>
 #include <vector>
 
-#include "contact/contact_error.hpp"
-#include "contact/hertz.hpp"
-#include "contact/matrix_inversion.hpp"
+#include "line_contact/contact_error.hpp"
+#include "line_contact/hertz.hpp"
+#include "line_contact/matrix_inversion.hpp"
 #include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(contact_m_test)
@@ -31,8 +31,8 @@ constexpr ContactMRepairs every{true, true, true, true, true, true};
 constexpr double solved = 1e-11;
 
 parameters::ContactCase cylinders_of(const Material& material1, const Material& material2) {
-  const auto radius1 = contact::Radius::of_cylinder("radius1", 1);
-  const auto radius2 = contact::Radius::of_cylinder("radius2", 3);
+  const auto radius1 = line_contact::Radius::of_cylinder("radius1", 1);
+  const auto radius2 = line_contact::Radius::of_cylinder("radius2", 3);
   return {{material1, radius1},
           {material2, radius2},
           {material1, radius1, material2, radius2},
@@ -48,7 +48,7 @@ parameters::ContactCase papers_contact() {
   return cylinders_of(steel, steel);
 }
 
-contact::Hertz hertz_of(const parameters::ContactCase& contact, double line_load) {
+line_contact::Hertz hertz_of(const parameters::ContactCase& contact, double line_load) {
   return {contact.cylinders, line_load};
 }
 
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(its_hertz_has_twice_the_load_until_mended) {
   const auto contact = papers_contact();
   const ContactM listed = run_contact_m(contact, papers);
   const ContactM mended = run_contact_m(contact, papers, {.hertz_load = true});
-  const contact::Hertz hertz = hertz_of(contact, 2500);
+  const line_contact::Hertz hertz = hertz_of(contact, 2500);
   const double root = std::sqrt(2.0);
 
   BOOST_TEST(relative_difference(listed.hertz_half_width, root * hertz.half_width()) < 1e-14);
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(with_every_repair_it_is_the_matrix_inversion_on_a_one_sided
   const auto contact = cylinders_of({30e6, 0.3}, {10e6, 0.345});
   const ContactMInput input{.n_nodes = 47, .spacing = 0.00043, .zero_node = 9, .step = 1e-7};
   const ContactM program = run_contact_m(contact, input, every);
-  const contact::Solution one_sided = contact::solve_by_matrix_inversion(
+  const line_contact::Solution one_sided = line_contact::solve_by_matrix_inversion(
       {contact.cylinders.profile(),
        contact.cylinders.contact_modulus(),
        {.n_nodes = 47, .spacing = 0.00043, .is_one_sided = true}},
@@ -297,11 +297,11 @@ BOOST_AUTO_TEST_CASE(with_every_repair_it_is_the_matrix_inversion_on_a_one_sided
 BOOST_AUTO_TEST_CASE(with_every_repair_it_is_the_matrix_inversion_on_both_sides) {
   const auto contact = papers_contact();
   const ContactM program = run_contact_m(contact, papers, every);
-  const contact::Solution both_sides =
-      contact::solve_by_matrix_inversion({contact.cylinders.profile(),
-                                          contact.cylinders.contact_modulus(),
-                                          {.n_nodes = 71, .spacing = 0.0005}},
-                                         2500);
+  const line_contact::Solution both_sides =
+      line_contact::solve_by_matrix_inversion({contact.cylinders.profile(),
+                                               contact.cylinders.contact_modulus(),
+                                               {.n_nodes = 71, .spacing = 0.0005}},
+                                              2500);
 
   for (std::size_t i = 0; i < 36; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -314,7 +314,7 @@ BOOST_AUTO_TEST_CASE(with_every_repair_it_is_the_matrix_inversion_on_both_sides)
 
 BOOST_AUTO_TEST_CASE(with_every_repair_it_converges_to_hertz_to_second_order) {
   // Error·(a/c)²: it jumps with where the edge lies between nodes, below 0.25 as the solver's.
-  const contact::Hertz hertz = hertz_of(papers_contact(), 2500);
+  const line_contact::Hertz hertz = hertz_of(papers_contact(), 2500);
   for (const Eigen::Index n : {1, 2, 4, 8}) {
     const ContactM program = mended_on_finer_grid(n);
     const double error = program.pressure[0] / hertz.peak_pressure() - 1;
@@ -329,16 +329,16 @@ BOOST_AUTO_TEST_CASE(refuses_an_edge_that_leaves_less_than_two_nodes_or_none_bey
   ContactMInput input = papers;
   for (const Eigen::Index zero_node : {1, 2, 37}) {
     input.zero_node = zero_node;
-    BOOST_CHECK_THROW(run_contact_m(papers_contact(), input), contact::ContactError);
+    BOOST_CHECK_THROW(run_contact_m(papers_contact(), input), line_contact::ContactError);
   }
   ContactMInput small = papers;
   small.n_nodes = 20;  // ends at 0.0095 in, within the contact
-  BOOST_CHECK_THROW(run_contact_m(papers_contact(), small, every), contact::ContactError);
+  BOOST_CHECK_THROW(run_contact_m(papers_contact(), small, every), line_contact::ContactError);
   ContactMInput coarse = papers;
   coarse.spacing = 0.03;  // an element wider than the contact
-  BOOST_CHECK_THROW(run_contact_m(papers_contact(), coarse, every), contact::ContactError);
+  BOOST_CHECK_THROW(run_contact_m(papers_contact(), coarse, every), line_contact::ContactError);
   BOOST_CHECK_THROW(run_contact_m(papers_contact(), coarse, {.free_edge = true}),
-                    contact::ContactError);
+                    line_contact::ContactError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,8 +13,8 @@ namespace {
 parameters::ContactCase cylinders() {
   const elasticity::Material steel(206e3, 0.28);
   const elasticity::Material aluminium(71.5e3, 0.345);
-  const auto radius1 = contact::Radius::of_cylinder("radius1", 23.85);
-  const auto radius2 = contact::Radius::of_cylinder("radius2", 71);
+  const auto radius1 = line_contact::Radius::of_cylinder("radius1", 23.85);
+  const auto radius2 = line_contact::Radius::of_cylinder("radius2", 71);
   return {{steel, radius1},
           {aluminium, radius2},
           {steel, radius1, aluminium, radius2},
@@ -36,7 +36,7 @@ std::vector<double> nodes(double half_width, int n) {
 
 BOOST_AUTO_TEST_CASE(triangles_on_unequal_nodes_carry_the_load) {
   const parameters::ContactCase c = cylinders();
-  const contact::Hertz hertz(c.cylinders, c.line_load);
+  const line_contact::Hertz hertz(c.cylinders, c.line_load);
   const std::vector<double> x = nodes(hertz.half_width(), 31);
 
   const std::vector<double> pressure = paper::pressures_on_nodes(c, x);
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(triangles_on_unequal_nodes_carry_the_load) {
 
 BOOST_AUTO_TEST_CASE(twice_as_many_graded_triangles_halve_the_largest_error) {
   const parameters::ContactCase c = cylinders();
-  const contact::Hertz hertz(c.cylinders, c.line_load);
+  const line_contact::Hertz hertz(c.cylinders, c.line_load);
   const auto largest_error = [&](int n) {
     const std::vector<double> x = nodes(hertz.half_width(), n);
     const std::vector<double> pressure = paper::pressures_on_nodes(c, x);

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "contact/graded_contact.hpp"
+#include "line_contact/graded_contact.hpp"
 #include "literate/document/document.hpp"
 #include "literate/values/decimal.hpp"
 #include "paper/paper.hpp"
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(the_approach_of_the_cylinders_holds_that_of_a_grid_that_end
   for (const auto& [document, text] : {std::pair{&papers(), papers_text}, {&steel(), steel_text}}) {
     const parameters::ContactCase c = contact_of(text);
     const double end = 2 * *document->values().at("cylinders.hertz.half-width").number();
-    const auto solution = contact::solve_on_graded_grid(
+    const auto solution = line_contact::solve_on_graded_grid(
         c.cylinders.profile(), c.cylinders.contact_modulus(), c.line_load, 200, {-end, end});
     constexpr double of_graded_grid = 1e-9;  // relative, measured for the half-width
     const Value& approach = document->values().at("cylinders.approach");

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "assignment/exercises/contact_solver.hpp"
-#include "contact/cylinder_pair.hpp"
-#include "contact/element.hpp"
-#include "contact/matrix_inversion.hpp"
+#include "line_contact/cylinder_pair.hpp"
+#include "line_contact/element.hpp"
+#include "line_contact/matrix_inversion.hpp"
 
 namespace assignment::contact_solver {
 namespace {
@@ -46,16 +46,16 @@ struct Reference {
 };
 
 Reference solve(const Cylinders& c) {
-  using contact::Radius;
-  const contact::CylinderPair pair(
+  using line_contact::Radius;
+  const line_contact::CylinderPair pair(
       {c.young1, c.poisson1}, Radius::of_cylinder("radius1", c.radius1), {c.young2, c.poisson2},
       Radius::of_cylinder("radius2", c.radius2));
-  const contact::Solution solution = contact::solve_by_matrix_inversion(
+  const line_contact::Solution solution = line_contact::solve_by_matrix_inversion(
       {pair.profile(), pair.contact_modulus(), {c.n_nodes, c.spacing}}, c.line_load);
   // Each coefficient is zero at the datum instead of at one spacing, which adds Σ φ T(datum/c).
   const double total_phi = 2 * c.line_load / (std::numbers::pi * pair.contact_modulus());
   const double to_datum =
-      contact::influence_coefficient(contact::Element::triangular, c.datum / c.spacing);
+      line_contact::influence_coefficient(line_contact::Element::triangular, c.datum / c.spacing);
   return {solution.approach_at_spacing + total_phi * to_datum, solution.half_width(),
           Numbers(solution.pressure.begin(), solution.pressure.end())};
 }

@@ -4,17 +4,17 @@
 #include <numbers>
 
 #include "assignment/exercises/influence.hpp"
-#include "contact/element.hpp"
+#include "line_contact/element.hpp"
 
 namespace assignment::influence {
 namespace {
 
-using contact::Element;
+using line_contact::Element;
 
 // The reference for A_k.
 double reference_at(double contact_modulus, double spacing, double datum, double k) {
-  const double rise = contact::influence_coefficient(Element::triangular, k) -
-                      contact::influence_coefficient(Element::triangular, datum / spacing);
+  const double rise = line_contact::influence_coefficient(Element::triangular, k) -
+                      line_contact::influence_coefficient(Element::triangular, datum / spacing);
   return -2 * spacing / (std::numbers::pi * contact_modulus) * rise;
 }
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "contact/contact_error.hpp"
-#include "contact/contact_search.hpp"
+#include "line_contact/contact_error.hpp"
+#include "line_contact/contact_search.hpp"
 #include "numerics/dense_lu.hpp"
 #include "point_contact/solver/fft_solver.hpp"
 #include "point_contact/solver/size_of.hpp"
@@ -18,11 +18,11 @@
 namespace point_contact {
 namespace {
 
-using contact::ContactError;
-using contact::ContactMask;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using line_contact::ContactError;
+using line_contact::ContactMask;
 using Indices = std::vector<Index>;
 
 MatrixXd influence_matrix(const Problem& problem) {
@@ -88,13 +88,13 @@ Solution solve_by_matrix_inversion(const Problem& problem, double load) {
   const double smallest_gap = 1e-15 * total * influence(0, 0);
 
   ContactMask in_contact = gaps.array() < largest_length;
-  contact::ContactSearch search;
+  line_contact::ContactSearch search;
   ElementLoads loads;
   int revisions = 0;
   for (bool settled = false; !settled;) {
-    if (++revisions > contact::max_revisions) {
+    if (++revisions > line_contact::max_revisions) {
       throw ContactError(
-          fmt::format("the contact did not settle in {} solves", contact::max_revisions));
+          fmt::format("the contact did not settle in {} solves", line_contact::max_revisions));
     }
     loads = solve_for_contact(influence, gaps, total, indices_of(in_contact));
     settled = search.revise(in_contact, loads.phi, loads.gap, smallest_gap);

@@ -3,14 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "contact/contact_search.hpp"
+#include "line_contact/contact_search.hpp"
 #include "point_contact/solver/grid.hpp"
 #include "point_contact/solver/influence_operator.hpp"
 #include "point_contact/solver/solution.hpp"
 
 namespace point_contact {
 
-using contact::ContactMask;
+using line_contact::ContactMask;
 
 /// What is held while the pressure is sought.
 enum class Control {

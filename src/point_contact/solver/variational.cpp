@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/contact_error.hpp"
+#include "line_contact/contact_error.hpp"
 #include "point_contact/solver/fft_solver.hpp"
 #include "system/require.hpp"
 
@@ -68,7 +68,7 @@ ElementLoads minimise(InfluenceOperator& influence, const VectorXd& gaps, double
     phi = enters.select(-step * gap, phi);
     phi *= total / phi.sum();
   }
-  throw contact::ContactError(
+  throw line_contact::ContactError(
       fmt::format("the variational method did not reach its minimum in {} products", max_products));
 }
 

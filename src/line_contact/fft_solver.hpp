@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "line_contact/nested_grids.hpp"
+#include "line_contact/solution.hpp"
+
+namespace line_contact {
+
+/// The least tolerance that rounding allows, and the one that is asked for if nothing is said.
+inline constexpr double min_tolerance = 1e-13;
+inline constexpr double default_tolerance = 1e-10;
+
+/// Throws InvalidQuantity unless min_tolerance ≤ tolerance < 0.01.
+double require_tolerance(double tolerance);
+
+/// Solves the contact under the load P (force per unit length) without ever forming the matrix.
+///
+/// Products by the fast Fourier transform, conjugate gradients with a circulant preconditioner for
+/// the pressure while the contact is held, revisions of the contact outside of them, and a sequence
+/// of grids, each twice as fine as the one before. Cost O(N log N), memory about 90 bytes a node.
+///
+/// The nodal pressures are those of matrix inversion to tolerance·(peak pressure). Throws
+/// InvalidQuantity for P ≤ 0, a tolerance that require_tolerance refuses or that rounding keeps out
+/// of reach (the message says what is left), or contact that reaches the end of the grid.
+Solution solve_by_fft(const Problem& problem, double line_load,
+                      double tolerance = default_tolerance, const ProgressReport& report = {});
+
+}  // namespace line_contact

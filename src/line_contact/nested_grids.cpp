@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_contact/nested_grids.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "line_contact/contact_error.hpp"
+#include "line_contact/projected_cg.hpp"
+#include "line_contact/prolongation.hpp"
+#include "system/require.hpp"
+
+namespace line_contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+using Level = NestedSolution;
+
+// The load of a node that is put in contact and carries next to nothing yet.
+constexpr double touching = 1e-300;
+
+VectorXd rises_of(const Profile& profile, const Grid& grid, Index first, Index n) {
+  return VectorXd::NullaryExpr(
+      n - 1, [&](Index i) { return profile.rise(grid.x(first + i), grid.x(first + i + 1)); });
+}
+
+// Around the contact a window leaves room on either side, because the contact that comes from the
+// coarser grid is wrong by a few nodes, and by more the wider it is. Too little room costs another
+// search, too much makes every transform longer.
+constexpr Index least_room = 8;          // nodes
+constexpr Index nodes_a_room_node = 64;  // nodes in contact for each further node of room
+
+// The coarsest grid has no more nodes than this. It is solved from a uniform pressure, in
+// microseconds and a few revisions of the contact.
+constexpr Index most_nodes_of_coarsest = 128;
+
+// The part of a grid that holds all contact, with room for it to grow.
+struct Window {
+  Index first;
+  Index n;
+};
+
+Window window_around(const VectorXd& phi) {
+  Index first = 0;
+  Index last = phi.size() - 1;
+  while (phi[first] == 0) ++first;
+  while (phi[last] == 0) --last;
+  const Index margin = least_room + (last - first) / nodes_a_room_node;
+  first = std::max<Index>(0, first - margin);
+  last = std::min(phi.size() - 1, last + margin);
+  return {first, last - first + 1};
+}
+
+class LevelSolver {
+ public:
+  // looks_everywhere: whether eq. (1b) is to hold on all of the grid, or only around the contact.
+  LevelSolver(const Problem& problem, double tolerance, bool looks_everywhere,
+              const ProgressReport& report)
+      : problem_(problem),
+        tolerance_(tolerance),
+        looks_everywhere_(looks_everywhere),
+        report_(report) {}
+
+  // Improves level.phi, whose nodes > 0 are the first guess of the contact and whose sum stays.
+  void solve(Level& level) const {
+    const double total = level.phi.sum();
+    for (bool is_complete = false; !is_complete;) {
+      const Window window = window_around(level.phi);
+      is_complete =
+          search(level, window) && (!looks_everywhere_ || enters_nowhere_else(level, window));
+      level.phi *= total / level.phi.sum();
+    }
+  }
+
+ private:
+  // Finds the contact within the window; false if it grew to one of its ends.
+  bool search(Level& level, const Window& window) const {
+    InfluenceOperator influence(problem_.element, window.n);
+    const VectorXd rises = rises_of(problem_.profile, level.grid, window.first, window.n);
+    ProjectedCg pressures(influence, rises);
+    ContactSearch contact_search;
+    auto stretch = level.phi.segment(window.first, window.n);
+    VectorXd phi = stretch;
+    const double total = phi.sum();
+    ContactMask in_contact = phi.array() > 0;
+    const bool is_cut_left = window.first > 0;
+    const bool is_cut_right = window.first + window.n < level.grid.n_nodes;
+    bool settled = false;
+    bool has_room = true;
+    while (!settled && has_room) {
+      // Solve eq. (1a) in the contact as it is, then revise the contact
+      if (++level.work.solves > max_revisions) {
+        throw ContactError(fmt::format("the contact did not settle in {} solves", max_revisions));
+      }
+      pressures.solve(phi, in_contact, tolerance_);
+      settled =
+          contact_search.revise(in_contact, phi, pressures.gap(), tolerance_ * phi.maxCoeff());
+
+      // Take away tension and what has left the contact, and make the load P again
+      phi = in_contact.select(phi.cwiseMax(0), 0);
+      phi *= total / phi.sum();
+      has_room = !(is_cut_left && in_contact[0]) && !(is_cut_right && in_contact[window.n - 1]);
+      if (report_) report_({level.grid.n_nodes, level.work.solves, pressures.work().iterations});
+    }
+    stretch = in_contact.select(phi.cwiseMax(touching), 0);
+    level.error = pressures.error();
+    level.work.iterations += pressures.work().iterations;
+    level.work.products += pressures.work().products;
+    return settled && has_room;
+  }
+
+  // Whether eq. (1b) holds on all of the grid; where it does not, nodes are put in contact.
+  bool enters_nowhere_else(Level& level, const Window& window) const {
+    // Compute the gap on the whole grid: g = h − δ − Tφ from its differences
+    const Index n = level.grid.n_nodes;
+    const VectorXd rises =
+        rises_of(problem_.profile, level.grid, 0, n) -
+        rises_over_grid(problem_.element, level.phi.segment(window.first, window.n), window.first,
+                        n);
+    ++level.work.products;
+    Index start = 0;
+    level.phi.maxCoeff(&start);
+    level.gap = added_up(rises, start);
+    const ContactMask in_contact = level.phi.array() > 0;
+    level.gap.array() -= in_contact.select(level.gap, 0).sum() / in_contact.cast<double>().sum();
+
+    // Put the nodes outside the window that penetrate in contact
+    const double smallest_gap = tolerance_ * level.phi.maxCoeff();
+    bool enters = false;
+    for (Index i = 0; i < n; ++i) {
+      const bool is_outside = i < window.first || i >= window.first + window.n;
+      if (!is_outside || level.gap[i] >= -smallest_gap) continue;
+      level.phi[i] = touching;
+      enters = true;
+    }
+    return !enters;
+  }
+
+  const Problem& problem_;
+  double tolerance_;
+  bool looks_everywhere_;
+  const ProgressReport& report_;
+};
+
+// Divides the domain into half as many elements again and again; the coarsest grid comes first.
+std::vector<Grid> nested_grids(const Grid& finest) {
+  std::vector<Grid> grids{finest};
+  while (grids.back().n_nodes > most_nodes_of_coarsest) {
+    Grid coarser = grids.back();
+    coarser.n_nodes = (coarser.n_nodes + 1) / 2;
+    coarser.spacing = (finest.end() - finest.begin()) / static_cast<double>(coarser.n_nodes);
+    grids.push_back(coarser);
+  }
+  std::reverse(grids.begin(), grids.end());
+  return grids;
+}
+
+}  // namespace
+
+double total_phi(const Problem& problem, double line_load) {
+  const double total = 2 * line_load / (std::numbers::pi * problem.contact_modulus);
+  if (!(total < largest_length)) {
+    throw sys::InvalidQuantity("load", line_load, "less: its square must be a double");
+  }
+  return total;
+}
+
+NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, double tolerance,
+                                     const ProgressReport& report) {
+  const double total = total_phi(problem, line_load);
+  Level level{};
+  for (const Grid& grid : nested_grids(problem.grid)) {
+    VectorXd phi = level.phi.size() == 0 ? VectorXd::Ones(grid.n_nodes)
+                                         : prolongate(level.grid, level.phi, grid);
+    phi *= total / phi.sum();
+    level = {grid, std::move(phi), {}, 0, {}};
+    constexpr double enough_to_start_from = 1e-6;  // less than interpolation spoils
+    const bool is_finest = grid.n_nodes == problem.grid.n_nodes;
+    const double wanted = is_finest ? tolerance : std::max(tolerance, enough_to_start_from);
+    LevelSolver(problem, wanted, is_finest, report).solve(level);
+  }
+  return level;
+}
+
+ElementLoads element_loads(const Problem& problem, NestedSolution nested) {
+  Index i = 0;
+  nested.phi.maxCoeff(&i);
+  double sum = 0;
+  for (Index j = 0; j < nested.phi.size(); ++j) {
+    if (nested.phi[j] == 0) continue;
+    sum += influence_coefficient(problem.element, static_cast<double>(i - j)) * nested.phi[j];
+  }
+  const double approach =
+      problem.profile.gap(nested.grid.x(i)) - sum - nested.gap[i];  // h − Tφ − g
+  return {std::move(nested.phi), std::move(nested.gap), approach, nested.error, nested.work};
+}
+
+}  // namespace line_contact

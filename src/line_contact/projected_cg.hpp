@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "line_contact/contact_search.hpp"
+#include "line_contact/influence_operator.hpp"
+#include "line_contact/solution.hpp"
+
+namespace line_contact {
+
+/// Adds up rises from node to node, outwards from `start`, where the result is 0: so that a steep
+/// profile's great gaps far outside leave no rounding in contact.
+Eigen::VectorXd added_up(const Eigen::VectorXd& rises, Eigen::Index start);
+
+/// Eq. (1a) for nodes whose contact is known: minimises ½φᵀ(−T)φ + hᵀφ over the element loads φ of
+/// the nodes in contact while Σφ stays what it is.
+///
+/// Conjugate gradients, projected on Σφ = const. and preconditioned with the inverse of a circulant
+/// matrix, improve φ; the gap they aim at is computed anew from its differences (eq. (2)), whose
+/// rounding is n times smaller, and so they start again until the pressure is right to the
+/// tolerance (iterative refinement).
+class ProjectedCg {
+ public:
+  /// rises: h_{i+1} − h_i between the operator's nodes. Both must outlive this.
+  ProjectedCg(InfluenceOperator& influence, const Eigen::VectorXd& rises);
+
+  /// Changes φ until its error is at most tolerance·max φ; φ is 0 outside contact. Throws
+  /// InvalidQuantity for a tolerance that rounding does not let it reach.
+  void solve(Eigen::VectorXd& phi, const ContactMask& in_contact, double tolerance);
+
+  /// u_z1 + u_z2 + h − δ at all nodes for the φ last solved; its mean in contact is 0.
+  const Eigen::VectorXd& gap() const { return gap_; }
+
+  /// The error of φ that the gaps left in contact stand for, greatest and relative to max φ.
+  double error() const { return error_; }
+
+  const Work& work() const { return work_; }
+
+ private:
+  void update_gap(const Eigen::VectorXd& phi);
+  void project(Eigen::VectorXd& residual);
+  void improve(Eigen::VectorXd& phi, double largest_error);
+
+  InfluenceOperator& influence_;
+  const Eigen::VectorXd& rises_;
+  Eigen::VectorXd contact_;         // 1 in contact, else 0
+  Eigen::VectorXd uniform_answer_;  // what the preconditioner makes of contact_
+  Eigen::VectorXd gap_, residual_, correction_, direction_, product_;
+  double error_ = 0;
+  Work work_;
+};
+
+}  // namespace line_contact

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References are the formulas as they stand, in a hundred digits: of 1e9² ln 1e9
+// some eighty are left.
+#include "line_contact/element.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "elasticity/triangular_load.hpp"
+#include "multiprecision.hpp"
+#include "random_inputs.hpp"
+#include "tolerances.hpp"
+
+BOOST_AUTO_TEST_SUITE(element_test)
+
+using Eigen::Index;
+using line_contact::Element;
+using line_contact::influence_coefficient;
+using line_contact::influence_difference;
+using line_contact::influence_gradient;
+
+namespace {
+
+constexpr Element elements[] = {Element::point, Element::uniform, Element::triangular};
+
+// T(k) without a self value of the point.
+Precise precise_coefficient(Element element, const Precise& k) {
+  const Precise half = Precise(1) / 2;
+  switch (element) {
+    case Element::triangular:
+      return precise_displacement_bracket(k) / 2 - Precise(3) / 2;
+    case Element::uniform:
+      return power_log(k + half, 1) - power_log(k - half, 1) - 1;
+    case Element::point:
+      break;
+  }
+  if (k == 0) return -log(2 * mpfr::const_pi());
+  return log(abs(k));
+}
+
+Precise precise_gradient(Element element, const Precise& k) {
+  const Precise half = Precise(1) / 2;
+  switch (element) {
+    case Element::triangular:
+      return precise_gradient_bracket(k);
+    case Element::uniform:
+      return log(abs((k + half) / (k - half)));
+    case Element::point:
+      break;
+  }
+  return k == 0 ? Precise(0) : Precise(1 / k);
+}
+
+// Every whole number to 40, across the change to a series at 16, and some up to 1e9.
+std::vector<Index> whole_numbers() {
+  std::vector<Index> k;
+  for (Index i = 0; i <= 40; ++i) k.push_back(i);
+  RandomInputs random(2385);
+  for (int i = 0; i < 200; ++i) k.push_back(std::lround(random.log_uniform(40, 1e9)));
+  k.push_back(1'000'000'000);
+  return k;
+}
+
+double relative_error(double value, const Precise& exact) {
+  if (exact == 0) return std::abs(value);
+  return static_cast<double>(abs((value - exact) / exact));
+}
+
+double absolute_error(double value, const Precise& exact) {
+  return static_cast<double>(abs(value - exact));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(coefficients_are_right_to_1e_14_of_themselves) {
+  for (const Element element : elements) {
+    for (const Index k : whole_numbers()) {
+      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
+        const double value = influence_coefficient(element, static_cast<double>(k));
+        BOOST_TEST(relative_error(value, precise_coefficient(element, k)) < 1e-14);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(coefficients_between_whole_numbers_are_right_to_1e_15) {
+  RandomInputs random(17);
+  for (const Element element : elements) {
+    for (int i = 0; i < 1000; ++i) {
+      const double k = random.uniform(-3, 3);
+      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
+        const double value = influence_coefficient(element, k);
+        BOOST_TEST(absolute_error(value, precise_coefficient(element, k)) < 1e-15);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(coefficients_far_between_whole_numbers_are_right_too) {
+  RandomInputs random(18);
+  for (const Element element : elements) {
+    for (int i = 0; i < 500; ++i) {
+      const double k = random.sign() * random.log_uniform(3, 1e9);
+      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
+        const double value = influence_coefficient(element, k);
+        BOOST_TEST(relative_error(value, precise_coefficient(element, k)) < 1e-14);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(differences_are_right_to_1e_14_of_themselves) {
+  for (const Element element : elements) {
+    for (const Index k : whole_numbers()) {
+      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
+        const Precise exact = precise_coefficient(element, k + 1) - precise_coefficient(element, k);
+        BOOST_TEST(relative_error(influence_difference(element, k), exact) < 1e-14);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(gradients_are_right_to_1e_15_and_far_away_to_1e_14_of_themselves) {
+  for (const Element element : elements) {
+    for (const Index k : whole_numbers()) {
+      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
+        const double value = influence_gradient(element, k);
+        const Precise exact = precise_gradient(element, k);
+        BOOST_TEST(absolute_error(value, exact) < 1e-15);
+        if (k >= 16) BOOST_TEST(relative_error(value, exact) < 1e-14);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_coefficient_is_even_and_a_gradient_odd) {
+  for (const Element element : elements) {
+    for (const Index k : {1, 2, 15, 16, 23'850}) {
+      const auto distance = static_cast<double>(k);
+      BOOST_TEST(influence_coefficient(element, -distance) ==
+                 influence_coefficient(element, distance));
+      BOOST_TEST(influence_gradient(element, -k) == -influence_gradient(element, k));
+    }
+    BOOST_TEST(influence_gradient(element, 0) == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_gradient_is_the_derivative_of_the_coefficient) {
+  // By central differences in a hundred digits, whose error is of the order of the square of the
+  // step.
+  const Precise step("1e-15");
+  for (const Element element : elements) {
+    for (const Index k : {1, 2, 3, 15, 16, 17, 2385}) {
+      const Precise derivative =
+          (precise_coefficient(element, k + step) - precise_coefficient(element, k - step)) /
+          (2 * step);
+      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
+        BOOST_TEST(relative_error(influence_gradient(element, k), derivative) < 1e-13);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_triangle_is_that_of_equation_3) {
+  RandomInputs random(3);
+  constexpr double a = 0.02385;
+  for (int i = 0; i < 100; ++i) {
+    const double k = random.uniform(-40, 40);
+    BOOST_TEST(std::abs(influence_coefficient(Element::triangular, k) -
+                        elasticity::triangular_potential(k * a, a)) < 4e-15);
+  }
+  BOOST_TEST(influence_coefficient(Element::triangular, 0) == -1.5);
+}
+
+BOOST_AUTO_TEST_CASE(all_elements_are_a_force_from_far_away) {
+  // T(k) − ln k = −⟨s²⟩/(2k²) + …, ⟨s²⟩ = 1/6, 1/12 and 0; the next term is less than 1/k⁴.
+  const double k = 238.5;
+  const auto beyond = [k](Element element) {
+    return influence_coefficient(element, k) - std::log(k);
+  };
+  BOOST_TEST(std::abs(beyond(Element::triangular) + 1 / (12 * k * k)) < 1 / std::pow(k, 4));
+  BOOST_TEST(std::abs(beyond(Element::uniform) + 1 / (24 * k * k)) < 1 / std::pow(k, 4));
+  BOOST_TEST(beyond(Element::point) == 0);
+}
+
+namespace {
+
+constexpr double at = 0.2385;
+
+double smooth(double s) {
+  const double t = (1 - s) * (1 + s);
+  return t * t * t * t;
+}
+
+// ∫ (1−s²)⁴ ln|at − s| ds in closed form: ∫ sⁿ ln|x−s| ds by parts, in a hundred digits.
+double smooth_potential() {
+  const Precise x = at;
+  const auto moment = [&](int n) {
+    // ∫₋₁¹ sⁿ ln|x−s| ds = [s^{n+1} ln|x−s|/(n+1)] + 1/(n+1) ∫ s^{n+1}/(x−s) ds
+    Precise remainder = 0;  // ∫₋₁¹ (s^{n+1} − x^{n+1})/(x−s) ds = −Σ x^{n−j} ∫ s^j ds
+    for (int j = 0; j <= n; j += 2) remainder -= pow(x, n - j) * 2 / (j + 1);
+    const Precise cauchy = pow(x, n + 1) * log((1 + x) / (1 - x)) + remainder;
+    return (log(1 - x) + log(1 + x) + cauchy) / (n + 1);  // n even
+  };
+  return static_cast<double>(moment(0) - 4 * moment(2) + 6 * moment(4) - 4 * moment(6) + moment(8));
+}
+
+// The same by elements of spacing c, one of them at the point.
+double row_error(Element element, double c) {
+  double sum = 0;
+  double load = 0;
+  for (Index k = -static_cast<Index>(3 / c); k <= static_cast<Index>(3 / c); ++k) {
+    const double s = at + static_cast<double>(k) * c;
+    if (std::abs(s) >= 1) continue;
+    sum += c * smooth(s) * influence_coefficient(element, static_cast<double>(k));
+    load += c * smooth(s);
+  }
+  return sum + load * std::log(c) - smooth_potential();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_row_of_forces_stands_for_a_smooth_pressure_to_order_three) {
+  // Sidi & Israeli (1988), theorem 4: the sum exceeds the integral by −ζ′(−2) p″ c³ + O(c⁵),
+  // ζ′(−2) = −0.030448457058393270780 (N[Zeta'[-2], 20]).
+  constexpr double zeta = -0.030448457058393270780;
+  const double t = (1 - at) * (1 + at);
+  const double second_derivative = -8 * t * t * t + 48 * at * at * t * t;
+
+  for (const double c : {0.02385, 0.012, 0.006}) {
+    const double leading = -zeta * second_derivative * c * c * c;
+    BOOST_TEST(tolerance::relative_difference(row_error(Element::point, c), leading) < 20 * c * c);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(uniform_and_triangular_pressures_stand_for_a_smooth_one_to_order_two) {
+  for (const Element element : {Element::uniform, Element::triangular}) {
+    const double order = std::log2(row_error(element, 0.02385) / row_error(element, 0.02385 / 2));
+    BOOST_TEST(std::abs(order - 2) < 0.1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(elements_have_names) {
+  BOOST_TEST(name_of(Element::point) == "point");
+  BOOST_TEST(name_of(Element::uniform) == "uniform");
+  BOOST_TEST(name_of(Element::triangular) == "triangular");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
