@@ -45,6 +45,20 @@ def check_on_desktop(browser):
         "[...document.querySelectorAll('main math mrow')].filter(e => /^\\(\\w\\)$/.test(e.textContent) &&"
         " e.firstChild.getBoundingClientRect().width > .6 * parseFloat(getComputedStyle(e).fontSize))"
         ".map(e => e.closest('math').getAttribute('alttext'))"))
+    claim("the points of a column's numbers stand below one another", browser.evaluate(
+        """[...document.querySelectorAll('.lit-table tbody')].flatMap(body => {
+          const ends = {};
+          for (const cell of body.querySelectorAll('.lit-numeric')) {
+            const text = cell.firstChild, at = text?.nodeType === 3 ? text.data.replace(/.*×.*/, '').indexOf('.') : -1;
+            if (at < 0) continue;
+            const range = new Range();
+            range.setStart(text, at);
+            range.setEnd(text, at + 1);
+            (ends[cell.cellIndex] ??= []).push(range.getBoundingClientRect().left);
+          }
+          return Object.values(ends).filter(all => Math.max(...all) - Math.min(...all) > 1.5)
+            .map(all => body.closest('table').dataset.table + ': ' + all.map(Math.round));
+        })"""))
     claim("no formula is an error", browser.evaluate(
         "[...document.querySelectorAll('merror')]"
         ".map(e => e.textContent)"))

@@ -517,11 +517,16 @@ void Expander::display(TexScanner& in, const TexToken& token) {
     rows = {whole};
   }
   for (Row& row : rows) {
+    // Its relation has a column of its own.
+    if (bare == "eqnarray") {
+      const auto behind = row.latex.find('&', row.latex.find('&') + 1);
+      if (behind != row.latex.npos) row.latex.erase(behind, 1);
+    }
     if (is_counted && row.tag.empty()) row.tag = "(" + counted + ")";
     if (bare != name || bare == "displaymath") row.is_numbered = false;
   }
   if (bare == "displaymath") bare = "equation";
-  if (bare == "flalign" || bare == "alignat") bare = "align";
+  if (bare == "flalign" || bare == "alignat" || bare == "eqnarray") bare = "align";
   show_display(bare, std::move(rows));
   // It steps its counter once more than it prints it, and back again.
   if (name.starts_with("eqnarray")) numbers_.take("equation");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
@@ -164,6 +165,13 @@ std::size_t end_of_row(std::string_view html, std::size_t at) {
   }
 }
 
+// A minus behind a relation, a comma or a parenthesis is that of a number, and stands close to it.
+std::string with_signs(const std::string& html) {
+  static const std::regex sign(
+      "(<mo>(?:[=,:]|&lt;|&gt;|≤|≥|≈|≡|≠|∼|→)</mo>|form=\"prefix\">[^<]*</mo>)<mo>−</mo>");
+  return std::regex_replace(html, sign, "$1<mo form=\"prefix\">−</mo>");
+}
+
 // Pandoc stretches every parenthesis, and browsers set one that may stretch twice as wide. Around
 // what is no higher than a letter with its exponent it need not.
 std::string with_plain_fences(std::string_view html) {
@@ -208,7 +216,8 @@ std::string tidied(std::string_view html) {
     html.remove_prefix(at);
     if (html.starts_with(math)) {
       const std::string_view whole = html.substr(0, html.find("</math>"));
-      const std::string body = with_plain_fences(between(whole, "<semantics>", annotation));
+      const std::string body =
+          with_signs(with_plain_fences(between(whole, "<semantics>", annotation)));
       // A head of nothing but a formula has no name for a screen reader.
       const bool is_head = text.ends_with("\">") && text.rfind("<th") == text.rfind('<');
       const std::string name = is_head ? fmt::format(" aria-label=\"{}\"", text_of_html(body)) : "";

@@ -130,11 +130,12 @@ std::string ColumnWriter::cell(std::size_t row) const {
 
 std::string ColumnWriter::cell_html(std::size_t row) const {
   const Written& cell = cells_[row];
-  const std::string mark = cell.mark.empty() ? "" : "<sup>" + cell.mark + "</sup>";
+  const std::string mark =
+      cell.mark.empty() ? "" : "<sup class=\"lit-mark\">" + cell.mark + "</sup>";
   if (cell.is_number) {
     return fmt::format("<td class=\"lit-numeric\">{}</td>", number_html(cell.text, width_, mark));
   }
-  return fmt::format("<td{}><tex>{}</tex>{}</td>", format_.numbers ? " class=\"lit-numeric\"" : "",
+  return fmt::format("<td{}><tex>{}</tex>{}</td>", format_.numbers ? " class=\"lit-middle\"" : "",
                      cell.text, mark);
 }
 

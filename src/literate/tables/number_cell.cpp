@@ -152,6 +152,8 @@ std::string number_html(std::string_view number, const NumberWidth& column, std:
   const std::size_t n = column.n_decimals - parts.decimals.size() +
                         (parts.uncertainty.empty() ? column.n_uncertainty : 0);
   for (std::size_t i = 0; i < n; ++i) text += digit;
+  const std::size_t n_thin = n_separators(column.n_decimals) - n_separators(parts.decimals.size());
+  for (std::size_t i = 0; i < n_thin; ++i) text += thin;
   return text;
 }
 

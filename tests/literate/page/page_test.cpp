@@ -148,4 +148,11 @@ BOOST_AUTO_TEST_CASE(a_parenthesis_is_as_large_as_in_the_pdf) {
              html);
 }
 
+BOOST_AUTO_TEST_CASE(a_minus_of_a_number_stands_close_to_it) {
+  const std::string html = page_of("\\[a=-b-c\\]\n", "\\relax\n").html;
+
+  BOOST_TEST(holds(html, "<mo>=</mo><mo form=\"prefix\">−</mo><mi>b</mi><mo>−</mo><mi>c</mi>"),
+             html);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

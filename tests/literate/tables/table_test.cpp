@@ -302,7 +302,8 @@ BOOST_AUTO_TEST_CASE(the_table_of_the_page_has_every_cell_in_its_place) {
              "</thead>\n<tbody>\n"
              "<tr><td><tex>apple \\textless{} pear</tex></td><td class=\"lit-numeric\">1.50</td>"
              "<td class=\"lit-numeric\">160</td></tr>\n"
-             "<tr><td><tex>plum</tex></td><td class=\"lit-numeric\">2.75<sup>a</sup></td>"
+             "<tr><td><tex>plum</tex></td><td class=\"lit-numeric\">2.75<sup "
+             "class=\"lit-mark\">a</sup></td>"
              "<td class=\"lit-numeric\">40</td></tr>\n"
              "</tbody>\n");
 }
