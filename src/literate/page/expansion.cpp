@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 
 #include "literate/page/expansion_reading.hpp"
 #include "literate/page/html_text.hpp"
@@ -438,7 +439,7 @@ void Expander::finish() {
       if (ids_.contains(mark.open.substr(at + 8, end - at - 8))) continue;
       mark.open.replace(at, end + 1 - at, "");
     }
-    mark.open = replaced(std::move(mark.open), "@id@", "");
+    mark.open = boost::replace_all_copy(std::move(mark.open), "@id@", "");
   }
 }
 
@@ -555,7 +556,6 @@ void Expander::show_display(const std::string& environment, std::vector<Row> row
   const std::string formula =
       is_plain ? "\\[" + latex + "\\]"
                : fmt::format("\\begin{{{0}*}}{1}\\end{{{0}*}}", environment, latex);
-  if (is_inline_) return emit(formula);
   begin_block("<div class=\"lit-equation\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">",
               "</div>");
   emit(formula);

@@ -107,6 +107,7 @@ class Expander {
   void finish();
 
   // Definitions and conditions.
+  Macro macro_at(TexScanner& in) const;
   void define(TexScanner&, const TexToken&);
   void define_by_pattern(TexScanner&, const TexToken&);
   void define_environment(TexScanner&, const TexToken&);
@@ -218,8 +219,8 @@ class Expander {
   std::vector<std::pair<std::string, std::string>> ends_;  ///< what ends the open environments
   std::string section_;
   std::string class_;
-  bool is_math_ = false, is_inline_ = false, is_modified_ = false, is_appendix_ = false,
-       is_author_year_ = false, has_parts_ = false, has_chapters_ = false;
+  bool is_math_ = false, is_modified_ = false, is_appendix_ = false, is_author_year_ = false,
+       has_parts_ = false, has_chapters_ = false;
   int depth_ = 0, n_notes_among_sources_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <regex>
 #include <set>
 
@@ -228,7 +229,7 @@ void Expander::label(TexScanner& in, const TexToken&) {
   if (!floats_.empty()) {
     std::string& open = result_.marks[floats_.back().mark - 1].open;
     if (open.find("@id@") != std::string::npos) {
-      open = replaced(open, "@id@", id);
+      open = boost::replace_all_copy(open, "@id@", id);
       return;
     }
   }

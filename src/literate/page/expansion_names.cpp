@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 
 #include "literate/page/expansion.hpp"
@@ -96,23 +97,28 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
   }
   if (!exponent.empty() && !is_math) {
     text += fmt::format("{}10\\textsuperscript{{{}}}", text.empty() ? "" : " × ",
-                        replaced(exponent, "-", "−"));
+                        boost::replace_all_copy(exponent, "-", "−"));
   }
   if (blank == printed.npos) return text;
   const std::string unit = escape_latex(printed.substr(blank + 1));
-  return text +
-         (is_math ? "\\,\\text{" + unit + "}" : " " + replaced(unit, "\\textasciicircum{}", "^"));
+  return text + (is_math ? "\\,\\text{" + unit + "}"
+                         : " " + boost::replace_all_copy(unit, "\\textasciicircum{}", "^"));
+}
+
+// [2][default]{body}
+Expander::Macro Expander::macro_at(TexScanner& in) const {
+  Macro macro;
+  if (const auto n = option(in)) macro.n_arguments = static_cast<std::size_t>(n->front() - '0');
+  const auto first = option(in);
+  macro.has_default = first.has_value();
+  macro.first_default = first.value_or("");
+  macro.body = argument(in);
+  return macro;
 }
 
 void Expander::define(TexScanner& in, const TexToken& token) {
   const std::string name = command_in(argument(in));
-  Macro macro;
-  if (const auto n = option(in)) macro.n_arguments = static_cast<std::size_t>(n->front() - '0');
-  if (const auto first = option(in)) {
-    macro.has_default = true;
-    macro.first_default = *first;
-  }
-  macro.body = argument(in);
+  Macro macro = macro_at(in);
   const bool is_known = macros_.contains(name) || commands().contains(name);
   if (token.name == "providecommand" && is_known) return;
   macros_[name] = std::move(macro);
@@ -132,13 +138,7 @@ void Expander::define_by_pattern(TexScanner& in, const TexToken&) {
 
 void Expander::define_environment(TexScanner& in, const TexToken&) {
   const std::string name(argument(in));
-  Macro macro;
-  if (const auto n = option(in)) macro.n_arguments = static_cast<std::size_t>(n->front() - '0');
-  if (const auto first = option(in)) {
-    macro.has_default = true;
-    macro.first_default = *first;
-  }
-  macro.body = argument(in);
+  Macro macro = macro_at(in);
   macro.end = argument(in);
   own_environments_[name] = std::move(macro);
 }
@@ -297,7 +297,7 @@ void Expander::value(TexScanner& in, const TexToken&) {
       return fail(error.what());
     }
   }
-  printed = replaced(printed, "\\%", "%");
+  printed = boost::replace_all_copy(printed, "\\%", "%");
   const bool is_number = names_.numbers.contains(key);
   const std::string latex = is_number ? quantity_latex(printed, is_math_) : escape_latex(printed);
   const std::string id = use_id("val", key);
@@ -420,7 +420,7 @@ void Expander::findings(TexScanner& in, const TexToken& token) {
   fragment(
       "<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"findings\"><table "
       "class=\"lit-table lit-findings\"><thead><tr><th scope=\"col\"><tex>" +
-      replaced(heads, "<th scope=\"col\"><tex> </tex></th>", "<td></td>") +
+      boost::replace_all_copy(heads, "<th scope=\"col\"><tex> </tex></th>", "<td></td>") +
       "</tex></th></tr></thead><tbody><tex>" + std::string(body) + "</tex></tbody></table></div>");
 }
 
@@ -482,7 +482,7 @@ void Expander::ledger_part(bool is_cited) {
   for (const std::string& id : ids) {
     ids_.insert("claim-" + id);
     std::string html = sys::read_file(sources_.generated / "page/claims" / (id + ".html"));
-    fragment(replaced(html, "@origin@", is_cited ? "paper" : "ours"));
+    fragment(boost::replace_all_copy(html, "@origin@", is_cited ? "paper" : "ours"));
   }
 }
 
@@ -518,7 +518,7 @@ void Expander::table(TexScanner& in, const TexToken&) {
     numbers_.take("table");  // a table over pages counts even without a caption
   }
   std::string html = sys::read_file(sources_.generated / "page/tables" / (name + ".html"));
-  fragment(replaced(html, "@use@", uses_[{"table", name}].back().id));
+  fragment(boost::replace_all_copy(html, "@use@", uses_[{"table", name}].back().id));
   if (breaks) read_all("\\end{table}");
 }
 
@@ -533,7 +533,8 @@ void Expander::figure(TexScanner& in, const TexToken&) {
               "", ""));
   for (Float& outer : floats_) {
     PageMark& mark = result_.marks[outer.mark - 1];
-    mark.open = replaced(mark.open, "@name@", fmt::format(" data-figure=\"{}\"", name));
+    mark.open =
+        boost::replace_all_copy(mark.open, "@name@", fmt::format(" data-figure=\"{}\"", name));
   }
 }
 

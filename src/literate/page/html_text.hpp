@@ -19,7 +19,4 @@ std::string one_word(const std::string& verdict);
 /// A text without its blanks and line ends, by which formulas are compared.
 std::string without_blanks(std::string_view text);
 
-/// Replaces every occurrence.
-std::string replaced(std::string text, std::string_view from, std::string_view to);
-
 }  // namespace literate

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -182,7 +183,8 @@ std::string with_plain_fences(std::string_view html) {
     const std::string inside = text.substr(at, size);
     const auto has = [&](const char* element) { return inside.find(element) != inside.npos; };
     if (has("<mfrac") || has("<mtable") || has("<mun") || has("<mover") || has("<msqrt")) continue;
-    text.replace(at, size, replaced(inside, "stretchy=\"true\"", "stretchy=\"false\""));
+    text.replace(at, size,
+                 boost::replace_all_copy(inside, "stretchy=\"true\"", "stretchy=\"false\""));
   }
   // Sizes of \big and its like, which browsers take with a unit alone, and not below an exponent,
   // which then stands at a space of the same height.
@@ -198,7 +200,7 @@ std::string with_plain_fences(std::string_view html) {
       return fmt::format("minsize=\"{0}{1}\" maxsize=\"{0}{1}\" stretchy=\"{2}\"", number, unit,
                          stretches);
     };
-    text = replaced(text, sizes("", "false"), sizes("em", "true"));
+    text = boost::replace_all_copy(text, sizes("", "false"), sizes("em", "true"));
   }
   return text;
 }
@@ -221,10 +223,12 @@ std::string tidied(std::string_view html) {
       // A head of nothing but a formula has no name for a screen reader.
       const bool is_head = text.ends_with("\">") && text.rfind("<th") == text.rfind('<');
       const std::string name = is_head ? fmt::format(" aria-label=\"{}\"", text_of_html(body)) : "";
-      text += fmt::format(
-          "<math{}{} alttext=\"{}\">{}",
-          whole.starts_with("<math display=\"block") ? " display=\"block\"" : "", name,
-          replaced(std::string(between(whole, annotation, "</annotation>")), "\"", "&quot;"), body);
+      text +=
+          fmt::format("<math{}{} alttext=\"{}\">{}",
+                      whole.starts_with("<math display=\"block") ? " display=\"block\"" : "", name,
+                      boost::replace_all_copy(
+                          std::string(between(whole, annotation, "</annotation>")), "\"", "&quot;"),
+                      body);
       html.remove_prefix(whole.size());
     } else {
       const std::string_view id = html.substr(line.size(), html.find("\">") - line.size());
@@ -244,8 +248,10 @@ Page write_page(const PageSources& sources) {
   std::string body = run_pandoc(sources, document, page);
   page.errors.insert(page.errors.begin(), document.errors.begin(), document.errors.end());
   // A listing that is scrolled sideways can be reached by the keyboard.
-  body = replaced(with_captions(tidied(body)), "<pre class=", "<pre tabindex=\"0\" class=");
-  page.title = text_of_html(replaced(std::string(between(body, "<h1>", "</h1>")), "<br />", " "));
+  body = boost::replace_all_copy(with_captions(tidied(body)),
+                                 "<pre class=", "<pre tabindex=\"0\" class=");
+  page.title = text_of_html(
+      boost::replace_all_copy(std::string(between(body, "<h1>", "</h1>")), "<br />", " "));
   page.authors = text_of_html(between(body, "<p class=\"lit-authors\">", "</p>"));
   page.date = text_of_html(between(body, "<p class=\"lit-date\">", "</p>"));
   const std::string_view abstract = between(body, "<section class=\"lit-abstract\">", "</section>");

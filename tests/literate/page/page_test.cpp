@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/page/page.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <vector>
@@ -146,6 +148,42 @@ BOOST_AUTO_TEST_CASE(a_parenthesis_is_as_large_as_in_the_pdf) {
   BOOST_TEST(holds(html, "<mo stretchy=\"true\" form=\"prefix\">(</mo><mfrac>"), html);
   BOOST_TEST(holds(html, "maxsize=\"1.2em\" stretchy=\"true\" form=\"prefix\">(</mo><mi>y</mi>"),
              html);
+}
+
+// Each was once read otherwise than by LaTeX.
+BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
+  const auto number = [](const char* counter, const char* shown, int order) {
+    return fmt::format("\\LiterateNumber{{{0}}}{{{1}}}{{document}}{{{1}}}{{{2}}}\n", counter, shown,
+                       order);
+  };
+  const std::string equations =
+      number("equation", "7", 1) + number("equation", "8", 2) + number("equation", "8", 3);
+  struct Construct {
+    std::string latex, numbers, html;
+  };
+  for (const auto& [latex, numbers, wanted] : std::vector<Construct>{
+           {"\\ifdim1cm>10pt more\\else less\\fi", "", "<p>more</p>"},
+           {"\\ifdim72.2pt<1in less\\else more\\fi", "", "<p>less</p>"},
+           {"\\url{https://e.org/a%20b} goes on", "", "goes on"},
+           {"\\unit{\\joule\\per\\mole\\squared}", "", "J/mol<sup>2</sup>"},
+           {"\\unit{\\watt\\per\\metre\\per\\kelvin}", "", "W/(m"},
+           {"\\qty{7}{\\per\\metre}", "", "7/m"},
+           {"a\\footnotemark[7] b\\footnotemark[8] \\footnotetext[7]{one}", "",
+            "id=\"note-1\" role=\"note\">one"},
+           {"\\begin{tabular}{r@{.}l}1 & 5\\end{tabular}", "", ">1.5</td>"},
+           {"\\stepcounter{run}\\therun", number("run", "2-b", 1), "2-b"},
+           {"\\begin{eqnarray}a & = & b\\end{eqnarray}\\begin{equation}c\\end{equation}", equations,
+            "(8)"},
+           {"\\begin{enumerate}\\item[*] a\\end{enumerate}", "", "lit-item\">*<"},
+           {"\\begin{enumerate}\\item a\\end{enumerate}", number("enumi", "(a)", 1),
+            "lit-item\">(a)<"},
+           {"\\author{A \\and B}\\maketitle", "", "A, B"}}) {
+    const Page page = page_of(latex + "\n", numbers + "\\relax\n");
+    BOOST_TEST_CONTEXT(latex) {
+      BOOST_TEST(page.errors.empty());
+      BOOST_TEST(holds(page.html, wanted), page.html);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_minus_of_a_number_stands_close_to_it) {
