@@ -3,19 +3,14 @@
 
 #include <chrono>
 #include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/json_text.hpp"
 #include "app/load_choices.hpp"
-#include "app/output_file.hpp"
-#include "app/output_format.hpp"
-#include "app/picture.hpp"
+#include "app/output.hpp"
 #include "block/analysis.hpp"
 #include "block/calculix_deck.hpp"
 #include "block/supports.hpp"
@@ -47,14 +42,12 @@ struct BlockOptions {
     add_text(command, "--vtu", vtu_file, "FILE",
              "Write mesh, displacements, stresses for ParaView");
     output.add_to(command);
-    plot.add_to(command);
   }
 
   NumberOption width, height, order, refine;
   ChoiceOption load;
   std::string case_file, sides, ccx_file, vtu_file;
-  OutputOptions output;
-  PlotOption plot;
+  Output output;
 };
 
 Support sides_of(const std::string& name, Support from_case) {
@@ -110,41 +103,21 @@ void write_files(const BlockOptions& options, const Problem& problem,
 
 using Measures = std::vector<block::MeasureEstimate>;
 
-void require_finite(const Measures& measures) {
-  for (const block::MeasureEstimate& m : measures) {
-    finite_result(m.name, m.value.value);
-    finite_result("abs_error of " + m.name, m.value.abs_error);
-  }
-}
-
 struct Seconds {
   double elements, assembly, factorization, solution;
 };
 
-std::string block_json(const Measures& measures, const block::Analysis& analysis,
-                       const block::SupportedBlock& supported, const Seconds& seconds) {
-  nlohmann::ordered_json json;
-  for (const block::MeasureEstimate& m : measures) {
-    json["measures"][m.name] = {{"value", m.value.value}, {"abs_error", m.value.abs_error}};
-  }
-  const block::Factorization& fine = supported.fine();
-  json["order"] = analysis.fine()->mesh().order();
-  json["elements"] = analysis.fine()->mesh().n_elements();
-  json["unknowns"] = fine.n_unknowns();
-  json["condensed_unknowns"] = fine.n_condensed_unknowns();
-  json["seconds"] = {{"elements", seconds.elements},
-                     {"assembly", seconds.assembly},
-                     {"factorization", seconds.factorization},
-                     {"solution", seconds.solution}};
-  return json_text(json);
-}
-
-std::string block_csv(const Measures& measures) {
-  std::string text = "measure,value,abs_error\n";
-  for (const block::MeasureEstimate& m : measures) {
-    text += fmt::format("{},{},{}\n", m.name, m.value.value, m.value.abs_error);
-  }
-  return text;
+nlohmann::ordered_json details_of(const block::Analysis& analysis,
+                                  const block::SupportedBlock& supported, const Seconds& seconds) {
+  return {{"order", analysis.fine()->mesh().order()},
+          {"elements", analysis.fine()->mesh().n_elements()},
+          {"unknowns", supported.fine().n_unknowns()},
+          {"condensed_unknowns", supported.fine().n_condensed_unknowns()},
+          {"seconds",
+           {{"elements", seconds.elements},
+            {"assembly", seconds.assembly},
+            {"factorization", seconds.factorization},
+            {"solution", seconds.solution}}}};
 }
 
 std::string unit_of(const std::string& measure, const config::UnitSystem& units) {
@@ -154,19 +127,26 @@ std::string unit_of(const std::string& measure, const config::UnitSystem& units)
   return measure == "strain_energy" ? units.force : units.stress;
 }
 
-std::string block_text(const Measures& measures, const block::SupportedBlock& supported,
-                       const Seconds& seconds, const config::UnitSystem& units) {
-  std::string text = fmt::format("{:<24}{:>18}  {:>9}  {}\n", "measure", "value", "error", "unit");
+Table table_of(const Measures& measures, const config::UnitSystem& units) {
+  Column names{.key = "measure", .heads = {"measure"}, .width = -24};
+  Column values{.key = "value", .heads = {"value"}, .width = 18, .format = "{:.9e}"};
+  Column errors{.key = "abs_error", .heads = {"error"}, .width = 11, .format = "{:.1e}"};
+  Column of_units{.key = "", .heads = {"  unit"}};
   for (const block::MeasureEstimate& m : measures) {
-    text += fmt::format("{:<24}{:>18.9e}  {:>9.1e}  {}\n", m.name, m.value.value, m.value.abs_error,
-                        unit_of(m.name, units));
+    names.texts.push_back(m.name);
+    values.numbers.push_back(m.value.value);
+    errors.numbers.push_back(m.value.abs_error);
+    of_units.texts.push_back("  " + unit_of(m.name, units));
   }
-  text += fmt::format("{} unknowns, {} after condensation\n", supported.fine().n_unknowns(),
-                      supported.fine().n_condensed_unknowns());
-  return text + fmt::format(
-                    "seconds: elements {:.3f}, assembly {:.3f}, factorisation {:.3f}, "
-                    "solution {:.3f}\n",
-                    seconds.elements, seconds.assembly, seconds.factorization, seconds.solution);
+  return {{names, values, errors, of_units}, InJson::by_text, "measures"};
+}
+
+std::string notes_of(const block::SupportedBlock& supported, const Seconds& seconds) {
+  return fmt::format(
+      "{} unknowns, {} after condensation\n"
+      "seconds: elements {:.3f}, assembly {:.3f}, factorisation {:.3f}, solution {:.3f}\n",
+      supported.fine().n_unknowns(), supported.fine().n_condensed_unknowns(), seconds.elements,
+      seconds.assembly, seconds.factorization, seconds.solution);
 }
 
 // u_z along the loaded side, z = 0, at the points of its elements.
@@ -195,7 +175,6 @@ ExitCode run(const BlockOptions& options) {
   const config::UnitSystem units = options.output.units(problem.from_file);
   require_folder_of("--ccx", options.ccx_file);
   require_folder_of("--vtu", options.vtu_file);
-  options.plot.require_drawable(options.output);
   const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,
                                  {problem.load}, problem.discretization);
   const block::SupportedBlock supported = analysis.on(problem.supports);
@@ -207,31 +186,22 @@ ExitCode run(const BlockOptions& options) {
   block::MeasureOptions measure_options;
   measure_options.surface_points = problem.from_file.half_space.points;
   const Measures measures = solution.measures(measure_options);
-  require_finite(measures);
+  const Result result{.details = details_of(analysis, supported, seconds),
+                      .tables = {table_of(measures, units)},
+                      .notes = notes_of(supported, seconds),
+                      .script = "block",
+                      .figure = [&] { return block_figure(solution.fine(), units); }};
+  require_finite(result);
   write_files(options, problem, analysis, solution);
-  switch (options.output.format()) {
-    case OutputFormat::csv:
-      fmt::print("{}", block_csv(measures));
-      break;
-    case OutputFormat::json:
-      fmt::print("{}", block_json(measures, analysis, supported, seconds));
-      break;
-    case OutputFormat::table:
-      fmt::print("{}", block_text(measures, supported, seconds, units));
-      break;
-  }
-  if (options.plot.is_given()) options.plot.draw("block", block_figure(solution.fine(), units));
-  return ExitCode::success;
+  return options.output.print(result);
 }
 
 }  // namespace
 
 void add_block_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "block", "The finite block of Appendix 2 by plane-strain finite elements",
-              exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<BlockOptions>(command);
-                return [options] { return run(*options); };
-              });
+  add_command<BlockOptions>(program, "block",
+                            "The finite block of Appendix 2 by plane-strain finite elements",
+                            exit_code, run);
 }
 
 }  // namespace app

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/height_map_file.hpp"
+#include "app/csv_files.hpp"
 #include "point_contact/closed_forms/cone.hpp"
 #include "point_contact/closed_forms/flat_punch.hpp"
 #include "point_contact/closed_forms/power_law.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -8,24 +9,138 @@
 
 #include "app/commands.hpp"
 #include "app/contact_options.hpp"
-#include "app/contact_output.hpp"
-#include "app/output_format.hpp"
-#include "app/picture.hpp"
-#include "app/validity.hpp"
+#include "app/output.hpp"
 
 namespace app {
 namespace {
 
 struct ContactCommandOptions {
-  explicit ContactCommandOptions(CLI::App& command) : contact(command) {
-    output.add_to(command);
-    plot.add_to(command);
-  }
+  explicit ContactCommandOptions(CLI::App& command) : contact(command) { output.add_to(command); }
 
   ContactOptions contact;
-  OutputOptions output;
-  PlotOption plot;
+  Output output;
 };
+
+std::vector<double> to_vector(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+std::vector<Quantity> quantities_of(const ContactInput& input, const SolvedContact& solved,
+                                    const config::UnitSystem& units) {
+  const line_contact::Solution& s = solved.solution;
+  std::vector<Quantity> quantities = {
+      {"half_width", "half-width", half_width_of(input, s), units.length},
+      {"peak_pressure", "peak pressure", s.peak_pressure(), units.stress},
+      {"load", "load", s.line_load(), units.line_load}};
+  if (input.closed_form) {
+    quantities[0].exact = input.closed_form->half_width;
+    quantities[1].exact = input.closed_form->peak_pressure;
+  }
+  if (solved.approach) {
+    quantities.push_back({"approach", "approach", *solved.approach, units.length});
+  }
+  if (solved.friction) {
+    quantities.push_back(
+        {"", "tangential load", solved.friction->tangential_load, units.line_load});
+  }
+  return quantities;
+}
+
+nlohmann::ordered_json details_of(const ContactInput& input, const SolvedContact& solved) {
+  const line_contact::Solution& s = solved.solution;
+  nlohmann::ordered_json json = {{"profile", input.profile},
+                                 {"element", line_contact::name_of(s.element)},
+                                 {"method", input.method},
+                                 {"nodes", s.grid.n_nodes},
+                                 {"nodes_in_contact", s.n_in_contact()},
+                                 {"solves", s.work.solves},
+                                 {"iterations", s.work.iterations},
+                                 {"products", s.work.products},
+                                 {"seconds", solved.seconds},
+                                 {"residuals",
+                                  {{"gap", std::max(s.residuals.gap, s.residuals.separation)},
+                                   {"pressure", s.residuals.pressure},
+                                   {"load", s.residuals.load}}},
+                                 {"contact_regions", nlohmann::ordered_json::array()}};
+  for (const line_contact::Region& region : s.regions()) {
+    json["contact_regions"].push_back({{"begin", region.begin},
+                                       {"end", region.end},
+                                       {"load", region.load},
+                                       {"nodes", region.n_nodes}});
+  }
+  if (solved.friction) {
+    json["friction"] = {
+        {"coefficient", *input.friction},
+        {"tangential_load", solved.friction->tangential_load},
+        {"state", input.tangential ? "partial slip" : "sliding"},
+        {"dundurs_beta", elasticity::dundurs_beta(input.material1, input.material2)}};
+  }
+  return json;
+}
+
+Table nodes_of(const ContactInput& input, const SolvedContact& solved) {
+  const line_contact::Solution& s = solved.solution;
+  Table table{.columns = {{.key = "x", .numbers = to_vector(s.grid.nodes())},
+                          {.key = "pressure", .numbers = to_vector(s.pressure)}},
+              .in_json = InJson::columns};
+  const auto add = [&](const char* key, const Eigen::VectorXd& numbers) {
+    table.columns.push_back({.key = key, .numbers = to_vector(numbers)});
+  };
+  if (const auto& exact = input.closed_form) {
+    add(exact->name == "hertz" ? "hertz_pressure" : "exact_pressure",
+        s.grid.nodes().unaryExpr(exact->pressure));
+    table.columns.back().may_be_infinite = true;
+  }
+  add("gap", s.gap);
+  if (solved.friction) {
+    add("shear", solved.friction->shear);
+    add("slope_of_pressure", solved.slopes->of_pressure);
+    add("slope_of_shear", solved.slopes->of_shear);
+  }
+  return table;
+}
+
+std::string friction_text(const ContactInput& input) {
+  std::string text = fmt::format("{}, friction {}", input.tangential ? "partial slip" : "sliding",
+                                 *input.friction);
+  const double beta = elasticity::dundurs_beta(input.material1, input.material2);
+  if (input.tangential && beta != 0) {
+    text += fmt::format("; exact for like materials, and here Dundurs' beta is {:.3g}", beta);
+  }
+  return text + '\n';
+}
+
+std::string regions_text(const line_contact::Solution& solution, const config::UnitSystem& units) {
+  const auto regions = solution.regions();
+  if (regions.size() < 2) return "";
+  std::string text = fmt::format("{} regions in contact\n", regions.size());
+  constexpr std::size_t most_shown = 10;
+  for (std::size_t i = 0; i < std::min(regions.size(), most_shown); ++i) {
+    text += fmt::format("  from {:.6g} to {:.6g} {}, {:.6g} {}\n", regions[i].begin, regions[i].end,
+                        units.length, regions[i].load, units.line_load);
+  }
+  if (regions.size() > most_shown) {
+    text += fmt::format("  and {} more\n", regions.size() - most_shown);
+  }
+  return text;
+}
+
+std::string notes_of(const ContactInput& input, const SolvedContact& solved,
+                     const config::UnitSystem& units) {
+  const line_contact::Solution& s = solved.solution;
+  std::string text = solved.friction ? friction_text(input) : "";
+  text += regions_text(s, units);
+  text += fmt::format("{} of {} nodes in contact, {:.6g} {} apart; {}, {} elements",
+                      s.n_in_contact(), s.grid.n_nodes, s.grid.spacing, units.length, input.method,
+                      line_contact::name_of(s.element));
+  if (s.work.solves > 0) text += fmt::format(", steps to find the contact: {}", s.work.solves);
+  if (s.work.iterations > 0) text += fmt::format(", {} iterations", s.work.iterations);
+  return text + fmt::format(
+                    "\nresiduals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} "
+                    "{}\n",
+                    s.residuals.gap, units.length, s.residuals.separation, units.length,
+                    s.residuals.pressure, units.stress, s.residuals.load, units.line_load);
+}
 
 // The pressure at the nodes about the contact, the closed form and the shear, if there are any.
 literate::Figure contact_figure(const ContactInput& input, const SolvedContact& solved,
@@ -63,39 +178,26 @@ literate::Figure contact_figure(const ContactInput& input, const SolvedContact& 
 }
 
 ExitCode run(const ContactCommandOptions& options) {
-  std::optional<parameters::Case> from_file;
-  if (!options.contact.case_file().empty()) {
-    from_file = parameters::read_case(options.contact.case_file());
-  }
+  const auto from_file = case_of(options.contact.case_file());
   const config::UnitSystem units = options.output.units(from_file);
-  options.plot.require_drawable(options.output);
   const ContactInput input = options.contact.read(from_file);
   const SolvedContact solved = solve(input);
-  require_finite(input, solved);
-  print_warnings(validity_warnings(input, solved));
-  switch (options.output.format()) {
-    case OutputFormat::csv:
-      fmt::print("{}", contact_csv(input, solved));
-      break;
-    case OutputFormat::json:
-      fmt::print("{}", contact_json(input, solved));
-      break;
-    case OutputFormat::table:
-      fmt::print("{}", contact_text(input, solved, units));
-      break;
-  }
-  if (options.plot.is_given()) options.plot.draw("contact", contact_figure(input, solved, units));
-  return ExitCode::success;
+  return options.output.print({.quantities = quantities_of(input, solved, units),
+                               .closed_form = input.closed_form ? input.closed_form->name : "",
+                               .details = details_of(input, solved),
+                               .tables = {nodes_of(input, solved)},
+                               .notes = notes_of(input, solved, units),
+                               .warnings = validity_warnings(input, solved),
+                               .script = "contact",
+                               .figure = [&] { return contact_figure(input, solved, units); }});
 }
 
 }  // namespace
 
 void add_contact_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "contact", "Two bodies pressed together along a line: pressure and gap",
-              exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<ContactCommandOptions>(command);
-                return [options] { return run(*options); };
-              });
+  add_command<ContactCommandOptions>(program, "contact",
+                                     "Two bodies pressed together along a line: pressure and gap",
+                                     exit_code, run);
 }
 
 }  // namespace app

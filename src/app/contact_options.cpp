@@ -28,8 +28,7 @@ line_contact::Element element_named(const std::string& name) {
 }  // namespace
 
 ContactOptions::Body::Body(CLI::App& command, const std::string& number)
-    : young(command, "--young" + number, "Young's modulus of body " + number),
-      poisson(command, "--poisson" + number, "Poisson's ratio of body " + number),
+    : material(command, number),
       radius(command, "--radius" + number,
              "Radius of body " + number + "; plane for a plane, negative for a hollow") {}
 
@@ -58,37 +57,20 @@ ContactOptions::ContactOptions(CLI::App& command)
   add_text(command, "--case", case_file_, "FILE", "Case file; flags override what it says");
 }
 
-elasticity::Material ContactOptions::Body::material(
-    const std::optional<CylinderCase>& given) const {
-  std::optional<double> given_young, given_poisson;
-  if (given) {
-    given_young = given->material.young();
-    given_poisson = given->material.poisson();
-  }
-  return {young.number_or(given_young), poisson.number_or(given_poisson)};
-}
-
 line_contact::Radius ContactOptions::Body::radius_or(
     const std::optional<CylinderCase>& given) const {
-  if (radius.text() == "plane") return line_contact::Radius::of_plane();
-  if (radius.text().empty() && given) return given->radius;
-  const double length = radius.number_or(std::nullopt);
-  return line_contact::Radius::of_cylinder(radius.flag().c_str() + 2, length);
+  if (const auto own = radius_of(radius)) return *own;
+  if (given) return given->radius;
+  throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
 }
 
-void ContactOptions::set_profile(ContactInput& input,
-                                 const std::optional<parameters::Case>& from_file) const {
+void ContactOptions::set_profile(ContactInput& input, const GivenBodies& given) const {
   profile_.refuse_flags_of_others();
   line_contact::Profile& profile = input.problem.profile;
   const ProfileChoice& choice = profile_choices()[profile_.row()];
   if (!choice.choose) {
-    std::optional<CylinderCase> given1, given2;
-    if (from_file) {
-      given1 = from_file->contact.body1;
-      given2 = from_file->contact.body2;
-    }
-    const line_contact::Radius radius1 = body1_.radius_or(given1);
-    const line_contact::Radius radius2 = body2_.radius_or(given2);
+    const line_contact::Radius radius1 = body1_.radius_or(given.body1);
+    const line_contact::Radius radius2 = body2_.radius_or(given.body2);
     const line_contact::CylinderPair cylinders(input.material1, radius1, input.material2, radius2);
     profile = cylinders.profile();
     input.least_radius = 1 / std::max(std::abs(radius1.curvature()), std::abs(radius2.curvature()));
@@ -125,21 +107,19 @@ void ContactOptions::set_grid(ContactInput& input, Eigen::Index n_nodes) const {
 }
 
 ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_file) const {
-  std::optional<CylinderCase> given1, given2;
+  const GivenBodies given(from_file);
   std::optional<double> given_load;
   std::optional<long> n_nodes = nodes_.integer();
   std::optional<double> datum = datum_.number();
   if (from_file) {
-    given1 = from_file->contact.body1;
-    given2 = from_file->contact.body2;
     given_load = from_file->contact.line_load;
     if (!n_nodes) n_nodes = from_file->contact.n_nodes;
     if (!datum) datum = from_file->contact.datum;
   }
   if (!n_nodes) throw sys::InputError("--nodes is missing: give it, or a --case that has it");
 
-  const elasticity::Material material1 = body1_.material(given1);
-  const elasticity::Material material2 = body2_.material(given2);
+  const elasticity::Material material1 = body1_.material.or_else(given.body1);
+  const elasticity::Material material2 = body2_.material.or_else(given.body2);
   const double modulus = elasticity::contact_modulus(material1, material2);
   ContactInput input{
       .material1 = material1,
@@ -173,7 +153,7 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
     throw sys::InputError("--tolerance has no meaning for --method " + input.method);
   }
   line_contact::require_tolerance(input.tolerance);
-  set_profile(input, from_file);
+  set_profile(input, given);
   set_grid(input, *n_nodes);
   return input;
 }

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/bodies.hpp"
 #include "app/profile_choices.hpp"
 #include "command_line/options.hpp"
 #include "line_contact/friction.hpp"
@@ -47,12 +49,12 @@ class ContactOptions {
  private:
   struct Body {
     Body(CLI::App& command, const std::string& number);
-    elasticity::Material material(const std::optional<parameters::CylinderCase>& given) const;
     line_contact::Radius radius_or(const std::optional<parameters::CylinderCase>& given) const;
-    NumberOption young, poisson, radius;
+    MaterialOption material;
+    NumberOption radius;
   };
 
-  void set_profile(ContactInput& input, const std::optional<parameters::Case>& from_file) const;
+  void set_profile(ContactInput& input, const GivenBodies& given) const;
   void set_grid(ContactInput& input, Eigen::Index n_nodes) const;
 
   Body body1_, body2_;
@@ -76,5 +78,12 @@ struct SolvedContact {
 
 /// Solves it; long solves show on standard error how far they are.
 SolvedContact solve(const ContactInput& input);
+
+/// The half-width: of cylinders from the second moment of the pressure, for other profiles half the
+/// distance between the edges.
+double half_width_of(const ContactInput& input, const line_contact::Solution& solution);
+
+/// Where half-spaces no longer stand for the bodies: a sentence, none if they do.
+std::vector<std::string> validity_warnings(const ContactInput& input, const SolvedContact& solved);
 
 }  // namespace app

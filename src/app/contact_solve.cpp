@@ -70,6 +70,17 @@ void require_resolved(const line_contact::Solution& solution) {
 
 }  // namespace
 
+double half_width_of(const ContactInput& input, const line_contact::Solution& solution) {
+  if (input.profile == "cylinder") return solution.half_width();
+  const auto regions = solution.regions();
+  if (regions.empty()) return 0;
+  return (regions.back().end - regions.front().begin) / 2;
+}
+
+std::vector<std::string> validity_warnings(const ContactInput& input, const SolvedContact& solved) {
+  return half_space_warnings(half_width_of(input, solved.solution), input.least_radius);
+}
+
 SolvedContact solve(const ContactInput& input) {
   const Clock::time_point start = Clock::now();
   const line_contact::Method method = method_of(input);

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/displacement_table.hpp"
 #include "app/load_choices.hpp"
-#include "app/output_format.hpp"
-#include "app/picture.hpp"
+#include "app/output.hpp"
 #include "command_line/options.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
@@ -25,8 +25,7 @@ namespace {
 
 struct DisplacementOptions {
   explicit DisplacementOptions(CLI::App& command)
-      : young(command, "--young", "Young's modulus E"),
-        poisson(command, "--poisson", "Poisson's ratio, between -1 and 0.5"),
+      : material(command, ""),
         datum(command, "--datum", "The x at which the displacement u_z is zero"),
         shape(command, "--shape", "triangular",
               "Shape of the load; file: a CSV file with the columns x,pressure, linear between; "
@@ -39,15 +38,14 @@ struct DisplacementOptions {
     add_choice(command, "--component", component, {"normal", "tangential"},
                "normal: u_z; tangential: u_x");
     output.add_to(command);
-    plot.add_to(command);
   }
 
-  NumberOption young, poisson, datum;
+  MaterialOption material;
+  NumberOption datum;
   ChoiceOption shape;
   std::string x, x_file, case_file;
   std::string component = "normal";
-  OutputOptions output;
-  PlotOption plot;
+  Output output;
 };
 
 using OptionalCase = std::optional<parameters::Case>;
@@ -95,16 +93,6 @@ std::vector<double> points_of(const DisplacementOptions& options, const Optional
   throw sys::InputError("no points: give --x, --x-file, or a --case that has them");
 }
 
-elasticity::Material material_of(const DisplacementOptions& options,
-                                 const OptionalCase& from_file) {
-  const auto from_case = [&](auto member) -> std::optional<double> {
-    if (!from_file) return std::nullopt;
-    return (from_file->half_space.material.*member)();
-  };
-  return {options.young.number_or(from_case(&elasticity::Material::young)),
-          options.poisson.number_or(from_case(&elasticity::Material::poisson))};
-}
-
 elasticity::LoadNumbers numbers_of(const DisplacementOptions& options,
                                    const OptionalCase& from_file) {
   elasticity::LoadNumbers of_case;
@@ -150,49 +138,38 @@ struct BothWays {
   }
 };
 
-struct ComparedRows {
-  std::vector<DisplacementRow> rows;
-  DisplacementNotes notes;
-  std::vector<std::pair<double, double>> curve;  // of the displacement, if it is to be drawn
-};
-
-// The displacement from the first to the last of the points: in closed form, or else by quadrature.
-std::vector<std::pair<double, double>> curve_of(const BothWays& surface, bool has_force,
-                                                const std::vector<double>& points) {
-  const auto& closed = surface.closed_displacement();
-  const auto [low, high] = std::minmax_element(points.begin(), points.end());
-  std::vector<std::pair<double, double>> curve;
-  constexpr int n = 400;
-  for (int i = 0; i <= n; ++i) {
-    const double x = *low + (*high - *low) * i / n;
-    if (x == 0 && has_force) continue;  // infinite there
-    curve.emplace_back(x, closed ? closed(x) : surface.displacement(x).value);
-  }
-  return curve;
-}
-
-literate::Figure displacement_figure(const ComparedRows& result, const std::string& component,
+// The displacement at the points, and between them in closed form, or else by quadrature.
+literate::Figure displacement_figure(const BothWays& surface, bool has_force,
+                                     const std::vector<DisplacementRow>& rows,
                                      const config::UnitSystem& units) {
   std::vector<double> x, u, curve_x, curve_u;
-  for (const DisplacementRow& row : result.rows) {
+  for (const DisplacementRow& row : rows) {
     x.push_back(row.x);
     u.push_back(row.displacement_quadrature.value);
   }
-  for (const auto& [at, displacement] : result.curve) {
+  const auto& closed = surface.closed_displacement();
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  constexpr int n = 400;
+  for (int i = 0; i <= n; ++i) {
+    const double at = *low + (*high - *low) * i / n;
+    if (at == 0 && has_force) continue;  // infinite there
     curve_x.push_back(at);
-    curve_u.push_back(displacement);
+    curve_u.push_back(closed ? closed(at) : surface.displacement(at).value);
   }
-  const bool has_closed_form = result.rows.front().displacement_closed_form.has_value();
   return {.width_cm = 14,
           .height_cm = 9,
           .data = {{"points", {{"x", x}, {"u", u}}}, {"curve", {{"x", curve_x}, {"u", curve_u}}}},
           .texts = {{"unit", units.length},
-                    {"component", component == "normal" ? "u_z" : "u_x"},
-                    {"line", has_closed_form ? "closed form" : "quadrature"}}};
+                    {"component", surface.is_normal ? "u_z" : "u_x"},
+                    {"line", closed ? "closed form" : "quadrature"}}};
 }
 
-ComparedRows rows_of(const DisplacementOptions& options, const OptionalCase& from_file) {
-  const elasticity::Material material = material_of(options, from_file);
+ExitCode run(const DisplacementOptions& options) {
+  const OptionalCase from_file = case_of(options.case_file);
+  const config::UnitSystem units = options.output.units(from_file);
+  options.shape.refuse_flags_of_others();
+  const elasticity::Material material = options.material.or_else(
+      from_file ? std::optional(from_file->half_space.material) : std::nullopt);
   std::optional<double> datum;
   if (from_file) datum = from_file->half_space.datum;
   const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
@@ -211,57 +188,31 @@ ComparedRows rows_of(const DisplacementOptions& options, const OptionalCase& fro
       known.surface ? known.surface(material, zero_at) : elasticity::ClosedSurface(),
       {material, counted(known.load, n_evaluations), zero_at},
       !is_tangential};
-  ComparedRows result;
+  std::vector<DisplacementRow> rows;
   for (const double x : points) {
     *n_evaluations = 0;
-    result.rows.push_back(surface.at(x));
-    result.rows.back().n_evaluations = *n_evaluations;
+    rows.push_back(surface.at(x));
+    rows.back().n_evaluations = *n_evaluations;
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  result.notes = {.closed_form = is_tangential ? "Johnson 2.24a, 2.25a with the load's own integral"
-                                               : choice.source,
-                  .seconds = elapsed.count()};
-  if (options.plot.is_given() && !points.empty()) {
-    result.curve = curve_of(surface, has_force, points);
+  Result result = displacement_result(
+      rows, units,
+      {.closed_form =
+           is_tangential ? "Johnson 2.24a, 2.25a with the load's own integral" : choice.source,
+       .seconds = elapsed.count()});
+  if (!rows.empty()) {
+    result.figure = [&] { return displacement_figure(surface, has_force, rows, units); };
   }
-  return result;
-}
-
-ExitCode run(const DisplacementOptions& options) {
-  OptionalCase from_file;
-  if (!options.case_file.empty()) from_file = parameters::read_case(options.case_file);
-  const config::UnitSystem units = options.output.units(from_file);
-  options.shape.refuse_flags_of_others();
-  options.plot.require_drawable(options.output);
-  const ComparedRows result = rows_of(options, from_file);
-  const std::vector<DisplacementRow>& rows = result.rows;
-  switch (options.output.format()) {
-    case OutputFormat::csv:
-      fmt::print("{}", displacement_csv(rows));
-      break;
-    case OutputFormat::json:
-      fmt::print("{}", displacement_json(rows));
-      break;
-    case OutputFormat::table:
-      fmt::print("{}", displacement_text(rows, units, result.notes));
-      break;
-  }
-  if (options.plot.is_given() && !rows.empty()) {
-    options.plot.draw("displacement", displacement_figure(result, options.component, units));
-  }
-  return ExitCode::success;
+  return options.output.print(result);
 }
 
 }  // namespace
 
 void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(
+  add_command<DisplacementOptions>(
       program, "displacement",
       "Surface gradient and displacement of a half-space, eq. (2) by quadrature beside eq. (3)",
-      exit_code, [](CLI::App& command) {
-        auto options = std::make_shared<DisplacementOptions>(command);
-        return [options] { return run(*options); };
-      });
+      exit_code, run);
 }
 
 }  // namespace app

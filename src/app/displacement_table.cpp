@@ -2,53 +2,60 @@
 #include "app/displacement_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
-
-#include "app/json_text.hpp"
-#include "command_line/number_text.hpp"
 
 namespace app {
 namespace {
 
-struct Column {
-  const char* name;
-  double number;
-};
+using Rows = std::vector<DisplacementRow>;
 
-// The numbers of a row in the order of the columns; throws sys::InputError for one that is not
-// finite.
-std::vector<Column> columns_of(const DisplacementRow& row) {
-  std::vector<Column> columns{{"x", row.x},
-                              {"gradient_quadrature", row.gradient_quadrature.value},
-                              {"gradient_abs_error", row.gradient_quadrature.abs_error}};
-  if (row.gradient_closed_form) {
-    columns.push_back({"gradient_closed_form", *row.gradient_closed_form});
-  }
-  columns.push_back({"displacement_quadrature", row.displacement_quadrature.value});
-  columns.push_back({"displacement_abs_error", row.displacement_quadrature.abs_error});
-  if (row.displacement_closed_form) {
-    columns.push_back({"displacement_closed_form", *row.displacement_closed_form});
-  }
-  for (Column& column : columns) {
-    command_line::finite_result(fmt::format("{} at x = {}", column.name, row.x), column.number);
-    column.number += 0.0;  // no -0
-  }
-  return columns;
+template <class OfRow>
+std::vector<double> numbers_of(const Rows& rows, const OfRow& of_row) {
+  std::vector<double> numbers;
+  for (const DisplacementRow& row : rows) numbers.push_back(of_row(row));
+  return numbers;
 }
 
-// The names of the columns; of no rows those of a row with closed forms.
-std::vector<std::string> names_of(const std::vector<DisplacementRow>& rows) {
-  const DisplacementRow with_closed_forms{0, {}, 0, {}, 0};
-  std::vector<std::string> names;
-  for (const Column& column : columns_of(rows.empty() ? with_closed_forms : rows.front())) {
-    names.emplace_back(column.name);
-  }
-  return names;
+// Of no rows there are the columns of rows with closed forms.
+bool is_compared(const Rows& rows) {
+  return rows.empty() || rows.front().gradient_closed_form;
+}
+
+// Adds the four columns of the gradient, or of the displacement.
+void add_columns(std::vector<Column>& columns, const Rows& rows, const std::string& name,
+                 const std::string& unit, numerics::Estimate DisplacementRow::*quadrature,
+                 std::optional<double> DisplacementRow::*closed_form) {
+  const bool is_absent = !is_compared(rows);
+  const auto closed = [&](const auto& row) { return (row.*closed_form).value_or(0); };
+  columns.push_back({name + "_quadrature",
+                     {name + " by", "quadrature", unit},
+                     22,
+                     "{:.12e}",
+                     numbers_of(rows, [&](const auto& row) { return (row.*quadrature).value; })});
+  columns.push_back(
+      {name + "_abs_error",
+       {"error", "estimate", unit},
+       10,
+       "{:.1e}",
+       numbers_of(rows, [&](const auto& row) { return (row.*quadrature).abs_error; })});
+  columns.push_back({.key = name + "_closed_form",
+                     .heads = {name + " in", "closed form", unit},
+                     .width = 21,
+                     .format = "{:.12e}",
+                     .numbers = numbers_of(rows, closed),
+                     .is_absent = is_absent});
+  columns.push_back(
+      {.key = "",
+       .heads = {"difference", "over error", "[1]"},
+       .width = 12,
+       .format = "{:.2g}",
+       .numbers = numbers_of(
+           rows,
+           [&](const auto& row) { return difference_over_error(row.*quadrature, closed(row)); }),
+       .is_absent = is_absent});
 }
 
 bool agrees(const DisplacementRow& row) {
@@ -56,10 +63,9 @@ bool agrees(const DisplacementRow& row) {
          difference_over_error(row.displacement_quadrature, *row.displacement_closed_form) <= 1;
 }
 
-std::string notes_text(const std::vector<DisplacementRow>& rows, const DisplacementNotes& notes) {
-  const bool is_compared = !rows.empty() && rows.front().gradient_closed_form;
+std::string notes_text(const Rows& rows, const DisplacementNotes& notes) {
   std::string text;
-  if (is_compared) {
+  if (!rows.empty() && is_compared(rows)) {
     text = fmt::format("beside eq. (2) by quadrature stands {}\n", notes.closed_form);
     text += fmt::format("{} of {} points agree within their errors",
                         std::count_if(rows.begin(), rows.end(), agrees), rows.size());
@@ -81,59 +87,24 @@ double difference_over_error(const numerics::Estimate& quadrature, double closed
                          : difference / (quadrature.abs_error + roundings * std::abs(closed_form));
 }
 
-std::string displacement_csv(const std::vector<DisplacementRow>& rows) {
-  std::string text = fmt::format("{}\n", fmt::join(names_of(rows), ","));
-  for (const DisplacementRow& row : rows) {
-    std::vector<double> numbers;
-    for (const Column& column : columns_of(row)) numbers.push_back(column.number);
-    text += fmt::format("{}\n", fmt::join(numbers, ","));
-  }
-  return text;
-}
-
-std::string displacement_json(const std::vector<DisplacementRow>& rows) {
-  auto array = nlohmann::ordered_json::array();
-  for (const DisplacementRow& row : rows) {
-    nlohmann::ordered_json object;
-    for (const Column& column : columns_of(row)) object[column.name] = column.number;
-    array.push_back(object);
-  }
-  return json_text(array);
-}
-
-std::string displacement_text(const std::vector<DisplacementRow>& rows,
-                              const config::UnitSystem& units, const DisplacementNotes& notes) {
-  const auto line = [](auto&&... cells) {
-    return fmt::format("{:>12}  {:>20} {:>9} {:>20} {:>11}  {:>20} {:>9} {:>20} {:>11} {:>11}\n",
-                       cells...);
-  };
+Result displacement_result(const Rows& rows, const config::UnitSystem& units,
+                           const DisplacementNotes& notes) {
   const std::string length = "[" + units.length + "]";
-  std::string text =
-      line("x", "gradient by", "error", "gradient in", "difference", "displacement by", "error",
-           "displacement in", "difference", "evaluations");
-  text += line("", "quadrature", "estimate", "closed form", "over error", "quadrature", "estimate",
-               "closed form", "over error", "of load");
-  text += line(length, "[1]", "[1]", "[1]", "[1]", length, length, length, "[1]", "[1]");
-  for (const DisplacementRow& row : rows) {
-    columns_of(row);  // finite
-    const auto digits = [](double number) { return fmt::format("{:.12e}", number + 0.0); };
-    const auto rough = [](double number) { return fmt::format("{:.1e}", number); };
-    const auto closed = [&](const std::optional<double>& number) {
-      return number ? digits(*number) : std::string("-");
-    };
-    const auto ratio = [](const numerics::Estimate& estimate, const std::optional<double>& exact) {
-      return exact ? fmt::format("{:.2g}", difference_over_error(estimate, *exact))
-                   : std::string("-");
-    };
-    const numerics::Estimate& gradient = row.gradient_quadrature;
-    const numerics::Estimate& displacement = row.displacement_quadrature;
-    text += line(command_line::shortest(row.x + 0.0), digits(gradient.value),
-                 rough(gradient.abs_error), closed(row.gradient_closed_form),
-                 ratio(gradient, row.gradient_closed_form), digits(displacement.value),
-                 rough(displacement.abs_error), closed(row.displacement_closed_form),
-                 ratio(displacement, row.displacement_closed_form), row.n_evaluations);
-  }
-  return text + notes_text(rows, notes);
+  std::vector<Column> columns = {
+      {"x", {"x", "", length}, 12, "{}", numbers_of(rows, [](const auto& row) { return row.x; })}};
+  add_columns(columns, rows, "gradient", "[1]", &DisplacementRow::gradient_quadrature,
+              &DisplacementRow::gradient_closed_form);
+  add_columns(columns, rows, "displacement", length, &DisplacementRow::displacement_quadrature,
+              &DisplacementRow::displacement_closed_form);
+  columns.push_back({.key = "",
+                     .heads = {"evaluations", "of load", "[1]"},
+                     .width = 12,
+                     .format = "{:.0f}",
+                     .numbers = numbers_of(rows, [](const auto& row) {
+                       return static_cast<double>(row.n_evaluations);
+                     })});
+  return {
+      .tables = {{std::move(columns)}}, .notes = notes_text(rows, notes), .script = "displacement"};
 }
 
 }  // namespace app

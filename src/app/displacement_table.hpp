@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/result.hpp"
 #include "config/units.hpp"
 #include "numerics/estimate.hpp"
 
@@ -31,19 +32,10 @@ struct DisplacementNotes {
 /// closed form.
 double difference_over_error(const numerics::Estimate& quadrature, double closed_form);
 
-// All three throw sys::InputError, naming the column and x, for a number that is not finite.
-
-/// A header and a row a point, numbers with the shortest digits that round-trip; without columns
-/// of closed forms if there are none.
-std::string displacement_csv(const std::vector<DisplacementRow>& rows);
-
-/// The same as an array of objects whose names are the columns of the csv.
-std::string displacement_json(const std::vector<DisplacementRow>& rows);
-
-/// Aligned columns for reading, 13 significant digits, with units, the difference over the error
-/// and the evaluations of the load; then what stands beside what, how many points agree within
-/// their errors, evaluations and time.
-std::string displacement_text(const std::vector<DisplacementRow>& rows,
-                              const config::UnitSystem& units, const DisplacementNotes& notes);
+/// A row a point, without columns of closed forms if there are none; for people 13 significant
+/// digits, the difference over the error and the evaluations of the load, and below the table what
+/// stands beside what, how many points agree within their errors, evaluations and time.
+Result displacement_result(const std::vector<DisplacementRow>& rows,
+                           const config::UnitSystem& units, const DisplacementNotes& notes);
 
 }  // namespace app

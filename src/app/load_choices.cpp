@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "app/csv_columns.hpp"
+#include "app/csv_files.hpp"
 #include "app/expression.hpp"
 #include "elasticity/piecewise_linear_load.hpp"
 #include "system/require.hpp"
@@ -57,22 +57,9 @@ LoadChoice choice_of(const LoadShape& shape) {
   return choice;
 }
 
-elasticity::PiecewiseLinearLoad read_load(const std::string& file) {
-  const CsvColumns points = read_columns(file, "x", "pressure");
-  const std::vector<double>& x = points.first;
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    if (x[i] > x[i - 1]) continue;
-    throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the one before, {}",
-                                      file, points.lines[i], shortest(x[i]), shortest(x[i - 1])));
-  }
-  if (x.size() < 2) {
-    throw sys::InputError(fmt::format("{}: holds {} points, 2 or more are needed", file, x.size()));
-  }
-  return {x, points.second};
-}
-
 KnownLoad load_of_file(const ChoiceOption& given, const LoadNumbers& /*numbers*/) {
-  const elasticity::PiecewiseLinearLoad load = read_load(given.argument());
+  const CsvColumns points = read_curve(given.argument(), "x", "pressure", 2);
+  const elasticity::PiecewiseLinearLoad load(points.first, points.second);
   return {load, elasticity::closed_surface_of(load)};
 }
 

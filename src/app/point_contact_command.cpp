@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <memory>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "app/commands.hpp"
-#include "app/output_file.hpp"
-#include "app/output_format.hpp"
-#include "app/picture.hpp"
-#include "app/point_contact_figure.hpp"
+#include "app/output.hpp"
 #include "app/point_contact_options.hpp"
-#include "app/point_contact_output.hpp"
-#include "app/validity.hpp"
+#include "point_contact/solver/regions.hpp"
 #include "point_contact/solver/vtu.hpp"
 #include "system/files.hpp"
 
 namespace app {
 namespace {
+
+using nlohmann::ordered_json;
+using point_contact::Vector2;
 
 struct PointContactCommandOptions {
   explicit PointContactCommandOptions(CLI::App& command) : contact(command) {
@@ -23,30 +25,311 @@ struct PointContactCommandOptions {
              "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap");
     add_text(command, "--vtu", vtu_file, "FILE", "Write the same for ParaView");
     output.add_to(command);
-    plot.add_to(command);
   }
 
   PointContactOptions contact;
   std::string field_file, vtu_file;
-  OutputOptions output;
-  PlotOption plot;
+  Output output;
 };
 
-ExitCode run(const PointContactCommandOptions& options) {
-  std::optional<parameters::Case> from_file;
-  if (!options.contact.case_file().empty()) {
-    from_file = parameters::read_case(options.contact.case_file());
+// The tangential approach of bodies of revolution in closed form, if there is friction.
+std::optional<point_contact::CattaneoMindlin> mindlin_of(const PointContactInput& input) {
+  if (!input.hertz || !input.tangential) return std::nullopt;
+  return point_contact::CattaneoMindlin(*input.hertz, *input.friction, *input.tangential);
+}
+
+std::vector<Quantity> quantities_of(const PointContactInput& input,
+                                    const SolvedPointContact& solved,
+                                    const config::UnitSystem& units) {
+  const point_contact::Solution& s = solved.solution;
+  const Vector2 widths = half_widths_of(input, s);
+  std::vector<Quantity> quantities = {
+      {"half_widths", "half-width, greatest", widths[0], units.length},
+      {"half_widths", "half-width, least", widths[1], units.length},
+      {"peak_pressure", "peak pressure", s.peak_pressure(), units.stress},
+      {"approach", "approach", s.approach, units.length},
+      {"load", "load", s.load(), units.force}};
+  if (const auto& exact = input.closed_form) {
+    quantities[0].exact = std::max(exact->half_width_x, exact->half_width_y);
+    quantities[1].exact = std::min(exact->half_width_x, exact->half_width_y);
+    quantities[2].exact = exact->peak_pressure;
+    quantities[3].exact = exact->approach;
+    quantities[4].exact = exact->load;
   }
+  if (!solved.friction) return quantities;
+  quantities.push_back({"", "tangential load", solved.friction->tangential_load, units.force});
+  if (solved.tangential_displacement) {
+    quantities.push_back(
+        {"", "tangential approach", *solved.tangential_displacement, units.length});
+    if (const auto mindlin = mindlin_of(input)) {
+      quantities.back().exact = mindlin->displacement(
+          point_contact::tangential_compliance(input.material1, input.material2));
+    }
+  }
+  return quantities;
+}
+
+ordered_json friction_json(const PointContactInput& input, const SolvedPointContact& solved) {
+  const point_contact::Friction& friction = *solved.friction;
+  ordered_json json = {
+      {"coefficient", *input.friction},
+      {"tangential_load", friction.tangential_load},
+      {"state", input.tangential ? "partial slip" : "sliding"},
+      {"nodes_sticking", friction.n_sticking},
+      {"stick_area",
+       static_cast<double>(friction.n_sticking) * solved.solution.grid.lattice.cell_area()},
+      {"dundurs_beta", elasticity::dundurs_beta(input.material1, input.material2)}};
+  if (solved.tangential_displacement) json["displacement"] = *solved.tangential_displacement;
+  if (const auto mindlin = mindlin_of(input)) {
+    const double compliance =
+        point_contact::tangential_compliance(input.material1, input.material2);
+    json["cattaneo_mindlin"] = {{"stick_radius", mindlin->stick_radius()},
+                                {"displacement", mindlin->displacement(compliance)}};
+  }
+  return json;
+}
+
+ordered_json details_of(const PointContactInput& input, const SolvedPointContact& solved) {
+  const point_contact::Solution& s = solved.solution;
+  ordered_json json = {{"contact_area", s.contact_area()},
+                       {"profile", input.profile},
+                       {"element", point_contact::name_of(s.element)},
+                       {"grid", input.grid},
+                       {"method", input.method},
+                       {"nodes", s.grid.n1},
+                       {"rows", s.grid.n2},
+                       {"nodes_in_contact", s.n_in_contact()},
+                       {"seconds", solved.seconds},
+                       {"work",
+                        {{"products", s.work.products},
+                         {"preconditionings", s.work.preconditionings},
+                         {"iterations", s.work.iterations},
+                         {"revisions", s.work.revisions}}},
+                       {"residuals",
+                        {{"gap", s.residuals.gap},
+                         {"separation", s.residuals.separation},
+                         {"pressure", s.residuals.pressure},
+                         {"load", s.residuals.load}}},
+                       {"contact_regions", ordered_json::array()}};
+  for (const point_contact::Region& region : point_contact::regions(s)) {
+    json["contact_regions"].push_back({{"x", region.centre.x()},
+                                       {"y", region.centre.y()},
+                                       {"load", region.load},
+                                       {"area", region.area},
+                                       {"nodes", region.n_nodes}});
+  }
+  if (input.curvatures) json["angle"] = input.curvatures->angle * 180 / std::numbers::pi;
+  if (solved.friction) json["friction"] = friction_json(input, solved);
+  return json;
+}
+
+Table nodes_of(const SolvedPointContact& solved) {
+  const point_contact::Solution& s = solved.solution;
+  const auto to_vector = [](const Eigen::VectorXd& v) {
+    return std::vector<double>(v.begin(), v.end());
+  };
+  Column x{.key = "x"};
+  Column y{.key = "y"};
+  for (Eigen::Index j = 0; j < s.grid.n2; ++j) {
+    for (Eigen::Index i = 0; i < s.grid.n1; ++i) {
+      const Vector2 at = s.grid.node(i, j);
+      x.numbers.push_back(at.x());
+      y.numbers.push_back(at.y());
+    }
+  }
+  // Where there is no body its distance is infinite.
+  Table table{.columns = {std::move(x),
+                          std::move(y),
+                          {.key = "pressure", .numbers = to_vector(s.pressure)},
+                          {.key = "gap", .numbers = to_vector(s.gap), .may_be_infinite = true}},
+              .in_json = InJson::no};
+  if (solved.friction) {
+    table.columns.push_back({.key = "shear", .numbers = to_vector(solved.friction->shear)});
+  }
+  return table;
+}
+
+Table stresses_of(const std::vector<StressBeneath>& stresses, const config::UnitSystem& units) {
+  const std::string unit = "[" + units.stress + "]";
+  Table table{.columns = {}, .in_json = InJson::rows, .name = "stresses"};
+  const auto add = [&](const char* key, std::vector<std::string> heads, const auto& of_depth) {
+    std::vector<double> numbers;
+    for (const StressBeneath& at : stresses) numbers.push_back(of_depth(at));
+    const int width = table.columns.empty() ? 12 : 14;
+    table.columns.push_back({key, std::move(heads), width, "{:.6g}", std::move(numbers)});
+  };
+  using At = StressBeneath;
+  add("z", {"depth", "[" + units.length + "]"}, [](const At& at) { return at.z; });
+  add("stress_xx", {"stress xx", unit}, [](const At& at) { return at.stress(0, 0); });
+  add("stress_yy", {"stress yy", unit}, [](const At& at) { return at.stress(1, 1); });
+  add("stress_zz", {"stress zz", unit}, [](const At& at) { return at.stress(2, 2); });
+  add("max_shear", {"max shear", unit}, [](const At& at) { return at.max_shear; });
+  add("von_mises", {"von Mises", unit}, [](const At& at) { return at.von_mises; });
+  if (stresses.front().huber_max_shear) {
+    add("huber_max_shear", {"Huber", "max shear"},
+        [](const At& at) { return *at.huber_max_shear; });
+  }
+  return table;
+}
+
+std::string friction_text(const PointContactInput& input, const SolvedPointContact& solved) {
+  std::string text = fmt::format("{}, friction {}", input.tangential ? "partial slip" : "sliding",
+                                 *input.friction);
+  if (input.tangential) text += fmt::format(", {} nodes stick", solved.friction->n_sticking);
+  const double beta = elasticity::dundurs_beta(input.material1, input.material2);
+  if (input.tangential && beta != 0) {
+    text += fmt::format("; for like materials, and here Dundurs' beta is {:.3g}", beta);
+  }
+  return text + '\n';
+}
+
+std::string regions_text(const point_contact::Solution& solution, const config::UnitSystem& units) {
+  const auto regions = point_contact::regions(solution);
+  if (regions.size() < 2) return "";
+  constexpr std::size_t most_shown = 10;
+  std::string text = fmt::format("{} regions in contact\n", regions.size());
+  for (std::size_t i = 0; i < std::min(regions.size(), most_shown); ++i) {
+    const point_contact::Region& region = regions[i];
+    text +=
+        fmt::format("  {:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes\n", region.load, units.force,
+                    region.centre.x(), region.centre.y(), units.length, region.n_nodes);
+  }
+  if (regions.size() > most_shown) {
+    text += fmt::format("  and {} more\n", regions.size() - most_shown);
+  }
+  return text;
+}
+
+std::string notes_of(const PointContactInput& input, const SolvedPointContact& solved,
+                     const config::UnitSystem& units) {
+  const point_contact::Solution& s = solved.solution;
+  std::string text;
+  if (input.curvatures && !input.is_of_revolution) {
+    text = fmt::format("the contact is longest at {:.6g} degrees from the x axis of body 1\n",
+                       input.curvatures->angle * 180 / std::numbers::pi);
+  }
+  if (solved.friction) text += friction_text(input, solved);
+  text += regions_text(s, units);
+  text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} grid, {} elements",
+                      s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.lattice.first.norm(),
+                      units.length, input.method, input.grid, point_contact::name_of(s.element));
+  text += fmt::format("\n{:.3g} s, {} products and {} preconditionings on these nodes\n",
+                      solved.seconds, s.work.products, s.work.preconditionings);
+  return text + fmt::format(
+                    "residuals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} "
+                    "{}\n",
+                    s.residuals.gap, units.length, s.residuals.separation, units.length,
+                    s.residuals.pressure, units.stress, s.residuals.load, units.force);
+}
+
+// The pressure at any point: that of the nearest node, 0 outside the grid.
+class PressureAt {
+ public:
+  explicit PressureAt(const point_contact::Solution& solution) : solution_(solution) {}
+
+  double operator()(const Vector2& at) const {
+    const point_contact::Grid& grid = solution_.grid;
+    const Vector2 from_centre = at - grid.centre;
+    const auto j = static_cast<Eigen::Index>(
+        std::llround(from_centre.y() / grid.between_rows().y() + middle(grid.n2)));
+    if (j < 0 || j >= grid.n2) return 0;
+    const auto i = static_cast<Eigen::Index>(
+        std::llround(from_centre.x() / grid.lattice.first.x() + middle(grid.n1) - grid.shift(j)));
+    if (i < 0 || i >= grid.n1) return 0;
+    return solution_.pressure[grid.index(i, j)];
+  }
+
+ private:
+  static double middle(Eigen::Index n) { return static_cast<double>(n - 1) / 2; }
+
+  const point_contact::Solution& solution_;
+};
+
+// Half the sides of the rectangle about the origin that holds the contact, with a little room.
+Vector2 half_sides_of(const point_contact::Solution& solution) {
+  const point_contact::Grid& grid = solution.grid;
+  Vector2 half = Vector2::Zero();
+  for (Eigen::Index j = 0; j < grid.n2; ++j) {
+    for (Eigen::Index i = 0; i < grid.n1; ++i) {
+      if (solution.pressure[grid.index(i, j)] > 0) half = half.cwiseMax(grid.node(i, j).cwiseAbs());
+    }
+  }
+  constexpr double room = 1.12;
+  return room * half;
+}
+
+literate::Figure point_contact_figure(const PointContactInput& input,
+                                      const SolvedPointContact& solved,
+                                      const config::UnitSystem& units) {
+  const point_contact::Solution& s = solved.solution;
+  const PressureAt pressure_at(s);
+  const Vector2 half = half_sides_of(s);
+  const auto coordinate = [](int i, int n, double half_side) {
+    return half_side * (2.0 * i / (n - 1) - 1);
+  };
+
+  constexpr int n_across = 200;
+  std::vector<double> x, y, pressure;
+  for (int j = 0; j < n_across; ++j) {
+    for (int i = 0; i < n_across; ++i) {
+      const Vector2 at(coordinate(i, n_across, half.x()), coordinate(j, n_across, half.y()));
+      x.push_back(at.x());
+      y.push_back(at.y());
+      pressure.push_back(pressure_at(at));
+    }
+  }
+  literate::Figure figure{.width_cm = 20,
+                          .height_cm = 9,
+                          .data = {{"surface", {{"x", x}, {"y", y}, {"pressure", pressure}}}},
+                          .numbers = {{"half_x", half.x()}, {"half_y", half.y()}},
+                          .texts = {{"unit", units.length}, {"stress_unit", units.stress}}};
+
+  for (const int axis : {0, 1}) {
+    constexpr int n_along = 61;
+    std::vector<double> along, values;
+    for (int i = 0; i < n_along; ++i) {
+      Vector2 at = Vector2::Zero();
+      at[axis] = coordinate(i, n_along, half[axis]);
+      along.push_back(at[axis]);
+      values.push_back(pressure_at(at));
+    }
+    figure.data[axis == 0 ? "along_x" : "along_y"] = {{"s", along}, {"pressure", values}};
+    if (!input.curvatures || !input.closed_form) continue;
+    const double width =
+        axis == 0 ? input.closed_form->half_width_x : input.closed_form->half_width_y;
+    constexpr int n_exact = 401;
+    along.clear();
+    values.clear();
+    for (int i = 0; i < n_exact; ++i) {
+      along.push_back(coordinate(i, n_exact, half[axis]));
+      const double share = along.back() / width;
+      values.push_back(input.closed_form->peak_pressure *
+                       std::sqrt(std::max(0.0, 1 - share * share)));
+    }
+    figure.data[axis == 0 ? "closed_x" : "closed_y"] = {{"s", along}, {"pressure", values}};
+  }
+  return figure;
+}
+
+ExitCode run(const PointContactCommandOptions& options) {
+  const auto from_file = case_of(options.contact.case_file());
   const config::UnitSystem units = options.output.units(from_file);
   require_folder_of("--field", options.field_file);
   require_folder_of("--vtu", options.vtu_file);
-  options.plot.require_drawable(options.output);
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
-  require_finite(input, solved);
-  print_warnings(validity_warnings(input, solved));
+  Result result{.quantities = quantities_of(input, solved, units),
+                .closed_form = input.closed_form ? input.closed_form->name : "",
+                .details = details_of(input, solved),
+                .tables = {nodes_of(solved)},
+                .notes = notes_of(input, solved, units),
+                .warnings = validity_warnings(input, solved),
+                .script = "point-contact",
+                .figure = [&] { return point_contact_figure(input, solved, units); }};
+  if (!solved.stresses.empty()) result.tables.push_back(stresses_of(solved.stresses, units));
+  require_finite(result);
   if (!options.field_file.empty()) {
-    sys::write_file_atomically(options.field_file, point_contact_csv(solved));
+    sys::write_file_atomically(options.field_file, csv_text(result.tables.front()));
   }
   if (!options.vtu_file.empty()) {
     sys::write_file_atomically(
@@ -54,32 +337,16 @@ ExitCode run(const PointContactCommandOptions& options) {
         point_contact::vtu(solved.solution,
                            solved.friction ? solved.friction->shear : Eigen::VectorXd()));
   }
-  switch (options.output.format()) {
-    case OutputFormat::csv:
-      fmt::print("{}", point_contact_csv(solved));
-      break;
-    case OutputFormat::json:
-      fmt::print("{}", point_contact_json(input, solved));
-      break;
-    case OutputFormat::table:
-      fmt::print("{}", point_contact_text(input, solved, units));
-      break;
-  }
-  if (options.plot.is_given()) {
-    options.plot.draw("point-contact", point_contact_figure(input, solved, units));
-  }
-  return ExitCode::success;
+  return options.output.print(result);
 }
 
 }  // namespace
 
 void add_point_contact_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "point-contact",
-              "Two bodies pressed together at a point: pressure and gap on a plane of nodes",
-              exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<PointContactCommandOptions>(command);
-                return [options] { return run(*options); };
-              });
+  add_command<PointContactCommandOptions>(
+      program, "point-contact",
+      "Two bodies pressed together at a point: pressure and gap on a plane of nodes", exit_code,
+      run);
 }
 
 }  // namespace app

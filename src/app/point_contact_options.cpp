@@ -31,19 +31,10 @@ point_contact::Element point_element_named(const std::string& name) {
   return Element::pyramid;
 }
 
-// The curvature that a flag gives: a length other than 0, negative for a hollow, or "plane".
-std::optional<double> curvature_of(const NumberOption& radius) {
-  if (radius.text() == "plane") return 0;
-  const auto length = radius.number();
-  if (!length) return std::nullopt;
-  return line_contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length).curvature();
-}
-
 }  // namespace
 
 PointContactOptions::CurvedBody::CurvedBody(CLI::App& command, const std::string& number)
-    : young(command, "--young" + number, "Young's modulus of body " + number),
-      poisson(command, "--poisson" + number, "Poisson's ratio of body " + number),
+    : material(command, number),
       radius(command, "--radius" + number,
              "Radius of body " + number + ", a sphere; plane for a plane, negative for a hollow"),
       radius_x(command, "--radius" + number + "x",
@@ -81,16 +72,6 @@ PointContactOptions::PointContactOptions(CLI::App& command)
            "Case file; its materials and radii, which flags override");
 }
 
-elasticity::Material PointContactOptions::CurvedBody::material(
-    const std::optional<CylinderCase>& given) const {
-  std::optional<double> given_young, given_poisson;
-  if (given) {
-    given_young = given->material.young();
-    given_poisson = given->material.poisson();
-  }
-  return {young.number_or(given_young), poisson.number_or(given_poisson)};
-}
-
 point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
     const std::optional<CylinderCase>& given) const {
   const bool has_two = !radius_x.text().empty() || !radius_y.text().empty();
@@ -102,24 +83,18 @@ point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
     for (const NumberOption* one : {&radius_x, &radius_y}) {
       if (one->text().empty()) throw sys::InputError(one->flag() + " is missing");
     }
-    return {*curvature_of(radius_x), *curvature_of(radius_y)};
+    return {radius_of(radius_x)->curvature(), radius_of(radius_y)->curvature()};
   }
-  std::optional<double> curvature = curvature_of(radius);
-  if (!curvature && given) curvature = given->radius.curvature();
-  if (!curvature)
-    throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
-  return {*curvature, *curvature};
+  std::optional<line_contact::Radius> both = radius_of(radius);
+  if (!both && given) both = given->radius;
+  if (!both) throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
+  return {both->curvature(), both->curvature()};
 }
 
-void PointContactOptions::set_curved_bodies(
-    PointContactInput& input, const std::optional<parameters::Case>& from_file) const {
-  std::optional<CylinderCase> given1, given2;
-  if (from_file) {
-    given1 = from_file->contact.body1;
-    given2 = from_file->contact.body2;
-  }
-  const auto body1 = body1_.curvatures(given1);
-  const auto body2 = body2_.curvatures(given2);
+void PointContactOptions::set_curved_bodies(PointContactInput& input,
+                                            const GivenBodies& given) const {
+  const auto body1 = body1_.curvatures(given.body1);
+  const auto body2 = body2_.curvatures(given.body2);
   const double angle = profile_.given("--angle").value_or(0) * std::numbers::pi / 180;
   auto relative = point_contact::relative_curvatures(body1, body2, angle);
   // Axes that are turned by rounding alone are those of body 1.
@@ -163,11 +138,10 @@ void PointContactOptions::set_curved_bodies(
       load};
 }
 
-void PointContactOptions::set_profile(PointContactInput& input,
-                                      const std::optional<parameters::Case>& from_file) const {
+void PointContactOptions::set_profile(PointContactInput& input, const GivenBodies& given) const {
   profile_.refuse_flags_of_others();
   const BodyChoice& choice = body_choices()[profile_.row()];
-  if (!choice.choose) return set_curved_bodies(input, from_file);
+  if (!choice.choose) return set_curved_bodies(input, given);
   for (const CurvedBody* body : {&body1_, &body2_}) {
     for (const NumberOption* radius : {&body->radius, &body->radius_x, &body->radius_y}) {
       profile_.refuse(*radius);
@@ -219,13 +193,9 @@ void PointContactOptions::set_grid(PointContactInput& input) const {
 
 PointContactInput PointContactOptions::read(
     const std::optional<parameters::Case>& from_file) const {
-  std::optional<CylinderCase> given1, given2;
-  if (from_file) {
-    given1 = from_file->contact.body1;
-    given2 = from_file->contact.body2;
-  }
-  const elasticity::Material material1 = body1_.material(given1);
-  const elasticity::Material material2 = body2_.material(given2);
+  const GivenBodies given(from_file);
+  const elasticity::Material material1 = body1_.material.or_else(given.body1);
+  const elasticity::Material material2 = body2_.material.or_else(given.body2);
   const double modulus = elasticity::contact_modulus(material1, material2);
   PointContactInput input{
       .material1 = material1,
@@ -273,7 +243,7 @@ PointContactInput PointContactOptions::read(
         fmt::format("--threads = {}: must be from 1 to {}", n_threads, most_threads));
   }
   input.accuracy.n_threads = static_cast<int>(n_threads);
-  set_profile(input, from_file);
+  set_profile(input, given);
   set_grid(input);
   return input;
 }

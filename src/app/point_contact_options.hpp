@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/bodies.hpp"
 #include "app/body_choices.hpp"
 #include "command_line/options.hpp"
 #include "parameters/case.hpp"
 #include "point_contact/bodies/curvatures.hpp"
 #include "point_contact/closed_forms/cattaneo_mindlin.hpp"
 #include "point_contact/solver/nested_grids.hpp"
+#include "point_contact/solver/partial_slip.hpp"
 #include "point_contact/solver/problem.hpp"
 
 namespace app {
@@ -53,16 +55,14 @@ class PointContactOptions {
  private:
   struct CurvedBody {
     CurvedBody(CLI::App& command, const std::string& number);
-    elasticity::Material material(const std::optional<parameters::CylinderCase>& given) const;
     point_contact::PrincipalCurvatures curvatures(
         const std::optional<parameters::CylinderCase>& given) const;
-    NumberOption young, poisson, radius, radius_x, radius_y;
+    MaterialOption material;
+    NumberOption radius, radius_x, radius_y;
   };
 
-  void set_profile(PointContactInput& input,
-                   const std::optional<parameters::Case>& from_file) const;
-  void set_curved_bodies(PointContactInput& input,
-                         const std::optional<parameters::Case>& from_file) const;
+  void set_profile(PointContactInput& input, const GivenBodies& given) const;
+  void set_curved_bodies(PointContactInput& input, const GivenBodies& given) const;
   void set_grid(PointContactInput& input) const;
   long n_nodes() const;
 
@@ -77,5 +77,36 @@ class PointContactOptions {
   std::string body_ = "1";
   std::string case_file_;
 };
+
+/// The stress at a depth beneath the middle of the domain, tension positive.
+struct StressBeneath {
+  double z;
+  Eigen::Matrix3d stress;
+  double max_shear;  ///< half of what the extreme principal stresses differ by
+  double von_mises;
+  std::optional<double> huber_max_shear;  ///< of spheres in closed form
+};
+
+/// A solved point contact and what it took.
+struct SolvedPointContact {
+  point_contact::Solution solution;
+  std::optional<point_contact::Friction> friction;
+  std::optional<double> tangential_displacement;  ///< of bodies of revolution, under partial slip
+  double seconds;
+  std::vector<StressBeneath> stresses = {};  ///< by the pressure alone, in the body that is named
+};
+
+/// Solves it. Throws sys::InputError for a contact of too few nodes besides what the methods throw,
+/// and InvalidQuantity for a depth that is not positive.
+SolvedPointContact solve(const PointContactInput& input);
+
+/// The semi-axes of the contact, a ≥ b: of curved bodies from the pressure's second moments, of
+/// others from those of the area in contact.
+point_contact::Vector2 half_widths_of(const PointContactInput& input,
+                                      const point_contact::Solution& solution);
+
+/// Where the half-space no longer stands for the bodies: a sentence each, none if it does.
+std::vector<std::string> validity_warnings(const PointContactInput& input,
+                                           const SolvedPointContact& solved);
 
 }  // namespace app

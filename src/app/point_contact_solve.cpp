@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <Eigen/Eigenvalues>
 #include <chrono>
+#include <cmath>
 
-#include "app/point_contact_output.hpp"
-#include "app/validity.hpp"
+#include "app/point_contact_options.hpp"
+#include "point_contact/closed_forms/huber.hpp"
+#include "point_contact/solver/beneath.hpp"
 #include "point_contact/solver/fft_solver.hpp"
 #include "point_contact/solver/matrix_inversion.hpp"
 #include "point_contact/solver/variational.hpp"
@@ -37,7 +39,38 @@ void require_resolved(const point_contact::Solution& solution) {
       solution.grid.size(), solution.n_in_contact()));
 }
 
+// The stresses at the depths that the input asks for, in the body that it names.
+std::vector<StressBeneath> stresses_beneath(const PointContactInput& input,
+                                            const point_contact::Solution& solution) {
+  const elasticity::Material& material = input.is_second_body ? input.material2 : input.material1;
+  std::vector<StressBeneath> stresses;
+  for (const double z : input.depths) {
+    const Eigen::Matrix3d s = point_contact::field_beneath(solution, material, {0, 0, z}).stress;
+    const Eigen::Vector3d principal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(s, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::Vector3d differences(principal[1] - principal[0], principal[2] - principal[1],
+                                      principal[2] - principal[0]);
+    StressBeneath at{.z = z,
+                     .stress = s,
+                     .max_shear = differences[2] / 2,
+                     .von_mises = std::sqrt(differences.squaredNorm() / 2),
+                     .huber_max_shear = {}};
+    if (input.hertz) {
+      // on the axis rr = tt, and the principal stresses are these and zz
+      const auto huber = point_contact::Huber(*input.hertz, material.poisson()).stress(0, z);
+      at.huber_max_shear = std::abs(huber.rr - huber.zz) / 2;
+    }
+    stresses.push_back(at);
+  }
+  return stresses;
+}
+
 }  // namespace
+
+point_contact::Vector2 half_widths_of(const PointContactInput& input,
+                                      const point_contact::Solution& solution) {
+  return input.curvatures ? solution.semi_axes() : solution.area_semi_axes();
+}
 
 SolvedPointContact solve(const PointContactInput& input) {
   const auto start = std::chrono::steady_clock::now();

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/profile_choices.hpp"
 
-#include <fmt/core.h>
-
 #include <limits>
 
-#include "app/csv_columns.hpp"
-#include "command_line/number_text.hpp"
+#include "app/csv_files.hpp"
 #include "line_contact/power_law.hpp"
 #include "line_contact/rounded_punch.hpp"
 #include "line_contact/wedge.hpp"
@@ -47,27 +44,11 @@ ChosenProfile power_law(const ChoiceOption& given, double modulus, std::optional
   return chosen;
 }
 
-// A measured profile from a CSV file: x and the gap h there, in the unit of length of the case.
-line_contact::Profile read_profile(const std::string& file) {
-  const CsvColumns points = read_columns(file, "x", "gap");
-  const std::vector<double>& x = points.first;
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    if (x[i] > x[i - 1]) continue;
-    throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the one before, {}",
-                                      file, points.lines[i], command_line::shortest(x[i]),
-                                      command_line::shortest(x[i - 1])));
-  }
-  constexpr std::size_t min_points = 4;
-  if (x.size() < min_points) {
-    throw sys::InputError(
-        fmt::format("{}: holds {} points, {} or more are needed", file, x.size(), min_points));
-  }
-  return line_contact::Profile::tabulated(x, points.second);
-}
-
+// From a CSV file: x and the gap h there, in the unit of length of the case.
 ChosenProfile measured(const ChoiceOption& given, double /*modulus*/,
                        std::optional<double> /*load*/) {
-  return {read_profile(given.argument())};
+  const CsvColumns points = read_curve(given.argument(), "x", "gap", 4);
+  return {line_contact::Profile::tabulated(points.first, points.second)};
 }
 
 }  // namespace

@@ -2,22 +2,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/contact_options.hpp"
-#include "app/contact_output.hpp"
-#include "app/csv_columns.hpp"
-#include "app/json_text.hpp"
-#include "app/output_format.hpp"
-#include "app/picture.hpp"
-#include "app/validity.hpp"
-#include "command_line/number_text.hpp"
+#include "app/csv_files.hpp"
+#include "app/output.hpp"
 #include "line_contact/mcewen.hpp"
 #include "line_contact/traction.hpp"
 
@@ -31,14 +24,12 @@ struct StressCommandOptions {
     add_text(command, "--points", points, "FILE", "Or a CSV file with the columns x,z");
     add_choice(command, "--body", body, {"1", "2"}, "Which of the two bodies");
     output.add_to(command);
-    plot.add_to(command);
   }
 
   ContactOptions contact;
   std::string x, z, points;
   std::string body = "1";
-  OutputOptions output;
-  PlotOption plot;
+  Output output;
 };
 
 struct Point {
@@ -83,55 +74,29 @@ void compute(std::vector<Point>& points, const ContactInput& input, const Solved
   }
 }
 
-std::string stress_json(const std::vector<Point>& points, double poisson) {
-  auto json = nlohmann::ordered_json::array();
-  for (const Point& point : points) {
-    nlohmann::ordered_json entry = {{"x", point.x},
-                                    {"z", point.z},
-                                    {"stress_xx", point.stress.xx},
-                                    {"stress_zz", point.stress.zz},
-                                    {"stress_xz", point.stress.xz},
-                                    {"max_shear", point.stress.max_shear()},
-                                    {"von_mises", point.stress.von_mises(poisson)}};
-    if (point.mcewen) entry["mcewen_max_shear"] = point.mcewen->max_shear();
-    json.push_back(std::move(entry));
-  }
-  return json_text(json);
-}
-
-std::string stress_csv(const std::vector<Point>& points, double poisson) {
-  std::string text = "x,z,stress_xx,stress_zz,stress_xz,max_shear,von_mises";
-  const bool has_mcewen = !points.empty() && points.front().mcewen;
-  text += has_mcewen ? ",mcewen_max_shear\n" : "\n";
-  for (const Point& point : points) {
-    const elasticity::Stress& s = point.stress;
-    auto out = std::back_inserter(text);
-    fmt::format_to(out, "{},{},{},{},{},{},{}", point.x, point.z, s.xx, s.zz, s.xz, s.max_shear(),
-                   s.von_mises(poisson));
-    if (point.mcewen) fmt::format_to(out, ",{}", point.mcewen->max_shear());
-    text += '\n';
-  }
-  return text;
-}
-
-std::string stress_text(const std::vector<Point>& points, double poisson,
-                        const config::UnitSystem& units) {
+Table table_of(const std::vector<Point>& points, double poisson, const config::UnitSystem& units) {
   const std::string length = fmt::format("[{}]", units.length);
   const std::string stress = fmt::format("[{}]", units.stress);
-  const bool has_mcewen = !points.empty() && points.front().mcewen;
-  std::string text = fmt::format("{:>12}{:>12}{:>14}{:>14}{:>14}{:>14}{:>14}{}\n", "x", "z",
-                                 "stress xx", "stress zz", "stress xz", "max shear", "von Mises",
-                                 has_mcewen ? "        McEwen" : "");
-  text += fmt::format("{:>12}{:>12}{:>14}{:>14}{:>14}{:>14}{:>14}{}\n", length, length, stress,
-                      stress, stress, stress, stress, has_mcewen ? "     max shear" : "");
-  for (const Point& point : points) {
-    const elasticity::Stress& s = point.stress;
-    text += fmt::format("{:>12.6g}{:>12.6g}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}", point.x,
-                        point.z, s.xx, s.zz, s.xz, s.max_shear(), s.von_mises(poisson));
-    if (point.mcewen) text += fmt::format("{:>14.6g}", point.mcewen->max_shear());
-    text += '\n';
+  Table table;
+  const auto add = [&](const char* key, std::vector<std::string> heads, int width,
+                       const auto& of_point) {
+    std::vector<double> numbers;
+    for (const Point& point : points) numbers.push_back(of_point(point));
+    table.columns.push_back({key, std::move(heads), width, "{:.6g}", std::move(numbers)});
+  };
+  add("x", {"x", length}, 12, [](const Point& p) { return p.x; });
+  add("z", {"z", length}, 12, [](const Point& p) { return p.z; });
+  add("stress_xx", {"stress xx", stress}, 14, [](const Point& p) { return p.stress.xx; });
+  add("stress_zz", {"stress zz", stress}, 14, [](const Point& p) { return p.stress.zz; });
+  add("stress_xz", {"stress xz", stress}, 14, [](const Point& p) { return p.stress.xz; });
+  add("max_shear", {"max shear", stress}, 14, [](const Point& p) { return p.stress.max_shear(); });
+  add("von_mises", {"von Mises", stress}, 14,
+      [&](const Point& p) { return p.stress.von_mises(poisson); });
+  if (!points.empty() && points.front().mcewen) {
+    add("mcewen_max_shear", {"McEwen", "max shear"}, 14,
+        [](const Point& p) { return p.mcewen->max_shear(); });
   }
-  return text;
+  return table;
 }
 
 // Against the depth, a curve for each x; if all points lie at one depth, along x. A NaN parts the
@@ -173,47 +138,25 @@ literate::Figure stress_figure(std::vector<Point> points, double poisson,
 }
 
 ExitCode run(const StressCommandOptions& options) {
-  std::optional<parameters::Case> from_file;
-  if (!options.contact.case_file().empty()) {
-    from_file = parameters::read_case(options.contact.case_file());
-  }
+  const auto from_file = case_of(options.contact.case_file());
   const config::UnitSystem units = options.output.units(from_file);
-  options.plot.require_drawable(options.output);
   std::vector<Point> points = points_of(options);
   const ContactInput input = options.contact.read(from_file);
   const bool is_second = options.body == "2";
   const SolvedContact solved = solve(input);
   compute(points, input, solved, is_second);
-  print_warnings(validity_warnings(input, solved));
   const double poisson = (is_second ? input.material2 : input.material1).poisson();
-  for (const Point& point : points) {
-    finite_result(fmt::format("stress at x = {}, z = {}", point.x, point.z),
-                  point.stress.von_mises(poisson));
-    if (point.mcewen) finite_result("McEwen's stress", point.mcewen->max_shear());
-  }
-  switch (options.output.format()) {
-    case OutputFormat::csv:
-      fmt::print("{}", stress_csv(points, poisson));
-      break;
-    case OutputFormat::json:
-      fmt::print("{}", stress_json(points, poisson));
-      break;
-    case OutputFormat::table:
-      fmt::print("{}", stress_text(points, poisson, units));
-      break;
-  }
-  if (options.plot.is_given()) options.plot.draw("stress", stress_figure(points, poisson, units));
-  return ExitCode::success;
+  return options.output.print({.tables = {table_of(points, poisson, units)},
+                               .warnings = validity_warnings(input, solved),
+                               .script = "stress",
+                               .figure = [&] { return stress_figure(points, poisson, units); }});
 }
 
 }  // namespace
 
 void add_stress_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "stress", "Stresses inside one of two bodies pressed together", exit_code,
-              [](CLI::App& command) {
-                auto options = std::make_shared<StressCommandOptions>(command);
-                return [options] { return run(*options); };
-              });
+  add_command<StressCommandOptions>(
+      program, "stress", "Stresses inside one of two bodies pressed together", exit_code, run);
 }
 
 }  // namespace app

@@ -26,6 +26,19 @@ const std::vector<DisplacementRow> rows = {
     {0.005, {-2.675848e-05, 1e-16}, -2.6758480000000003e-05, {1.5187873e-06, 4e-18}, 1.5187874e-06},
 };
 
+std::string csv_of(const std::vector<DisplacementRow>& of) {
+  return app::csv_text(app::displacement_result(of, config::unit_systems().front(), {}).tables[0]);
+}
+
+std::string json_of(const std::vector<DisplacementRow>& of) {
+  return app::json_of(app::displacement_result(of, config::unit_systems().front(), {}));
+}
+
+std::string text_of(const std::vector<DisplacementRow>& of, const config::UnitSystem& units,
+                    const app::DisplacementNotes& notes) {
+  return app::text_for_people(app::displacement_result(of, units, notes));
+}
+
 const app::DisplacementNotes notes{.closed_form = "eq. (3)", .seconds = 0.0123};
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -62,7 +75,7 @@ std::vector<double> numbers_of(const DisplacementRow& row) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_csv_has_the_promised_header_and_a_row_a_point) {
-  const std::vector<std::string> lines = lines_of(app::displacement_csv(rows));
+  const std::vector<std::string> lines = lines_of(csv_of(rows));
 
   BOOST_TEST_REQUIRE(lines.size() == 3U);
   BOOST_TEST(lines[0] == header);
@@ -70,7 +83,7 @@ BOOST_AUTO_TEST_CASE(the_csv_has_the_promised_header_and_a_row_a_point) {
 }
 
 BOOST_AUTO_TEST_CASE(the_csv_reads_back_to_the_last_bit) {
-  const std::vector<std::string> lines = lines_of(app::displacement_csv(rows));
+  const std::vector<std::string> lines = lines_of(csv_of(rows));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<std::string> cells = cells_of(lines[i + 1]);
     const std::vector<double> numbers = numbers_of(rows[i]);
@@ -80,7 +93,7 @@ BOOST_AUTO_TEST_CASE(the_csv_reads_back_to_the_last_bit) {
 }
 
 BOOST_AUTO_TEST_CASE(the_json_is_the_csv_under_the_same_names) {
-  const auto json = nlohmann::ordered_json::parse(app::displacement_json(rows));
+  const auto json = nlohmann::ordered_json::parse(json_of(rows));
   const std::vector<std::string> names = cells_of(header);
 
   BOOST_TEST_REQUIRE(json.size() == rows.size());
@@ -94,13 +107,13 @@ BOOST_AUTO_TEST_CASE(the_json_is_the_csv_under_the_same_names) {
 }
 
 BOOST_AUTO_TEST_CASE(no_points_give_a_header_and_an_empty_array) {
-  BOOST_TEST(app::displacement_csv({}) == header + "\n");
-  BOOST_TEST(app::displacement_json({}) == "[]\n");
+  BOOST_TEST(csv_of({}) == header + "\n");
+  BOOST_TEST(json_of({}) == "[]\n");
 }
 
 BOOST_AUTO_TEST_CASE(the_table_is_aligned_and_names_the_units) {
   const std::vector<std::string> lines =
-      lines_of(app::displacement_text(rows, config::unit_system("mm-N"), notes));
+      lines_of(text_of(rows, config::unit_system("mm-N"), notes));
 
   BOOST_TEST_REQUIRE(lines.size() == 3 + rows.size() + 2);
   for (std::size_t i = 0; i < 3 + rows.size(); ++i) {
@@ -119,7 +132,7 @@ BOOST_AUTO_TEST_CASE(the_table_is_aligned_and_names_the_units) {
 }
 
 BOOST_AUTO_TEST_CASE(the_table_shows_thirteen_digits_and_the_size_of_the_error) {
-  const std::string text = app::displacement_text(rows, config::unit_systems().front(), notes);
+  const std::string text = text_of(rows, config::unit_systems().front(), notes);
 
   BOOST_TEST(text.find(" 1.623604774879e-06 ") != std::string::npos);
   BOOST_TEST(text.find(" 3.0e-18 ") != std::string::npos);
@@ -132,7 +145,7 @@ BOOST_AUTO_TEST_CASE(below_the_table_stands_how_many_points_agree_and_what_it_to
   some.push_back({0.02, {2.0, 1e-9}, 2.0 + 1.1e-9, {1.0, 1e-12}, 1.0});
   some[2].n_evaluations = 100;
   some[3].n_evaluations = 23;
-  const std::string text = app::displacement_text(some, config::unit_systems().front(), notes);
+  const std::string text = text_of(some, config::unit_systems().front(), notes);
 
   BOOST_TEST(text.find("beside eq. (2) by quadrature stands eq. (3)\n") != std::string::npos);
   BOOST_TEST(text.find("\n2 of 4 points agree within their errors; 123 evaluations of the load, "
@@ -155,17 +168,17 @@ BOOST_AUTO_TEST_CASE(without_closed_forms_there_are_no_columns_for_them) {
                                             .displacement_quadrature = {2.5, 3e-18},
                                             .n_evaluations = 7}};
 
-  BOOST_TEST(app::displacement_csv(alone) ==
+  BOOST_TEST(csv_of(alone) ==
              "x,gradient_quadrature,gradient_abs_error,displacement_quadrature,"
              "displacement_abs_error\n0.5,-1.5,2e-17,2.5,3e-18\n");
-  BOOST_TEST(app::displacement_json(alone).find("closed_form") == std::string::npos);
+  BOOST_TEST(json_of(alone).find("closed_form") == std::string::npos);
   BOOST_TEST(
-      app::displacement_text(alone, config::unit_systems().front(), {})
+      text_of(alone, config::unit_systems().front(), {})
           .find("1 points by quadrature, which no closed form stands beside; 7 evaluations") !=
       std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
+BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_by_its_column_and_x) {
   std::vector<DisplacementRow> wrong = rows;
   wrong[1].displacement_closed_form = std::numeric_limits<double>::infinity();
   const auto names_it = [](const sys::InputError& error) {
@@ -174,17 +187,15 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_in_every_format) {
            "the range of a double";
   };
 
-  BOOST_CHECK_EXCEPTION(app::displacement_csv(wrong), sys::InputError, names_it);
-  BOOST_CHECK_EXCEPTION(app::displacement_json(wrong), sys::InputError, names_it);
-  BOOST_CHECK_EXCEPTION(app::displacement_text(wrong, config::unit_systems().front(), notes),
-                        sys::InputError, names_it);
+  BOOST_CHECK_EXCEPTION(
+      app::require_finite(app::displacement_result(wrong, config::unit_systems().front(), notes)),
+      sys::InputError, names_it);
 }
 
 BOOST_AUTO_TEST_CASE(no_zero_has_a_sign) {
   const std::vector<DisplacementRow> zero = {{-0.0, {-0.0, 0}, -0.0, {-0.0, 0}, -0.0}};
   const config::UnitSystem units = config::unit_system("in-lbf");
-  for (const std::string& text : {app::displacement_csv(zero), app::displacement_json(zero),
-                                  app::displacement_text(zero, units, notes)}) {
+  for (const std::string& text : {csv_of(zero), json_of(zero), text_of(zero, units, notes)}) {
     BOOST_TEST(text.find("-0") == std::string::npos, text);
   }
 }

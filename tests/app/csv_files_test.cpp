@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/height_map_file.hpp"
+#include "app/csv_files.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <string>
@@ -8,7 +8,7 @@
 #include "system/error.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(height_map_file_test)
+BOOST_AUTO_TEST_SUITE(csv_files_test)
 
 using app::read_grid;
 
@@ -46,6 +46,20 @@ BOOST_AUTO_TEST_CASE(gaps_and_ragged_rows_are_refused_by_file_line_and_column) {
              }).find("is a folder") != std::string::npos);
   BOOST_TEST(message_of<sys::InputError>([] { read_grid("/none.csv"); }).find("/none.csv") !=
              std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_that_does_not_rise_or_is_too_short_is_refused_by_file_and_line) {
+  const TemporaryFolder folder;
+  const auto check = [&](const std::string& text, const std::string& reason) {
+    const std::string file = folder.write("curve.csv", text).string();
+    const std::string message =
+        message_of<sys::InputError>([&] { app::read_curve(file, "x", "gap", 3); });
+    BOOST_TEST(message == file + reason);
+  };
+  check("x,gap\n0,1\n# here\n0.5,2\n0.5,3\n",
+        ":5: x = 0.5: must be greater than the one before, 0.5");
+  check("x,gap\n0,1\n1,2\n", ": holds 2 points, 3 or more are needed");
+  check("x,gap\n0,1\n1,high\n2,1\n", ":3: gap: \"high\" is not a number");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,18 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/height_map_file.hpp"
+#include "app/csv_files.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
 #include "command_line/number_text.hpp"
+#include "system/csv.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 
 namespace app {
 namespace {
+
+std::size_t index_of(const sys::CsvRow& headings, const std::string& name, const std::string& file,
+                     const std::string& wanted) {
+  const auto heading = std::ranges::find(headings, name, &sys::CsvField::text);
+  if (heading == headings.end()) {
+    throw sys::InputError(
+        fmt::format("{}:{}: the heading must be {}", file, headings[0].line, wanted));
+  }
+  return static_cast<std::size_t>(heading - headings.begin());
+}
 
 // Where a field of a line begins, as editors count.
 struct Place {
@@ -42,6 +53,41 @@ std::vector<double> numbers_of(const std::string& file, std::size_t line, std::s
 }
 
 }  // namespace
+
+CsvColumns read_columns(const std::string& file, const std::string& first,
+                        const std::string& second) {
+  const auto rows = sys::parse_csv(sys::read_file(file), file, sys::CsvComments::number_sign);
+  const std::string wanted = first + "," + second;
+  if (rows.empty())
+    throw sys::InputError(fmt::format("{}:1: the heading must be {}", file, wanted));
+  const std::size_t i_first = index_of(rows[0], first, file, wanted);
+  const std::size_t i_second = index_of(rows[0], second, file, wanted);
+  CsvColumns columns;
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    const std::string place = fmt::format("{}:{}: ", file, row->front().line);
+    columns.first.push_back(command_line::parse_number(place + first, (*row)[i_first].text));
+    columns.second.push_back(command_line::parse_number(place + second, (*row)[i_second].text));
+    columns.lines.push_back(row->front().line);
+  }
+  return columns;
+}
+
+CsvColumns read_curve(const std::string& file, const std::string& first, const std::string& second,
+                      std::size_t fewest) {
+  CsvColumns points = read_columns(file, first, second);
+  const std::vector<double>& x = points.first;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (x[i] > x[i - 1]) continue;
+    throw sys::InputError(fmt::format("{}:{}: {} = {}: must be greater than the one before, {}",
+                                      file, points.lines[i], first, command_line::shortest(x[i]),
+                                      command_line::shortest(x[i - 1])));
+  }
+  if (x.size() < fewest) {
+    throw sys::InputError(
+        fmt::format("{}: holds {} points, {} or more are needed", file, x.size(), fewest));
+  }
+  return points;
+}
 
 Eigen::ArrayXXd read_grid(const std::string& file) {
   if (std::filesystem::is_directory(file)) throw sys::InputError(file + ": is a folder");

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/picture.hpp"
+#include "app/output.hpp"
 
 #include <fmt/core.h>
 #include <stdlib.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
-#include "app/output_file.hpp"
 #include "command_line/options.hpp"
 #include "literate/figures/gnuplot.hpp"
 #include "system/files.hpp"
@@ -85,31 +85,67 @@ std::string plot_script(const std::string& name) {
 
 }  // namespace
 
-void PlotOption::add_to(CLI::App& command) {
-  command_line::add_text(command, "--plot", file_, "FILE.svg|FILE.png|FILE.pdf|-",
+std::optional<parameters::Case> case_of(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  return parameters::read_case(file);
+}
+
+void require_folder_of(const std::string& flag, const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code ignored;
+  if (folder.empty() || fs::is_directory(folder, ignored)) return;
+  throw sys::InputError(fmt::format("{} {}: folder does not exist", flag, file));
+}
+
+void Output::add_to(CLI::App& command) {
+  command_line::add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
+  command_line::add_text(
+      command, "--units", units_, "NAME",
+      "Units of the numbers given, for the headings of a table: in-lbf (default), mm-N or m-N");
+  command_line::add_text(command, "--plot", plot_, "FILE.svg|FILE.png|FILE.pdf|-",
                          "Draw the result in the report's style; - draws it in the terminal");
 }
 
-void PlotOption::require_drawable(const OutputOptions& output) const {
-  if (file_.empty()) return;
-  if (file_ == terminal_name) {
-    if (output.format() == OutputFormat::table) return;
-    throw sys::InputError("--plot -: needs --format table, which it stands below");
+config::UnitSystem Output::units(const std::optional<parameters::Case>& from_file) const {
+  if (from_file && !units_.empty() && units_ != from_file->units.name) {
+    throw sys::InputError("--units " + units_ + ": the case is in " + from_file->units.name);
   }
-  const std::string ending = fs::path(file_).extension().string();
-  if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
-    throw sys::InputError(
-        fmt::format("--plot {}: must end with .svg, .png or .pdf, or be -", file_));
-  }
-  require_folder_of("--plot", file_);
+  require_drawable();
+  if (from_file) return from_file->units;
+  return units_.empty() ? config::unit_systems().front() : config::unit_system(units_);
 }
 
-void PlotOption::draw(const std::string& script, literate::Figure figure) const {
-  if (file_.empty()) return;
-  const bool is_terminal = file_ == terminal_name;
+void Output::require_drawable() const {
+  if (plot_.empty()) return;
+  if (plot_ == terminal_name) {
+    if (format_ == "table") return;
+    throw sys::InputError("--plot -: needs --format table, which it stands below");
+  }
+  const std::string ending = fs::path(plot_).extension().string();
+  if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
+    throw sys::InputError(
+        fmt::format("--plot {}: must end with .svg, .png or .pdf, or be -", plot_));
+  }
+  require_folder_of("--plot", plot_);
+}
+
+command_line::ExitCode Output::print(const Result& result) const {
+  require_finite(result);
+  for (const std::string& warning : result.warnings) {
+    fmt::print(stderr, "{}: warning: {}\n", command_line::program_name(), warning);
+  }
+  fmt::print("{}", format_ == "csv"    ? csv_text(result.tables.front())
+                   : format_ == "json" ? json_of(result)
+                                       : text_for_people(result));
+  if (!plot_.empty() && result.figure) draw(result.script, result.figure());
+  return command_line::ExitCode::success;
+}
+
+void Output::draw(const std::string& script, literate::Figure figure) const {
+  const bool is_terminal = plot_ == terminal_name;
   if (is_terminal) figure.numbers["in_terminal"] = 1;
   literate::require_drawable(figure);
-  const std::string ending = is_terminal ? ".txt" : fs::path(file_).extension().string();
+  const std::string ending = is_terminal ? ".txt" : fs::path(plot_).extension().string();
 
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "figure";
@@ -125,7 +161,7 @@ void PlotOption::draw(const std::string& script, literate::Figure figure) const 
   std::error_code ignored;
   const bool is_there = fs::is_regular_file(drawn, ignored) && fs::file_size(drawn, ignored) > 0;
   if (result.exit_status != 0 || !is_there) {
-    throw sys::ToolError(fmt::format("gnuplot could not draw {}: {}", file_,
+    throw sys::ToolError(fmt::format("gnuplot could not draw {}: {}", plot_,
                                      std::string(sys::stripped(result.output))));
   }
   std::string picture = sys::read_file(drawn);
@@ -133,7 +169,7 @@ void PlotOption::draw(const std::string& script, literate::Figure figure) const 
     std::erase(picture, '\f');  // gnuplot begins a page with a form feed
     fmt::print("{}", picture);
   } else {
-    sys::write_file_atomically(file_, picture);
+    sys::write_file_atomically(plot_, picture);
   }
 }
 
