@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "line_contact/dense_system.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/fft_solver.hpp"
 #include "line_contact/hertz.hpp"
 #include "system/require.hpp"

@@ -9,8 +9,7 @@
 #include "point_contact/closed_forms/huber.hpp"
 #include "point_contact/solver/beneath.hpp"
 #include "point_contact/solver/fft_solver.hpp"
-#include "point_contact/solver/matrix_inversion.hpp"
-#include "point_contact/solver/variational.hpp"
+#include "point_contact/solver/reference_methods.hpp"
 
 namespace app {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
 #include "numerics/dense_lu.hpp"
 #include "system/require.hpp"
 
@@ -108,13 +108,14 @@ int find_edges(const Profile& profile, const GivenEdges& contact, Edges& edges) 
     edges = moved(profile, before, step);
     if (step.cwiseAbs().maxCoeff() <= tolerance) return iteration;
     if (std::hypot(edges.left - before.left, edges.right - before.right) <= tolerance) {
-      throw ContactError(
+      throw contact::ContactError(
           fmt::format("the contact reaches an end of the profile, which is given from {} to {}",
                       profile.begin(), profile.end()));
     }
   }
-  throw ContactError(fmt::format("the edges of contact did not settle in {} steps: {} and {}",
-                                 max_iterations, edges.left, edges.right));
+  throw contact::ContactError(
+      fmt::format("the edges of contact did not settle in {} steps: {} and {}", max_iterations,
+                  edges.left, edges.right));
 }
 
 // Refuses tension at the nodes, and penetration where the table of a measured profile goes on. The
@@ -124,7 +125,8 @@ void require_one_region(const GradedSolution& solution, const Profile& profile, 
       1e-4;  // so much of the peak, and of 2P/(πE*), is the error of discretisation on coarse grids
   const double least = solution.pressure.minCoeff();
   if (least < -noise * solution.peak_pressure()) {
-    throw ContactError(fmt::format("tension {} in contact: it has more than one region", -least));
+    throw contact::ContactError(
+        fmt::format("tension {} in contact: it has more than one region", -least));
   }
   if (!std::isfinite(profile.begin()) || !std::isfinite(profile.end())) return;
   const Index n = solution.bulge.size();
@@ -133,7 +135,7 @@ void require_one_region(const GradedSolution& solution, const Profile& profile, 
     for (const double x : {profile.begin() + share * (solution.edges.left - profile.begin()),
                            profile.end() - share * (profile.end() - solution.edges.right)}) {
       if (profile.gap(x) - solution.approach(x) < -noise * total) {
-        throw ContactError(
+        throw contact::ContactError(
             fmt::format("penetration at x = {}: contact has more than one region", x));
       }
     }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
 #include "line_contact/projected_cg.hpp"
 #include "line_contact/prolongation.hpp"
 #include "system/require.hpp"
@@ -84,19 +84,20 @@ class LevelSolver {
     InfluenceOperator influence(problem_.element, window.n);
     const VectorXd rises = rises_of(problem_.profile, level.grid, window.first, window.n);
     ProjectedCg pressures(influence, rises);
-    ContactSearch contact_search;
+    contact::ContactSearch contact_search;
     auto stretch = level.phi.segment(window.first, window.n);
     VectorXd phi = stretch;
     const double total = phi.sum();
-    ContactMask in_contact = phi.array() > 0;
+    contact::ContactMask in_contact = phi.array() > 0;
     const bool is_cut_left = window.first > 0;
     const bool is_cut_right = window.first + window.n < level.grid.n_nodes;
     bool settled = false;
     bool has_room = true;
     while (!settled && has_room) {
       // Solve eq. (1a) in the contact as it is, then revise the contact
-      if (++level.work.solves > max_revisions) {
-        throw ContactError(fmt::format("the contact did not settle in {} solves", max_revisions));
+      if (++level.work.solves > contact::max_revisions) {
+        throw contact::ContactError(
+            fmt::format("the contact did not settle in {} solves", contact::max_revisions));
       }
       pressures.solve(phi, in_contact, tolerance_);
       settled =
@@ -127,7 +128,7 @@ class LevelSolver {
     Index start = 0;
     level.phi.maxCoeff(&start);
     level.gap = added_up(rises, start);
-    const ContactMask in_contact = level.phi.array() > 0;
+    const contact::ContactMask in_contact = level.phi.array() > 0;
     level.gap.array() -= in_contact.select(level.gap, 0).sum() / in_contact.cast<double>().sum();
 
     // Put the nodes outside the window that penetrate in contact

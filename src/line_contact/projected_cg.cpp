@@ -66,7 +66,7 @@ void ProjectedCg::improve(VectorXd& phi, double largest_error) {
   }
 }
 
-void ProjectedCg::solve(VectorXd& phi, const ContactMask& in_contact, double tolerance) {
+void ProjectedCg::solve(VectorXd& phi, const contact::ContactMask& in_contact, double tolerance) {
   contact_ = in_contact.cast<double>();
   influence_.precondition(contact_, uniform_answer_);  // M1
   uniform_answer_.array() *= contact_.array();

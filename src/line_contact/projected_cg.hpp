@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "line_contact/contact_search.hpp"
+#include "contact/contact_search.hpp"
 #include "line_contact/influence_operator.hpp"
 #include "line_contact/solution.hpp"
 
@@ -27,7 +27,7 @@ class ProjectedCg {
 
   /// Changes φ until its error is at most tolerance·max φ; φ is 0 outside contact. Throws
   /// InvalidQuantity for a tolerance that rounding does not let it reach.
-  void solve(Eigen::VectorXd& phi, const ContactMask& in_contact, double tolerance);
+  void solve(Eigen::VectorXd& phi, const contact::ContactMask& in_contact, double tolerance);
 
   /// u_z1 + u_z2 + h − δ at all nodes for the φ last solved; its mean in contact is 0.
   const Eigen::VectorXd& gap() const { return gap_; }

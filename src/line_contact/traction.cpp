@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {
@@ -22,7 +22,7 @@ elasticity::PiecewiseLinearTraction traction_on(const Solution& solution,
   Eigen::Index first = 0;
   Eigen::Index last = grid.n_nodes - 1;
   const auto carries = [&](Eigen::Index i) { return solution.pressure[i] > 0; };
-  if (solution.n_in_contact() == 0) throw ContactError("nothing is in contact");
+  if (solution.n_in_contact() == 0) throw contact::ContactError("nothing is in contact");
   if (!grid.is_one_sided) {
     while (!carries(first + 1)) ++first;
   }

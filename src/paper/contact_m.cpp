@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "contact/contact_search.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "line_contact/contact_error.hpp"
 #include "numerics/dense_lu.hpp"
 #include "paper/prelude.hpp"
 
@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 // The node where the pressure becomes zero, counted from 1, must leave two in contact.
 Index require_edge_within(Index n_nodes, Index zero_node) {
   if (zero_node >= 3 && zero_node <= n_nodes) return zero_node;
-  throw line_contact::ContactError(
+  throw contact::ContactError(
       fmt::format("the pressure of Contact.m becomes zero at node {}, which must be 3 to {}",
                   zero_node, n_nodes));
 }

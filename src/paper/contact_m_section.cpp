@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
 #include "paper/conventions.hpp"

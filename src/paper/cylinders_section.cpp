@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/sections.hpp"

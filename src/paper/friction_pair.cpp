@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/friction_pair.hpp"
 
-#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/fft_solver.hpp"
 #include "line_contact/influence_operator.hpp"
-#include "line_contact/matrix_inversion.hpp"
-#include "line_contact/variational.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/sections.hpp"

@@ -10,8 +10,8 @@
 
 #include "elasticity/surface_quadrature.hpp"
 #include "line_contact/cattaneo_mindlin.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/friction.hpp"
-#include "line_contact/matrix_inversion.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/prelude.hpp"

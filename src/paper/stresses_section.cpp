@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/friction.hpp"
-#include "line_contact/matrix_inversion.hpp"
 #include "line_contact/mcewen.hpp"
 #include "line_contact/sliding_hertz.hpp"
 #include "line_contact/traction.hpp"

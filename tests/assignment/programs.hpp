@@ -18,8 +18,8 @@
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "line_contact/cylinder_pair.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/element.hpp"
-#include "line_contact/matrix_inversion.hpp"
 
 namespace programs {
 

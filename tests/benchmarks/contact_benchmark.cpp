@@ -8,10 +8,9 @@
 #include <cmath>
 #include <vector>
 
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/fft_solver.hpp"
 #include "line_contact/hertz.hpp"
-#include "line_contact/matrix_inversion.hpp"
-#include "line_contact/variational.hpp"
 #include "numerics/power_fit.hpp"
 
 namespace {

@@ -13,7 +13,7 @@
 
 #include "point_contact/closed_forms/hertz.hpp"
 #include "point_contact/solver/fft_solver.hpp"
-#include "point_contact/solver/variational.hpp"
+#include "point_contact/solver/reference_methods.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "block/factorization_error.hpp"
 #include "command_line/number_text.hpp"
 #include "config/table.hpp"
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
 #include "numerics/quadrature.hpp"
 #include "system/error.hpp"
 #include "system/require.hpp"
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(a_tool_that_is_missing_or_fails_is_three) {
 
 BOOST_AUTO_TEST_CASE(a_computation_that_does_not_hold_is_one) {
   BOOST_TEST(code_of(numerics::QuadratureError("did not converge")) == 1);
-  BOOST_TEST(code_of(line_contact::ContactError("did not settle")) == 1);
+  BOOST_TEST(code_of(contact::ContactError("did not settle")) == 1);
   BOOST_TEST(code_of(block::FactorizationError("not positive definite")) == 1);
   BOOST_TEST(code_of(std::runtime_error("anything else")) == 1);
 }

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
   for (const char* folder : {"src", "report/octave"}) {
     fs::copy(source_dir / folder, checkout.path() / folder, fs::copy_options::recursive);
   }
-  const fs::path source = checkout.path() / "src/line_contact/matrix_inversion.cpp";
+  const fs::path source = checkout.path() / "src/contact/reference_methods.cpp";
   const std::string marker = "// begin excerpt: matrix-inversion\n";
   sys::write_file_atomically(source, with(sys::read_file(source), marker, marker + "//\n"));
   const fs::path output = checkout.path() / "out";
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
   check_refused(
       2,
       ReportSettings{steel_case, output, source_dir / "report", checkout.path()}.stage("compute"),
-      {"src/line_contact/matrix_inversion.cpp: excerpt 'matrix-inversion' is not what this "
+      {"src/contact/reference_methods.cpp: excerpt 'matrix-inversion' is not what this "
        "program was compiled from: rebuild"});
   BOOST_TEST(!fs::exists(output));
 }

@@ -6,9 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/fft_solver.hpp"
-#include "line_contact/matrix_inversion.hpp"
-#include "line_contact/variational.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

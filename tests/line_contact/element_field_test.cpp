@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "elasticity/concentrated_load.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/friction.hpp"
 #include "line_contact/hertz.hpp"
-#include "line_contact/matrix_inversion.hpp"
 #include "line_contact/mcewen.hpp"
 #include "line_contact/traction.hpp"
 #include "system/require.hpp"

@@ -4,8 +4,7 @@
 #include <Eigen/Core>
 #include <numbers>
 
-#include "line_contact/dense_system.hpp"
-#include "line_contact/solution.hpp"
+#include "line_contact/dense_methods.hpp"
 
 namespace line_contact {
 
@@ -19,8 +18,8 @@ inline double energy(const Problem& problem, const Solution& solution) {
     for (Eigen::Index j = 0; j < system.size(); ++j) {
       displacement -= system.coefficient(i, j) * phi[j];
     }
-    const double gap = system.initial_gap()[i] + system.least_gap();
-    sum += system.weights()[i] * phi[i] * (displacement / 2 + gap);
+    const double gap = system.equations.initial_gap[i] + system.least_gap;
+    sum += system.equations.weights[i] * phi[i] * (displacement / 2 + gap);
   }
   return std::numbers::pi / 2 * sum;  // p = φ πE*/(2c), elements c wide
 }

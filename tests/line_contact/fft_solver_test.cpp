@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/energy.hpp"
 #include "line_contact/hertz.hpp"
-#include "line_contact/matrix_inversion.hpp"
 #include "line_contact/power_law.hpp"
 #include "line_contact/rounded_punch.hpp"
-#include "line_contact/variational.hpp"
 #include "line_contact/wedge.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "system/require.hpp"
 
 BOOST_AUTO_TEST_SUITE(free_ends_test)

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
 #include "numerics/kernel_integrals.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"
@@ -18,7 +18,7 @@
 
 BOOST_AUTO_TEST_SUITE(graded_contact_test)
 
-using line_contact::ContactError;
+using contact::ContactError;
 using line_contact::Edges;
 using line_contact::GradedSolution;
 using line_contact::Profile;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "line_contact/matrix_inversion.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

@@ -12,10 +12,10 @@
 
 BOOST_AUTO_TEST_SUITE(projected_cg_test)
 
+using contact::ContactMask;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using line_contact::ContactMask;
 using line_contact::Element;
 using line_contact::influence_coefficient;
 using line_contact::InfluenceOperator;

@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/friction.hpp"
 #include "line_contact/hertz.hpp"
-#include "line_contact/matrix_inversion.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/variational.hpp"
+#include "line_contact/dense_methods.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -7,9 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "line_contact/dense_system.hpp"
 #include "line_contact/energy.hpp"
-#include "line_contact/matrix_inversion.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"

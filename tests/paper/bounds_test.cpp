@@ -10,11 +10,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/fft_solver.hpp"
 #include "line_contact/graded_contact.hpp"
 #include "line_contact/hertz.hpp"
-#include "line_contact/matrix_inversion.hpp"
-#include "line_contact/variational.hpp"
 
 BOOST_AUTO_TEST_SUITE(bounds_test)
 

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <vector>
 
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/hertz.hpp"
-#include "line_contact/matrix_inversion.hpp"
 #include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(contact_m_test)
@@ -329,16 +329,16 @@ BOOST_AUTO_TEST_CASE(refuses_an_edge_that_leaves_less_than_two_nodes_or_none_bey
   ContactMInput input = papers;
   for (const Eigen::Index zero_node : {1, 2, 37}) {
     input.zero_node = zero_node;
-    BOOST_CHECK_THROW(run_contact_m(papers_contact(), input), line_contact::ContactError);
+    BOOST_CHECK_THROW(run_contact_m(papers_contact(), input), contact::ContactError);
   }
   ContactMInput small = papers;
   small.n_nodes = 20;  // ends at 0.0095 in, within the contact
-  BOOST_CHECK_THROW(run_contact_m(papers_contact(), small, every), line_contact::ContactError);
+  BOOST_CHECK_THROW(run_contact_m(papers_contact(), small, every), contact::ContactError);
   ContactMInput coarse = papers;
   coarse.spacing = 0.03;  // an element wider than the contact
-  BOOST_CHECK_THROW(run_contact_m(papers_contact(), coarse, every), line_contact::ContactError);
+  BOOST_CHECK_THROW(run_contact_m(papers_contact(), coarse, every), contact::ContactError);
   BOOST_CHECK_THROW(run_contact_m(papers_contact(), coarse, {.free_edge = true}),
-                    line_contact::ContactError);
+                    contact::ContactError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -87,8 +87,8 @@ bool links_any(const std::set<std::string>& reach, const std::vector<std::string
                      [&](const auto& name) { return reach.contains(name); });
 }
 
-const std::set<std::string> mechanics = {"numerics", "elasticity", "line_contact", "point_contact",
-                                         "block"};
+const std::set<std::string> mechanics = {"numerics",     "elasticity",    "contact",
+                                         "line_contact", "point_contact", "block"};
 
 // The room of «literate/values/value.hpp» is values; that of a header in the folder itself is
 // empty.

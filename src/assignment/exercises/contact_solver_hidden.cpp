@@ -9,8 +9,8 @@
 
 #include "assignment/exercises/contact_solver.hpp"
 #include "line_contact/cylinder_pair.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "line_contact/element.hpp"
-#include "line_contact/matrix_inversion.hpp"
 
 namespace assignment::contact_solver {
 namespace {

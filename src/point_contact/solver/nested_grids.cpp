@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "line_contact/contact_error.hpp"
+#include "contact/contact_search.hpp"
 #include "point_contact/solver/memory.hpp"
 #include "point_contact/solver/prolongation.hpp"
 #include "system/require.hpp"
@@ -17,9 +17,9 @@
 namespace point_contact {
 namespace {
 
+using contact::ContactError;
 using Eigen::Index;
 using Eigen::VectorXd;
-using line_contact::ContactError;
 
 // One grid of the sequence: finds φ and the contact from a first guess of φ.
 class LevelSolver {
@@ -99,8 +99,8 @@ class LevelSolver {
   void find_contact(double tolerance) {
     constexpr double enough_to_look = 0.2;
     constexpr int max_steps = 500;
-    line_contact::ContactSearch search;
-    for (int revision = 0; revision < line_contact::max_revisions; ++revision) {
+    contact::ContactSearch search;
+    for (int revision = 0; revision < contact::max_revisions; ++revision) {
       gradients_.start(state_);
       bool is_done = revision == 0 && gradients_.error() <= tolerance / 2;
       bool settled = !is_done || revise(search, tolerance);
@@ -119,12 +119,12 @@ class LevelSolver {
       if (settled) return;
     }
     throw ContactError(
-        fmt::format("the contact did not settle in {} revisions", line_contact::max_revisions));
+        fmt::format("the contact did not settle in {} revisions", contact::max_revisions));
   }
 
   // Whether the contact may stay as it is. Nodes that enter carry nothing yet; where some leave,
   // the gap has to be computed anew.
-  bool revise(line_contact::ContactSearch& search, double tolerance) {
+  bool revise(contact::ContactSearch& search, double tolerance) {
     const double smallest_gap = tolerance * state_.phi.maxCoeff();
     if (search.revise(state_.in_contact, state_.phi, state_.gap, smallest_gap)) return true;
     ++revisions_;

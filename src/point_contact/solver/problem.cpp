@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "point_contact/solver/memory.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {

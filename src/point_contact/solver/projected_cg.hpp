@@ -3,14 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "line_contact/contact_search.hpp"
+#include "contact/contact_search.hpp"
 #include "point_contact/solver/grid.hpp"
 #include "point_contact/solver/influence_operator.hpp"
 #include "point_contact/solver/solution.hpp"
 
 namespace point_contact {
 
-using line_contact::ContactMask;
+using contact::ContactMask;
 
 /// What is held while the pressure is sought.
 enum class Control {

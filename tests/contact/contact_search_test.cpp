@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/contact_search.hpp"
+#include "contact/contact_search.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -12,11 +12,11 @@
 
 BOOST_AUTO_TEST_SUITE(contact_search_test)
 
+using contact::ContactMask;
+using contact::ContactSearch;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using line_contact::ContactMask;
-using line_contact::ContactSearch;
 
 namespace {
 
@@ -186,11 +186,11 @@ BOOST_AUTO_TEST_CASE(random_positive_definite_problems_are_solved_from_any_start
     ContactSearch search;
     VectorXd phi;
     int revisions = 0;
-    for (bool settled = false; !settled && revisions < line_contact::max_revisions; ++revisions) {
+    for (bool settled = false; !settled && revisions < contact::max_revisions; ++revisions) {
       phi = problem.phi(in_contact);
       settled = search.revise(in_contact, phi, problem.gap(phi), 1e-12);
     }
-    BOOST_TEST(revisions < line_contact::max_revisions);
+    BOOST_TEST(revisions < contact::max_revisions);
     BOOST_TEST(phi.minCoeff() > -1e-14);
     BOOST_TEST(problem.gap(phi).minCoeff() > -1e-11);
     BOOST_TEST(std::abs(phi.dot(problem.gap(phi))) < 1e-11);

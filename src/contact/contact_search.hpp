@@ -4,7 +4,15 @@
 #include <Eigen/Core>
 #include <limits>
 
-namespace line_contact {
+#include "system/error.hpp"
+
+namespace contact {
+
+/// A contact that was not solved. what() says why and what would help.
+class ContactError : public sys::ComputationError {
+ public:
+  using ComputationError::ComputationError;
+};
 
 /// Which nodes are in contact.
 using ContactMask = Eigen::Array<bool, Eigen::Dynamic, 1>;
@@ -31,4 +39,4 @@ class ContactSearch {
 /// A search gives up after this many revisions.
 inline constexpr int max_revisions = 1000;
 
-}  // namespace line_contact
+}  // namespace contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/contact_search.hpp"
+#include "contact/contact_search.hpp"
 
-namespace line_contact {
+namespace contact {
 
 bool ContactSearch::revise(ContactMask& in_contact, const Eigen::VectorXd& phi,
                            const Eigen::VectorXd& gap, double smallest_gap) {
@@ -37,4 +37,4 @@ bool ContactSearch::revise(ContactMask& in_contact, const Eigen::VectorXd& phi,
   return false;
 }
 
-}  // namespace line_contact
+}  // namespace contact
