@@ -36,9 +36,9 @@ std::size_t n_rows_of(const Table& table) {
 
 void require_finite(const Table& table) {
   const Column& first = table.columns.front();
-  for (std::size_t i = 0, n = n_rows_of(table); i < n; ++i) {
-    for (const Column& column : table.columns) {
-      if (!is_for_programs(column) || column.may_be_infinite || !column.texts.empty()) continue;
+  for (const Column& column : table.columns) {
+    if (!is_for_programs(column) || column.may_be_infinite || !column.texts.empty()) continue;
+    for (std::size_t i = 0; i < column.numbers.size(); ++i) {
       if (std::isfinite(column.numbers[i])) continue;
       finite_result(first.texts.empty()
                         ? fmt::format("{} at {} = {}", column.key, first.key, first.numbers[i])
@@ -119,10 +119,9 @@ void add(ordered_json& json, const Table& table) {
     case InJson::columns:
       for (const Column& column : table.columns) {
         if (!is_for_programs(column) || column.may_be_infinite) continue;
-        json[column.key] = ordered_json::array();
-        for (const double number : column.numbers) {
-          json[column.key].push_back(without_sign_of_zero(number));
-        }
+        std::vector<double> numbers = column.numbers;
+        for (double& number : numbers) number = without_sign_of_zero(number);
+        json[column.key] = numbers;
       }
       break;
     case InJson::by_text:
