@@ -68,8 +68,7 @@ VectorXd gap_of(const Equations& equations, const Influence& influence, const Co
 
 // The mean over the nodes in contact, in which a node with a mirror image counts twice.
 double mean_in_contact(const VectorXd& values, const ArrayXd& weight_in_contact) {
-  return (weight_in_contact > 0).select(weight_in_contact * values.array(), 0).sum() /
-         weight_in_contact.sum();
+  return (weight_in_contact * values.array()).sum() / weight_in_contact.sum();
 }
 
 double misfit_of(const ContactLoads& loads) {
@@ -128,17 +127,16 @@ ContactLoads minimise(const Equations& equations,
     }
 
     // Step along the next conjugate direction, and take tension away
-    const double square =
-        (carrying > 0).select(carrying * gap.array().square(), 0).sum();  // ρ = (g, g)
-    const double factor = is_conjugate ? square / previous : 0;           // β = ρ / ρ_old
-    direction = (carrying > 0).select(gap + factor * direction, 0);       // d = g + β d
+    const double square = (carrying * gap.array().square()).sum();   // ρ = (g, g)
+    const double factor = is_conjugate ? square / previous : 0;      // β = ρ / ρ_old
+    direction = (carrying > 0).select(gap + factor * direction, 0);  // d = g + β d
     previous = square;
     displace(direction, change);
     change.array() -= mean_in_contact(change, carrying);  // q = −T d − ⟨−T d⟩
     const ArrayXd weighted = carrying * direction.array();
-    const double along = (carrying > 0).select(weighted * gap.array(), 0).sum();
-    const double step = along / weighted.matrix().dot(change);  // α = (d, g) / (d, q)
-    phi = (phi - step * direction).cwiseMax(0);                 // φ = max(φ − α d, 0)
+    const double step =
+        weighted.matrix().dot(gap) / weighted.matrix().dot(change);  // α = (d, g) / (d, q)
+    phi = (phi - step * direction).cwiseMax(0);                      // φ = max(φ − α d, 0)
 
     // Let nodes that penetrate begin to carry, φ = −α g; the directions then start again
     is_conjugate = true;

@@ -11,7 +11,7 @@ namespace contact {
 /// A frictionless contact as equations with coefficients of order one. Element loads φ_j ≥ 0 carry
 /// Σ w_j φ_j = total and leave the gaps g = h − δ − Tφ ≥ 0; at each node one of the two is 0.
 struct Equations {
-  Eigen::VectorXd initial_gap;  ///< h
+  Eigen::VectorXd initial_gap;  ///< h, less than 1e100
   Eigen::VectorXd weights;      ///< w, 0 at a node without a body
   double total;
   double smallest_gap = 0;  ///< what rounding leaves of a gap in contact

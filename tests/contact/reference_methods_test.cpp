@@ -35,7 +35,7 @@ Equations parabola(double total) {
   gap = 0.00571 * (gap.array() - 17.3).square();
   VectorXd weights = VectorXd::Ones(n);
   weights[0] = 2;
-  gap.tail(2).setConstant(1e200);
+  gap.tail(2).setConstant(1e99);
   weights.tail(2).setZero();
   return {gap, weights, total, 1e-13};
 }

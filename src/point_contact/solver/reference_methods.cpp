@@ -34,15 +34,16 @@ MatrixXd influence_matrix(const Problem& problem) {
   return matrix;
 }
 
-Equations equations_of(const Problem& problem, double total, const RowTeam& team) {
-  VectorXd gaps = initial_gaps(problem, team);
-  const VectorXd is_body = (gaps.array() < largest_length).cast<double>();
-  return {std::move(gaps), is_body, total};
+// Where there is no body the distance may be infinite, but the methods compute with it.
+Equations equations_of(const VectorXd& gaps, double total) {
+  return {gaps.cwiseMin(largest_length), (gaps.array() < largest_length).cast<double>(), total};
 }
 
-Solution solution_of(const Problem& problem, double load, ContactLoads loads) {
+Solution solution_of(const Problem& problem, double load, const VectorXd& gaps,
+                     ContactLoads loads) {
   require_free_ends(problem, loads.phi, Control::load, load);
   const double error = loads.misfit / loads.phi.maxCoeff();
+  loads.gap = (gaps.array() < largest_length).select(loads.gap, gaps);
   return to_solution(problem, load,
                      {std::move(loads.phi), std::move(loads.gap), loads.approach, error,
                       Work{.revisions = loads.solves,
@@ -58,10 +59,11 @@ Solution solve_by_matrix_inversion(const Problem& problem, double load) {
     throw sys::InvalidQuantity("nodes", static_cast<double>(problem.grid.size()),
                                fmt::format("{} at most for matrix inversion", max_dense_nodes));
   }
-  Equations equations = equations_of(problem, total, RowTeam(1));
+  const VectorXd gaps = initial_gaps(problem, RowTeam(1));
+  Equations equations = equations_of(gaps, total);
   const MatrixXd influence = influence_matrix(problem);
   equations.smallest_gap = 1e-15 * total * influence(0, 0);  // the rounding of a displacement
-  return solution_of(problem, load, contact::invert(equations, [&](Index i, Index j) {
+  return solution_of(problem, load, gaps, contact::invert(equations, [&](Index i, Index j) {
                        return -influence(i, j);
                      }));
 }
@@ -72,7 +74,8 @@ Solution solve_by_variational_method(const Problem& problem, double load,
   const double total = total_phi(problem, load);
   require_tolerance(accuracy.tolerance);
   const RowTeam team(accuracy.n_threads);
-  const Equations equations = equations_of(problem, total, team);
+  const VectorXd gaps = initial_gaps(problem, team);
+  const Equations equations = equations_of(gaps, total);
   InfluenceOperator influence(ElementPotential(problem.element, problem.grid.lattice), problem.grid,
                               team);
   const auto displace = [&](const VectorXd& phi, VectorXd& u) { influence.displacements(phi, u); };
