@@ -22,7 +22,7 @@ struct ContactCommandOptions {
 };
 
 std::vector<double> to_vector(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
+  return {vector.data(), vector.data() + vector.size()};
 }
 
 std::vector<Quantity> quantities_of(const ContactInput& input, const SolvedContact& solved,
@@ -78,7 +78,7 @@ nlohmann::ordered_json details_of(const ContactInput& input, const SolvedContact
   return json;
 }
 
-Table nodes_of(const ContactInput& input, const SolvedContact& solved) {
+Table nodes_of(const ContactInput& input, const SolvedContact& solved, bool is_csv) {
   const line_contact::Solution& s = solved.solution;
   Table table{.columns = {{.key = "x", .numbers = to_vector(s.grid.nodes())},
                           {.key = "pressure", .numbers = to_vector(s.pressure)}},
@@ -86,7 +86,7 @@ Table nodes_of(const ContactInput& input, const SolvedContact& solved) {
   const auto add = [&](const char* key, const Eigen::VectorXd& numbers) {
     table.columns.push_back({.key = key, .numbers = to_vector(numbers)});
   };
-  if (const auto& exact = input.closed_form) {
+  if (const auto& exact = input.closed_form; exact && is_csv) {
     add(exact->name == "hertz" ? "hertz_pressure" : "exact_pressure",
         s.grid.nodes().unaryExpr(exact->pressure));
     table.columns.back().may_be_infinite = true;
@@ -185,7 +185,7 @@ ExitCode run(const ContactCommandOptions& options) {
   return options.output.print({.quantities = quantities_of(input, solved, units),
                                .closed_form = input.closed_form ? input.closed_form->name : "",
                                .details = details_of(input, solved),
-                               .tables = {nodes_of(input, solved)},
+                               .tables = {nodes_of(input, solved, options.output.is_csv())},
                                .notes = notes_of(input, solved, units),
                                .warnings = validity_warnings(input, solved),
                                .script = "contact",

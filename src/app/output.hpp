@@ -34,6 +34,9 @@ class Output {
   /// computed.
   config::UnitSystem units(const std::optional<parameters::Case>& from_file) const;
 
+  /// Whether a result needs its first table, which may be large, for its CSV.
+  bool is_csv() const { return format_ == "csv"; }
+
   /// Prints the warnings on standard error and the result in its format, and draws it. The script
   /// finds the number in_terminal where it draws there. The same figure gives the same bytes.
   /// Throws sys::InputError for a number that is not finite, sys::ToolError with gnuplot's message

@@ -123,11 +123,16 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
   return json;
 }
 
-Table nodes_of(const SolvedPointContact& solved) {
+// Where nobody reads the table, it has the pressures alone, which have to be finite all the same.
+Table nodes_of(const SolvedPointContact& solved, bool with_places) {
   const point_contact::Solution& s = solved.solution;
   const auto to_vector = [](const Eigen::VectorXd& v) {
-    return std::vector<double>(v.begin(), v.end());
+    return std::vector<double>(v.data(), v.data() + v.size());
   };
+  if (!with_places) {
+    return {.columns = {{.key = "pressure", .numbers = to_vector(s.pressure)}},
+            .in_json = InJson::no};
+  }
   Column x{.key = "x"};
   Column y{.key = "y"};
   for (Eigen::Index j = 0; j < s.grid.n2; ++j) {
@@ -318,14 +323,15 @@ ExitCode run(const PointContactCommandOptions& options) {
   require_folder_of("--vtu", options.vtu_file);
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
-  Result result{.quantities = quantities_of(input, solved, units),
-                .closed_form = input.closed_form ? input.closed_form->name : "",
-                .details = details_of(input, solved),
-                .tables = {nodes_of(solved)},
-                .notes = notes_of(input, solved, units),
-                .warnings = validity_warnings(input, solved),
-                .script = "point-contact",
-                .figure = [&] { return point_contact_figure(input, solved, units); }};
+  Result result{
+      .quantities = quantities_of(input, solved, units),
+      .closed_form = input.closed_form ? input.closed_form->name : "",
+      .details = details_of(input, solved),
+      .tables = {nodes_of(solved, options.output.is_csv() || !options.field_file.empty())},
+      .notes = notes_of(input, solved, units),
+      .warnings = validity_warnings(input, solved),
+      .script = "point-contact",
+      .figure = [&] { return point_contact_figure(input, solved, units); }};
   if (!solved.stresses.empty()) result.tables.push_back(stresses_of(solved.stresses, units));
   require_finite(result);
   if (!options.field_file.empty()) {

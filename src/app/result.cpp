@@ -40,7 +40,8 @@ void require_finite(const Table& table) {
     if (!is_for_programs(column) || column.may_be_infinite || !column.texts.empty()) continue;
     for (std::size_t i = 0; i < column.numbers.size(); ++i) {
       if (std::isfinite(column.numbers[i])) continue;
-      finite_result(first.texts.empty()
+      finite_result(&column == &first ? column.key
+                    : first.texts.empty()
                         ? fmt::format("{} at {} = {}", column.key, first.key, first.numbers[i])
                         : fmt::format("{} of {}", column.key, first.texts[i]),
                     column.numbers[i]);

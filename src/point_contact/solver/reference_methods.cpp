@@ -79,7 +79,7 @@ Solution solve_by_variational_method(const Problem& problem, double load,
   InfluenceOperator influence(ElementPotential(problem.element, problem.grid.lattice), problem.grid,
                               team);
   const auto displace = [&](const VectorXd& phi, VectorXd& u) { influence.displacements(phi, u); };
-  return solution_of(problem, load,
+  return solution_of(problem, load, gaps,
                      contact::minimise(equations, displace, accuracy.tolerance, max_products));
 }
 
