@@ -5,11 +5,14 @@
 #include <fmt/ranges.h>
 #include <udunits2.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <regex>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "system/decimal.hpp"
 
@@ -35,8 +38,21 @@ ut_system* database() {
   return system.get();
 }
 
+/// UDUNITS reads m² but not m⁻² or m⁴, and m^0.5 as five times m⁰, without a word.
+std::string spelt_for_udunits(std::string name) {
+  static const std::regex broken_power(R"((\^|\*\*)[+-]?\d+\.\d)");
+  if (std::regex_search(name, broken_power)) {
+    throw UnitError(fmt::format("unit \"{}\" has a power that is no whole number", name));
+  }
+  constexpr std::pair<const char*, const char*> raised[] = {
+      {"⁻", "-"}, {"⁺", "+"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
+      {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}};
+  for (const auto& [sign, digit] : raised) boost::replace_all(name, sign, digit);
+  return name;
+}
+
 Unit parse(const std::string& name) {
-  Unit unit(ut_parse(database(), name.c_str(), UT_UTF8));
+  Unit unit(ut_parse(database(), spelt_for_udunits(name).c_str(), UT_UTF8));
   if (!unit) throw UnitError(fmt::format("unknown unit \"{}\"", name));
   return unit;
 }
@@ -84,14 +100,30 @@ Decimal product(const Decimal& a, const Decimal& b) {
   return {a.digits * b.digits, a.exponent + b.exponent};
 }
 
+/// A number in another unit, which its digits may only begin.
+struct Conversion {
+  Decimal number;
+  bool is_exact = false;
+};
+
 /// The quotient to 19 digits or more; a last digit 1 stands for all that follow, so that it is
 /// rounded to the right side.
-Decimal quotient(Decimal a, const Decimal& b) {
+Conversion quotient(Decimal a, const Decimal& b) {
   constexpr Decimal::Digits most = ~Decimal::Digits{0} / 10;
   for (; a.digits > 0 && a.digits <= most; a.digits *= 10) --a.exponent;
   const Decimal::Digits digits = a.digits / b.digits;
   const bool is_exact = a.digits % b.digits == 0;
-  return {is_exact ? digits : digits / 10 * 10 + 1, a.exponent - b.exponent};
+  return {{is_exact ? digits : digits / 10 * 10 + 1, a.exponent - b.exponent}, is_exact};
+}
+
+/// A factor or its reciprocal that is short by definition has fewer digits than the other, which
+/// may end by chance: a km/h is 1/1.609344 mi/h, and not 0.621371192237334.
+Conversion conversion(double number, const std::string& from, const std::string& to) {
+  const Decimal factor = shortest(conversion_factor(from, to));
+  const Decimal reciprocal = shortest(conversion_factor(to, from));
+  const Decimal given = shortest(std::abs(number));
+  if (reciprocal.digits < factor.digits && is_short(reciprocal)) return quotient(given, reciprocal);
+  return {product(given, factor), is_short(factor)};
 }
 
 }  // namespace
@@ -158,12 +190,13 @@ double conversion_factor(const std::string& from, const std::string& to) {
 }
 
 double converted(double number, const std::string& from, const std::string& to) {
-  const Decimal factor = shortest(conversion_factor(from, to));
-  const Decimal reciprocal = shortest(conversion_factor(to, from));
-  const Decimal given = shortest(std::abs(number));
-  const bool divides = !is_short(factor) && is_short(reciprocal);
-  return std::copysign(nearest(divides ? quotient(given, reciprocal) : product(given, factor)),
-                       number);
+  return std::copysign(nearest(conversion(number, from, to).number), number);
+}
+
+bool converts_exactly(double number, const std::string& from, const std::string& to) {
+  auto [converted, is_exact] = conversion(number, from, to);
+  while (converted.digits > 0 && converted.digits % 10 == 0) converted.digits /= 10;
+  return is_exact && is_short(converted);
 }
 
 }  // namespace config

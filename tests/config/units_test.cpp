@@ -48,6 +48,29 @@ BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
   BOOST_TEST(conversion_factor("1e-3 in", "in") == 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(a_conversion_is_exact_where_its_digits_end) {
+  BOOST_TEST(config::converts_exactly(39.4, "in", "m"));
+  BOOST_TEST(config::converts_exactly(2, "mi", "km"));
+  BOOST_TEST(config::converts_exactly(100, "lbf", "N"));
+  BOOST_TEST(config::converts_exactly(25.4, "mm", "in"));
+  BOOST_TEST(config::converts_exactly(1200, "m", "km"));
+  BOOST_TEST(!config::converts_exactly(15, "km/h", "mi/h"));
+  BOOST_TEST(config::converted(15, "km/h", "mi/h") == 15 / 1.609344);
+  BOOST_TEST(!config::converts_exactly(3.218688, "km", "nmile"));
+  BOOST_TEST(!config::converts_exactly(100, "psi", "Pa"));
+  BOOST_TEST(!config::converts_exactly(0.1234567890123456, "in", "m"));
+}
+
+BOOST_AUTO_TEST_CASE(powers_are_read_as_they_look) {
+  for (const char* const unit : {"km s-2", "km.s^-2", "km/s2", "km·s⁻²", "km s⁻²", "km/s²"}) {
+    BOOST_TEST_CONTEXT(unit) {
+      BOOST_TEST(conversion_factor(unit, "m/s2") == 1000);
+    }
+  }
+  BOOST_TEST(conversion_factor("km⁴", "m4") == 1e12);
+  BOOST_CHECK_THROW(conversion_factor("m^0.5", "1"), UnitError);  // five, says UDUNITS
+}
+
 BOOST_AUTO_TEST_CASE(an_unknown_unit_or_system_is_refused_by_its_name) {
   BOOST_CHECK_EXCEPTION(conversion_factor("pis", "psi"), UnitError, [](const UnitError& e) {
     return std::string(e.what()).find("\"pis\"") != std::string::npos;

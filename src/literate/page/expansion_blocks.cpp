@@ -12,6 +12,7 @@
 #include "literate/page/html_text.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
+#include "literate/text/unit.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

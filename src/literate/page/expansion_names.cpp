@@ -60,50 +60,7 @@ std::optional<double> whole_number(std::string_view text) {
   return value;
 }
 
-std::string in_threes(std::string_view digits, bool from_left) {
-  constexpr std::size_t fewest = 5;
-  std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    const std::size_t from_point = from_left ? i : digits.size() - i;
-    if (digits.size() >= fewest && i > 0 && from_point % 3 == 0) text += "\\,";
-    text += digits[i];
-  }
-  return text;
-}
-
 }  // namespace
-
-std::string quantity_latex(std::string_view printed, bool is_math) {
-  const auto blank = printed.find(' ');
-  std::string_view number = printed.substr(0, blank);
-  const bool is_number = number.find_first_not_of("+-.0123456789()e") == number.npos &&
-                         !number.empty() && number.find_first_of("0123456789") != number.npos;
-  if (!is_number) return escape_latex(printed);
-  const auto e = number.find('e');
-  std::string exponent(e == number.npos ? "" : number.substr(e + 1));
-  if (exponent == "0") exponent.clear();  // as siunitx prints it
-  std::string_view mantissa = number.substr(0, e);
-  std::string text;
-  if (mantissa.starts_with('-')) text = is_math ? "{-}" : "−";
-  mantissa.remove_prefix(mantissa.starts_with('-') ? 1 : 0);
-  const auto bracket = std::min(mantissa.find('('), mantissa.size());
-  const auto point = std::min(mantissa.find('.'), bracket);
-  text += in_threes(mantissa.substr(0, point), false);
-  if (point < bracket)
-    text += "." + in_threes(mantissa.substr(point + 1, bracket - point - 1), true);
-  text += mantissa.substr(bracket);
-  if (!exponent.empty() && is_math) {
-    text += (text.empty() ? "" : "\\times") + ("10^{" + exponent + "}");
-  }
-  if (!exponent.empty() && !is_math) {
-    text += fmt::format("{}10\\textsuperscript{{{}}}", text.empty() ? "" : " × ",
-                        boost::replace_all_copy(exponent, "-", "−"));
-  }
-  if (blank == printed.npos) return text;
-  const std::string unit = escape_latex(printed.substr(blank + 1));
-  return text + (is_math ? "\\,\\text{" + unit + "}"
-                         : " " + boost::replace_all_copy(unit, "\\textasciicircum{}", "^"));
-}
 
 // [2][default]{body}
 Expander::Macro Expander::macro_at(TexScanner& in) const {
@@ -299,7 +256,8 @@ void Expander::value(TexScanner& in, const TexToken&) {
   }
   printed = boost::replace_all_copy(printed, "\\%", "%");
   const bool is_number = names_.numbers.contains(key);
-  const std::string latex = is_number ? quantity_latex(printed, is_math_) : escape_latex(printed);
+  const std::string latex =
+      is_number ? quantity_latex(printed, is_math_) : expanded(escape_latex(printed));
   const std::string id = use_id("val", key);
   if (is_math_) return emit(latex);
   emit(marked(fmt::format("<span class=\"lit-value lit-nowrap\" data-key=\"{}\" id=\"{}\">"
@@ -355,9 +313,10 @@ void Expander::repository(TexScanner& in, const TexToken&) {
 void Expander::quoted(TexScanner& in, const TexToken& token) {
   const auto quotation = quotations_.find(std::string(argument(in)));
   if (quotation == quotations_.end()) return fail("unknown quotation");
-  if (token.name == "quotedpage") return emit("p.~" + escape_latex(quotation->second.page));
-  emit(marked("<span class=\"lit-quoted\">", "``" + escape_latex(quotation->second.words) + "''",
-              "</span>"));
+  if (token.name == "quotedpage")
+    return emit("p.~" + expanded(escape_latex(quotation->second.page)));
+  emit(marked("<span class=\"lit-quoted\">",
+              "``" + expanded(escape_latex(quotation->second.words)) + "''", "</span>"));
 }
 
 void Expander::statement(TexScanner& in, const TexToken&) {

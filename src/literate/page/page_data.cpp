@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "literate/page/plotted_json.hpp"
+#include "literate/text/unit.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
@@ -25,6 +26,7 @@ json values_of(const json& names) {
     json& value = values[entry.key()];
     for (const char* part : {"printed", "number", "abs_error", "unit", "exact", "percent", "place"})
       if (entry.value().contains(part)) value[part] = entry.value().at(part);
+    if (value.contains("unit")) value["unit"] = plain_unit(value.at("unit").get<std::string>());
   }
   return values;
 }

@@ -16,6 +16,7 @@
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/text/latex.hpp"
+#include "literate/text/unit.hpp"
 #include "system/decimal.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -39,7 +40,8 @@ Options options_in(std::string_view text) {
     text.remove_prefix(std::min(text.size(), end + 1));
     const auto equals = option.find('=');
     if (equals == option.npos) {
-      throw std::invalid_argument(fmt::format("option '{}' has no value, as digits=3 has", option));
+      throw std::invalid_argument(fmt::format(
+          "option '{}' has no value, as digits=3, format=percent and unit=mm have", option));
     }
     const std::string name(sys::stripped(option.substr(0, equals)));
     std::string_view value = sys::stripped(option.substr(equals + 1));
@@ -80,8 +82,8 @@ double in_unit(double number, const std::string& from, const std::string& to) {
   }
 }
 
-/// The number in another unit. One that was exact has the rounding of the conversion, unless it has
-/// so few digits there that it was not rounded: 0.01 in are 0.254 mm.
+/// The number in another unit. One that was exact has the rounding of the conversion, unless its
+/// digits end there: 0.01 in are 0.254 mm.
 StoredNumber converted(StoredNumber stored, const std::string& unit) {
   const bool is_ratio = stored.is_percentage || stored.unit.empty();
   if (is_ratio && (unit == "percent" || unit == "1")) {
@@ -95,11 +97,11 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
   if (unit == stored.unit) return stored;
   stored.unit = unit == "1" ? "" : unit;
   if (factor == 1) return stored;
-  stored.number = in_unit(stored.number, from, unit);
+  const double before = stored.number;
+  stored.number = in_unit(before, from, unit);
   const double of_conversion = 2 * std::numeric_limits<double>::epsilon();
   if (stored.is_exact) {
-    constexpr std::size_t unrounded = std::numeric_limits<double>::digits10;
-    if (shortest(stored.number).digits.size() <= unrounded) return stored;
+    if (config::converts_exactly(before, from, unit)) return stored;
     stored.is_exact = false;
     stored.abs_error = of_conversion * std::abs(stored.number);
   } else if (stored.abs_error) {
@@ -109,15 +111,21 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
   return stored;
 }
 
-/// How many significant digits the value is printed with.
-int n_digits_of(const StoredNumber& stored, double original) {
-  const Decimal printed = rounded_to_place(original, stored.last_place);
-  return std::clamp(leading_place(printed) - stored.last_place + 1, 1, digits_of_double);
+/// How many significant digits the value is printed with. An exact one has those before its point,
+/// and three at least, so that 5 km/h are 3.11 mi/h.
+int n_digits_of(const StoredNumber& stored) {
+  constexpr int fewest_of_exact = 3;
+  const int last = stored.is_exact ? std::min(stored.last_place, 0) : stored.last_place;
+  const Decimal printed = rounded_to_place(stored.number, last);
+  const int fewest = stored.is_exact ? fewest_of_exact : 1;
+  return std::clamp(leading_place(printed) - last + 1, fewest, digits_of_double);
 }
 
 struct Wish {
   std::optional<std::string> format;
-  std::optional<int> digits, decimals;
+  std::optional<int> digits, decimals, max_digits;
+
+  bool names_place() const { return digits || decimals; }
 };
 
 /// The digits behind the point that the stored number is printed with, in per cent if it is.
@@ -125,12 +133,24 @@ int decimals_of(const StoredNumber& stored) {
   return std::clamp(-stored.last_place - (stored.is_percentage ? 2 : 0), 0, digits_of_double);
 }
 
+/// How many digits `maxdigits` leaves: those that are known, where no error tells which are earned.
+int at_most(const StoredNumber& stored, std::optional<int> most, int n_digits) {
+  if (!most) return n_digits;
+  if (stored.is_exact)
+    return std::min(*most, static_cast<int>(shortest(stored.number).digits.size()));
+  return stored.abs_error ? *most : std::min(*most, n_digits);
+}
+
 Format with_digits(const StoredNumber& stored, const Wish& wish, int n_digits, bool is_scientific) {
   if (wish.decimals) {
     throw std::invalid_argument("decimals go with format=fixed and percent: say digits");
   }
-  const int n = wish.digits.value_or(n_digits);
-  const Format format = is_scientific ? scientific(n) : significant(n);
+  const int n = wish.digits.value_or(at_most(stored, wish.max_digits, n_digits));
+  const bool keeps_supported =
+      stored.notation == Notation::supported && stored.abs_error && !wish.format && !wish.digits;
+  const Format format = is_scientific     ? scientific(n)
+                        : keeps_supported ? supported(n)
+                                          : significant(n);
   return stored.is_percentage ? format.in_percent() : format;
 }
 
@@ -144,8 +164,17 @@ Format format_of(const StoredNumber& stored, const Wish& wish, int n_digits) {
   if (wish.digits && wish.decimals) {
     throw std::invalid_argument("digits and decimals cannot both be given");
   }
+  if (wish.max_digits &&
+      (wish.names_place() || wish.format == "fixed" || wish.format == "uncertain")) {
+    throw std::invalid_argument(
+        "maxdigits goes with format=significant, scientific and percent alone");
+  }
   const bool was_scientific = stored.notation == Notation::scientific;
   if (!wish.format) {
+    if (stored.notation == Notation::uncertain && stored.abs_error && !wish.names_place() &&
+        !wish.max_digits) {
+      return stored.is_percentage ? uncertain().in_percent() : uncertain();
+    }
     if (wish.decimals) return with_decimals(stored, wish);
     return with_digits(stored, wish, n_digits, was_scientific);
   }
@@ -157,7 +186,7 @@ Format format_of(const StoredNumber& stored, const Wish& wish, int n_digits) {
   if (name == "significant") return with_digits(stored, wish, n_digits, false);
   if (name == "scientific") return with_digits(stored, wish, n_digits, true);
   if (name == "uncertain") {
-    if (wish.digits || wish.decimals) {
+    if (wish.names_place()) {
       throw std::invalid_argument("format=uncertain has the digits that the error gives it");
     }
     return stored.is_percentage ? uncertain().in_percent() : uncertain();
@@ -169,7 +198,8 @@ Format format_of(const StoredNumber& stored, const Wish& wish, int n_digits) {
     }
     StoredNumber ratio = stored;
     ratio.is_percentage = true;
-    return wish.digits ? with_digits(ratio, wish, n_digits, false) : with_decimals(ratio, wish);
+    return wish.digits || wish.max_digits ? with_digits(ratio, wish, n_digits, false)
+                                          : with_decimals(ratio, wish);
   }
   throw std::invalid_argument(fmt::format(
       "format = {}: must be one of fixed, significant, scientific, percent, uncertain", name));
@@ -194,32 +224,31 @@ void require_earned_digits(const StoredNumber& stored, const Format& format) {
 
 Value restyled(const StoredNumber& original, std::string_view text) {
   const Options options = options_in(text);
-  require_known(options, {"digits", "decimals", "format", "unit"},
-                "digits, decimals, format, unit");
+  require_known(options, {"digits", "decimals", "maxdigits", "format", "unit"},
+                "digits, decimals, maxdigits, format, unit");
   const auto text_of = [&](const char* name) -> std::optional<std::string> {
     const auto option = options.find(name);
     return option == options.end() ? std::nullopt : std::optional(option->second);
   };
   const Wish wish{text_of("format"), count_of(options, "digits", 1),
-                  count_of(options, "decimals", 0)};
+                  count_of(options, "decimals", 0), count_of(options, "maxdigits", 1)};
   const std::optional<std::string> unit = text_of("unit");
   const StoredNumber stored = unit ? converted(original, *unit) : original;
-  const bool names_digits = wish.digits || wish.decimals;
 
-  if (stored.is_exact && !wish.format && !names_digits) {
+  if (stored.is_exact && !wish.format && !wish.names_place() && !wish.max_digits) {
     const Format format = stored.is_percentage ? exact().in_percent() : exact();
     return {stored.number, format, stored.unit};
   }
-  Format format = format_of(stored, wish, n_digits_of(original, original.number));
+  Format format = format_of(stored, wish, n_digits_of(original));
   if (original.rounds_up) format = format.rounded_up();
   const std::string unit_of_print = format.is_percentage() ? "" : stored.unit;
   if (format.notation() == Notation::uncertain) {
     if (!stored.abs_error) throw std::invalid_argument("format=uncertain needs an error bound");
     return {numerics::Estimate{stored.number, *stored.abs_error}, format, unit_of_print};
   }
-  if (stored.is_exact) return {stored.number, format, unit_of_print};
+  if (stored.is_exact) return {numerics::Estimate{stored.number, 0}, format, unit_of_print};
   // Without digits named, as many are printed as are earned.
-  if (names_digits || !stored.abs_error) require_earned_digits(stored, format);
+  if (wish.names_place() || !stored.abs_error) require_earned_digits(stored, format);
   const double abs_error = stored.abs_error.value_or(0);
   return {numerics::Estimate{stored.number, abs_error}, format, unit_of_print};
 }

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "literate/text/latex.hpp"
+#include "literate/text/unit.hpp"
 
 namespace literate {
 namespace {
@@ -19,7 +19,7 @@ bool prints_all_digits(const Format& numbers) {
 }  // namespace
 
 Column::Column(ColumnFormat format) : format_(std::move(format)) {
-  require_unit(format_.unit);
+  if (plain_unit(format_.unit).empty()) format_.unit.clear();
   const auto& numbers = format_.numbers;
   if (numbers && numbers->is_percentage() && !format_.unit.empty()) {
     throw std::invalid_argument(

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "literate/text/latex.hpp"
+#include "literate/text/unit.hpp"
 
 namespace literate {
 namespace {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/text/latex.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <optional>
-#include <set>
-#include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "literate/text/characters.hpp"
 #include "system/utf8.hpp"
@@ -135,74 +129,6 @@ std::string plain_text(std::string_view latex) {
       i = end - 1;
     }
   }
-  return text;
-}
-
-void require_unit(std::string_view unit) {
-  if (unit.find_first_of("%#&_$~\\{}") != std::string_view::npos) {
-    throw std::invalid_argument(fmt::format("unit '{}' cannot be printed", unit));
-  }
-}
-
-namespace {
-
-using SignAndLatex = std::pair<std::string_view, std::string_view>;
-
-/// The longer of two signs with the same beginning comes first, and the sign that is printed before
-/// its twins.
-constexpr SignAndLatex unit_signs[] = {
-    {"°C", "\\degreeCelsius "},
-    {"°", "\\degree "},
-    {"µ", "\\micro "},  // micro sign
-    {"μ", "\\micro "},  // mu
-    {"Ω", "\\ohm "},    // Omega
-    {"\u2126", "\\ohm "},
-    {"Å", "\\LiterateAngstrom "},
-    {"\u212B", "\\LiterateAngstrom "},
-    {"′", "\\arcminute "},
-    {"″", "\\arcsecond "},
-};
-
-/// What one word of a unit prints as: UDUNITS takes a «u» for micro, and names for signs.
-std::string sign_of_unit(std::string_view word) {
-  static const std::set<std::string_view> after_micro = {
-      "m", "s", "g", "N",   "Pa",  "A",  "V", "W", "J",  "K",   "F",  "H",
-      "C", "L", "l", "mol", "rad", "Hz", "T", "S", "Wb", "bar", "eV", "ohm"};
-  static const std::map<std::string_view, std::string_view> names = {
-      {"deg", "°"},   {"degree", "°"},   {"degrees", "°"}, {"degC", "°C"},
-      {"degF", "°F"}, {"angstrom", "Å"}, {"micron", "µm"}};
-  if (const auto name = names.find(word); name != names.end()) return std::string(name->second);
-  if (word.starts_with('u') && after_micro.contains(word.substr(1))) {
-    return "µ" + sign_of_unit(word.substr(1));
-  }
-  if (word == "ohm" || word == "kohm" || word == "Mohm" || word == "mohm") {
-    return std::string(word.substr(0, word.size() - 3)) + "Ω";
-  }
-  return std::string(word);
-}
-
-}  // namespace
-
-std::string plain_unit(std::string_view unit) {
-  std::string text;
-  while (!unit.empty()) {
-    const auto end =
-        static_cast<std::size_t>(std::ranges::find_if_not(unit, is_letter) - unit.begin());
-    text += end == 0 ? std::string(unit.substr(0, 1)) : sign_of_unit(unit.substr(0, end));
-    unit.remove_prefix(std::max<std::size_t>(end, 1));
-  }
-  return text;
-}
-
-std::string latex_unit(std::string_view unit) {
-  std::string text = plain_unit(unit);
-  for (const auto& [sign, latex] : unit_signs) boost::replace_all(text, sign, latex);
-  return text;
-}
-
-std::string unit_of_latex(std::string_view latex) {
-  std::string text(latex);
-  for (const auto& [sign, command] : unit_signs) boost::replace_all(text, command, sign);
   return text;
 }
 

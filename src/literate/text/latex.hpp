@@ -24,17 +24,4 @@ std::string escape_latex_path(std::string_view path);
 /// no character stays as it is.
 std::string plain_text(std::string_view latex);
 
-/// Throws std::invalid_argument for a unit with one of % # & _ $ ~ \ { }, which siunitx cannot
-/// print literally.
-void require_unit(std::string_view unit);
-
-/// A unit as it is typed, as plain text with its signs: «µm» for um, «°C» for degC, «kΩ» for kohm.
-std::string plain_unit(std::string_view unit);
-
-/// The same for siunitx, which in formulas would lose a sign beyond ASCII without a word.
-std::string latex_unit(std::string_view unit);
-
-/// The plain unit that latex_unit() made this of; any other LaTeX stays as it is.
-std::string unit_of_latex(std::string_view latex);
-
 }  // namespace literate

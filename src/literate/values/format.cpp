@@ -187,6 +187,16 @@ RoundedNumber with_uncertainty(Estimate estimate) {
   return {rounded_to_place(estimate.value, error.place), Style::automatic, true, error.digits};
 }
 
+/// A number without an error is the decimal number that reads as it: behind its digits stand zeros,
+/// and not those of the double nearest to it.
+Decimal exact_to_place(double number, int place) {
+  Decimal digits = shortest(number);
+  if (is_zero(digits) || digits.place < place) return rounded_to_place(number, place);
+  digits.digits.append(static_cast<std::size_t>(digits.place - place), '0');
+  digits.place = place;
+  return digits;
+}
+
 /// Whether a number is known not to be zero, although it is rounded to it.
 bool is_lost_by_rounding(const Decimal& digits, Estimate estimate) {
   return is_zero(digits) && std::abs(estimate.value) > estimate.abs_error;
@@ -197,7 +207,9 @@ bool is_lost_by_rounding(const Decimal& digits, Estimate estimate) {
 RoundedNumber rounded_at(double number, std::optional<double> abs_error, int place) {
   if (abs_error) require_error_bound(*abs_error);
   const Estimate estimate{number, abs_error.value_or(0)};
-  const Decimal digits = rounded_to_place(number, earned_place(estimate.abs_error, place));
+  const Decimal digits = abs_error == 0.0
+                             ? exact_to_place(number, place)
+                             : rounded_to_place(number, earned_place(estimate.abs_error, place));
   RoundedNumber rounded{digits, Style::plain, estimate.abs_error > 0, ""};
   if (!is_zero(digits) || number == 0) return rounded;
   if (const auto first = first_digits(estimate)) {
@@ -253,11 +265,15 @@ RoundedNumber to_nearest(const Format& format, Estimate estimate, std::optional<
     return rounded_at(estimate.value, abs_error,
                       -format.digits() - (format.is_percentage() ? 2 : 0));
   }
-  const Decimal digits =
-      format.notation() == Notation::supported
-          ? supported_digits(estimate, format.digits())
-          : rounded_to_place(estimate.value, earned_place(estimate.abs_error,
-                                                          lowest_place(estimate, format.digits())));
+  const auto to_digits = [&] {
+    const int lowest = lowest_place(estimate, format.digits());
+    return abs_error == 0.0
+               ? exact_to_place(estimate.value, lowest)
+               : rounded_to_place(estimate.value, earned_place(estimate.abs_error, lowest));
+  };
+  const Decimal digits = format.notation() == Notation::supported
+                             ? supported_digits(estimate, format.digits())
+                             : to_digits();
   if (is_lost_by_rounding(digits, estimate)) return with_uncertainty(estimate);
   return {digits, Style::automatic, estimate.abs_error > 0, ""};
 }

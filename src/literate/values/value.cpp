@@ -7,30 +7,33 @@
 #include <stdexcept>
 
 #include "literate/text/latex.hpp"
+#include "literate/text/unit.hpp"
 
 namespace literate {
 
 Value::Value(double number, std::optional<double> abs_error, const Format& format,
              std::string_view unit)
     : number_(number), abs_error_(abs_error), format_(format), unit_(unit) {
-  require_unit(unit);
-  if (format.is_percentage() && !unit.empty()) {
+  const std::string unit_text = plain_unit(unit);
+  if (unit_text.empty()) unit_.clear();
+  if (format.is_percentage() && !unit_.empty()) {
     throw std::invalid_argument(fmt::format("a percentage has no other unit, such as '{}'", unit));
   }
   if (!std::isfinite(number)) return;
   const RoundedNumber digits = rounded(format, number, abs_error);
   last_place_ = digits.digits.place;
   // Multiplying by 100 would round twice; moving the point does not.
-  const std::string text = digits.text(format.is_percentage() ? -2 : 0);
+  std::string text = digits.text(format.is_percentage() ? -2 : 0);
+  if (text.ends_with("e0")) text.resize(text.size() - 2);  // siunitx prints no such exponent
   if (format.is_percentage()) {
     latex_ = fmt::format("\\qty{{{}}}{{\\percent}}", text);
     printed_ = text + " %";
-  } else if (unit.empty()) {
+  } else if (unit_.empty()) {
     latex_ = fmt::format("\\num{{{}}}", text);
     printed_ = text;
   } else {
     latex_ = fmt::format("\\qty{{{}}}{{{}}}", text, latex_unit(unit));
-    printed_ = fmt::format("{} {}", text, plain_unit(unit));
+    printed_ = fmt::format("{} {}", text, unit_text);
   }
 }
 

@@ -14,10 +14,10 @@ namespace literate {
 /// A value as the document prints it, with the unrounded number: Value(4.7e-3, significant(2),
 /// "in").
 ///
-/// Units are literal text such as "in", "psi", "lbf/in" or "in^2"; a percentage has none. Numbers
-/// are rounded as literate/values/format.hpp says; one that rounds to zero has no sign. Every
-/// constructor throws std::invalid_argument for what rounded() refuses, for a unit with one of
-/// % # & _ $ ~ \ { }, and for a whole number beyond ±2^53. A number that is not finite is refused
+/// Units are spelt as literate/text/unit.hpp says, such as "in", "lbf/in" or "m s-1"; a percentage
+/// has none. Numbers are rounded as literate/values/format.hpp says; one that rounds to zero has no
+/// sign. Every constructor throws std::invalid_argument for what rounded() refuses, for a unit that
+/// cannot be printed, and for a whole number beyond ±2^53. A number that is not finite is refused
 /// where it is used, so that the message can name its key.
 class Value {
  public:

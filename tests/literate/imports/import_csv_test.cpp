@@ -223,8 +223,12 @@ BOOST_AUTO_TEST_CASE(lines_that_do_not_fit_are_told) {
              "1:13: abs_error has no column of numbers to its left");
   BOOST_TEST(checkout.error("x,y\n1,2\n", {{.heading = "x"}}) ==
              "1: 2 columns, where 1 are described");
-  BOOST_TEST(checkout.error("x (\\mm)\n1\n") == "1:1: unit '\\mm' cannot be printed");
-  BOOST_TEST(checkout.error("# a note\nx,y (\\mm)\n1,2\n") == "2:3: unit '\\mm' cannot be printed");
+  BOOST_TEST(checkout.error("x (\\mm)\n1\n") ==
+             "1:1: unit '\\mm': '\\' has no place there; a unit is spelt as m s-1, m.s^-1, m/s2, "
+             "W/(m2.K), um, degC or %");
+  BOOST_TEST(checkout.error("# a note\nx,y (\\mm)\n1,2\n") ==
+             "2:3: unit '\\mm': '\\' has no place there; a unit is spelt as m s-1, m.s^-1, m/s2, "
+             "W/(m2.K), um, degC or %");
 }
 
 BOOST_AUTO_TEST_CASE(a_message_names_file_line_column_and_the_table_that_was_registered) {

@@ -33,13 +33,16 @@ const std::string body =
 
 void register_apples(Document& document) {
   document.value("mass", Value({2.612, 0.001}, fixed(2), "g"));
+  document.value("flow", Value(2.5, exact(), "um2.s-1"));
+  document.value("strength", Value(3, exact(), "MPa.m^0.5"));
+  document.value("signs", Value::text("\"µ\" „x” • † © | ~ ^ < > § ½ – — & # \\ ° Å × ≤ é"));
   document.claim("apples",
                  {.route = "weighing <twice> & adding up",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_most("mass", Value({2.612, 0.001}, fixed(2), "g"),
                                                   {LimitKind::stated, 2.65, "half a digit"})}});
   Table prices("prices", {Column::text("fruit"), Column("price", fixed(2), "kr").exact()});
-  prices.add_row({"apple & pear", 1.5}).add_row({"plum", 2.75});
+  prices.add_row({"apple & pear", 1.5}).add_row({"\"plum\" µ", 2.75});
   document.table(std::move(prices));
 }
 
@@ -93,6 +96,26 @@ BOOST_AUTO_TEST_CASE(values_and_claims_keep_their_marks) {
                            "market, stall 3", "data-table=\"prices\"", "apple &amp; pear"}) {
     BOOST_TEST(holds(html, part), part << " in " << html);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_and_powers) {
+  const std::string html =
+      page_of("\\val{flow} \\val{strength} \\qty{2}{m/s^2} \\qty{4}{\\percent}\n", "\\relax\n")
+          .html;
+  for (const char* part : {">2.5 µm<sup>2</sup> s<sup>−1</sup></a>", ">3 MPa m<sup>0.5</sup></a>",
+                           "2 m/s<sup>2</sup>", "4 %"}) {
+    BOOST_TEST(holds(html, part), part << " in " << html);
+  }
+  const std::string formula = page_of("\\(\\val{flow}\\)\n", "\\relax\n").html;
+  BOOST_TEST(holds(formula, "µm"), formula);
+  BOOST_TEST(holds(formula, "<msup>"), formula);
+}
+
+BOOST_AUTO_TEST_CASE(every_sign_that_the_engine_writes_stands_on_the_page) {
+  const Page page = page_of("\\val{signs} \\tab{prices}\n", "\\relax\n");
+  BOOST_TEST(page.errors == std::vector<std::string>{}, per_element());
+  BOOST_TEST(holds(page.html, "\"µ\" „x” • † © | ~ ^ &lt; &gt; § "), page.html);
+  BOOST_TEST(holds(page.html, "\"plum\" µ"), page.html);
 }
 
 BOOST_AUTO_TEST_CASE(what_neither_engine_nor_pandoc_knows_is_told_with_its_place) {

@@ -30,6 +30,14 @@ const Names& names() {
     document.value("tie", Value(0.125, exact()));
     document.value("count", Value(1048576, integer()));
     document.value("heat", Value({20, 0.1}, fixed(1), "degC"));
+    document.value("mean", Value({0.123456, 1.2e-4}, uncertain(), "s"));
+    document.value("fraction", Value({0.123456, 1.2e-4}, uncertain()));
+    document.value("integral", Value({2.3456789, 2e-5}, supported(4), "s"));
+    document.value("speed", Value(15, exact(), "km/h"));
+    document.value("slow", Value(5, exact(), "km/h"));
+    document.value("mile", Value(2, exact(), "mi"));
+    document.value("track", Value(3.218688, exact(), "km"));
+    document.value("pressure", Value(100, exact(), "psi"));
     document.value("word", Value::text("none"));
     const TemporaryFolder folder;
     document.write(folder / "out");
@@ -59,8 +67,8 @@ BOOST_AUTO_TEST_CASE(digits_and_formats_come_from_the_unrounded_number) {
   BOOST_TEST(styled("period", "digits=5").latex() == "\\qty{2.3457}{s}");
   BOOST_TEST(styled("period", "decimals=1").latex() == "\\qty{2.3}{s}");
   BOOST_TEST(styled("period", "format=fixed,decimals=2").printed() == "2.35 s");
-  BOOST_TEST(styled("period", " format = scientific , digits = 2 ").printed() == "2.3e0 s");
-  BOOST_TEST(styled("period", "format=scientific").printed() == "2.346e0 s");
+  BOOST_TEST(styled("period", " format = scientific , digits = 2 ").printed() == "2.3 s");
+  BOOST_TEST(styled("period", "format=scientific").printed() == "2.346 s");
   BOOST_TEST(styled("period", "format=uncertain").printed() == "2.345679(20) s");
   BOOST_TEST(styled("small", "digits=3").printed() == "1.25e-7 lbf/in");
   BOOST_TEST(styled("small", "format=significant").printed() == "1.2e-7 lbf/in");
@@ -82,6 +90,41 @@ BOOST_AUTO_TEST_CASE(a_value_keeps_its_unit_and_converts_into_others) {
   BOOST_TEST(styled("period", "unit=ms,digits=5").printed() == "2345.7 ms");
   BOOST_TEST(styled("period", "unit=ms,format=uncertain").printed() == "2345.679(21) ms");
   BOOST_TEST(styled("small", "unit=N/m").printed() == "2.2e-5 N/m");
+}
+
+BOOST_AUTO_TEST_CASE(an_error_stays_beside_its_number) {
+  BOOST_TEST(styled("mean", "unit=ms").printed() == "123.46(13) ms");
+  BOOST_TEST(styled("mean", "unit=s").printed() == "0.12346(12) s");
+  BOOST_TEST(styled("fraction", "unit=percent").printed() == "12.346(12) %");
+  BOOST_TEST(styled("fraction", "digits=2").printed() == "0.12");
+  BOOST_TEST(styled("mean", "unit=ms,format=significant,digits=2").printed() == "1.2e2 ms");
+}
+
+BOOST_AUTO_TEST_CASE(an_exact_value_has_all_its_digits_in_another_unit_or_as_many_as_before) {
+  BOOST_TEST(styled("mile", "unit=km").printed() == "3.218688 km");
+  BOOST_TEST(styled("mile", "unit=km,digits=17").printed() == "3.2186880000000000 km");
+  BOOST_TEST(styled("mile", "unit=km,decimals=8").printed() == "3.21868800 km");
+  BOOST_TEST(styled("rod", "digits=17").printed() == "39.400000000000000 in");
+  BOOST_TEST(styled("speed", "unit=mi/h").printed() == "9.32 mi/h");
+  BOOST_TEST(styled("slow", "unit=mi/h").printed() == "3.11 mi/h");
+  BOOST_TEST(styled("slow", "unit=mi/h,digits=9").printed() == "3.10685596 mi/h");
+  BOOST_TEST(styled("track", "unit=nmile").printed() == "1.737952 nmile");
+  BOOST_TEST(styled("track", "unit=mi").printed() == "2 mi");
+  BOOST_TEST(styled("pressure", "unit=Pa").printed() == "6.89e5 Pa");
+  BOOST_TEST(styled("integral", "unit=ms").printed() == "2346 ms");
+}
+
+BOOST_AUTO_TEST_CASE(maxdigits_prints_no_more_than_the_error_supports) {
+  BOOST_TEST(styled("period", "maxdigits=3").printed() == "2.35 s");
+  BOOST_TEST(styled("period", "maxdigits=9").printed() == "2.3457 s");
+  BOOST_TEST(styled("period", "maxdigits=9,unit=ms").printed() == "2345.7 ms");
+  BOOST_TEST(styled("mean", "maxdigits=2").printed() == "0.12 s");
+  BOOST_TEST(styled("rounding", "maxdigits=4").printed() == "2.3e-15");
+  BOOST_TEST(styled("rod", "maxdigits=2").printed() == "39 in");
+  BOOST_TEST(styled("rod", "maxdigits=9").printed() == "39.4 in");
+  BOOST_TEST(styled("share", "format=percent,maxdigits=2").printed() == "12 %");
+  BOOST_TEST(refusal("period", "maxdigits=2,digits=2") ==
+             "maxdigits goes with format=significant, scientific and percent alone");
 }
 
 BOOST_AUTO_TEST_CASE(a_bound_is_rounded_up_in_every_style) {
@@ -109,8 +152,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_done_is_refused_with_what_can) {
   BOOST_TEST(refusal("period", "decimals=x") ==
              "decimals = x: must be a whole number from 0 to 17");
   BOOST_TEST(refusal("period", "digit=3") ==
-             "unknown option 'digit': must be one of digits, decimals, format, unit");
-  BOOST_TEST(refusal("period", "digits") == "option 'digits' has no value, as digits=3 has");
+             "unknown option 'digit': must be one of digits, decimals, maxdigits, format, unit");
+  BOOST_TEST(refusal("period", "digits") ==
+             "option 'digits' has no value, as digits=3, format=percent and unit=mm have");
+  BOOST_TEST(refusal("share", "percent,decimals=1") ==
+             "option 'percent' has no value, as digits=3, format=percent and unit=mm have");
   BOOST_TEST(refusal("period", "digits=3,digits=2") == "option 'digits' is given twice");
   BOOST_TEST(refusal("period", "digits=3,decimals=2") ==
              "digits and decimals cannot both be given");

@@ -2,7 +2,6 @@
 #include "literate/text/latex.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "literate/text/characters.hpp"
@@ -35,13 +34,6 @@ BOOST_AUTO_TEST_CASE(a_path_may_break_after_each_slash) {
   BOOST_TEST(escape_latex_path("src/a_b.cpp") == "src/\\allowbreak{}a\\_b.cpp");
 }
 
-BOOST_AUTO_TEST_CASE(a_unit_that_siunitx_would_misread_is_refused) {
-  BOOST_CHECK_NO_THROW(require_unit("lbf/in^2"));
-  for (const char sign : std::string("%#&_$~\\{}")) {
-    BOOST_CHECK_THROW(require_unit(std::string("m") + sign), std::invalid_argument);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(plain_text_is_what_a_reader_of_latex_reads) {
   BOOST_TEST(plain_text("$\\theta$") == "θ");
   BOOST_TEST(plain_text("$\\partial u_z/\\partial x$") == "∂u_z/∂x");
@@ -50,20 +42,6 @@ BOOST_AUTO_TEST_CASE(plain_text_is_what_a_reader_of_latex_reads) {
   BOOST_TEST(plain_text("$1 + \\theta^2/16$") == "1 + θ^2/16");
   BOOST_TEST(plain_text("$\\mathrm{d}x$") == "dx");
   BOOST_TEST(plain_text("$\\frac{a}{b}$") == "$\\frac{a}{b}$");
-}
-
-BOOST_AUTO_TEST_CASE(a_unit_has_the_signs_that_its_names_stand_for) {
-  BOOST_TEST(plain_unit("N/um^2") == "N/µm^2");
-  BOOST_TEST(plain_unit("us/deg") == "µs/°");
-  BOOST_TEST(plain_unit("kohm.uF") == "kΩ.µF");
-  for (const char* as_it_is : {"m", "u", "lbf/in", "cup", "N.m", "min", "ounce", ""}) {
-    BOOST_TEST(plain_unit(as_it_is) == as_it_is);
-    BOOST_TEST(latex_unit(as_it_is) == as_it_is);
-  }
-  BOOST_TEST(latex_unit("degC/um") == "\\degreeCelsius /\\micro m");
-  BOOST_TEST(latex_unit("Å") == "\\LiterateAngstrom ");
-  BOOST_TEST(unit_of_latex(latex_unit("kohm/°C")) == "kΩ/°C");
-  BOOST_TEST(unit_of_latex("\\percent") == "\\percent");
 }
 
 BOOST_AUTO_TEST_CASE(mathematical_letters_are_symbols_in_italics) {

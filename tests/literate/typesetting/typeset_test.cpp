@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(a_whole_document_has_the_same_bytes_in_another_folder) {
 BOOST_AUTO_TEST_CASE(restyled_values_reach_text_formulas_captions_and_bookmarks) {
   const Paper paper(
       "\\tableofcontents\\section{Area \\val[digits=2]{load_1.a-b}}\n"
-      "$a=\\val[unit=cm^2, digits=3]{load_1.a-b}$ \\textbf{\\val[format=scientific]{load_1.a-b}}\n"
+      "$a=\\val[unit=cm^2, digits=3]{load_1.a-b}$ \\val[unit={cm²},digits=2]{load_1.a-b} \\textbf{\\val[format=scientific]{load_1.a-b}}\n"
       "\\begin{table}\\caption{\\val[decimals=9]{load_1.a-b}}\\tab{t}\\end{table}\n"
       "\\rule{\\rawval[unit=mm^2]{load_1.a-b}pt}{1pt}\\ifdim\\rawval{load_1.a-b}pt<1pt small\\fi");
   const Names names = read_names(paper.options.generated_dir / "names.json");
@@ -110,7 +110,9 @@ BOOST_AUTO_TEST_CASE(restyled_values_reach_text_formulas_captions_and_bookmarks)
 BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
   const Paper paper(
       "\\val[unit=um^2,digits=2]{load_1.a-b} $a = \\val[unit=um^2,digits=2]{load_1.a-b}$\n"
-      "\\qty{2}{\\LiterateAngstrom}");
+      "\\qty{2}{\\LiterateAngstrom}\n\n"
+      "a \\val[unit=um km,digits=2]{load_1.a-b} b \\val[unit=um2,digits=2]{load_1.a-b} c "
+      "$\\val[unit={1/cm⁻²},digits=2]{load_1.a-b}$ d");
   const Names names = read_names(paper.options.generated_dir / "names.json");
   sys::write_file_atomically(paper.options.build_dir / "restyled.tex",
                              restyled_values(paper.options.source_dir, names).latex);
@@ -122,6 +124,10 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
   const auto first = text.output.find("µm");
   BOOST_TEST(first != std::string::npos, text.output);
   BOOST_TEST(text.output.find("µm", first + 1) != std::string::npos, text.output);
+  // A power is raised, and a blank stands between two names.
+  for (const char* part : {"µm km b", "µm2 c", "cm2 d"}) {
+    BOOST_TEST(text.output.find(part) != std::string::npos, text.output);
+  }
   const bool has_ring = text.output.find("2 Å") != std::string::npos ||
                         text.output.find("2 A\u030A") != std::string::npos;
   BOOST_TEST(has_ring, text.output);

@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_refused) {
   BOOST_CHECK_THROW(Value({1, -1}, supported()), invalid_argument);
   BOOST_CHECK_THROW(Value(1, significant(0)), invalid_argument);
   BOOST_CHECK_THROW(Value(1, fixed(-1)), invalid_argument);
-  BOOST_CHECK_THROW(Value(1, fixed(1), "%"), invalid_argument);
+  BOOST_CHECK_THROW(Value(1, fixed(1), "#"), invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_is_printed_with_its_signs) {

@@ -43,6 +43,9 @@ void register_values(Document& document, const Sample& sample) {
                  Value(std::numbers::ln2 / sample.half_life, significant(4), "1/s").within(1e-15));
   document.value("mean-life", Value(mean_life(2000), uncertain()));
   document.value("mean-life_error", Value(mean_life(2000).abs_error, scientific(1).rounded_up()));
+  document.value("flow", Value(2.5, exact(), "m3 s-1"));
+  document.value("gain", Value(1.25, exact(), "um.kg^-1/K2"));
+  document.value("tilt", Value(3, exact(), "%"));
   document.value("negative", Value(-0.0047, fixed(1), "mm"));
   document.flag("is-short", sample.half_life < 3600);
   document.flag("is-long", sample.half_life >= 3600);
@@ -159,8 +162,7 @@ void register_all(Document& document, const Inputs& inputs, const Sample& sample
   register_figures(document, sample);
   register_claims(document, sample);
   import_csv(document, "measured", inputs.source / "data/measured.csv",
-             inputs.source / "data/measure.py", {},
-             {.root = inputs.source, .exact = {"t (s)"}});
+             inputs.source / "data/measure.py", {}, {.root = inputs.source, .exact = {"t (s)"}});
   import_json(document, inputs.source / "data/results.json",
               {.root = inputs.source, .prefix = "fit-"});
 }
