@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The targets of the project, a line each. CMake (CMakePresets.json) and Ninja know the dependencies; this file only names targets.
 #
-#   CASE=file.toml   another parameter file than report/ruggiero2001.toml; relative to where you call make
+#   CASE=file.toml   another parameter file than report/ruggiero2001.toml, relative to where you call make; writes to build/report-file
 #   CASES='cases/*.toml' J=2 KEYS='key …'   report: one for each of these files, how many at a time, what to compare
 #   SITE=https://…   site: the address at which it will stand
 #   NAME=name        figures: this one alone, as a picture

@@ -107,9 +107,9 @@ def make(*arguments, env=None):
     return end(start(*arguments, env=env))
 
 
-def announced():
-    """The SHA-256 of what the report is."""
-    return [sha256(ROOT / name) for name in ANNOUNCED]
+def announced(case=None):
+    """The SHA-256 of what the report is, of the paper's case or of another one."""
+    return [sha256(path) for path in (announced_of(case) if case else [ROOT / name for name in ANNOUNCED])]
 
 
 def is_whole_pdf():
@@ -120,11 +120,20 @@ def is_whole_pdf():
     return text.startswith(b"%PDF-") and text.rstrip().endswith(b"%%EOF")
 
 
+def announced_of(case):
+    """Where PDF and manifest of a case are: another case than the paper's has a folder of its own."""
+    if Path(case).samefile(ROOT / "report/ruggiero2001.toml"):
+        return [ROOT / name for name in ANNOUNCED]
+    folder = "report-" + re.sub(r"[^\w.-]", "_", Path(case).stem, flags=re.ASCII)
+    return [ROOT / name.replace("report/", folder + "/", 1) for name in ANNOUNCED]
+
+
 def tells_its_case(case):
     """Whether PDF and manifest name the SHA-256 of the case that is there now."""
     digest = sha256(case)
-    text = run("pdftotext", ROOT / ANNOUNCED[0], "-", capture_output=True, text=True).stdout
-    return digest in re.sub(r"\s", "", text) and digest in (ROOT / ANNOUNCED[1]).read_text()
+    pdf, manifest = announced_of(case)
+    text = run("pdftotext", pdf, "-", capture_output=True, text=True).stdout
+    return digest in re.sub(r"\s", "", text) and digest in manifest.read_text()
 
 
 def running_tools():

@@ -44,6 +44,16 @@ echo 'E = 31' >"$scratch/other.toml"
 toy_make why CASE="$scratch/other.toml"
 claim 'another case is a reason' "$said" = "the case is $scratch/other.toml, and was report/ruggiero2001.toml"
 
+# It has a folder of its own, and leaves the report of the first case as it is.
+first=$(sha256sum "$toy/build/report/report.pdf")
+echo 'E = 31' >"$scratch/a:b c.toml"
+toy_make report CASE="$scratch/a:b c.toml"
+claim "another case's report lies beside the first" "$(says 'build/report-a_b_c/report.pdf')" = yes
+claim 'it has the values of its case' "$(cat "$toy/build/report-a_b_c/generated/tables/t.tex")" = 'E = 31'
+claim 'the report of the first case is as it was' "$(sha256sum "$toy/build/report/report.pdf")" = "$first"
+toy_make report
+claim 'make without a case means the first again' "$(says 'build/report/report.pdf')" = yes
+
 toy_make report
 rm "$toy/build/report/report.pdf"
 toy_make why
