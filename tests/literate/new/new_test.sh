@@ -34,7 +34,25 @@ printf 'rod_CASE:FILEPATH=%s\n' "$(realpath rod/case.toml)" >rod/build/CMakeCach
 rm -f asked
 runs env -u CASE PATH="$scratch/bin:$PATH" make -C rod configured
 claim 'a configuration that failed is tried again' -e asked
-rm -rf bin asked 'rod/steel rod.toml' rod/build rod/build.log
+
+# A CMake that ends when another make says that it waits; without a turn the two would run at once.
+cat >bin/cmake <<END
+#!/bin/sh
+echo begin >>"$scratch/turns"
+for _ in \$(seq 100); do
+  if grep -qs waits "$scratch/second" || [ "\$(wc -l <"$scratch/turns")" -gt 1 ]; then break; fi
+  sleep 0.1
+done
+echo end >>"$scratch/turns"
+END
+rm -rf rod/build
+env -u CASE PATH="$scratch/bin:$PATH" make -C rod configured >/dev/null 2>&1 &
+for _ in {1..200}; do [[ ! -s turns ]] || break; sleep 0.05; done
+env PATH="$scratch/bin:$PATH" make -C rod configured CASE='steel rod.toml' >second 2>&1
+wait
+claim 'two makes at once have their turns' "$(tr '\n' ' ' <turns)" = 'begin end begin end '
+claim 'the second one says that it waits' "$(grep -c 'another make runs here, and this one waits for it' second)" -eq 1
+rm -rf bin asked turns second 'rod/steel rod.toml' rod/build rod/build.log
 
 commit=$(git -C "$source_dir" rev-parse HEAD 2>/dev/null | cut -c 1-12)
 for workflow in ci pages; do
