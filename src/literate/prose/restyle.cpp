@@ -205,18 +205,28 @@ Format format_of(const StoredNumber& stored, const Wish& wish, int n_digits) {
       "format = {}: must be one of fixed, significant, scientific, percent, uncertain", name));
 }
 
+/// The number in a style, without its error.
+Value bare(const StoredNumber& stored, const Format& format) {
+  return {stored.number, format, format.is_percentage() ? "" : stored.unit};
+}
+
+/// Whether a style prints digits that were never printed of a number without an error.
+bool prints_unknown_digits(const StoredNumber& stored, const Format& format) {
+  const double last = std::pow(10.0, stored.last_place) * stored.conversion;
+  return !stored.abs_error && !stored.is_exact &&
+         std::pow(10.0, bare(stored, format).last_place()) < last * (1 - 1e-9);
+}
+
 /// Throws for digits that the error of the stored number does not support, or that were never
 /// printed if it has none.
 void require_earned_digits(const StoredNumber& stored, const Format& format) {
-  const double bound =
-      stored.abs_error.value_or(std::pow(10.0, stored.last_place) * stored.conversion);
-  const Value bare(stored.number, format, format.is_percentage() ? "" : stored.unit);
+  const Value value = bare(stored, format);
   if (stored.abs_error) {
-    require_earned(stored.number, bare.last_place(), bound, bare.printed());
-  } else if (std::pow(10.0, bare.last_place()) < bound * (1 - 1e-9)) {
+    require_earned(stored.number, value.last_place(), *stored.abs_error, value.printed());
+  } else if (prints_unknown_digits(stored, format)) {
     throw std::invalid_argument(fmt::format(
         "'{}' has more digits than the value, which has no error bound, is printed with",
-        bare.printed()));
+        value.printed()));
   }
 }
 
@@ -239,7 +249,12 @@ Value restyled(const StoredNumber& original, std::string_view text) {
     const Format format = stored.is_percentage ? exact().in_percent() : exact();
     return {stored.number, format, stored.unit};
   }
-  Format format = format_of(stored, wish, n_digits_of(original));
+  // Without digits named, as many are printed as are known.
+  int n_digits = n_digits_of(original);
+  Format format = format_of(stored, wish, n_digits);
+  while (!wish.names_place() && n_digits > 1 && prints_unknown_digits(stored, format)) {
+    format = format_of(stored, wish, --n_digits);
+  }
   if (original.rounds_up) format = format.rounded_up();
   const std::string unit_of_print = format.is_percentage() ? "" : stored.unit;
   if (format.notation() == Notation::uncertain) {
@@ -247,7 +262,6 @@ Value restyled(const StoredNumber& original, std::string_view text) {
     return {numerics::Estimate{stored.number, *stored.abs_error}, format, unit_of_print};
   }
   if (stored.is_exact) return {numerics::Estimate{stored.number, 0}, format, unit_of_print};
-  // Without digits named, as many are printed as are earned.
   if (wish.names_place() || !stored.abs_error) require_earned_digits(stored, format);
   const double abs_error = stored.abs_error.value_or(0);
   return {numerics::Estimate{stored.number, abs_error}, format, unit_of_print};

@@ -27,6 +27,7 @@ const Names& names() {
     document.value("error", Value({7.37e-4, 6e-6}, scientific(1).rounded_up(), "in"));
     document.value("rounding", Value(2.34e-15, scientific(2)));
     document.value("small", Value({1.25e-7, 1e-12}, scientific(2), "lbf/in"));
+    document.value("catchment", Value(17788.04, significant(5), "km2"));
     document.value("tie", Value(0.125, exact()));
     document.value("count", Value(1048576, integer()));
     document.value("heat", Value({20, 0.1}, fixed(1), "degC"));
@@ -89,6 +90,7 @@ BOOST_AUTO_TEST_CASE(a_value_keeps_its_unit_and_converts_into_others) {
   BOOST_TEST(styled("period", "unit=ms").printed() == "2346 ms");
   BOOST_TEST(styled("period", "unit=ms,digits=5").printed() == "2345.7 ms");
   BOOST_TEST(styled("period", "unit=ms,format=uncertain").printed() == "2345.679(21) ms");
+  BOOST_TEST(styled("catchment", "unit=mi2").printed() == "6868 mi²");  // 6868.0 is not known
   BOOST_TEST(styled("small", "unit=N/m").printed() == "2.2e-5 N/m");
 }
 

@@ -112,7 +112,8 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
       "\\val[unit=um^2,digits=2]{load_1.a-b} $a = \\val[unit=um^2,digits=2]{load_1.a-b}$\n"
       "\\qty{2}{\\LiterateAngstrom}\n\n"
       "a \\val[unit=um km,digits=2]{load_1.a-b} b \\val[unit=um2,digits=2]{load_1.a-b} c "
-      "$\\val[unit={1/cm⁻²},digits=2]{load_1.a-b}$ d");
+      "$\\val[unit={1/cm⁻²},digits=2]{load_1.a-b}$ d "
+      "{\\fontfamily{ptm}\\scshape\\val[unit={cm²},digits=2]{load_1.a-b}} e");
   const Names names = read_names(paper.options.generated_dir / "names.json");
   sys::write_file_atomically(paper.options.build_dir / "restyled.tex",
                              restyled_values(paper.options.source_dir, names).latex);
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
   BOOST_TEST(first != std::string::npos, text.output);
   BOOST_TEST(text.output.find("µm", first + 1) != std::string::npos, text.output);
   // A power is raised, and a blank stands between two names.
-  for (const char* part : {"µm km b", "µm2 c", "cm2 d"}) {
+  for (const char* part : {"µm km b", "µm2 c", "cm2 d", "cm2 e"}) {
     BOOST_TEST(text.output.find(part) != std::string::npos, text.output);
   }
   const bool has_ring = text.output.find("2 Å") != std::string::npos ||
