@@ -163,9 +163,8 @@ std::vector<std::string> findings_in(std::string_view text, const std::string& f
     for (; next != typed.end() && next->at < begin + line.size(); ++next) {
       if (marker.is_there) continue;
       report(sys::n_characters(text.substr(begin, next->at - begin)) + 1,
-             fmt::format("{} is typed and would stay when results change: take it from the "
-                         "computation or, if it is no result, end the line with "
-                         "'{} constant: reason'",
+             fmt::format("{} is typed: take it from the computation, or, if it is no result, end "
+                         "the line with '{} constant: reason'",
                          next->number, sign));
     }
     if (marker.is_there && !marker.has_reason) report(1, "a constant is marked without a reason");

@@ -26,12 +26,11 @@ std::string found_in(const std::string& latex) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_typed_result_has_file_line_column_and_what_to_do) {
-  BOOST_TEST(
-      typed_numbers("one\né the peak is 1.234 high\n", "s/a.tex") ==
-          (std::vector<std::string>{
-              "s/a.tex:2:15: 1.234 is typed and would stay when results change: take it from the "
-              "computation or, if it is no result, end the line with '% constant: reason'"}),
-      boost::test_tools::per_element());
+  BOOST_TEST(typed_numbers("one\né the peak is 1.234 high\n", "s/a.tex") ==
+                 (std::vector<std::string>{
+                     "s/a.tex:2:15: 1.234 is typed: take it from the computation, or, if it is no "
+                     "result, end the line with '% constant: reason'"}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(more_than_two_significant_digits_are_a_result) {
@@ -147,18 +146,20 @@ BOOST_AUTO_TEST_CASE(texts_and_data_of_a_figures_script_are_looked_at) {
       "constant: as printed\n"
       "$d << EOD\n1 2\nEOD\n";
 
-  BOOST_TEST(
-      typed_numbers_in_script(script, "figures/f.gp") ==
-          (std::vector<std::string>{
-              "figures/f.gp:2:14: 1.234 is typed: take it from the computation, or end the "
-              "line with '# constant: reason'",
-              "figures/f.gp:3:18: 5 is typed: take it from the computation, or end the line "
-              "with '# constant: reason'",
-              "figures/f.gp:5:57: a block of data is typed: take it from the computation, or "
-              "end the line with '# constant: reason'",
-              "figures/f.gp:7:1: a block of data is typed: take it from the computation, or "
-              "end the line with '# constant: reason'"}),
-      boost::test_tools::per_element());
+  BOOST_TEST(typed_numbers_in_script(script, "figures/f.gp") ==
+                 (std::vector<std::string>{"figures/f.gp:2:14: 1.234 is typed: take it from the "
+                                           "computation, or, if it is no result, end the "
+                                           "line with '# constant: reason'",
+                                           "figures/f.gp:3:18: 5 is typed: take it from the "
+                                           "computation, or, if it is no result, end the line "
+                                           "with '# constant: reason'",
+                                           "figures/f.gp:5:57: a block of data is typed: take it "
+                                           "from the computation, or, if it is no result, "
+                                           "end the line with '# constant: reason'",
+                                           "figures/f.gp:7:1: a block of data is typed: take it "
+                                           "from the computation, or, if it is no result, "
+                                           "end the line with '# constant: reason'"}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -87,10 +87,11 @@ BOOST_AUTO_TEST_CASE(each_panel_has_the_mark_of_its_own_data) {
 
 BOOST_AUTO_TEST_CASE(of_subfloats_the_whole_has_the_marks) {
   const std::string panels =
-      "\\begin{figure}\\subfloat[Left.]{\\tab{left}} "
-      "\\subfloat[Right.]{\\tab{right}}\\caption{Two.}"
-      "\\end{figure}\n"
-      "\\begin{figure}\\subfloat[Part.]{\\tab{one}}\\caption{Next.}\\end{figure}\n\\attachdata";
+      "\\begin{figure}\\subfloat[Left.]{\\rule{3cm}{0pt}\\tab{left}} "
+      "\\subfloat[Right.]{\\rule{3cm}{0pt}\\tab{right}}"
+      "\\caption{Two.}\\end{figure}\n"
+      "\\begin{figure}\\subfloat[Part.]{\\rule{3cm}{0pt}\\tab{one}}\\caption{Next.}\\end{figure}"
+      "\n\\attachdata";
   for (const std::string& preamble :
        {column + "\\usepackage[caption=false]{subfig}\n", page + "\\usepackage{subfig}\n"}) {
     const std::string text = text_of(preamble, panels);

@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(a_whole_document_has_the_same_bytes_in_another_folder) {
 BOOST_AUTO_TEST_CASE(restyled_values_reach_text_formulas_captions_and_bookmarks) {
   const Paper paper(
       "\\tableofcontents\\section{Area \\val[digits=2]{load_1.a-b}}\n"
-      "$a=\\val[unit=cm^2, digits=3]{load_1.a-b}$ \\val[unit={cm²},digits=2]{load_1.a-b} \\textbf{\\val[format=scientific]{load_1.a-b}}\n"
+      "$a=\\val[unit=cm^2, digits=3]{load_1.a-b}$ \\val[unit={cm²},digits=2]{load_1.a-b} "
+      "\\textbf{\\val[format=scientific]{load_1.a-b}}\n"
       "\\begin{table}\\caption{\\val[decimals=9]{load_1.a-b}}\\tab{t}\\end{table}\n"
       "\\rule{\\rawval[unit=mm^2]{load_1.a-b}pt}{1pt}\\ifdim\\rawval{load_1.a-b}pt<1pt small\\fi");
   const Names names = read_names(paper.options.generated_dir / "names.json");
