@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <regex>
 #include <set>
 
 #include "literate/prose/tex_scanner.hpp"
@@ -36,6 +37,14 @@ void read_cleveref(const std::string& text, PrintedLabel& label) {
   label.order = fmt::format("{:>40}{:>8}", parts[2], parts[1]);
   label.above = parts[2];
   label.count = std::atoi(std::string(parts[1]).c_str());
+}
+
+// Cleveref makes the capital of a name that the document gives when it prints the name.
+std::string with_capital(const std::string& name) {
+  static const std::regex made(R"(^\\MakeUppercase\s*(?:\[\])?\s*\{([a-z])\}(.*)$)");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, made)) return name;
+  return static_cast<char>(parts.str(1)[0] - 'a' + 'A') + parts.str(2);
 }
 
 }  // namespace
@@ -83,7 +92,8 @@ void LatexNumbers::read(const std::filesystem::path& aux) {
       citations_[arguments[0]] = parts.empty() ? std::vector{arguments[1]} : parts;
     }
     if (command == "\\LiterateName" && n == 5) {
-      names_[arguments[0]] = {arguments[1], arguments[2], arguments[3], arguments[4]};
+      names_[arguments[0]] = {arguments[1], arguments[2], with_capital(arguments[3]),
+                              with_capital(arguments[4])};
     }
     // An environment of several numbered parts steps its counter once more for the whole.
     if (command == "\\LiterateNumber" && n == 5 && arguments[2] != "subequations" &&

@@ -95,6 +95,15 @@ BOOST_AUTO_TEST_CASE(labels_are_those_of_hyperref_and_cleveref) {
   BOOST_TEST(numbers.names("equation")[3] == "Eqs.");
 }
 
+BOOST_AUTO_TEST_CASE(a_name_begins_with_a_capital_at_the_start_of_a_sentence) {
+  const LatexNumbers numbers =
+      Aux("\\LiterateName{equation}{eq.}{eqs.}{\\MakeUppercase    []{e}q.}{\\MakeUppercase {e}qs.}\n")
+          .read();
+
+  BOOST_TEST(numbers.names("equation")[2] == "Eq.");
+  BOOST_TEST(numbers.names("equation")[3] == "Eqs.");
+}
+
 BOOST_AUTO_TEST_CASE(citations_are_those_of_plain_latex_and_natbib) {
   const LatexNumbers numbers = Aux("\\bibcite{a}{7}\n\\bibcite{b}{{8}{2001}{Curie}{}}\n").read();
 

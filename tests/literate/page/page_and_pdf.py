@@ -12,8 +12,8 @@ over a claim's mark or a note.
 Left out, on both sides: listings; labels in drawings, which are typeset once more and counted; running heads; lists of
 contents; marks at captions that lead to data; where a claim, a value or a drawing is used, for which the PDF has pages and the
 page has sections; the word behind a claim's mark, for which the page has a sign; the second mark of a footnote; heads that a
-table repeats on each sheet; and punctuation. Capitals are not told from small letters, since some classes
-print headings in capitals."""
+table repeats on each sheet; and punctuation, but for brackets around nothing. Capitals are told from small letters in names of
+references alone, since some classes print headings in capitals."""
 import collections
 import html.parser
 import itertools
@@ -52,6 +52,11 @@ def tokens(text):
     return TOKEN.findall(normal(text))
 
 
+def cased(text):
+    """The words of a text, each with its own capitals."""
+    return [word for word in TOKEN.findall(unicodedata.normalize("NFKC", text)) if word[0].isalpha() and len(word) > 1]
+
+
 class Page(html.parser.HTMLParser):
     """What a page says: its words with their places, the letters of its formulas, the code of its listings; and what it shows."""
 
@@ -66,7 +71,7 @@ class Page(html.parser.HTMLParser):
         self.signs, self.lists, self.items, self.parts = collections.Counter(), [], [], set()
         self.drawings, self.verdicts, self.used, self.notes, self.places = [], [], [], [], {}
         self.open, self.said, self.kinds, self.at = [], "", "", "the beginning"
-        self.pairs = []
+        self.pairs, self.whole, self.named = [], "", set()
         self.feed(file.read_text(encoding="utf-8"))
         self.end_of_text()
 
@@ -75,6 +80,7 @@ class Page(html.parser.HTMLParser):
         classes = set((attributes.get("class") or "").split())
         if tag not in IN_LINE or "lit-note" in classes:
             self.end_of_text()
+            self.whole += "\n"
         if classes & self.APART:
             self.add(APART, "text")
         if attributes.get("id") and tag in {"section", "figure", "div", "article", "p"}:
@@ -144,6 +150,9 @@ class Page(html.parser.HTMLParser):
         else:
             self.signs.update(c for c in data if c in SIGNS)
             data = unicodedata.normalize("NFKC", data)
+            self.whole += data
+            if any("lit-ref" in classes for _, _, classes in self.open):
+                self.named.update(cased(data))
             # A letter that is raised stands apart in the PDF.
             if data[:1].isalpha() and self.open and self.open[-1][0] in {"sup", "sub"}:
                 data = f" {data} "
@@ -379,6 +388,7 @@ def main():
     if letters != wanted:
         print("letters and digits of formulas that only the PDF has:", dict(letters - wanted), "only the page:", dict(wanted - letters))
         n_errors = n_errors or 1
+    n_errors += misspelt(page, "\n".join(line.text for sheet in all_lines(output / f"{name}.pdf") for line in sheet))
     print(f"{len(page.words)} words and {len(page.formulas)} pieces of formulas compared; {n_errors} stand in one and not the other")
     return 1 if n_errors else 0
 
@@ -399,6 +409,21 @@ def disordered(pairs, lines):
             begins.update(behind[:2 if len(behind[0]) == 1 else 1])
     counted = collections.Counter(pair for pair, _ in pairs) - follow
     return {pair: n for pair, n in counted.items() if not (pair[0] in ends and pair[1] in begins)}
+
+
+def misspelt(page, pdf):
+    """Tells names of references with other capitals than those of the PDF, and brackets around nothing; says how many these are."""
+    # The one reading has words that a line breaks, the other those that have a hyphen of their own.
+    in_pdf = collections.Counter(cased(pdf)) | collections.Counter(cased(re.sub("[-\u2010]\n", "", pdf)))
+    in_page, n_errors = collections.Counter(cased(page.whole)), max(page.whole.count("[]") - pdf.count("[]"), 0)
+    if n_errors:
+        print(f"'[]' stands {n_errors} times more in the page than in the PDF")
+    for word in sorted(page.named):
+        surplus = in_page[word] - in_pdf[word]
+        if surplus > 0:
+            print(f"'{word}' with these capitals stands {surplus} times more in the page than in the PDF")
+            n_errors += surplus
+    return n_errors
 
 
 def show(here, there, counted, words):
