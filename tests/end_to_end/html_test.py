@@ -59,6 +59,17 @@ def check_on_desktop(browser):
           return Object.values(ends).filter(all => Math.max(...all) - Math.min(...all) > 1.5)
             .map(all => body.closest('table').dataset.table + ': ' + all.map(Math.round));
         })"""))
+    claim("no drawing is cut at its edge", browser.evaluate(
+        """Promise.all([...document.querySelectorAll('img[data-drawing]')].map(async image => {
+          await image.decode();
+          const width = 2 * image.naturalWidth, height = 2 * image.naturalHeight;
+          const paper = new OffscreenCanvas(width, height).getContext('2d');
+          paper.drawImage(image, 0, 0, width, height);
+          const edges = [[0, 0, width, 1], [0, height - 1, width, 1], [0, 0, 1, height], [width - 1, 0, 1, height]];
+          // White is paper, as nothing is.
+          return edges.some(edge => paper.getImageData(...edge).data.some((byte, i, all) =>
+            i % 4 === 3 && byte > 0 && Math.min(all[i - 1], all[i - 2], all[i - 3]) < 250)) ? image.dataset.drawing : '';
+        })).then(cut => cut.filter(name => name))"""))
     claim("no formula is an error", browser.evaluate(
         "[...document.querySelectorAll('merror')]"
         ".map(e => e.textContent)"))

@@ -2,6 +2,9 @@
 // Figures that can be pointed at: the nearest point of a curve is marked and its numbers are told, by the pointer, a touch
 // or the arrow keys. What gnuplot drew stays as it is below.
 
+/// The margin around a drawing, for labels beyond its frame: 9 points in figures.tex.
+const drawingMargin = 9 * 96 / 72;
+
 /// Where a number stands on an axis, as a share of the frame.
 function shareOf(axis, number) {
   const at = axis.log ? Math.log : (x) => x;
@@ -54,9 +57,16 @@ function makePointable(image, panels) {
   box.after(reading);
   let at = -1;
 
+  // Lays the overlay upon the drawing's frame, once the image has its size, and says where that is.
+  function frame() {
+    const across = 100 * drawingMargin / image.naturalWidth, down = 100 * drawingMargin / image.naturalHeight;
+    Object.assign(overlay.style, {left: `${across}%`, top: `${down}%`, width: `${100 - 2 * across}%`, height: `${100 - 2 * down}%`});
+    return overlay.getBoundingClientRect();
+  }
+
   function mark(i) {
     at = i;
-    const {width, height} = box.getBoundingClientRect();
+    const {width, height} = frame();
     const {panel, across, down} = points[i];
     const [left, right, bottom, top] = panel.frame;
     const place = (line, x1, y1, x2, y2) => Object.entries({x1: x1 * width, y1: y1 * height, x2: x2 * width, y2: y2 * height})
@@ -76,7 +86,7 @@ function makePointable(image, panels) {
   }
   // The nearest point to the pointer, if the pointer is near one.
   function point(event) {
-    const {left, top, width, height} = box.getBoundingClientRect();
+    const {left, top, width, height} = frame();
     const x = event.clientX - left, y = event.clientY - top;
     let nearest = -1, least = 60;
     points.forEach(({across, down}, i) => {

@@ -108,11 +108,11 @@ def check_figures(browser, page):
     browser.open(page)
     x, y, width, height = browser.evaluate("(document.querySelector('#F1 .lit-pointed').scrollIntoView({block: 'center'}),"
                                            " (r => [r.x, r.y, r.width, r.height])(document.querySelector('#F1 img').getBoundingClientRect()))")
-    browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + width * 160 / 300 + 4, y=y + height * 80 / 180 + 3)
+    browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + 12 + (width - 24) * 160 / 300 + 4, y=y + 12 + (height - 24) * 80 / 180 + 3)
     claim("the point under the pointer is told with its numbers",
           missing(text_of(browser, "#F1 .lit-reading"), "integral: ", "angle (°): 60", ": 2"))
     claim("the point under the pointer is marked where it is drawn", browser.evaluate(
-        f"(c => Math.hypot(c.getAttribute('cx') - {width * 160 / 300}, c.getAttribute('cy') - {height * 80 / 180}) > 1)"
+        f"(c => Math.hypot(c.getAttribute('cx') - {(width - 24) * 160 / 300}, c.getAttribute('cy') - {(height - 24) * 80 / 180}) > 1)"
         "(document.querySelector('#F1 circle'))"))
     browser.evaluate("document.querySelector('#F1 .lit-pointed').focus()")
     browser.press("ArrowRight")
