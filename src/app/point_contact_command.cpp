@@ -9,8 +9,7 @@
 #include "app/commands.hpp"
 #include "app/output.hpp"
 #include "app/point_contact_options.hpp"
-#include "point_contact/solver/regions.hpp"
-#include "point_contact/solver/vtu.hpp"
+#include "point_contact/solver/solution.hpp"
 #include "system/files.hpp"
 
 namespace app {

@@ -11,7 +11,7 @@
 
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
 #include "point_contact/solver/fft_solver.hpp"
-#include "point_contact/solver/memory.hpp"
+#include "point_contact/solver/problem.hpp"
 #include "system/require.hpp"
 
 namespace app {

@@ -11,8 +11,8 @@
 #include "app/contact_options.hpp"
 #include "app/csv_files.hpp"
 #include "app/output.hpp"
+#include "line_contact/element_field.hpp"
 #include "line_contact/mcewen.hpp"
-#include "line_contact/traction.hpp"
 
 namespace app {
 namespace {

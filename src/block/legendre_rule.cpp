@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/legendre_rule.hpp"
+#include "block/lobatto_basis.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/lobatto_basis.hpp"
 
-#include "block/legendre_rule.hpp"
-
 namespace block {
 
 LobattoBasis::LobattoBasis(int order) : nodes_(lobatto_rule(order + 1).points) {

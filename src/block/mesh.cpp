@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "block/legendre_rule.hpp"
+#include "block/lobatto_basis.hpp"
 #include "system/require.hpp"
 
 namespace block {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "block/legendre_rule.hpp"
+#include "block/lobatto_basis.hpp"
 #include "system/require.hpp"
 
 namespace block {

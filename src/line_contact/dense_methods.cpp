@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "line_contact/free_ends.hpp"
+#include "line_contact/fft_solver.hpp"
 #include "line_contact/nested_grids.hpp"
 #include "system/require.hpp"
 

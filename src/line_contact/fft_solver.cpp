@@ -5,7 +5,6 @@
 
 #include <utility>
 
-#include "line_contact/free_ends.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {

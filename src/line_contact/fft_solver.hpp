@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+
 #include "line_contact/nested_grids.hpp"
+#include "line_contact/problem.hpp"
 #include "line_contact/solution.hpp"
 
 namespace line_contact {
@@ -24,5 +27,10 @@ double require_tolerance(double tolerance);
 /// of reach (the message says what is left), or contact that reaches the end of the grid.
 Solution solve_by_fft(const Problem& problem, double line_load,
                       double tolerance = default_tolerance, const ProgressReport& report = {});
+
+/// Throws InvalidQuantity if contact reaches an end of the grid, which then hides part of it: the
+/// pressures (in any unit) are > 0 there. It says what domain the load needs, found on a coarse
+/// grid, or that the profile is not given that far out.
+void require_free_ends(const Problem& problem, const Eigen::VectorXd& pressure, double line_load);
 
 }  // namespace line_contact

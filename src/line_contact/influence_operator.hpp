@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "line_contact/element.hpp"
-#include "numerics/real_fourier.hpp"
+#include "numerics/fourier.hpp"
 
 namespace line_contact {
 

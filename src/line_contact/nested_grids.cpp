@@ -11,7 +11,6 @@
 
 #include "contact/contact_search.hpp"
 #include "line_contact/projected_cg.hpp"
-#include "line_contact/prolongation.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "line_contact/grid.hpp"
 #include "line_contact/problem.hpp"
 #include "line_contact/solution.hpp"
 
@@ -38,5 +39,10 @@ NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, d
 
 /// The same with δ, found at the node that carries most.
 ElementLoads element_loads(const Problem& problem, NestedSolution nested);
+
+/// The pressure of a coarse grid at the nodes of a fine one, none of them one-sided: linear between
+/// nodes in contact, cubic where four of them are, and like a square root at the edge, which
+/// regions_in_contact() places. 0 outside contact.
+Eigen::VectorXd prolongate(const Grid& coarse, const Eigen::VectorXd& pressure, const Grid& fine);
 
 }  // namespace line_contact

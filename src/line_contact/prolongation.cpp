@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/prolongation.hpp"
+#include "line_contact/nested_grids.hpp"
 
 #include <algorithm>
 #include <cmath>

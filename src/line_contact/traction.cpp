@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/traction.hpp"
+#include "line_contact/element_field.hpp"
 
 #include <vector>
 

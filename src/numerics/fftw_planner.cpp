@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numerics/fftw_planner.hpp"
+#include "numerics/fourier.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numerics/real_fourier.hpp"
+#include "numerics/fourier.hpp"
 
 #include <new>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/block_figures.hpp"
+#include "paper/block_claims.hpp"
 
 #include <cmath>
 #include <limits>

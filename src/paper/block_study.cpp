@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "block/mass_properties.hpp"
+#include "block/rectangle.hpp"
 #include "elasticity/load_shapes.hpp"
 #include "paper/prelude.hpp"
 #include "system/parallel.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/crossed_cylinders.hpp"
+#include "paper/spheres.hpp"
 
 #include <algorithm>
 #include <cmath>

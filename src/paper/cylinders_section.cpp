@@ -9,7 +9,7 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/sections.hpp"
-#include "paper/sphere_errors.hpp"
+#include "paper/spheres.hpp"
 
 namespace paper {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "elasticity/load_shapes.hpp"
 #include "paper/block_claims.hpp"
-#include "paper/block_figures.hpp"
 #include "paper/block_study.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/friction_pair.hpp"
+#include "paper/friction.hpp"
 
 #include "line_contact/dense_methods.hpp"
 #include "paper/prelude.hpp"

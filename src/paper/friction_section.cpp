@@ -15,9 +15,8 @@
 #include "line_contact/sliding_hertz.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/friction_pair.hpp"
+#include "paper/friction.hpp"
 #include "paper/greatest_shear.hpp"
-#include "paper/partial_slip.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/partial_slip.hpp"
+#include "paper/friction.hpp"
 
 #include <fmt/core.h>
 

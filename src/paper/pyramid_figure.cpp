@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/pyramid_figure.hpp"
+#include "paper/spheres.hpp"
 
 #include <array>
 #include <cmath>

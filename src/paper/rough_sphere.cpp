@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/rough_sphere.hpp"
+#include "paper/spheres.hpp"
 
 #include <cmath>
 #include <numbers>

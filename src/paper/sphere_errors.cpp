@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/sphere_errors.hpp"
+#include "paper/spheres.hpp"
 
 #include <cmath>
 

@@ -6,12 +6,8 @@
 #include <vector>
 
 #include "paper/bounds.hpp"
-#include "paper/crossed_cylinders.hpp"
-#include "paper/point_elements.hpp"
-#include "paper/pyramid_figure.hpp"
-#include "paper/rough_sphere.hpp"
 #include "paper/sections.hpp"
-#include "paper/sphere_errors.hpp"
+#include "paper/spheres.hpp"
 #include "point_contact/study/two_spheres.hpp"
 
 namespace paper {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "line_contact/dense_methods.hpp"
+#include "line_contact/element_field.hpp"
 #include "line_contact/friction.hpp"
 #include "line_contact/mcewen.hpp"
 #include "line_contact/sliding_hertz.hpp"
-#include "line_contact/traction.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/convergence.hpp"

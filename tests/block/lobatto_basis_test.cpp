@@ -4,8 +4,6 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "block/legendre_rule.hpp"
-
 BOOST_AUTO_TEST_SUITE(lobatto_basis_test)
 
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "block/factorization.hpp"
-#include "block/legendre_rule.hpp"
+#include "block/lobatto_basis.hpp"
 
 BOOST_AUTO_TEST_SUITE(manufactured_solution_test)
 

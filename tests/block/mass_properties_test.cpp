@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/mass_properties.hpp"
+#include "block/rectangle.hpp"
 
 #include <boost/test/unit_test.hpp>
 

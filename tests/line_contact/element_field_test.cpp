@@ -10,7 +10,6 @@
 #include "line_contact/friction.hpp"
 #include "line_contact/hertz.hpp"
 #include "line_contact/mcewen.hpp"
-#include "line_contact/traction.hpp"
 #include "system/require.hpp"
 
 BOOST_AUTO_TEST_SUITE(element_field_test)

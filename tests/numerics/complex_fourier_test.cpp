@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numerics/complex_fourier.hpp"
+#include "numerics/fourier.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

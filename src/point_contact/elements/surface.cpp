@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/elements/surface.hpp"
+#include "point_contact/elements/interior.hpp"
 
 #include <algorithm>
 #include <cmath>

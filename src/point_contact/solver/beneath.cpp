@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "point_contact/elements/force.hpp"
-#include "point_contact/elements/surface.hpp"
+#include "point_contact/elements/interior.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {

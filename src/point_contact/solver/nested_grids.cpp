@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "contact/contact_search.hpp"
-#include "point_contact/solver/memory.hpp"
-#include "point_contact/solver/prolongation.hpp"
+#include "point_contact/solver/problem.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+
+#include "point_contact/solver/grid.hpp"
 #include "point_contact/solver/projected_cg.hpp"
 #include "point_contact/solver/solution.hpp"
 
@@ -20,5 +23,11 @@ struct Accuracy {
 /// tolerance out of reach, ContactError if the contact does not settle.
 ElementLoads solve_on_nested_grids(const Problem& problem, Control control, double load_or_approach,
                                    const Accuracy& accuracy);
+
+/// Pressures on a fine grid from those on a coarser one of the same domain, 0 outside contact.
+///
+/// At the edge of a contact p² begins linearly, so it is p² that is interpolated bilinearly, after
+/// it was continued linearly across the edge, where it becomes negative.
+Eigen::VectorXd prolongate(const Grid& coarse, const Eigen::VectorXd& pressure, const Grid& fine);
 
 }  // namespace point_contact

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/complex_fourier.hpp"
+#include "numerics/fourier.hpp"
 #include "point_contact/solver/row_team.hpp"
 
 namespace point_contact {

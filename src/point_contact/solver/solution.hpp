@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <vector>
 
 #include "point_contact/solver/problem.hpp"
 
@@ -69,5 +71,22 @@ double total_phi(const Problem& problem, double load);
 
 /// The loads as pressures, with their residuals. `load` is what was asked for, or what was found.
 Solution to_solution(const Problem& problem, double load, ElementLoads loads);
+
+/// A part of the surface in contact whose nodes are neighbours of one another.
+struct Region {
+  Vector2 centre;  ///< of its pressure
+  double load;     ///< what it carries, a force
+  double area;     ///< of its nodes' cells
+  Eigen::Index n_nodes;
+};
+
+/// The regions in contact, those that carry most first. Neighbours of a node are the six at
+/// ±first, ±second and ±(second − first), the corners of a pyramid's hexagon.
+std::vector<Region> regions(const Solution& solution);
+
+/// A solution as a VTU file (VTK's XML unstructured grid, appended raw data) for ParaView: the
+/// nodes at z = 0; triangles between them for pyramids and staggered rows, else quadrilaterals;
+/// point data `pressure` and `gap`, and `shear` if there is one at every node.
+std::string vtu(const Solution& solution, const Eigen::VectorXd& shear = {});
 
 }  // namespace point_contact

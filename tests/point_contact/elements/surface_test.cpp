@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/elements/surface.hpp"
+#include "point_contact/elements/interior.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "numerics/quadrature.hpp"
-#include "point_contact/elements/interior.hpp"
 
 BOOST_AUTO_TEST_SUITE(surface_test)
 

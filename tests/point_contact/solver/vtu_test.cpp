@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file is read back by its own header: attributes from the XML, numbers from the appended data.
-#include "point_contact/solver/vtu.hpp"
+#include "point_contact/solver/solution.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cstdint>
