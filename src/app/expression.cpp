@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/expression.hpp"
+#include "app/load_choices.hpp"
 
 #include <fmt/core.h>
 #include <muParser.h>

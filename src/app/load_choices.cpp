@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/csv_files.hpp"
-#include "app/expression.hpp"
 #include "elasticity/piecewise_linear_load.hpp"
 #include "system/require.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,15 @@
 #include "elasticity/load_shapes.hpp"
 
 namespace app {
+
+/// The function of x that a formula spells, such as p0*(1-(x/a)^4): muParser's operators and
+/// functions (sin, sqrt, abs, exp, ln, min, …), pi, and these constants. The function throws
+/// sys::InputError naming x where the formula has no finite value. `what` begins the messages.
+///
+/// Throws sys::InputError naming the column of the formula where it is wrong. A decimal point is
+/// one in every locale.
+std::function<double(double)> parse_expression(const std::string& what, const std::string& formula,
+                                               const std::map<std::string, double>& constants);
 
 /// A load that a flag such as --shape names: those of elasticity::load_shapes(), one from a file
 /// and one from a formula.

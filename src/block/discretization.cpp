@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block/mesh_refinement.hpp"
+#include "block/mesh.hpp"
 #include "block/nodal_forces.hpp"
 #include "system/require.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/mesh_refinement.hpp"
+#include "block/mesh.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "literate/claims/criterion.hpp"
 #include "paper/prelude.hpp"
 
@@ -26,5 +28,8 @@ inline Limit of_second_order(double square) {
   return {literate::LimitKind::convention, square,
           "(𝑐/𝑎)²; at the peak linear interpolation has an eighth of it"};
 }
+
+/// The fewest decimals, at most nine, that print every one of the points exactly.
+int decimals_of(const std::vector<double>& points);
 
 }  // namespace paper

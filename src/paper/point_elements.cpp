@@ -10,7 +10,7 @@
 
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
-#include "point_contact/study/element_study.hpp"
+#include "point_contact/study/two_spheres.hpp"
 
 namespace paper {
 namespace {

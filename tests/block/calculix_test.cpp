@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "block/calculix_deck.hpp"
+#include "block/exports.hpp"
 #include "block/paper_block.hpp"
 #include "needed_tool.hpp"
 #include "system/require.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "block/discretization.hpp"
-#include "block/mesh_refinement.hpp"
 #include "elasticity/load_shapes.hpp"
 #include "system/require.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/decimals.hpp"
+#include "paper/conventions.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/elements/edge.hpp"
+#include "point_contact/elements/patch.hpp"
 
 #include <cmath>
 

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <vector>
 
-#include "point_contact/elements/polygon.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {

@@ -43,4 +43,26 @@ class Patch {
   Expansion at_first_corner_;
 };
 
+/// What the edge of a polygon, gone through counter-clockwise, contributes to the potentials of the
+/// pressures on it at a point in its plane. With h the distance of the point from the edge's line,
+/// positive inside, s the coordinate along it from the foot of the perpendicular, and r² = h² + s²:
+struct EdgeIntegrals {
+  Vector2 tangent;      ///< t, the unit vector along the edge
+  Vector2 normal;       ///< n, the outward unit normal
+  double distance;      ///< h
+  double inverse;       ///< ∫ ds/r, a number; infinite on the edge
+  double angular;       ///< h ∫ ds/r, a length; the sum over edges is ∫ dA/r
+  double first_moment;  ///< ∫ r ds, an area; the sum over edges of n times it is ∫ (Q−P)/r dA
+  double rise;          ///< ∫ s/r ds, the rise of r along the edge, a length
+  double rise_of_cube;  ///< ∫ s r ds, a third of the rise of r³, a volume
+};
+
+/// The integrals over the edge from `begin` to `end` at the point `at`. All but ∫ ds/r are finite
+/// everywhere: on the edge's line, where h = 0, `angular` is 0. The logarithms in
+///
+///   ∫ ds/r = asinh(s₂/|h|) − asinh(s₁/|h|),   ∫ r ds = ½[s₂r₂ − s₁r₁ + h² ∫ ds/r]
+///
+/// are subtracted before they are taken if s₁ and s₂ have the same sign.
+EdgeIntegrals edge_integrals(const Vector2& begin, const Vector2& end, const Vector2& at);
+
 }  // namespace point_contact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/elements/polygon.hpp"
+#include "point_contact/elements/element.hpp"
 
 #include <cstddef>
 
-#include "point_contact/elements/edge.hpp"
+#include "point_contact/elements/patch.hpp"
 
 namespace point_contact {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "point_contact/elements/edge.hpp"
+#include "point_contact/elements/patch.hpp"
 
 namespace point_contact {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "numerics/quadrature.hpp"
-#include "point_contact/elements/polygon.hpp"
+#include "point_contact/elements/element.hpp"
 #include "system/require.hpp"
 
 BOOST_AUTO_TEST_SUITE(interior_test)

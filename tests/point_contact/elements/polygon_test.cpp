@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/elements/polygon.hpp"
+#include "point_contact/elements/element.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/study/element_study.hpp"
+#include "point_contact/study/two_spheres.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
