@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/element_stiffness.hpp"
 
-#include "block/factorization_error.hpp"
-
 namespace block {
 
 Lame lame(const elasticity::Material& material) {

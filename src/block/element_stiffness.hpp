@@ -7,8 +7,15 @@
 
 #include "block/lobatto_basis.hpp"
 #include "elasticity/material.hpp"
+#include "system/error.hpp"
 
 namespace block {
+
+/// A stiffness matrix that could not be factorised or solved with; what() says which and why.
+class FactorizationError : public sys::ComputationError {
+ public:
+  using ComputationError::ComputationError;
+};
 
 /// Lamé's constants λ = Eν/[(1 + ν)(1 − 2ν)] and μ = E/[2(1 + ν)], two stresses.
 struct Lame {

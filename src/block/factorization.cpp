@@ -7,7 +7,7 @@
 #include <chrono>
 #include <utility>
 
-#include "block/factorization_error.hpp"
+#include "block/element_stiffness.hpp"
 
 namespace block {
 namespace {

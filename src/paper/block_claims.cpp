@@ -9,7 +9,7 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/prelude.hpp"
-#include "paper/quoted.hpp"
+#include "paper/printed_data.hpp"
 
 namespace paper {
 namespace {

@@ -14,7 +14,7 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/load_contest.hpp"
-#include "paper/quoted.hpp"
+#include "paper/printed_data.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {

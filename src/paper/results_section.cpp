@@ -10,7 +10,7 @@
 #include "elasticity/surface_quadrature.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
-#include "paper/quoted.hpp"
+#include "paper/printed_data.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {

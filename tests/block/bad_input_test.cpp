@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "block/factorization_error.hpp"
+#include "block/element_stiffness.hpp"
 #include "block/paper_block.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "system/require.hpp"

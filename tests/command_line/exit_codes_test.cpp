@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "block/factorization_error.hpp"
+#include "block/element_stiffness.hpp"
 #include "command_line/number_text.hpp"
 #include "config/table.hpp"
 #include "contact/contact_search.hpp"

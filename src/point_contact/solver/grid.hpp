@@ -2,10 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 #include "point_contact/elements/lattice.hpp"
 
 namespace point_contact {
+
+/// A count that is never negative, as the standard library and FFTW take it.
+inline std::size_t size_of(Eigen::Index n) {
+  return static_cast<std::size_t>(n);
+}
 
 /// n1 × n2 nodes of a lattice, each with an element of its own, about a centre.
 ///

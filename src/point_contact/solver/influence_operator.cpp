@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
-#include "point_contact/solver/size_of.hpp"
+#include "point_contact/solver/grid.hpp"
 
 namespace point_contact {
 namespace {

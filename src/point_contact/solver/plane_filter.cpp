@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "point_contact/solver/size_of.hpp"
+#include "point_contact/solver/grid.hpp"
 
 namespace point_contact {
 namespace {

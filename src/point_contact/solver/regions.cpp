@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "point_contact/solver/size_of.hpp"
+#include "point_contact/solver/grid.hpp"
 
 namespace point_contact {
 namespace {

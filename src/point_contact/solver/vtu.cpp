@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "point_contact/solver/size_of.hpp"
+#include "point_contact/solver/grid.hpp"
 
 namespace point_contact {
 namespace {
