@@ -190,12 +190,11 @@ std::string csv_text(const Table& table) {
   constexpr std::size_t usual_cell = 18;
   const std::size_t n_rows = n_rows_of(table);
   text.reserve(usual_cell * columns.size() * n_rows);
-  auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < n_rows; ++i) {
     for (const Column* column : columns) {
       if (column != columns.front()) text += ',';
       if (column->texts.empty()) {
-        fmt::format_to(out, "{}", without_sign_of_zero(column->numbers[i]));
+        text += fmt::format("{}", without_sign_of_zero(column->numbers[i]));
       } else {
         text += column->texts[i];
       }
