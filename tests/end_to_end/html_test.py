@@ -116,6 +116,23 @@ def check_text(browser):
     return digits(text)
 
 
+def check_formulas(browser):
+    for width in (360, 1100, 1280):
+        browser.resize(width, 780)
+        claim(f"at {width} px the number of each formula is in sight", browser.evaluate(
+            """[...document.querySelectorAll('.lit-equation')].filter(box =>
+              [...box.querySelectorAll('.lit-equation-number')].some(number =>
+                number.getBoundingClientRect().right > Math.min(box.getBoundingClientRect().right, innerWidth) + 1))
+              .map(box => box.textContent.slice(-12))"""))
+        claim(f"at {width} px a formula is whole, or a shadow tells that it goes on", browser.evaluate(
+            """[...document.querySelectorAll('.lit-equation')].filter(box => box.scrollWidth > box.clientWidth + 1 &&
+              (getComputedStyle(box).backgroundImage === 'none' || innerWidth >= 1280)).map(box => box.textContent.slice(-30))"""))
+        claim(f"at {width} px no formula lies upon a note", browser.evaluate(
+            """(notes => [...document.querySelectorAll('.lit-equation')].map(e => [e, e.getBoundingClientRect()])
+              .filter(([e, a]) => notes.some(b => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom))
+              .map(([e]) => e.textContent.slice(-30)))([...document.querySelectorAll('.lit-note')].map(e => e.getBoundingClientRect()))"""))
+
+
 def check_on_phone(browser):
     browser.resize(360, 780)
     widths = browser.evaluate("[document.scrollingElement.scrollWidth, innerWidth]")
@@ -134,6 +151,7 @@ def check(browser):
     check_names(browser, names)
     text = check_text(browser)
     shown = set(browser.evaluate("[...document.querySelectorAll('.lit-value')].map(e => e.dataset.key)"))
+    check_formulas(browser)
     check_on_phone(browser)
     page_checks.check_size(claim, sys.argv[1])
     expected = numbers(names)
