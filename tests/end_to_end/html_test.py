@@ -127,6 +127,15 @@ def check_formulas(browser):
         claim(f"at {width} px a formula is whole, or a shadow tells that it goes on", browser.evaluate(
             """[...document.querySelectorAll('.lit-equation')].filter(box => box.scrollWidth > box.clientWidth + 1 &&
               (getComputedStyle(box).backgroundImage === 'none' || innerWidth >= 1280)).map(box => box.textContent.slice(-30))"""))
+        claim(f"at {width} px no line begins with the sign behind a formula", browser.evaluate(
+            """[...document.querySelectorAll('main p math')].filter(formula => {
+              const behind = formula.nextSibling;
+              if (behind?.nodeType !== 3 || !/^[.,;:)\\]%]/.test(behind.data)) return false;
+              const range = new Range();
+              range.setStart(behind, 0);
+              range.setEnd(behind, 1);
+              return range.getBoundingClientRect().left < formula.getBoundingClientRect().right - 2;
+            }).map(e => e.getAttribute('alttext'))"""))
         claim(f"at {width} px no formula lies upon a note", browser.evaluate(
             """(notes => [...document.querySelectorAll('.lit-equation')].map(e => [e, e.getBoundingClientRect()])
               .filter(([e, a]) => notes.some(b => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom))

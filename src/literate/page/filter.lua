@@ -74,6 +74,25 @@ local function breakable(math)
   return parts
 end
 
+-- A browser may break a line between a formula and a sign that touches it, which TeX never does.
+local function with_signs_close(inlines)
+  local kept = pandoc.List()
+  for _, inline in ipairs(inlines) do
+    local former = kept[#kept]
+    local sign, rest = nil, nil
+    if inline.t == "Str" and former and former.t == "Math" then sign, rest = inline.text:match("^([%.,;:%)%]%%]+)(.*)$") end
+    if sign then
+      kept:remove()
+      local before = kept[#kept]
+      local opening = before and before.t == "Str" and before.text:match("^[%(%[]$") and kept:remove() or pandoc.Str("")
+      kept:extend({html('<span class="lit-close">'), opening, former, pandoc.Str(sign), html("</span>"), pandoc.Str(rest)})
+    else
+      kept:insert(inline)
+    end
+  end
+  return kept
+end
+
 local function native_table(tbl)
   tbl.classes = {"lit-table", "lit-prose-table"}
   return tbl
@@ -107,6 +126,7 @@ return {
   {Div = block},
   {Link = inline},
   {RawInline = unknown, RawBlock = unknown, Table = native_table, Math = breakable},
+  {Inlines = with_signs_close},
   {Pandoc = function(doc)
     local blocks = contents(doc)
     blocks:extend(doc.blocks)

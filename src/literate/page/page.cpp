@@ -218,14 +218,15 @@ std::string tidied(std::string_view html) {
     html.remove_prefix(at);
     if (html.starts_with(math)) {
       const std::string_view whole = html.substr(0, html.find("</math>"));
-      const std::string body =
-          with_signs(with_plain_fences(between(whole, "<semantics>", annotation)));
+      std::string body = with_signs(with_plain_fences(between(whole, "<semantics>", annotation)));
+      // Rows of a display are as large as a display of one line.
+      const bool is_display = whole.starts_with("<math display=\"block");
+      if (is_display && body.starts_with("<mtable>")) body.insert(7, " displaystyle=\"true\"");
       // A head of nothing but a formula has no name for a screen reader.
       const bool is_head = text.ends_with("\">") && text.rfind("<th") == text.rfind('<');
       const std::string name = is_head ? fmt::format(" aria-label=\"{}\"", text_of_html(body)) : "";
       text +=
-          fmt::format("<math{}{} alttext=\"{}\">{}",
-                      whole.starts_with("<math display=\"block") ? " display=\"block\"" : "", name,
+          fmt::format("<math{}{} alttext=\"{}\">{}", is_display ? " display=\"block\"" : "", name,
                       boost::replace_all_copy(
                           std::string(between(whole, annotation, "</annotation>")), "\"", "&quot;"),
                       body);

@@ -209,6 +209,25 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rows_of_a_display_are_as_large_as_one_line) {
+  const std::string html = page_of(
+                               "\\begin{align*} a &= \\frac12 \\\\ b &= 3 \\end{align*} "
+                               "and \\[\\begin{pmatrix} 1 & 2 \\end{pmatrix}\\]\n",
+                               "\\relax\n")
+                               .html;
+
+  BOOST_TEST(holds(html, "<mtable displaystyle=\"true\"><mtr><mtd columnalign=\"right\""), html);
+  BOOST_TEST(holds(html, "<mtable><mtr>"), html);
+}
+
+BOOST_AUTO_TEST_CASE(no_line_breaks_between_a_formula_and_the_sign_behind_it) {
+  const std::string html = page_of("Of \\(a\\), (\\(b\\)) and \\(c\\) more.\n", "\\relax\n").html;
+
+  BOOST_TEST(holds(html, "<mi>a</mi></math>,</span> <"), html);
+  BOOST_TEST(holds(html, "<span class=\"lit-close\">(<math"), html);
+  BOOST_TEST(holds(html, "<mi>b</mi></math>)</span> and <math"), html);
+}
+
 BOOST_AUTO_TEST_CASE(a_minus_of_a_number_stands_close_to_it) {
   const std::string html = page_of("\\[a=-b-c\\]\n", "\\relax\n").html;
 
