@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "literate/document/document.hpp"
+#include "literate/page/html_text.hpp"
 #include "message_of.hpp"
 #include "needed_tool.hpp"
 #include "system/error.hpp"
@@ -207,6 +208,14 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
       BOOST_TEST(holds(page.html, wanted), page.html);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(plain_text_keeps_exponents_indices_and_fractions) {
+  BOOST_TEST(text_of_html("at most 7.5 × 10<sup>−5</sup>, by CO<sub>2</sub>") ==
+             "at most 7.5 × 10⁻⁵, by CO₂");
+  BOOST_TEST(text_of_html("order <math><mfrac><mn>1</mn><mn>2</mn></mfrac></math> of "
+                          "<msub><mi>p</mi><mn>0</mn></msub>") == "order 1/2 of p₀");
+  BOOST_TEST(text_of_html("<msup><mi>m</mi><mrow><mo>−</mo><mn>2</mn></mrow></msup>") == "m⁻²");
 }
 
 BOOST_AUTO_TEST_CASE(rows_of_a_display_are_as_large_as_one_line) {
