@@ -295,7 +295,7 @@ def left_out(output, document, main, page, names):
             if entry[0] not in LEVELS or LEVELS.index(entry[0]) <= deepest + 1:
                 out.update(tex_tokens(entry[1] + " " + entry[2], values))
     has_provenance, marks = "\\LiterateHasProvenance" in aux, collections.Counter()
-    for name in re.findall(r"\\LiterateCaptionOf\{[^}]*\}\{[^}]*\}\{[^}]*\}\{([^}]*)\}", aux):
+    for name in re.findall(r"\\LiterateCaptionOf\{[^}]*\}\{[^}]*\}\{([^}]*)\}", aux):
         # A caption within a caption may show it once more.
         if has_provenance or name in page.parts:
             marks.update(3 * (["source"] if has_provenance else tokens(name)))
