@@ -43,10 +43,9 @@ BOOST_AUTO_TEST_CASE(nothing_is_found_in_a_report_that_takes_its_numbers_from_th
 }
 
 BOOST_AUTO_TEST_CASE(a_number_typed_in_the_prose_is_told_with_its_place) {
-  check(
-      {.report = report("It is 0.5222 wide."), .handed_in = "", .computed = computed, .log = ""},
-      {"report/report.tex:3:7: 0.5222 is typed: take it from the computation, or end the line with "
-       "'% constant: reason'"});
+  check({.report = report("It is 0.5222 wide."), .handed_in = "", .computed = computed, .log = ""},
+        {"report/report.tex:3:7: 0.5222 is typed: take it from the computation, or, if it is no "
+         "result, end the line with '% constant: reason'"});
 }
 
 BOOST_AUTO_TEST_CASE(a_command_that_is_not_defined_is_told_with_the_nearest_name) {
@@ -139,8 +138,8 @@ BOOST_AUTO_TEST_CASE(bytes_that_are_no_utf8_are_told_and_hinder_nothing) {
          .computed = computed,
          .log = ""},
         {"report/report.tex:3:2: this is no UTF-8",
-         "report/report.tex:3:11: 0.5222 is typed: take it from the computation, or end the line "
-         "with '% constant: reason'"});
+         "report/report.tex:3:11: 0.5222 is typed: take it from the computation, or, if it is "
+         "no result, end the line with '% constant: reason'"});
 }
 
 BOOST_AUTO_TEST_CASE(a_finding_is_one_line_that_turns_no_text) {
