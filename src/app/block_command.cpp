@@ -94,9 +94,8 @@ void write_files(const BlockOptions& options, const Problem& problem,
     sys::write_file_atomically(options.ccx_file, deck.str());
   }
   if (!options.vtu_file.empty()) {
-    std::ostringstream vtu;
-    block::write_vtu(vtu, solution.fine());
-    sys::write_file_atomically(options.vtu_file, vtu.str());
+    sys::write_file_atomically(options.vtu_file,
+                               numerics::vtu(block::sampled_grid(solution.fine())));
   }
 }
 

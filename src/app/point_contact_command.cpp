@@ -339,8 +339,8 @@ ExitCode run(const PointContactCommandOptions& options) {
   if (!options.vtu_file.empty()) {
     sys::write_file_atomically(
         options.vtu_file,
-        point_contact::vtu(solved.solution,
-                           solved.friction ? solved.friction->shear : Eigen::VectorXd()));
+        numerics::vtu(point_contact::node_grid(
+            solved.solution, solved.friction ? solved.friction->shear : Eigen::VectorXd())));
   }
   return options.output.print(result);
 }

@@ -9,6 +9,7 @@
 #include "block/supports.hpp"
 #include "elasticity/load.hpp"
 #include "elasticity/material.hpp"
+#include "numerics/unstructured_grid.hpp"
 
 namespace block {
 
@@ -33,13 +34,13 @@ void write_calculix_deck(std::ostream& out, const Mesh& quadratic,
 /// The deck's number of the node of the top at x; throws InvalidQuantity if there is none.
 Index calculix_node(const Mesh& quadratic, double x);
 
-/// Writes a solution as a VTU file (VTK's XML unstructured grid, ASCII) for ParaView.
+/// A solution at points of every element, as ParaView can show it.
 ///
 /// Every element becomes n_cells × n_cells bilinear cells with points of their own, so that the
-/// stresses keep the jumps between elements. Axes are those of Appendix 2, y = −z up. Point data:
-/// `displacement` (three components), `stress` (six components in VTK's order xx, yy, zz, xy, yz,
-/// xz, with yy vertical and zz out of the plane) and `von_mises`; nine digits. n_cells ≤ 0 means as
-/// many as the order. Throws InvalidQuantity for n_cells above 100.
-void write_vtu(std::ostream& out, const Solution& solution, int n_cells = 0);
+/// stresses keep the jumps between elements. Axes are those of Appendix 2, y = −z up. Fields:
+/// `von_mises`, `displacement` (three components) and `stress` (six components in VTK's order xx,
+/// yy, zz, xy, yz, xz, with yy vertical and zz out of the plane). n_cells ≤ 0 means as many as the
+/// order. Throws InvalidQuantity for n_cells above 100.
+numerics::UnstructuredGrid sampled_grid(const Solution& solution, int n_cells = 0);
 
 }  // namespace block

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
+#include "numerics/unstructured_grid.hpp"
 #include "point_contact/solver/problem.hpp"
 
 namespace point_contact {
@@ -84,9 +84,9 @@ struct Region {
 /// ±first, ±second and ±(second − first), the corners of a pyramid's hexagon.
 std::vector<Region> regions(const Solution& solution);
 
-/// A solution as a VTU file (VTK's XML unstructured grid, appended raw data) for ParaView: the
-/// nodes at z = 0; triangles between them for pyramids and staggered rows, else quadrilaterals;
-/// point data `pressure` and `gap`, and `shear` if there is one at every node.
-std::string vtu(const Solution& solution, const Eigen::VectorXd& shear = {});
+/// A solution as ParaView can show it: the nodes at z = 0; triangles between them for pyramids and
+/// staggered rows, else quadrilaterals; fields `pressure` and `gap`, and `shear` if there is one at
+/// every node.
+numerics::UnstructuredGrid node_grid(const Solution& solution, const Eigen::VectorXd& shear = {});
 
 }  // namespace point_contact
