@@ -257,11 +257,7 @@ void Expander::reference(TexScanner& in, const TexToken& token) {
   if (name == "pageref") return emit(link_to(key, label.page));
   if (name == "nameref") return emit(link_to(key, expanded(label.title)));
   if (name == "autoref") {
-    // Hyperref begins the names of divisions, items and notes with small letters.
-    static const std::set<std::string, std::less<>> small{"chapter", "section", "enumi",
-                                                          "enumii",  "enumiii", "footnote"};
-    const std::size_t form = small.contains(label.type) ? 0 : 2;
-    return emit(link_to(key, numbers_.names(label.type)[form] + "~" + label.number));
+    return emit(link_to(key, expanded(numbers_.auto_name(label) + label.number)));
   }
   emit(link_to(key, label.number.starts_with('(') ? label.number : "(" + label.number + ")"));
 }

@@ -71,8 +71,8 @@ void LatexNumbers::read(const std::filesystem::path& aux) {
     if (open == line.npos) continue;
     const std::string_view command = line.substr(0, open);
     if (command != "\\newlabel" && command != "\\bibcite" && command != "\\LiterateNumber" &&
-        command != "\\LiterateName" && command != "\\Newlabel" && command != "\\@input" &&
-        command != "\\@writefile") {
+        command != "\\LiterateName" && command != "\\LiterateAutoName" && command != "\\Newlabel" &&
+        command != "\\@input" && command != "\\@writefile") {
       continue;
     }
     const std::vector<std::string> arguments = groups_at(line.substr(open));
@@ -95,6 +95,7 @@ void LatexNumbers::read(const std::filesystem::path& aux) {
       names_[arguments[0]] = {arguments[1], arguments[2], with_capital(arguments[3]),
                               with_capital(arguments[4])};
     }
+    if (command == "\\LiterateAutoName" && n == 2) auto_names_[arguments[0]] = arguments[1];
     // An environment of several numbered parts steps its counter once more for the whole.
     if (command == "\\LiterateNumber" && n == 5 && arguments[2] != "subequations" &&
         !arguments[1].empty()) {
@@ -118,6 +119,7 @@ void LatexNumbers::read_label(const std::vector<std::string>& arguments) {
   if (is_group) label.number = label.number.substr(1, label.number.size() - 2);
   label.page = parts[1];
   if (parts.size() > 2) label.title = parts[2];
+  if (parts.size() > 3) label.link = parts[3].substr(0, parts[3].find('.'));
 }
 
 bool LatexNumbers::has(const std::string& counter) const {
@@ -178,6 +180,12 @@ bool LatexNumbers::follows(const std::string& first, const std::string& second) 
 std::array<std::string, 4> LatexNumbers::names(const std::string& type) const {
   const auto found = names_.find(type == "subequation" ? "equation" : type);
   return found == names_.end() ? std::array{type, type + "s", type, type + "s"} : found->second;
+}
+
+const std::string& LatexNumbers::auto_name(const PrintedLabel& label) const {
+  const auto found = auto_names_.find(label.link);
+  if (found == auto_names_.end()) fail_of_state(fmt::format("\\autoref to a '{}'", label.link));
+  return found->second;
 }
 
 std::vector<std::string> LatexNumbers::citation(const std::string& key) const {

@@ -26,6 +26,7 @@ struct PrintedLabel {
   std::string page;
   std::string title;  ///< of the section or caption, LaTeX; empty without hyperref
   std::string type;   ///< as cleveref calls it; empty without cleveref
+  std::string link;   ///< the kind of its link, as hyperref calls it; empty without hyperref
   std::string order;  ///< sorts like the counters
   std::string above;  ///< the counters above this one
   int count = 0;      ///< of the counter
@@ -68,6 +69,10 @@ class LatexNumbers {
   /// sentence.
   std::array<std::string, 4> names(const std::string& type) const;
 
+  /// What \\autoref prints before the number of a label, LaTeX; nothing if it has no word for it.
+  /// Throws sys::InputError if the PDF has no such reference.
+  const std::string& auto_name(const PrintedLabel& label) const;
+
   bool cites(const std::string& key) const { return citations_.contains(key); }
 
   /// The label of a citation, such as 3; of natbib also year and authors.
@@ -81,6 +86,7 @@ class LatexNumbers {
   std::set<std::string> taken_;
   std::map<std::string, PrintedLabel> labels_;
   std::map<std::string, std::array<std::string, 4>> names_;
+  std::map<std::string, std::string> auto_names_;  ///< by the kind of link
   std::map<std::string, std::vector<std::string>> citations_;
   std::set<std::string> captioned_;  ///< counters of a package's captions, by the lists of them
 };

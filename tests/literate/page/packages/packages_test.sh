@@ -15,7 +15,7 @@ if [[ -n $missing ]]; then
 fi
 cd "$scratch" || exit 1
 cp -R "$source_dir/tests/literate/page/packages" paper
-for name in packages constructs; do
+for name in packages constructs names; do
   printf '%s\n' name=$name project=packages "root=$scratch" "build=$scratch" "program=$program" "document=$scratch/paper" main=$name.tex \
     "case=$scratch/case.toml" sources= "figures=$scratch" "output=$scratch" repository= "engine=$source_dir/src/literate" >$name.settings
 done
@@ -34,7 +34,7 @@ make_page() {
   claim "the paper of $name becomes a page" "$status" -eq 0
 }
 
-for name in constructs packages; do
+for name in constructs names packages; do
   make_page $name
   runs python3 -B "$source_dir/tests/literate/page/page_and_pdf.py" . paper $name
   claim "page and PDF of $name have the same words, numbers and signs in the same order" "$status" -eq 0
