@@ -25,6 +25,7 @@ json value_json(const Value& value, const SourcePlace& place) {
   if (!value.format()) return entry;
   const Format& format = *value.format();
   entry["notation"] = name_of(format.notation());
+  entry["digits"] = format.digits();
   entry["last_place"] = value.last_place();
   const bool is_exact = format.notation() == Notation::exact ||
                         format.notation() == Notation::integer || value.abs_error() == 0.0;
@@ -41,6 +42,7 @@ std::optional<StoredNumber> stored_number(const json& entry) {
   if (entry.contains("abs_error")) stored.abs_error = entry.at("abs_error").get<double>();
   stored.unit = entry.value("unit", "");
   stored.notation = notation_of(entry.at("notation").get<std::string>());
+  stored.digits = entry.at("digits").get<int>();
   stored.last_place = entry.at("last_place").get<int>();
   stored.is_exact = entry.value("exact", false);
   stored.is_percentage = entry.value("percent", false);

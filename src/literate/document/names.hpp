@@ -34,6 +34,7 @@ struct StoredNumber {
   std::optional<double> abs_error;  ///< none for bounds, rounding and exact numbers
   std::string unit;
   Notation notation = Notation::significant;
+  int digits = 0;      ///< that its format names
   int last_place = 0;  ///< of the printed digits, in the unit of `number` before any conversion
   bool is_exact = false;
   bool is_percentage = false;

@@ -82,6 +82,15 @@ double in_unit(double number, const std::string& from, const std::string& to) {
   }
 }
 
+/// The error of a number in another unit. The rounding of the conversion belongs to it where the
+/// error has digits as small; elsewhere it would only lift an error of 1 above 1, and cost a digit.
+double converted_error(double abs_error, const std::string& from, const std::string& unit,
+                       double rounding) {
+  constexpr double least_share = 1e-6;
+  const double error = in_unit(abs_error, from, unit);
+  return rounding < least_share * error ? error : error + rounding;
+}
+
 /// The number in another unit. One that was exact has the rounding of the conversion, unless its
 /// digits end there: 0.01 in are 0.254 mm.
 StoredNumber converted(StoredNumber stored, const std::string& unit) {
@@ -99,21 +108,28 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
   if (factor == 1) return stored;
   const double before = stored.number;
   stored.number = in_unit(before, from, unit);
-  const double of_conversion = 2 * std::numeric_limits<double>::epsilon();
+  const double rounding = 2 * std::numeric_limits<double>::epsilon() * std::abs(stored.number);
   if (stored.is_exact) {
     if (config::converts_exactly(before, from, unit)) return stored;
     stored.is_exact = false;
-    stored.abs_error = of_conversion * std::abs(stored.number);
+    stored.abs_error = rounding;
   } else if (stored.abs_error) {
-    stored.abs_error = *stored.abs_error * factor + of_conversion * std::abs(stored.number);
+    stored.abs_error = converted_error(*stored.abs_error, from, unit, rounding);
   }
   stored.conversion = factor;
   return stored;
 }
 
-/// How many significant digits the value is printed with. An exact one has those before its point,
-/// and three at least, so that 5 km/h are 3.11 mi/h.
+/// How many significant digits the value has at most in another style: those that its format names,
+/// where an error tells which of them are earned, and otherwise those that it is printed with. An
+/// exact one has those before its point, and three at least, so that 5 km/h are 3.11 mi/h.
 int n_digits_of(const StoredNumber& stored) {
+  const bool names_digits = stored.notation == Notation::significant ||
+                            stored.notation == Notation::scientific ||
+                            stored.notation == Notation::supported;
+  if (names_digits && stored.abs_error && !stored.is_exact) {
+    return std::clamp(stored.digits, 1, digits_of_double);
+  }
   constexpr int fewest_of_exact = 3;
   const int last = stored.is_exact ? std::min(stored.last_place, 0) : stored.last_place;
   const Decimal printed = rounded_to_place(stored.number, last);

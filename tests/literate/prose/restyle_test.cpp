@@ -39,6 +39,10 @@ const Names& names() {
     document.value("mile", Value(2, exact(), "mi"));
     document.value("track", Value(3.218688, exact(), "km"));
     document.value("pressure", Value(100, exact(), "psi"));
+    document.value("transfer", Value({2.5, 0.001}, fixed(3), "W/m2/K"));
+    document.value("tiny", Value({2.5, 1e-15}, uncertain(), "m"));
+    document.value("work", Value({9.304813, 0.284}, supported(), "ft.lbf"));
+    document.value("torque", Value({9.304813, 0.284}, significant(3), "ft.lbf"));
     document.value("word", Value::text("none"));
     const TemporaryFolder folder;
     document.write(folder / "out");
@@ -89,17 +93,31 @@ BOOST_AUTO_TEST_CASE(a_value_keeps_its_unit_and_converts_into_others) {
   BOOST_TEST(styled("width", "digits=1").latex() == "\\qty{0.01}{in}");
   BOOST_TEST(styled("period", "unit=ms").printed() == "2346 ms");
   BOOST_TEST(styled("period", "unit=ms,digits=5").printed() == "2345.7 ms");
-  BOOST_TEST(styled("period", "unit=ms,format=uncertain").printed() == "2345.679(21) ms");
+  BOOST_TEST(styled("period", "unit=ms,format=uncertain").printed() == "2345.679(20) ms");
   BOOST_TEST(styled("catchment", "unit=mi2").printed() == "6868 mi²");  // 6868.0 is not known
   BOOST_TEST(styled("small", "unit=N/m").printed() == "2.2e-5 N/m");
 }
 
 BOOST_AUTO_TEST_CASE(an_error_stays_beside_its_number) {
-  BOOST_TEST(styled("mean", "unit=ms").printed() == "123.46(13) ms");
+  BOOST_TEST(styled("mean", "unit=ms").printed() == "123.46(12) ms");
   BOOST_TEST(styled("mean", "unit=s").printed() == "0.12346(12) s");
   BOOST_TEST(styled("fraction", "unit=percent").printed() == "12.346(12) %");
   BOOST_TEST(styled("fraction", "digits=2").printed() == "0.12");
   BOOST_TEST(styled("mean", "unit=ms,format=significant,digits=2").printed() == "1.2e2 ms");
+}
+
+BOOST_AUTO_TEST_CASE(the_rounding_of_a_conversion_costs_no_digit) {
+  BOOST_TEST(styled("transfer", "unit=W/m2/K").printed() == "2.500 W/(m² K)");
+  BOOST_TEST(styled("transfer", "unit=mW/m2/K").printed() == "2500 mW/(m² K)");
+  BOOST_TEST(styled("transfer", "unit=kW/m2/K").printed() == "0.002500 kW/(m² K)");
+  BOOST_TEST(styled("tiny", "unit=mm").printed() == "2500.0000000000000(22) mm");
+}
+
+BOOST_AUTO_TEST_CASE(a_value_has_the_digits_that_its_error_supports_in_the_other_unit) {
+  BOOST_TEST(styled("work", "unit=J").printed() == "13 J");
+  BOOST_TEST(styled("work", "unit=mJ").printed() == "1.3e4 mJ");
+  BOOST_TEST(styled("work", "unit=ft.lbf").printed() == "9 ft lbf");
+  BOOST_TEST(styled("torque", "unit=mJ").printed() == "1.3e4 mJ");
 }
 
 BOOST_AUTO_TEST_CASE(an_exact_value_has_all_its_digits_in_another_unit_or_as_many_as_before) {
