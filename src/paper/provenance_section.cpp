@@ -24,7 +24,7 @@ void compute_provenance(Document& document, const Case& from) {
     document.value(std::string("provenance.") + key, Value::text(libraries.at(name)));
   }
   document.value("provenance.gnuplot", Value::text(sys::tool_version("gnuplot")));
-  document.value("provenance.tex", Value::text(sys::tool_version("pdflatex")));
+  document.value("provenance.tex", Value::text(sys::tool_version(from.paper.latex)));
   document.value("case.title", Value::text(from.title));
 }
 
