@@ -76,8 +76,10 @@ Figure contours(Document& document, const HalfSpaceCase& half_space, const Block
   const double a = half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
   const Enlargements enlargements = enlargements_of(a, r.height(), largest);
-  document.value("contours.enlargement.whole", Value(enlargements.whole, significant(1)).within(0));
-  document.value("contours.enlargement.close", Value(enlargements.close, significant(1)).within(0));
+  document.value("contours.enlargement.whole",
+                 Value(Estimate{enlargements.whole, 0}, significant(1)));
+  document.value("contours.enlargement.close",
+                 Value(Estimate{enlargements.close, 0}, significant(1)));
   return {.width_cm = 15,
           .height_cm = 5,
           .data = {{"whole", sample(solution, r.left(), r.right(), r.height(), enlargements.whole)},

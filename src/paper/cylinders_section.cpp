@@ -91,12 +91,12 @@ void register_residuals(Document& document, const Solution& solution, const Hert
   const line_contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
   document.value("cylinders.residual.contact",
-                 Value(r.gap, scientific(1).rounded_up(), units.length));
+                 Value(r.gap, scientific(1).rounded_up(), units.length).as_is());
   document.value("cylinders.residual.separation",
-                 Value(r.separation, scientific(1).rounded_up(), units.length));
+                 Value(r.separation, scientific(1).rounded_up(), units.length).as_is());
   document.flag("cylinders.penetrates", r.separation > 0);
   document.value("cylinders.residual.load",
-                 Value(r.load, scientific(1).rounded_up(), units.line_load));
+                 Value(r.load, scientific(1).rounded_up(), units.line_load).as_is());
   const double exact = c.cylinders.profile().gap(hertz.half_width());
   document.value("cylinders.indentation",
                  Value(against(c, indentation, exact), scientific(2), units.length));
@@ -105,14 +105,14 @@ void register_residuals(Document& document, const Solution& solution, const Hert
   document.check(
       "contact-conditions",
       {Criterion::at_most("deepest penetration, over the gap at the edge",
-                          Value(r.separation / indentation, scientific(1).rounded_up()).within(0),
+                          Value(r.separation / indentation, scientific(1).rounded_up()).as_is(),
                           rounding),
        Criterion::at_most("residual of equilibrium, over the load",
-                          Value(r.load / c.line_load, scientific(1).rounded_up()).within(0),
+                          Value(r.load / c.line_load, scientific(1).rounded_up()).as_is(),
                           rounding),
        Criterion::at_least(
            "least pressure, over the peak",
-           Value(solution.pressure.minCoeff() / solution.peak_pressure(), scientific(1)).within(0),
+           Value(solution.pressure.minCoeff() / solution.peak_pressure(), scientific(1)).as_is(),
            {LimitKind::stated, 0.0, "no tension"})},
       "eq. (1b) and equilibrium hold to rounding, and no pressure is a tension");
 }

@@ -87,8 +87,7 @@ Estimate order_of(const EdgeErrors& errors) {
 
 Criterion of_order(const char* what, const EdgeErrors& errors, double expected,
                    const char* reason) {
-  return Criterion::agrees(what, Value(order_of(errors), fixed(2)),
-                           Value(expected, exact()).within(0),
+  return Criterion::agrees(what, Value(order_of(errors), fixed(2)), Value(expected, exact()),
                            {LimitKind::convention, 0.25, reason});
 }
 

@@ -60,7 +60,7 @@ Figure element_figure() {
 
 Criterion of_order(const char* what, Estimate order, double expected) {
   return Criterion::agrees(
-      what, Value(order, fixed(2)), Value(expected, exact()).within(0),
+      what, Value(order, fixed(2)), Value(expected, exact()),
       {LimitKind::convention, 0.25, "nearer to it than to any other half order"});
 }
 

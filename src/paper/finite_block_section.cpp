@@ -46,12 +46,12 @@ void register_block(Document& document, const HalfSpaceCase& half_space, const B
     const Estimate u_z = study.under_triangle().displacement_z(x, 0);
     largest_error = std::max(largest_error, u_z.abs_error / middle);
   }
-  // It is an error bound itself, and has none.
-  document.value("block.displacement-error", Value(largest_error, scientific(1).rounded_up()));
+  document.value("block.displacement-error",
+                 Value(largest_error, scientific(1).rounded_up()).as_is());
   document.check(
       "block-discretisation",
       {Criterion::at_most("largest change, over the displacement in the middle",
-                          Value(largest_error, scientific(1).rounded_up()).within(0),
+                          Value(largest_error, scientific(1).rounded_up()).as_is(),
                           {LimitKind::convention, 2e-4, "far less than what is read from them"})},
       "refinement changes the displacements of the block by little; a higher block.order or "
       "block.refine leaves less");
@@ -86,8 +86,7 @@ Cell description_of(const std::string& name) {
 Cell shortened(const PrintedNumber& number) {
   constexpr double least_plain = 1e-2;
   const bool is_small = std::abs(number.value()) < least_plain;
-  return Cell::latex(
-      Value(number.value(), is_small ? scientific(4) : significant(4)).within(0).latex());
+  return Cell::latex(Value(number.value(), is_small ? scientific(4) : significant(4)).latex());
 }
 
 // The displacements at the points of the case, measure1, measure2, …, in one row: those that are
@@ -111,7 +110,7 @@ void add_displacements(literate::Table& table, const PrintedData& printed_data,
     least_convergence = std::min(least_convergence, converged->second.value());
     most_convergence = std::max(most_convergence, converged->second.value());
   }
-  const auto text = [](double percent) { return Value(percent, fixed(1)).within(0).latex(); };
+  const auto text = [](double percent) { return Value(percent, fixed(1)).latex(); };
   table.add_row({"displacements at the points", "",
                  Cell::latex(text(least_convergence) + "--" + text(most_convergence)), worst_stated,
                  worst_fitted});
@@ -328,7 +327,7 @@ void register_von_mises(Document& document, const PrintedData& printed_data,
   }
   document.value(
       "appendix2.von-mises.convergence",
-      Value(printed_data.appendix2.convergence.at(measure).value() / 100, percent(1)).within(0));
+      Value(printed_data.appendix2.convergence.at(measure).value() / 100, percent(1)).as_is());
 }
 
 // How the pressure falls from the middle to the ends of the load: what the displacements tell of
@@ -341,12 +340,12 @@ void claim_fall(Document& document, const UnitSystem& units, const PrintedData& 
   document.value(
       "appendix2.largest-pressure.convergence",
       Value(printed_data.appendix2.convergence.at("max_stress_yy").value() / 100, percent(1))
-          .within(0));
+          .as_is());
   document.value("fit.best-other", Value(outcome.least_misfit_of_others, percent(2)));
   document.value("fit.exponent", Value(fit.best, fixed(2)));
   document.value("fit.exponent.least", Value(fit.least, fixed(2)));
   document.value("fit.exponent.most", Value(fit.most, fixed(2)));
-  document.value("fit.allowed", Value(small_misfit, percent(1)).within(0));
+  document.value("fit.allowed", Value(small_misfit, exact().in_percent()));
 
   std::vector<Criterion> met;
   Estimate nearest_other{HUGE_VAL, 0};
@@ -452,13 +451,12 @@ void register_shares(Document& document, const HalfSpaceCase& half_space,
   document.value("shares.first.load", Value(magnitude(first_load), scientific(3), unit));
   document.value("shares.last.load", Value(magnitude(last_load), scientific(3), unit));
   document.value("shares.last.body", Value(magnitude(last_body), scientific(2), unit));
-  document.check(
-      "shares-add-up",
-      {Criterion::at_most(
-          "largest gap, over the part of the datum",
-          Value(largest_gap / std::abs(datum.value), scientific(1).rounded_up()).within(0),
-          {LimitKind::rounding, 1e-12, "the parts are differences of one another"})},
-      "the parts of the difference add up to the whole");
+  document.check("shares-add-up",
+                 {Criterion::at_most(
+                     "largest gap, over the part of the datum",
+                     Value(largest_gap / std::abs(datum.value), scientific(1).rounded_up()).as_is(),
+                     {LimitKind::rounding, 1e-12, "the parts are differences of one another"})},
+                 "the parts of the difference add up to the whole");
 }
 
 }  // namespace

@@ -203,8 +203,8 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
   constexpr std::array<double, 5> expected = {2, 0.5, 1.5, 2, 2};
   const auto of_order = [](const std::vector<double>& elements, const std::vector<double>& errors,
                            double order) {
-    return Criterion::agrees("order", Value(fit_power(elements, errors).order, fixed(2)).within(0),
-                             Value(order, exact()).within(0),
+    return Criterion::agrees("order", Value(fit_power(elements, errors).order, fixed(2)).as_is(),
+                             Value(order, exact()),
                              {LimitKind::regression, 0.1, "what was found, with a margin"});
   };
   std::vector<Criterion> orders, orders_away, edges;
@@ -237,7 +237,7 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
   document.check(
       "wedge-apex-error-stays",
       {Criterion::at_most("largest over smallest error on the grids",
-                          Value(*most / *least, significant(3)).within(0),
+                          Value(*most / *least, significant(3)).as_is(),
                           {LimitKind::regression, 1.02, "what was found, with a margin"})},
       "beside the wedge's apex the error is the same on all grids");
 }
@@ -265,8 +265,7 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
   std::vector<Criterion> half_widths;
   for (const KnownContact& known : known_contacts(c, hertz)) {
     half_widths.push_back(Criterion::at_most(
-        "difference",
-        Value(std::abs(known.half_width / a - 1), scientific(1).rounded_up()).within(0),
+        "difference", Value(std::abs(known.half_width / a - 1), scientific(1).rounded_up()).as_is(),
         {LimitKind::rounding, 1e-12, "each is a root of the load, found to rounding"}));
     studies.push_back(study_of(known, c, hertz));
     const ProfileStudy& study = studies.back();
@@ -295,7 +294,7 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
   document.value("profiles.n-positions", Value(n_places, integer()));
   const double slope = c.line_load / (c.cylinders.contact_modulus() * a);
   document.value("profiles.slope", Value(slope, significant(3)).within(rounded(c, slope)));
-  document.value("profiles.flat", Value(flat_share, fixed(1)));
+  document.value("profiles.flat", Value(flat_share, exact()));
   // The difference in punch_curvature() is 0.30 a², of terms of 0.80 a² and 0.50 a².
   const double edge_radius = 1 / punch_curvature(c, a);
   document.value(

@@ -92,7 +92,7 @@ void describe_odd_point(Document& document, const HalfSpaceCase& c, const UnitSy
   // The printed number is meant as it stands, not as the interval of what rounds to it.
   const double printed = printed_data.figure5.analytical[i].value();
   const Estimate low{std::abs(printed - exact.value), exact.abs_error};
-  document.value("tri-dist.odd.x", Value(x, fixed(decimals_of(c.points)), unit));
+  document.value("tri-dist.odd.x", Value(closed_form(x), fixed(decimals_of(c.points)), unit));
   document.value("tri-dist.odd.shift", Value(shift, scientific(2), unit));
   document.value("figure5.odd.difference", Value(low, scientific(2), unit));
   document.value("tri-dist.odd.slope", Value(slope, scientific(3)));
@@ -121,7 +121,7 @@ void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& un
   const Estimate peak = c.load.peak_pressure() * in_output;
   constexpr double stated = 1000;
   const auto& run = printed_data.appendix2.measures;
-  const Value in_words = Value(stated, exact(), units.line_load).within(0);
+  const Value in_words = Value(stated, exact(), units.line_load);
   const Limit apart(LimitKind::convention, 1e-2,
                     "the printed digits leave much less open, and the two readings differ by much "
                     "more");
@@ -201,7 +201,7 @@ void check_measures(Document& document, const PrintedData& printed_data) {
         printed_data.appendix2.measures.at(fmt::format("measure{}", i + 1));
     const double unit = std::min(fea_z[i].last_place(), measure.last_place());
     const double apart = std::round(std::abs(fea_z[i].value() + measure.value()) / unit);
-    same.push_back(Criterion::at_most("difference", Value(apart, fixed(0)).within(0),
+    same.push_back(Criterion::at_most("difference", Value(apart, fixed(0)).as_is(),
                                       {LimitKind::printed, 0.0, "the same digits"}));
   }
   document.check("fea-z-are-measures",

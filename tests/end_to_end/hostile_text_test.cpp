@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(what_the_prose_leaves_out_is_a_warning) {
                              "\\documentclass{article}\\usepackage{literate}\n"
                              "\\begin{document}\nNothing is used.\n\\end{document}\n");
   literate::Document registered;
-  registered.value("peak", literate::Value(1.5, literate::fixed(1)));
+  registered.value("peak", literate::Value(1.5, literate::exact()));
   registered.write(workplace.generated);
   output_of(workplace.stage("draw"));
 

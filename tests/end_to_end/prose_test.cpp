@@ -19,7 +19,7 @@ class Workplace {
   explicit Workplace(const std::string& prose, bool holds = true) {
     folder_.write("report/report.tex", prose);
     literate::Document document;
-    document.value("peak", literate::Value(1.5, literate::fixed(1)));
+    document.value("peak", literate::Value(1.5, literate::exact()));
     document.table(literate::Table("peaks", {literate::Column("n", literate::integer())}));
     document.check("balance", holds, "The forces balance.");
     document.write(folder_.path() / "generated");

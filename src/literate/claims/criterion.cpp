@@ -25,13 +25,11 @@ double require_abs_error(const std::string& place, const Value& quantity) {
   if (!quantity.number()) throw std::invalid_argument(place + ": a criterion tests a number");
   try {
     quantity.require_finite();
+    quantity.require_error();
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", place, error.what()));
   }
-  if (!quantity.abs_error()) {
-    throw std::invalid_argument(place + ": a criterion needs the error of what it tests");
-  }
-  return *quantity.abs_error();
+  return *quantity.counted_error();
 }
 
 /// A limit, or an error, in the notation of the quantity that it belongs to.
@@ -65,7 +63,7 @@ Phrase at_most_in_signs(const Value& number) {
 Value difference_of(const Value& computed, const Value& stated, double abs_error) {
   const double difference = std::abs(*computed.number() - *stated.number());
   if (computed.format()->notation() == Notation::integer && abs_error == 0) {
-    return Value(difference, exact(), computed.unit()).within(0);
+    return {difference, exact(), computed.unit()};
   }
   constexpr int n_digits = 2;
   const Format format = significant(n_digits);
@@ -236,10 +234,9 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   criterion.decide(off, unsure, true, Value(0, exact().in_percent()), place);
   if (criterion.outcome_ == Outcome::undecided) {
     // The error, which says why, stands behind it.
-    criterion.found_ =
-        agreement_phrase(criterion.quantity_, stated,
-                         relative(number_of(rounded_to_digits(off, n_digits))).within(0),
-                         criterion.limit_.number(), Distance::relative);
+    criterion.found_ = agreement_phrase(criterion.quantity_, stated,
+                                        relative(number_of(rounded_to_digits(off, n_digits))),
+                                        criterion.limit_.number(), Distance::relative);
   }
   return criterion;
 }
@@ -261,7 +258,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   const auto n_undecided = n_with(Outcome::undecided);
   const Criterion& worst = *std::ranges::max_element(each, {}, &Criterion::excess_);
 
-  Criterion criterion(std::move(name), Value(n_holding, integer()).within(0), first.limit_);
+  Criterion criterion(std::move(name), Value(n_holding, integer()), first.limit_);
   const std::string counted = fmt::format("{} of {} {}", n_holding, n, cases);
   criterion.found_ = phrase("{}; worst: {}", Phrase{counted, escape_latex(counted)}, worst.found_);
   criterion.condition_ = first.condition_;

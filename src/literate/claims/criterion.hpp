@@ -70,9 +70,9 @@ std::string_view name_of(Outcome outcome);
 /// One object prints the quantity, prints the limit and decides, so that what the reader sees is
 /// what was tested. The quantity's error counts: if number ± error, or limit ± its error, lies on
 /// both sides of the limit, the criterion is undecided. Every factory throws std::invalid_argument
-/// with its caller's line for a quantity without a finite number or without an error bound
-/// (Value::within(0) for an exact one), for an empty name, and where the outcome is another one
-/// against the limit before it was rounded.
+/// with its caller's line for a quantity without a finite number or of whose error nobody told
+/// (Value::counted_error), for an empty name, and where the outcome is another one against the
+/// limit before it was rounded.
 class Criterion {
  public:
   using Location = std::source_location;

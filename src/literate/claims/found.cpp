@@ -27,7 +27,7 @@ double as_printed(const Value& value) {
   if (!value.format()->rounds_up()) {
     return number_of(rounded_to_place(*value.number(), value.last_place()));
   }
-  const double bound = *value.number() + value.abs_error().value_or(0);
+  const double bound = *value.number() + value.counted_error().value_or(0);
   return number_of(rounded_up_to_place(bound, value.last_place()));
 }
 
@@ -120,18 +120,18 @@ Value nearest(const Value& quantity, Estimate estimate, int n_more) {
 
 /// The quantity with its error in parentheses.
 Value with_error(const Value& quantity) {
-  if (quantity.format()->notation() == Notation::integer || *quantity.abs_error() == 0) {
+  if (*quantity.counted_error() == 0) {
     return quantity;
   }
-  return {Estimate{*quantity.number(), *quantity.abs_error()},
+  return {Estimate{*quantity.number(), *quantity.counted_error()},
           quantity.is_percentage() ? uncertain().in_percent() : uncertain(), quantity.unit()};
 }
 
 Printed found_print(const Value& quantity, double limit, Side side) {
-  if (!quantity.number() || !quantity.abs_error()) {
+  if (!quantity.number() || !quantity.counted_error()) {
     throw std::invalid_argument("what was found is a number with its error");
   }
-  const Estimate estimate{*quantity.number(), *quantity.abs_error()};
+  const Estimate estimate{*quantity.number(), *quantity.counted_error()};
   if (std::abs(estimate.value) < estimate.abs_error) return bound_print(quantity, estimate, limit);
   const bool is_allowed_itself = is_allowed(estimate.value, limit, side);
   for (int n_more = 0; n_more < digits_of_double; ++n_more) {
@@ -161,7 +161,7 @@ Phrase agreement_phrase(const Value& computed, const Value& stated, const Value&
                         double tolerance, Distance distance) {
   const bool agrees = *difference.number() <= tolerance;
   // Where a difference is less than its error, a reader is told how far it may be from nothing.
-  const bool is_lost = *difference.number() < *difference.abs_error();
+  const bool is_lost = *difference.number() < *difference.counted_error();
   const double limit = is_lost && !agrees ? std::numeric_limits<double>::infinity() : tolerance;
   const Printed apart = found_print(difference, limit, Side::at_most);
   const auto sentence = [&](const Value& from, const Value& to, const Printed& by) {
@@ -174,7 +174,7 @@ Phrase agreement_phrase(const Value& computed, const Value& stated, const Value&
            (apart.least < seen && (seen < apart.most || (is_lost && seen <= apart.most)));
   };
   const auto more = [](const Value& value, int n_more) {
-    return nearest(value, {*value.number(), *value.abs_error()}, n_more);
+    return nearest(value, {*value.number(), *value.counted_error()}, n_more);
   };
   if (reads_true(computed, stated)) return sentence(computed, stated, apart);
   for (int n_more = 1; n_more < digits_of_double; ++n_more) {
@@ -187,7 +187,7 @@ Phrase agreement_phrase(const Value& computed, const Value& stated, const Value&
   const Value by = with_error(difference);
   const auto beside = [&](const Value& value) {
     Value printed = with_error(value);
-    for (int n_more = 1; n_more < digits_of_double && *value.abs_error() == 0; ++n_more) {
+    for (int n_more = 1; n_more < digits_of_double && *value.counted_error() == 0; ++n_more) {
       if (printed.last_place() <= by.last_place()) break;
       printed = more(value, n_more);
     }

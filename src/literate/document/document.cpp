@@ -54,6 +54,7 @@ void Document::value(const std::string& key, Value value, const SourcePlace& pla
   require_key(key);
   try {
     value.require_finite();
+    value.require_error();
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
         fmt::format("{}: value '{}': {}", text_of(place), key, error.what()));

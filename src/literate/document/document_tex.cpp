@@ -96,6 +96,7 @@ std::string breakable_word(const std::string& printed) {
 /// What is known of the error, as LaTeX, in the unit in which the value is printed; empty for
 /// nothing.
 std::string error_tex(const Value& value) {
+  if (value.is_as_is()) return "no error bound";
   if (!value.abs_error()) return {};
   if (*value.abs_error() == 0) return "exact";
   const Format format = scientific(2).rounded_up();

@@ -39,6 +39,7 @@ std::string criterion_html(const Criterion& criterion, Verdict verdict) {
 }
 
 std::string error_of(const Value& value) {
+  if (value.is_as_is()) return ", no error bound";
   if (!value.abs_error()) return {};
   if (*value.abs_error() == 0) return ", exact";
   const Format format = scientific(2).rounded_up();

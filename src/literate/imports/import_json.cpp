@@ -80,7 +80,9 @@ Value value_of(const JsonFile& file, const Json::Value& entry, const std::string
   try {
     if (!entry.isMember("digits")) return Value({number, error}, supported(), unit);
     const int digits = whole_field(file, entry, what, "digits", 1, max_digits);
-    return Value(number, significant(digits), unit).within(error);
+    const Value wanted(number, significant(digits), unit);
+    require_earned(number, wanted.last_place(), error, wanted.printed());
+    return Value({number, error}, significant(digits), unit);
   } catch (const std::invalid_argument& reason) {
     file.fail(entry, fmt::format("{}: {}", what, reason.what()));
   }

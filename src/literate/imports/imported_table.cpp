@@ -107,7 +107,8 @@ Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
   if (column.format == NumberFormat::as_written) {
     return Cell::quoted(written.number, written.place, cell.abs_error);
   }
-  return cell.abs_error ? Cell(written.number).within(*cell.abs_error) : Cell(written.number);
+  if (!cell.abs_error) return written.number;
+  return numerics::Estimate{written.number, *cell.abs_error};
 }
 
 Cell cell_of(const ImportedColumn& column, const ImportedCell& cell) {

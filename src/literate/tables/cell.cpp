@@ -37,17 +37,6 @@ Cell Cell::latex(std::string text) {
   return cell;
 }
 
-Cell Cell::within(double abs_error) const {
-  require_error_bound(abs_error);
-  if (number() == nullptr || abs_error_ || place_) {
-    throw std::invalid_argument("only a cell with a bare number can be given an error bound");
-  }
-  Cell cell = *this;
-  cell.abs_error_ = abs_error;
-  cell.wants_all_digits_ = true;
-  return cell;
-}
-
 Cell Cell::marked(std::string mark) const {
   Cell cell = *this;
   cell.mark_ = std::move(mark);

@@ -39,11 +39,6 @@ class Cell {
   /// Makes a text that is LaTeX already. Its CSV file has it as plain_text() makes it.
   static Cell latex(std::string text);
 
-  /// The same number with a bound on its error, which has to support every digit that the column
-  /// asks for: Table::add_row() refuses it otherwise. Throws std::invalid_argument for a cell that
-  /// is not a bare number, and for a bound that is negative or not finite.
-  Cell within(double abs_error) const;
-
   /// The same cell with a small mark behind it, which a note below the table explains.
   Cell marked(std::string mark) const;
 
@@ -52,8 +47,6 @@ class Cell {
   const double* number() const { return std::get_if<double>(&content_); }
   /// The error bound of the number: 0 for an integer; none for a bare or a quoted number.
   const std::optional<double>& abs_error() const { return abs_error_; }
-  /// Whether every digit that the column asks for must be earned.
-  bool wants_all_digits() const { return wants_all_digits_; }
   /// The place of a quoted number's last digit; none if the column decides it.
   const std::optional<int>& place() const { return place_; }
   /// The text as LaTeX, or null.
@@ -67,7 +60,6 @@ class Cell {
   std::variant<std::monostate, double, std::string> content_;
   std::string plain_;
   std::optional<double> abs_error_;
-  bool wants_all_digits_ = false;
   std::optional<int> place_;
   std::string mark_;
 };

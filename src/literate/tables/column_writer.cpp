@@ -88,10 +88,6 @@ void require_printable(const ColumnFormat& column, const Cell& cell) {
         digits + " comes without its error: give an Estimate, or declare the column exact");
   }
   (void)rounded_in(column, cell);  // throws for what the format refuses
-  const bool has_common_exponent = column.numbers->notation() == Notation::significant;
-  if (!cell.wants_all_digits() || has_common_exponent) return;
-  const RoundedNumber wanted = with_digits_of(column, Cell(*number));
-  require_earned(*number, wanted.digits.place, *cell.abs_error(), text_of(column, wanted));
 }
 
 ColumnWriter::ColumnWriter(ColumnFormat format, const std::vector<const Cell*>& cells)

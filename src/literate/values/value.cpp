@@ -8,6 +8,7 @@
 
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
+#include "literate/values/decimal.hpp"
 
 namespace literate {
 
@@ -56,27 +57,45 @@ void Value::require_finite() const {
   }
 }
 
+std::optional<double> Value::counted_error() const {
+  if (abs_error_ || !number_) return abs_error_;
+  const Notation notation = format_->notation();
+  const bool is_exact = notation == Notation::exact || notation == Notation::integer;
+  return is_exact || is_as_is_ ? std::optional(0.0) : std::nullopt;
+}
+
+void Value::require_error() const {
+  if (!number_ || counted_error()) return;
+  throw std::invalid_argument(
+      fmt::format("{} comes without its error: give an Estimate or .within(error), or say .as_is() "
+                  "of a number that is printed as it came",
+                  round_trip(*number_)));
+}
+
+void Value::require_untold() const {
+  if (!number_) {
+    throw std::invalid_argument(fmt::format("'{}' is text and can have no error", printed_));
+  }
+  if (counted_error()) {
+    throw std::invalid_argument(fmt::format("the error of '{}' is told already", printed_));
+  }
+}
+
 Value Value::within(double abs_error) const {
-  require_error_bound(abs_error);
-  if (!number_ || abs_error_) {
+  require_untold();
+  if (abs_error == 0) {
     throw std::invalid_argument(fmt::format(
-        "'{}' {}", printed_,
-        number_ ? "has an error bound already" : "is text and can have no error bound"));
+        "'{}' within 0: print an exact number by exact() or integer(), and say .as_is() "
+        "of one that is printed as it came",
+        printed_));
   }
-  if (!std::isfinite(*number_)) {
-    // It is refused where it is used.
-  } else if (format_->rounds_up()) {
-    const Value bound(*number_, abs_error, *format_, unit_);
-    if (bound.printed_ != printed_) {
-      throw std::invalid_argument(
-          fmt::format("{} is printed as '{}', but with an error of {} it is at most {}", *number_,
-                      printed_, abs_error, bound.printed_));
-    }
-  } else {
-    require_earned(*number_, last_place_, abs_error, printed_);
-  }
+  return {*number_, abs_error, *format_, unit_};
+}
+
+Value Value::as_is() const {
+  require_untold();
   Value value = *this;
-  value.abs_error_ = abs_error;
+  value.is_as_is_ = true;
   return value;
 }
 

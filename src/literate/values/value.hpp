@@ -21,7 +21,8 @@ namespace literate {
 /// where it is used, so that the message can name its key.
 class Value {
  public:
-  /// Prints a number that has no error bound, or gets one by within().
+  /// Prints a number whose error nobody has told yet. exact() and integer() say that it has none;
+  /// of any other one Document::value and Criterion want to know it, by within() or as_is().
   Value(double number, const Format& format, std::string_view unit = "");
   template <std::integral Integer>
   Value(Integer number, const Format& format, std::string_view unit = "")
@@ -33,12 +34,16 @@ class Value {
   /// Prints plain text, escaped for LaTeX.
   static Value text(std::string_view text);
 
-  /// Returns the same value with a bound on its error, in the unit of number(), which for a
-  /// percentage is the ratio. Throws std::invalid_argument, naming number, printed text and bound,
-  /// if the last printed place is less than the bound, or, of a number that is rounded up, if
-  /// number and bound together are more than what is printed. Also throws it for text, for a value
-  /// that has a bound already, and for a bound that is negative or not finite.
+  /// Returns the same number with a bound on its error, in the unit of number(), which for a
+  /// percentage is the ratio. It prints as an estimate does. Throws std::invalid_argument for text,
+  /// for a number whose error is told already, for a bound that is 0, negative or not finite, and
+  /// for what rounded() refuses.
   Value within(double abs_error) const;
+
+  /// Returns the same value, printed as it came and with no claim on its error: a residual, a
+  /// margin, a bound that a formula gave. A criterion takes the number as it stands. Throws
+  /// std::invalid_argument for text and for a number whose error is told already.
+  Value as_is() const;
 
   /// Throws std::invalid_argument for a number that is not finite.
   void require_finite() const;
@@ -62,6 +67,16 @@ class Value {
   /// The error bound that came with an estimate or from within(), if any.
   const std::optional<double>& abs_error() const { return abs_error_; }
 
+  /// The error that a criterion counts: the bound, or 0 of a number that exact() or integer()
+  /// prints or that stands as it is; none if nobody told it.
+  std::optional<double> counted_error() const;
+
+  /// Whether as_is() made it.
+  bool is_as_is() const { return is_as_is_; }
+
+  /// Throws std::invalid_argument for a number whose error nobody told.
+  void require_error() const;
+
   const std::string& unit() const { return unit_; }
 
   /// How the number is printed; none for text.
@@ -77,11 +92,13 @@ class Value {
   Value() = default;
   Value(double number, std::optional<double> abs_error, const Format& format,
         std::string_view unit);
+  void require_untold() const;
 
   std::string latex_;
   std::string printed_;
   std::optional<double> number_;
   std::optional<double> abs_error_;
+  bool is_as_is_ = false;
   std::optional<Format> format_;
   int last_place_ = 0;
   std::string unit_;

@@ -57,7 +57,7 @@ std::map<std::string, Word> words_in(const std::string& document_class, const st
     const std::string id = "c" + std::to_string(i);
     document.claim(id, {.route = "counting",
                         .expected = Verdict::confirmed,
-                        .criteria = {Criterion::at_most("n", Value(1, integer()).within(0),
+                        .criteria = {Criterion::at_most("n", Value(1, integer()),
                                                         {LimitKind::stated, 2, "two"})}});
     statements += "\\statement[a book]{" + id + "}{It is so.}%\n";
   }

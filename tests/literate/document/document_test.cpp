@@ -60,12 +60,47 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused_with_its_key_and_lin
   BOOST_TEST(document.values().empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_with_its_key_and_line) {
+  Document document;
+
+  const std::string message =
+      message_of<std::invalid_argument>([&] { document.value("period", Value(2.35, fixed(1))); });
+
+  BOOST_TEST(message.starts_with("tests/literate/document/document_test.cpp:"));
+  BOOST_TEST(message.ends_with(
+      ": value 'period': 2.35 comes without its error: give an Estimate or .within(error), or say "
+      ".as_is() of a number that is printed as it came"));
+  BOOST_TEST(document.values().empty());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_known_of_an_error_is_told_of_no_more_than_that) {
+  const TemporaryFolder folder;
+  Document document;
+  document.value("residual", Value(2.34e-15, scientific(2)).as_is());
+  document.value("bound", Value({1.25, 0.01}, fixed(2)));
+  document.value("none", Value({1.25, 0}, fixed(2)));
+
+  document.write(folder / "generated");
+
+  const auto has = [&](const char* file, const std::string& text) {
+    return sys::read_file(folder / "generated" / file).find(text) != std::string::npos;
+  };
+  BOOST_TEST(has("index.tex", "{residual}{residual}{no error bound}"));
+  BOOST_TEST(has("index.tex", "{bound}{bound}{error $\\le$ \\num{1.0e-2}}"));
+  BOOST_TEST(has("index.tex", "{none}{none}{exact}"));
+  BOOST_TEST(has("values.csv", "residual,2.3e-15,2.34e-15,,,"));
+  BOOST_TEST(has("page/index.html", ", no error bound"));
+  const Names names = read_names(folder / "generated/names.json");
+  BOOST_TEST(!names.numbers.at("residual").is_exact);
+  BOOST_TEST(!names.numbers.at("residual").abs_error.has_value());
+}
+
 BOOST_AUTO_TEST_CASE(bare_digits_read_back_the_same_and_have_neither_unit_nor_exponent) {
   const TemporaryFolder folder;
   Document document;
-  document.value("small", Value(1.25e-7, significant(2), "in"));
+  document.value("small", Value(1.25e-7, exact(), "in"));
   document.value("large", Value(30e6, exact(), "psi"));
-  document.value("share", Value(0.125, percent(1)));
+  document.value("share", Value(0.125, percent(1)).as_is());
   document.value("word", Value::text("none"));
 
   document.write(folder / "generated");

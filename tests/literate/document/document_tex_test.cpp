@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(specials_of_latex_are_escaped_in_every_text) {
   Claim claim = claim_of_apples(Verdict::confirmed);
   claim.route = special;
   const Criterion criterion =
-      Criterion::at_most(special, Value(1, integer()).within(0), {LimitKind::stated, 1.0, special});
+      Criterion::at_most(special, Value(1, integer()), {LimitKind::stated, 1.0, special});
   claim.criteria = {Criterion::in_each(special, special, {criterion})};
   Document document;
   document.claim("apples", claim);

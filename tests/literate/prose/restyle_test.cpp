@@ -25,9 +25,9 @@ const Names& names() {
     document.value("rod", Value(39.4, exact(), "in"));
     document.value("share", Value({0.123456, 1e-4}, percent(1)));
     document.value("error", Value({7.37e-4, 6e-6}, scientific(1).rounded_up(), "in"));
-    document.value("rounding", Value(2.34e-15, scientific(2)));
+    document.value("rounding", Value(2.34e-15, scientific(2)).as_is());
     document.value("small", Value({1.25e-7, 1e-12}, scientific(2), "lbf/in"));
-    document.value("catchment", Value(17788.04, significant(5), "km2"));
+    document.value("catchment", Value(17788.04, significant(5), "km2").as_is());
     document.value("tie", Value(0.125, exact()));
     document.value("count", Value(1048576, integer()));
     document.value("heat", Value({20, 0.1}, fixed(1), "degC"));

@@ -20,6 +20,7 @@ BOOST_AUTO_TEST_SUITE(value_test)
 
 using literate::exact;
 using literate::fixed;
+using literate::Format;
 using literate::integer;
 using literate::percent;
 using literate::scientific;
@@ -282,54 +283,57 @@ BOOST_AUTO_TEST_CASE(what_is_printed_always_contains_the_computed_value) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_bound_makes_no_other_print) {
-  const auto same = [](const Value& value, double abs_error) {
-    const Value bounded = value.within(abs_error);
-    BOOST_TEST(bounded.printed() == value.printed());
-    BOOST_TEST(bounded.latex() == value.latex());
-    BOOST_TEST(*bounded.number() == *value.number());
+BOOST_AUTO_TEST_CASE(a_number_within_an_error_prints_as_an_estimate_does) {
+  const auto same = [](double number, const Format& format, double abs_error) {
+    const Value bounded = Value(number, format).within(abs_error);
+    const Value estimate({number, abs_error}, format);
+    BOOST_TEST(bounded.printed() == estimate.printed());
+    BOOST_TEST(bounded.latex() == estimate.latex());
+    BOOST_TEST(*bounded.number() == number);
     BOOST_TEST(*bounded.abs_error() == abs_error);
   };
-  same(Value(2.3851, significant(3), "in"), 0.01);
-  same(Value(2.3851, fixed(0)), 1);
-  same(Value(2.3851e-7, scientific(3)), 1e-9);
-  same(Value(0.0131, percent(1)), 1e-3);
-  same(Value(0.0131, percent(0).rounded_up()), 1e-3);
-  same(Value(2.1e-15, scientific(1).rounded_up()), 5e-16);
-  same(Value(0.25, exact()), 0.01);
-  same(Value(2, fixed(1)), 0);
+  same(2.3851, significant(3), 0.01);
+  same(2.3851, significant(3), 0.0101);
+  same(123456, significant(4), 101);
+  same(2.3851, fixed(0), 1.1);
+  same(0.0131, percent(1), 1.1e-3);
+  same(0.0131, percent(0).rounded_up(), 1e-2);
+  same(2.1e-15, scientific(1).rounded_up(), 1e-15);
+  BOOST_TEST(Value(2.3851, fixed(2), "in").within(0.02).printed() == "2.4 in");
 }
 
-BOOST_AUTO_TEST_CASE(digits_that_are_not_earned_are_refused_by_name) {
-  const auto refused = [](const Value& value, double abs_error) {
-    BOOST_CHECK_THROW(value.within(abs_error), std::invalid_argument);
-  };
-  refused(Value(2.3851, significant(3)), 0.0101);
-  refused(Value(123456, significant(4)), 101);
-  refused(Value(2.3851, fixed(0)), 1.1);
-  refused(Value(2.3851e-7, scientific(3)), 1.1e-9);
-  refused(Value(0.0131, percent(1)), 1.1e-3);
-  refused(Value(0.25, exact()), 0.011);
-  refused(Value(0.0131, percent(0).rounded_up()), 1e-2);
-  refused(Value(2.1e-15, scientific(1).rounded_up()), 1e-15);
-  refused(Value::text("0.25"), 0);
-  refused(Value({1, 0.1}, supported()), 0);
-  refused(Value({1, 0.1}, uncertain()), 0);
-  refused(Value(1, fixed(2)), -1e-9);
-  refused(Value(1, fixed(2)), not_a_number);
-  refused(Value(1, fixed(2)), infinity);
+BOOST_AUTO_TEST_CASE(a_number_as_it_is_prints_as_it_came_and_claims_no_error) {
+  const Value residual = Value(2.34e-15, scientific(2), "in").as_is();
+  BOOST_TEST(residual.printed() == "2.3e-15 in");
+  BOOST_TEST(residual.is_as_is());
+  BOOST_TEST(!residual.abs_error().has_value());
+  BOOST_TEST(*residual.counted_error() == 0);
+  BOOST_TEST(*Value(0.25, exact()).counted_error() == 0);
+  BOOST_TEST(*Value(3, integer()).counted_error() == 0);
+  BOOST_TEST(*Value({1, 0.1}, fixed(1)).counted_error() == 0.1);
+  BOOST_TEST(!Value(0.25, fixed(2)).counted_error().has_value());
+  BOOST_TEST(!Value::text("none").counted_error().has_value());
+  BOOST_CHECK_NO_THROW(Value::text("none").require_error());
+  BOOST_CHECK_THROW(Value(0.25, fixed(2)).require_error(), std::invalid_argument);
+}
 
-  BOOST_CHECK_EXCEPTION(
-      Value(2.3851, fixed(2), "in").within(0.02), std::invalid_argument, [](const auto& error) {
-        return std::string(error.what()) ==
-               "2.3851 is printed as '2.39 in', more digits than an error of 0.02 supports";
-      });
-  BOOST_CHECK_EXCEPTION(Value(0.29, fixed(1).rounded_up()).within(0.02), std::invalid_argument,
-                        [](const auto& error) {
-                          return std::string(error.what()) ==
-                                 "0.29 is printed as '0.3', but with an error of 0.02 it is at "
-                                 "most 0.4";
-                        });
+BOOST_AUTO_TEST_CASE(an_error_is_told_once_and_is_none_of_nothing) {
+  const auto refused = [](const auto& telling, const std::string& message) {
+    BOOST_TEST(message_of<std::invalid_argument>(telling) == message);
+  };
+  refused([] { Value(2.3851, fixed(2), "in").within(0); },
+          "'2.39 in' within 0: print an exact number by exact() or integer(), and say .as_is() of "
+          "one that is printed as it came");
+  refused([] { Value::text("0.25").within(1); }, "'0.25' is text and can have no error");
+  refused([] { Value::text("0.25").as_is(); }, "'0.25' is text and can have no error");
+  refused([] { Value({1, 0.1}, fixed(1)).within(1); }, "the error of '1.0' is told already");
+  refused([] { Value({1, 0.1}, fixed(1)).as_is(); }, "the error of '1.0' is told already");
+  refused([] { Value(1, fixed(1)).as_is().within(1); }, "the error of '1.0' is told already");
+  refused([] { Value(0.25, exact()).as_is(); }, "the error of '0.25' is told already");
+  refused([] { Value(0.25, exact()).within(0.01); }, "the error of '0.25' is told already");
+  for (const double bad : {-1e-9, not_a_number, infinity}) {
+    BOOST_CHECK_THROW(Value(1, fixed(2)).within(bad), std::invalid_argument);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(with_an_error_fewer_digits_are_printed_than_allowed_if_it_wants_so) {
@@ -373,31 +377,6 @@ BOOST_AUTO_TEST_CASE(a_bound_is_not_rounded_up_to_a_decade_nor_finer_than_two_di
   BOOST_TEST(Value({3e-12, 3e-10}, scientific(3).rounded_up()).printed() == "3.1e-10");
   BOOST_TEST(Value({0.3, 2}, percent(2).rounded_up()).printed() == "2.3e2 %");
   BOOST_TEST(Value({0.000737, 6.05e-5}, percent(6).rounded_up()).printed() == "0.0798 %");
-}
-
-BOOST_AUTO_TEST_CASE(fewer_digits_are_printed_just_when_those_asked_for_are_not_earned) {
-  const auto earns = [](const Value& value, double error) {
-    try {
-      value.within(error);
-      return true;
-    } catch (const std::invalid_argument&) {
-      return false;
-    }
-  };
-  std::mt19937_64 random(20012);
-  std::uniform_real_distribution<double> exponent(-9, 9);
-  for (int i = 0; i < 1000; ++i) {
-    const double number = std::pow(10, exponent(random)) * 1.7;
-    const double error = std::pow(10, exponent(random)) * 2.3;
-    for (const int n : {1, 3, 6}) {
-      BOOST_TEST(earns(Value(number, scientific(n)), error) ==
-                 (Value({number, error}, scientific(n)).printed() ==
-                  Value(number, scientific(n)).printed()));
-      BOOST_TEST(
-          earns(Value(number, percent(n)), error) ==
-          (Value({number, error}, percent(n)).printed() == Value(number, percent(n)).printed()));
-    }
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

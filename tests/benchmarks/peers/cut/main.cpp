@@ -61,7 +61,7 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
   document.value("half-width", Value(a, exact(), "in"));
   const double middle = closed_form(0);
   document.value("middle", Value(Estimate{middle, 1e-14 * std::abs(middle)}, significant(8), "in"));
-  document.value("largest", Value(largest, scientific(1).rounded_up()));
+  document.value("largest", Value(largest, scientific(1).rounded_up()).as_is());
 
   std::vector<double> x, displacement, gradient;
   for (int i = -200; i <= 200; ++i) {

@@ -42,11 +42,12 @@ void register_values(Document& document, const Sample& sample) {
   document.value("rate",
                  Value(std::numbers::ln2 / sample.half_life, significant(4), "1/s").within(1e-15));
   document.value("mean-life", Value(mean_life(2000), uncertain()));
-  document.value("mean-life_error", Value(mean_life(2000).abs_error, scientific(1).rounded_up()));
+  document.value("mean-life_error",
+                 Value(mean_life(2000).abs_error, scientific(1).rounded_up()).as_is());
   document.value("flow", Value(2.5, exact(), "m3 s-1"));
   document.value("gain", Value(1.25, exact(), "um.kg^-1/K2"));
   document.value("tilt", Value(3, exact(), "%"));
-  document.value("negative", Value(-0.0047, fixed(1), "mm"));
+  document.value("negative", Value(-0.0047, fixed(1), "mm").as_is());
   document.flag("is-short", sample.half_life < 3600);
   document.flag("is-long", sample.half_life >= 3600);
 }
@@ -119,15 +120,13 @@ void register_claims(Document& document, const Sample& sample) {
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least("share", Value(left, percent(1)),
                                                    {LimitKind::stated, 0.5, "one half"}),
-                               Criterion::agrees("halves", Value(1, integer()).within(0),
-                                                 Value(1, integer()).within(0),
+                               Criterion::agrees("halves", Value(1, integer()), Value(1, integer()),
                                                  {LimitKind::rounding, 0.0, "counts are exact"})}});
   document.claim("mean-life-is-half-life",
                  {.route = "the trapezoidal rule over λ ≥ 0",
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::agrees_relatively(
-                      "mean life in half-lives", Value(life, significant(4)),
-                      Value(1.0, significant(4)).within(0),
+                      "mean life in half-lives", Value(life, significant(4)), Value(1, exact()),
                       {LimitKind::convention, 0.01, "one part in a hundred"})}});
   std::vector<Criterion> each;
   for (const int time : {300, 600, 900}) {
@@ -148,7 +147,7 @@ void register_claims(Document& document, const Sample& sample) {
            {LimitKind::derived, sample.printed, "1/e, to four digits"})}});
   document.check(
       "rule-converges",
-      {Criterion::at_most("error of the rule", Value(life.abs_error, scientific(1)).within(0),
+      {Criterion::at_most("error of the rule", Value(life.abs_error, scientific(1)).as_is(),
                           {LimitKind::regression, 1e-3, "ten times what was found"})},
       "The rule converges.");
   document.check("is-positive", left.value > 0, "Something is left.");
