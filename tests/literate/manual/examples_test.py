@@ -96,7 +96,8 @@ with tempfile.TemporaryDirectory() as scratch:
 # Nothing that a reader would copy is left out.
 _, used_by_program = filled((here / "program.cpp.in").read_text(), manual, "//")
 used = used_by_program | used_by_prose | {"Figures: gnuplot", "Quotations: toml", "literate: sh"}
-elsewhere = {"Install: sh", "Install: cmake", "The build: cmake",  # package_test.sh, reference_test.py
+elsewhere = {"Install: sh", "Install: cmake", "The smallest paper: cmake", "The smallest paper: cpp",
+             "The smallest paper: latex",  # package_test.sh
              "Numbers from elsewhere: cmake"}  # run_script_test.sh
 for name, _ in manual.fences:
     claim(f"the example «{name}» is tried", name in used | elsewhere)

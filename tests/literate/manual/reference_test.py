@@ -56,7 +56,7 @@ same("format of \\val", formats, re.findall(r"format=(\w+)", everything))
 # The commands and options of the program
 said = subprocess.run([literate, "--help-all"], capture_output=True, text=True, check=True).stdout
 commands = {}
-for command in manual.tables["The program `literate: command"]:
+for command in manual.tables["Install: command"]:
     usage = codes(command[0])[0].split()
     commands[usage[1]] = set(re.findall(r"--[\w-]+", command[0]))
 there = re.findall(r"^  (\w+) ", subprocess.run([literate, "--help"], capture_output=True, text=True,
@@ -77,8 +77,6 @@ for stages in re.findall(r"foreach\(stage IN ITEMS (.*?)\)", cmake):
 targets -= {"-made"}  # a step of the others, not one that anybody asks for
 same("target", {"mypaper" + target for target in targets},
      codes(" ".join(row[0] for row in manual.tables["The build: target"])))
-claim("the call of literate_add_paper is the template's",
-      all(line in text_of("src/literate/template/CMakeLists.txt") for line in manual.example("The build: cmake").split("\n")))
 
 # The template's Makefile has the same targets, and the variables that the manual names
 makefile = text_of("src/literate/template/Makefile")

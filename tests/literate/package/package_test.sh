@@ -8,12 +8,23 @@ cd "$scratch" || exit 1
 # What make exports to the tests is not meant for the paper.
 unset MAKEFLAGS MFLAGS MAKELEVEL CALLER CASE CASES J KEYS NAME TARGET V MANIFEST GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
 
-# example NAME: what the manual tells its readers to run or to write.
-example() {
-  python3 -B "$source_dir/tests/literate/manual/manual.py" "$source_dir/src/literate/README.md" "$1" | sed 's/ *#.*//'
-}
+# copied NAME: what the manual tells its readers to run or to write; example NAME: the same without comments.
+copied() { python3 -B "$source_dir/tests/literate/manual/manual.py" "$source_dir/src/literate/README.md" "$1"; }
+example() { copied "$1" | sed 's/ *#.*//'; }
 
 ln -s "$2/usr local" .
+
+# The manual's smallest paper, as a reader types it
+mkdir -p tiny/paper
+copied 'The smallest paper: cmake' >tiny/CMakeLists.txt
+copied 'The smallest paper: cpp' >tiny/main.cpp
+copied 'The smallest paper: latex' >tiny/paper/tiny.tex
+echo 'side = 1.5' >tiny/case.toml
+runs cmake -S tiny -B tiny/build -G Ninja "-DCMAKE_PREFIX_PATH=$scratch/usr local"
+claim "the manual's smallest paper is configured" "$status" -eq 0
+runs ninja -C tiny/build tiny
+claim 'it is built' "$status" -eq 0
+claim 'it says what the manual says' "$(pdftotext tiny/build/tiny/tiny.pdf - | grep -c '^The square has 2.25 m2 *\.$')" -eq 1
 
 # paper FOLDER WHERE-FROM: a new paper that gets the engine by these lines of CMake, and has targets of its own.
 paper() {
