@@ -26,17 +26,17 @@ std::string text_of(const Files& files, const std::string& name) {
 }
 
 /// Makes a report ready in a folder of its own.
-class Desk {
+class ReportMaker {
  public:
-  Desk(const Assignment& assignment, const ReportTypesetting& typesetting, const ReportTask& task,
-       const fs::path& scratch)
+  ReportMaker(const Assignment& assignment, const ReportTypesetting& typesetting,
+              const ReportTask& task, const fs::path& scratch)
       : assignment_(assignment),
         typesetting_(typesetting),
         task_(task),
         scratch_(scratch),
         folder_(scratch / "report") {}
 
-  Files work() {
+  Files made() {
     for (const char* name : {"report.tex", "report.pdf"}) {
       const auto file = task_.report.files.find(std::string("report/") + name);
       if (file != task_.report.files.end()) given_[name] = file->second;
@@ -167,7 +167,7 @@ class Desk {
 
 Files marked_report(const Assignment& assignment, const ReportTypesetting& typesetting,
                     const ReportTask& task, const fs::path& scratch) {
-  return Desk(assignment, typesetting, task, scratch).work();
+  return ReportMaker(assignment, typesetting, task, scratch).made();
 }
 
 }  // namespace course

@@ -134,8 +134,8 @@ bool kill_children() {
   ::_exit(1);
 }
 
-/// Lets the attendant end when `watcher` does, which may have happened already.
-void follow(pid_t watcher) {
+/// Arranges that the attendant ends when `watcher` does, which may have happened already.
+void end_when_it_ends(pid_t watcher) {
   struct sigaction action {};
   action.sa_handler = end_with_the_watcher;
   sigemptyset(&action.sa_mask);
@@ -151,13 +151,14 @@ void follow(pid_t watcher) {
 /// The attendant's life: it starts the child, reports how that ended, and stays until no process is
 /// left below it, since orphans become its own. At last it tells the processor time of them all,
 /// which the kernel counts when they are waited for. It was forked from a process that may have
-/// threads, so it allocates nothing. In a group of its own it outlives who kills the watcher's.
+/// threads, so it allocates nothing. It leads a process group of its own, so that a signal to the
+/// watcher's group does not end it before the job.
 [[noreturn]] void attend(const sys::FileActions& actions, char* const* command,
                          char* const* environment, const sys::Descriptor& fence, Filter& filter,
                          int reports, pid_t watcher) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-  follow(watcher);
+  end_when_it_ends(watcher);
   Report report;
   pid_t child = 0;
   report.is_unlimited = (fence.number() >= 0 && !enclose(fence)) || !install(filter);

@@ -76,9 +76,9 @@ class OpenFolder {
 };
 
 /// Submissions, and what is made of them for markers.
-class Desk {
+class Marking {
  public:
-  explicit Desk(Isolation isolation = Isolation::sandbox)
+  explicit Marking(Isolation isolation = Isolation::sandbox)
       : isolation_(isolation), typesetting_(assignment(), work_.path(), isolation) {}
 
   /// A new submission with the right solution and this report.
@@ -163,23 +163,23 @@ const std::map<std::string, Expected> hostile = {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_report_is_typeset_with_the_numbers_of_the_students_own_functions) {
-  const Desk desk;
-  const fs::path alice = desk.submission("alice", handout_report());
+  const Marking marking;
+  const fs::path alice = marking.submission("alice", handout_report());
 
-  const Files files = desk.marked(alice);
+  const Files files = marking.marked(alice);
 
   BOOST_TEST(files.at("findings.txt") == "");
   BOOST_TEST(files.at("numbers.tex") == "\\newcommand*\\area{9\\,m$^2$}\n");
   BOOST_TEST(files.at("report.tex") == handout_report());
   BOOST_TEST(files.at("typeset.pdf").starts_with("%PDF"));
   BOOST_TEST(holds(files.at("typeset.log"), "generated/square.pdf"));
-  BOOST_TEST(desk.marked(alice, 4).at("numbers.tex") == "\\newcommand*\\area{16\\,m$^2$}\n");
+  BOOST_TEST(marking.marked(alice, 4).at("numbers.tex") == "\\newcommand*\\area{16\\,m$^2$}\n");
 }
 
 BOOST_AUTO_TEST_CASE(the_same_submission_gives_the_same_bytes_and_the_pdf_names_no_folder) {
-  const Desk desk;
-  const Files first = desk.marked(desk.submission("alice", handout_report()));
-  const Desk other;
+  const Marking marking;
+  const Files first = marking.marked(marking.submission("alice", handout_report()));
+  const Marking other;
   const Files second = other.marked(other.submission("bob", handout_report()));
 
   BOOST_TEST(first.size() == 5U);
@@ -192,28 +192,28 @@ BOOST_AUTO_TEST_CASE(the_same_submission_gives_the_same_bytes_and_the_pdf_names_
 }
 
 BOOST_AUTO_TEST_CASE(chance_and_time_give_the_same_bytes_or_are_told) {
-  const Desk desk;
+  const Marking marking;
   const std::string chance = replaced(handout_report(), "\\area{}", "\\pdfuniformdeviate 1000000 ");
-  const fs::path finn = desk.submission("finn", chance);
-  BOOST_TEST((desk.marked(finn).at("typeset.pdf") == desk.marked(finn).at("typeset.pdf")));
+  const fs::path finn = marking.submission("finn", chance);
+  BOOST_TEST((marking.marked(finn).at("typeset.pdf") == marking.marked(finn).at("typeset.pdf")));
 
-  desk.made().write("finn/src/square.cpp",
-                    "#include <ctime>\n#include \"toy.hpp\"\n"
-                    "double square(double x) {\n  timespec now{};\n"
-                    "  clock_gettime(CLOCK_MONOTONIC, &now);\n"
-                    "  return x * x + now.tv_nsec;\n}\n");
-  const std::string findings = desk.marked(finn).at("findings.txt");
+  marking.made().write("finn/src/square.cpp",
+                       "#include <ctime>\n#include \"toy.hpp\"\n"
+                       "double square(double x) {\n  timespec now{};\n"
+                       "  clock_gettime(CLOCK_MONOTONIC, &now);\n"
+                       "  return x * x + now.tv_nsec;\n}\n");
+  const std::string findings = marking.marked(finn).at("findings.txt");
   BOOST_TEST(holds(findings, "report/figures.cpp: generated/numbers.tex differs from run to run\n"),
              findings);
 }
 
 BOOST_AUTO_TEST_CASE(what_was_handed_in_is_held_against_what_the_functions_give) {
-  const Desk desk;
+  const Marking marking;
   const fs::path bob =
-      desk.submission("bob", replaced(handout_report(), "\\area{}", "\\aera{}, or 8.75"));
-  desk.made().write("bob/report/generated/numbers.tex", "\\newcommand*\\area{8\\,m$^2$}\n");
+      marking.submission("bob", replaced(handout_report(), "\\area{}", "\\aera{}, or 8.75"));
+  marking.made().write("bob/report/generated/numbers.tex", "\\newcommand*\\area{8\\,m$^2$}\n");
 
-  const std::string findings = desk.marked(bob).at("findings.txt");
+  const std::string findings = marking.marked(bob).at("findings.txt");
 
   for (const char* finding :
        {"report/report.tex:6:13: Undefined control sequence. \\aera, did you mean 'area'?\n",
@@ -225,21 +225,21 @@ BOOST_AUTO_TEST_CASE(what_was_handed_in_is_held_against_what_the_functions_give)
 }
 
 BOOST_AUTO_TEST_CASE(a_function_that_does_not_compile_or_never_ends_is_told) {
-  const Desk desk;
-  desk.submission("carl", handout_report());
-  const fs::path carl = desk.made().write("carl/src/square.cpp", "double square = nothing;\n");
-  const std::string wrong = desk.marked(carl.parent_path().parent_path()).at("findings.txt");
+  const Marking marking;
+  marking.submission("carl", handout_report());
+  const fs::path carl = marking.made().write("carl/src/square.cpp", "double square = nothing;\n");
+  const std::string wrong = marking.marked(carl.parent_path().parent_path()).at("findings.txt");
   BOOST_TEST(holds(wrong, "square: src/square.cpp:1:17: error: 'nothing' was not declared"), wrong);
 
-  desk.made().write("carl/src/square.cpp", "double square(double) { for (;;) {} }\n");
-  const Files endless = desk.marked(desk.made().path() / "carl");
+  marking.made().write("carl/src/square.cpp", "double square(double) { for (;;) {} }\n");
+  const Files endless = marking.marked(marking.made().path() / "carl");
   BOOST_TEST(holds(endless.at("findings.txt"), "there are no numbers: it takes longer than 2 s"),
              endless.at("findings.txt"));
   BOOST_TEST(!endless.contains("numbers.tex"));
 }
 
 BOOST_AUTO_TEST_CASE(no_hostile_report_reads_writes_outlasts_or_hinders_anything) {
-  const Desk desk;
+  const Marking marking;
   const OpenFolder forbidden("forbidden"), neighbours("neighbours");
   sys::write_file_atomically(neighbours.path() / "report/report.tex",
                              "\\typeout{read: the neighbour}\n");
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(no_hostile_report_reads_writes_outlasts_or_hinders_anything
     report = replaced(report, "@SOURCE@", HALFSPACE_SOURCE_DIR);
     report = replaced(report, "@LONG@", std::string(900, 'x'));
 
-    const Files files = desk.marked(desk.submission(name, report));
+    const Files files = marking.marked(marking.submission(name, report));
 
     const Expected& expected = hostile.at(name);
     const std::string& findings = files.at("findings.txt");
@@ -274,15 +274,15 @@ BOOST_AUTO_TEST_CASE(no_hostile_report_reads_writes_outlasts_or_hinders_anything
     BOOST_TEST(fs::is_empty(forbidden.path()), name);
   }
   BOOST_TEST(tried.size() == hostile.size());
-  BOOST_TEST(desk.findings("after_all", handout_report()) == "");
+  BOOST_TEST(marking.findings("after_all", handout_report()) == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_report_that_is_no_file_of_text_is_told_and_not_typeset) {
-  const Desk desk;
-  const fs::path folder = desk.submission("odd", "");
+  const Marking marking;
+  const fs::path folder = marking.submission("odd", "");
   const fs::path report = folder / "report/report.tex";
   const auto says = [&](const std::string& words) {
-    const Files files = desk.marked(folder);
+    const Files files = marking.marked(folder);
     BOOST_TEST(files.at("findings.txt") == "report/report.tex " + words + "\n");
     BOOST_TEST(!files.contains("typeset.pdf"));
   };
@@ -307,50 +307,50 @@ BOOST_AUTO_TEST_CASE(a_report_that_is_no_file_of_text_is_told_and_not_typeset) {
 }
 
 BOOST_AUTO_TEST_CASE(no_text_holds_up_the_checks_of_this_program) {
-  const Desk desk;
+  const Marking marking;
   for (const std::string part : {"\\cite{", "% constant ", "1 ", "0.1234 ", "\\newcommand{"}) {
     std::string report = "\\documentclass{article}\\begin{document}";
     while (report.size() < 60U * 1024) report += part;
-    const std::string findings = desk.findings("long", report);
+    const std::string findings = marking.findings("long", report);
     BOOST_TEST(findings != "", part);
   }
 }
 
 BOOST_AUTO_TEST_CASE(bytes_that_are_no_utf8_are_told_with_their_place) {
-  const Desk desk;
+  const Marking marking;
 
   const std::string findings =
-      desk.findings("latin1", replaced(handout_report(), "The area", "M\xfcller's area"));
+      marking.findings("latin1", replaced(handout_report(), "The area", "M\xfcller's area"));
 
   BOOST_TEST(holds(findings, "report/report.tex:6:2: this is no UTF-8\n"), findings);
   BOOST_TEST(holds(findings, "report/report.tex:6"), findings);
 }
 
 BOOST_AUTO_TEST_CASE(the_handouts_scripts_draw_whatever_was_handed_in_or_computed) {
-  const Desk desk;
+  const Marking marking;
   const OpenFolder forbidden("forbidden");
   const std::string touch = "touch " + forbidden.path().string() + "/drawn";
-  const fs::path dora = desk.submission("dora", handout_report());
-  desk.made().write("dora/report/square.gp", "system \"" + touch + "\"\n");
-  desk.made().write("dora/report/figures.cpp", "int main() {}\n");
+  const fs::path dora = marking.submission("dora", handout_report());
+  marking.made().write("dora/report/square.gp", "system \"" + touch + "\"\n");
+  marking.made().write("dora/report/figures.cpp", "int main() {}\n");
   // What is left of the program writes among its data when it ends.
-  desk.made().write("dora/src/square.cpp",
-                    "#include <fstream>\n#include \"toy.hpp\"\n"
-                    "struct Last {\n  ~Last() {\n"
-                    "    std::ofstream(\"/tmp/generated/square.dat\")\n"
-                    "        << \"`" +
-                        touch + "`\\n\" << \"< " + touch +
-                        "\\n\"\n"
-                        "        << \"@system('" +
-                        touch +
-                        "')\\n1 2\\n2 3\\n\";\n"
-                        "    std::ofstream(\"/tmp/generated/square.gp\") << \"system '" +
-                        touch +
-                        "'\\n\";\n"
-                        "  }\n} last;\n"
-                        "double square(double x) { return x * x; }\n");
+  marking.made().write("dora/src/square.cpp",
+                       "#include <fstream>\n#include \"toy.hpp\"\n"
+                       "struct Last {\n  ~Last() {\n"
+                       "    std::ofstream(\"/tmp/generated/square.dat\")\n"
+                       "        << \"`" +
+                           touch + "`\\n\" << \"< " + touch +
+                           "\\n\"\n"
+                           "        << \"@system('" +
+                           touch +
+                           "')\\n1 2\\n2 3\\n\";\n"
+                           "    std::ofstream(\"/tmp/generated/square.gp\") << \"system '" +
+                           touch +
+                           "'\\n\";\n"
+                           "  }\n} last;\n"
+                           "double square(double x) { return x * x; }\n");
 
-  const Files files = desk.marked(dora);
+  const Files files = marking.marked(dora);
 
   BOOST_TEST(fs::is_empty(forbidden.path()));
   BOOST_TEST(holds(files.at("findings.txt"), "report/square.gp: it draws nothing: "),
@@ -359,10 +359,10 @@ BOOST_AUTO_TEST_CASE(the_handouts_scripts_draw_whatever_was_handed_in_or_compute
 }
 
 BOOST_AUTO_TEST_CASE(files_that_a_program_leaves_are_read_as_a_submission_is) {
-  const Desk desk;
-  const fs::path eve = desk.submission("eve", handout_report());
+  const Marking marking;
+  const fs::path eve = marking.submission("eve", handout_report());
   const auto leaves = [&](const std::string& statement) {
-    desk.made().write(
+    marking.made().write(
         "eve/src/square.cpp",
         "#include <fcntl.h>\n#include <unistd.h>\n#include <cstdlib>\n#include <string>\n"
         "#include \"toy.hpp\"\n"
@@ -370,7 +370,7 @@ BOOST_AUTO_TEST_CASE(files_that_a_program_leaves_are_read_as_a_submission_is) {
             statement +
             "; }\n} last;\n"
             "double square(double x) { return x * x; }\n");
-    return desk.marked(eve);
+    return marking.marked(eve);
   };
 
   const Files link = leaves(
@@ -403,17 +403,18 @@ BOOST_AUTO_TEST_CASE(files_that_a_program_leaves_are_read_as_a_submission_is) {
 }
 
 BOOST_AUTO_TEST_CASE(without_walls_too_latex_neither_writes_nor_reads_by_absolute_paths) {
-  const Desk desk(Isolation::none);
-  BOOST_TEST(desk.findings("honest", handout_report()) == "");
+  const Marking marking(Isolation::none);
+  BOOST_TEST(marking.findings("honest", handout_report()) == "");
 
-  const std::string read = desk.findings("reads", sys::read_file(fixtures / "reads_passwords.tex"));
+  const std::string read =
+      marking.findings("reads", sys::read_file(fixtures / "reads_passwords.tex"));
   BOOST_TEST(holds(read, "`/etc/passwd.tex' not found"), read);
 
   const OpenFolder forbidden("forbidden");
-  desk.findings("writes", replaced(sys::read_file(fixtures / "writes_elsewhere.tex"), "@FORBIDDEN@",
-                                   forbidden.path().string()));
-  desk.findings("runs", replaced(sys::read_file(fixtures / "writes_to_the_shell.tex"),
-                                 "@FORBIDDEN@", forbidden.path().string()));
+  marking.findings("writes", replaced(sys::read_file(fixtures / "writes_elsewhere.tex"),
+                                      "@FORBIDDEN@", forbidden.path().string()));
+  marking.findings("runs", replaced(sys::read_file(fixtures / "writes_to_the_shell.tex"),
+                                    "@FORBIDDEN@", forbidden.path().string()));
   BOOST_TEST(fs::is_empty(forbidden.path()));
 }
 
