@@ -241,6 +241,8 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);
   const Restyled restyled = restyled_values(settings.document, names);
   for (const std::string& error : restyled.errors) complain(error, ExitCode::bad_input);
+  // What does not hold is told with what is wrong in the prose, and before LaTeX may fail.
+  const ExitCode verdict = command_line::answer_faults(names.faults);
   if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
   for (const std::string& name : references.unused) {
     complain(fmt::format("warning: {} is registered and not used", name), ExitCode::success);
@@ -271,7 +273,6 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
   for (const std::string& warning : done.warnings) {
     complain("warning: " + warning, ExitCode::success);
   }
-  const ExitCode verdict = command_line::answer_faults(names.faults);
   if (!done.warnings.empty()) {
     // Without a manifest the build is not done: the next one that tolerates nothing will tell.
     fs::remove(settings.manifest());

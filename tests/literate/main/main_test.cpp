@@ -291,6 +291,24 @@ BOOST_AUTO_TEST_CASE(typeset_looks_names_up_before_latex_starts) {
   BOOST_TEST(!fs::exists(place.path("latex")));
 }
 
+BOOST_AUTO_TEST_CASE(typeset_tells_what_does_not_hold_with_every_name_that_is_not_known) {
+  const Workplace place;
+  const auto compute = [](literate::Document& document, const literate::Inputs&) {
+    document.check("balance", false, "The forces balance.");
+  };
+  place.compute(compute);
+  place.stage("draw", compute);
+  sys::write_file_atomically(place.path("paper/toy.tex"), "It is \\val{sun} and \\val{moon}.\n");
+
+  const Answer answer = place.stage("typeset", compute);
+
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(answer.errors.find("paper/toy.tex:1:7: unknown value 'sun'") != std::string::npos);
+  BOOST_TEST(answer.errors.find("paper/toy.tex:1:21: unknown value 'moon'") != std::string::npos);
+  BOOST_TEST(answer.errors.ends_with(": check balance failed: The forces balance.\n"),
+             answer.errors);
+}
+
 BOOST_AUTO_TEST_CASE(check_passes_prose_that_uses_all_and_types_nothing) {
   const Workplace place;
   place.compute(register_sum);
