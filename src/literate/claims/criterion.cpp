@@ -131,6 +131,12 @@ Outcome outcome_of(double excess, double unsure) {
   return excess - unsure > 0 ? Outcome::fails : Outcome::undecided;
 }
 
+Phrase found_of(const Criterion& criterion, double limit, Side side) {
+  const Value& quantity = criterion.quantity();
+  return criterion.outcome() == Outcome::undecided ? undecided_phrase(quantity, limit, side)
+                                                   : found_phrase(quantity, limit, side);
+}
+
 std::string_view verb_of(Outcome outcome) {
   return outcome == Outcome::undecided ? "is undecided" : name_of(outcome);
 }
@@ -169,8 +175,8 @@ Criterion Criterion::at_most(std::string name, Value quantity, Limit limit, Loca
       phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.limit_phrase_ =
       at_most_in_signs(limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_most);
   criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_, place);
+  criterion.found_ = found_of(criterion, criterion.limit_.number(), Side::at_most);
   return criterion;
 }
 
@@ -182,8 +188,8 @@ Criterion Criterion::at_least(std::string name, Value quantity, Limit limit, Loc
       phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.limit_phrase_ =
       in_signs("≥", "\\ge", limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.found_ = found_phrase(criterion.quantity_, criterion.limit_.number(), Side::at_least);
   criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_, place);
+  criterion.found_ = found_of(criterion, criterion.limit_.number(), Side::at_least);
   return criterion;
 }
 

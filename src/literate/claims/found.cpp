@@ -157,6 +157,11 @@ Phrase found_phrase(const Value& quantity, double limit, Side side) {
   return found_print(quantity, limit, side).phrase;
 }
 
+Phrase undecided_phrase(const Value& quantity, double limit, Side side) {
+  const bool is_lost = std::abs(*quantity.number()) < *quantity.abs_error();
+  return is_lost ? found_phrase(quantity, limit, side) : phrase("{}", with_error(quantity));
+}
+
 Phrase agreement_phrase(const Value& computed, const Value& stated, const Value& difference,
                         double tolerance, Distance distance) {
   const bool agrees = *difference.number() <= tolerance;

@@ -21,6 +21,10 @@ enum class Side { at_most, at_least };
 /// Throws std::invalid_argument for a quantity without a number or without an error.
 Phrase found_phrase(const Value& quantity, double limit, Side side);
 
+/// The same of a quantity whose error leaves open on which side it is: with the error in
+/// parentheses, so that a reader sees that it reaches across the limit.
+Phrase undecided_phrase(const Value& quantity, double limit, Side side);
+
 /// What the difference of two numbers is held against: a number of their unit, or a ratio.
 enum class Distance { absolute, relative };
 

@@ -54,6 +54,18 @@ BOOST_AUTO_TEST_CASE(a_quantity_that_equals_its_limit_satisfies_it) {
       is(Criterion::at_least("share", Value({0.1, 0}, percent(1)), limit_of(0.1)), Outcome::holds));
 }
 
+BOOST_AUTO_TEST_CASE(a_quantity_shows_the_error_that_leaves_its_verdict_open) {
+  const auto at_least = [](double number, double abs_error) {
+    return Criterion::at_least("load", Value({number, abs_error}, significant(3), "N"),
+                               limit_of(65));
+  };
+
+  BOOST_TEST(at_least(67, 5).computed() == "load: 67.0(50) N");
+  BOOST_TEST(at_least(67, 5).condition().plain == "at least 65 N");
+  BOOST_TEST(at_least(77, 5).computed() == "load: 8e1 N");
+  BOOST_TEST(at_least(67, 80).computed() == "load: at least -13 N");
+}
+
 BOOST_AUTO_TEST_CASE(an_error_that_reaches_across_the_limit_leaves_the_verdict_open) {
   const Criterion of_quantity = misfit_at_most(0.0009, 0.0002, limit_of(0.001));
   BOOST_TEST(is(of_quantity, Outcome::undecided));
