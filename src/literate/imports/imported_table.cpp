@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "literate/imports/import_error.hpp"
+#include "literate/text/unit.hpp"
 #include "literate/values/decimal.hpp"
 #include "system/decimal.hpp"
 
@@ -24,6 +25,7 @@ bool has_exponents(const Rows& rows, std::size_t column) {
 }
 
 Column column_of(const ImportedColumn& column, bool writes_exponents) {
+  require_unit(column.unit);  // its place is that of the file, and not this line
   const auto numbers = [&](const Format& format) {
     const Column printed(column.heading, format, column.unit);
     return column.is_exact ? printed.exact() : printed;

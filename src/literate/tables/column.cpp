@@ -16,41 +16,56 @@ bool prints_all_digits(const Format& numbers) {
   return numbers.notation() == Notation::integer || numbers.notation() == Notation::exact;
 }
 
-}  // namespace
+[[noreturn]] void refuse(const ColumnFormat& column, const Column::Location& location,
+                         const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}:{}: column '{}': {}", location.file_name(),
+                                          location.line(), column.heading, why));
+}
 
-Column::Column(ColumnFormat format) : format_(std::move(format)) {
-  if (plain_unit(format_.unit).empty()) format_.unit.clear();
-  const auto& numbers = format_.numbers;
-  if (numbers && numbers->is_percentage() && !format_.unit.empty()) {
-    throw std::invalid_argument(
-        fmt::format("column '{}' is in per cent and has no other unit, such as '{}'",
-                    format_.heading, format_.unit));
-  }
-  if (numbers && numbers->rounds_up() && numbers->notation() == Notation::significant) {
-    throw std::invalid_argument(fmt::format(
-        "column '{}': only scientific() and fixed() numbers round up", format_.heading));
+std::string unit_of(const ColumnFormat& column, const Column::Location& location) {
+  try {
+    return plain_unit(column.unit).empty() ? "" : column.unit;
+  } catch (const std::invalid_argument& error) {
+    refuse(column, location, error.what());
   }
 }
 
-Column::Column(std::string heading, const Format& numbers, std::string unit)
+}  // namespace
+
+Column::Column(ColumnFormat format, const Location& location) : format_(std::move(format)) {
+  format_.unit = unit_of(format_, location);
+  const auto& numbers = format_.numbers;
+  if (numbers && numbers->is_percentage() && !format_.unit.empty()) {
+    refuse(format_, location,
+           fmt::format("it is in per cent and has no other unit, such as '{}'", format_.unit));
+  }
+  if (numbers && numbers->rounds_up() && numbers->notation() == Notation::significant) {
+    refuse(format_, location, "only scientific() and fixed() numbers round up");
+  }
+}
+
+Column::Column(std::string heading, const Format& numbers, std::string unit, Location location)
     : Column(ColumnFormat{.heading = std::move(heading),
                           .numbers = numbers,
                           .unit = std::move(unit),
-                          .is_exact = prints_all_digits(numbers)}) {}
+                          .is_exact = prints_all_digits(numbers)},
+             location) {}
 
-Column Column::text(std::string heading, double width_cm) {
+Column Column::text(std::string heading, double width_cm, Location location) {
+  ColumnFormat format{
+      .heading = std::move(heading), .numbers = std::nullopt, .unit = "", .width_cm = width_cm};
   if (!(std::isfinite(width_cm) && width_cm >= 0)) {
-    throw std::invalid_argument(fmt::format("column '{}': a width of {} cm", heading, width_cm));
+    refuse(format, location, fmt::format("a width of {} cm", width_cm));
   }
-  return Column(ColumnFormat{
-      .heading = std::move(heading), .numbers = std::nullopt, .unit = "", .width_cm = width_cm});
+  return {std::move(format), location};
 }
 
-Column Column::scaled(int exponent) const {
+Column Column::scaled(int exponent, Location location) const {
   if (!format_.numbers || format_.numbers->notation() != Notation::fixed ||
       format_.numbers->rounds_up()) {
-    throw std::invalid_argument(
-        fmt::format("column '{}': only fixed() numbers can be scaled", format_.heading));
+    refuse(format_, location,
+           "only fixed() numbers are scaled: fixed(3) has three digits behind the point of the "
+           "scaled number");
   }
   Column column = *this;
   column.format_.exponent = exponent;

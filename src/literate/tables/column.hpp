@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <source_location>
 #include <string>
 
 #include "literate/values/format.hpp"
@@ -29,19 +30,25 @@ struct ColumnFormat {
 ///     Column("nodes", integer())
 ///     Column::text("method")
 ///     Column::text("remark", 4.5)               // in lines of 4.5 cm
+///
+/// What is refused is told with the line of the code that asked for it.
 class Column {
  public:
+  using Location = std::source_location;
+
   /// Throws std::invalid_argument for a unit that require_unit refuses, and for a percentage with a
   /// unit.
-  Column(std::string heading, const Format& numbers, std::string unit = "");
+  Column(std::string heading, const Format& numbers, std::string unit = "",
+         Location location = Location::current());
 
   /// Prints plain text, flush left, in lines of `width_cm` or, without it, in one line. Throws
   /// std::invalid_argument for a width that is negative or not finite.
-  static Column text(std::string heading, double width_cm = 0);
+  static Column text(std::string heading, double width_cm = 0,
+                     Location location = Location::current());
 
   /// Prints the numbers divided by 10^exponent, which the unit line states. Only for fixed():
   /// throws std::invalid_argument for other formats.
-  Column scaled(int exponent) const;
+  Column scaled(int exponent, Location location = Location::current()) const;
 
   /// Declares that bare numbers in this column have no error, such as parameters and abscissae.
   /// They are not rounded: one with more digits than the format has prints them all. Columns of
@@ -54,7 +61,7 @@ class Column {
   const ColumnFormat& format() const { return format_; }
 
  private:
-  explicit Column(ColumnFormat format);
+  Column(ColumnFormat format, const Location& location);
 
   ColumnFormat format_;
 };

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/tables/table.hpp"
 
+#include <fmt/core.h>
+
 #include <boost/test/unit_test.hpp>
 #include <limits>
+#include <source_location>
 #include <stdexcept>
 
 #include "message_of.hpp"
@@ -181,10 +184,24 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_a_column_is_refused) {
   refused(Column("n", fixed(1)), Estimate{infinity, 1});
   refused(Column("n", uncertain()).exact(), 1.5);
   refused(Column("n", percent(1).rounded_up()), Estimate{-0.5, 0.1});
-  BOOST_CHECK_THROW(Column("n", significant(2)).scaled(3), invalid_argument);
   BOOST_CHECK_THROW(Column("n", significant(2).rounded_up()), invalid_argument);
   BOOST_CHECK_THROW(Column("n", percent(1), "in"), invalid_argument);
   BOOST_CHECK_THROW(Column("share", fixed(1), "#"), invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_column_cannot_be_is_told_with_the_line_that_asked_for_it) {
+  const std::string place = std::source_location::current().file_name();
+  const auto line = __LINE__ + 1;
+  const auto scaled = [] { Column("n", significant(2)).scaled(3); };
+  const auto with_unit = [] { Column("n", percent(1), "in"); };
+
+  BOOST_TEST(message_of<invalid_argument>(scaled) ==
+             fmt::format("{}:{}: column 'n': only fixed() numbers are scaled: fixed(3) has three "
+                         "digits behind the point of the scaled number",
+                         place, line));
+  BOOST_TEST(message_of<invalid_argument>(with_unit) ==
+             fmt::format("{}:{}: column 'n': it is in per cent and has no other unit, such as 'in'",
+                         place, line + 1));
 }
 
 BOOST_AUTO_TEST_CASE(a_quoted_number_keeps_its_digits_in_a_column_of_others) {
