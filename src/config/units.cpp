@@ -180,7 +180,10 @@ double conversion_factor(const std::string& from, const std::string& to) {
                          std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) <=
                              4 * std::numeric_limits<double>::epsilon() * std::abs(factor);
   if (!is_factor) {
-    throw UnitError(fmt::format("\"{}\" is no multiple of \"{}\": 0 must stay 0", from, to));
+    throw UnitError(fmt::format(
+        "\"{}\" and \"{}\" count from different zeros, and only a factor converts units: give the "
+        "number in \"{}\"",
+        from, to, to));
   }
   if (!(factor > 0 && std::isfinite(factor))) {
     throw UnitError(fmt::format("\"{}\" is {} times \"{}\": the factor must be positive and finite",
