@@ -316,7 +316,7 @@ void Expander::quoted(TexScanner& in, const TexToken& token) {
   if (token.name == "quotedpage")
     return emit("p.~" + expanded(escape_latex(quotation->second.page)));
   emit(marked("<span class=\"lit-quoted\">",
-              "``" + expanded(escape_latex(quotation->second.words)) + "''", "</span>"));
+              "``" + expanded(words_latex(quotation->second)) + "''", "</span>"));
 }
 
 void Expander::statement(TexScanner& in, const TexToken&) {

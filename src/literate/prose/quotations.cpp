@@ -5,6 +5,7 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "literate/prose/source_label.hpp"
@@ -182,11 +183,27 @@ std::vector<std::string> quotation_errors(const std::vector<Quotation>& quotatio
   return errors;
 }
 
+std::string words_latex(const Quotation& quotation) {
+  std::string words;
+  for (const char c : quotation.words) {
+    const bool opens =
+        words.empty() || is_space(words.back()) ||
+        std::ranges::any_of(std::array<std::string_view, 6>{"(", "[", "-", "–", "—", "“"},
+                            [&](std::string_view before) { return words.ends_with(before); });
+    if (c == '"') {
+      words += opens ? "“" : "”";
+    } else {
+      words += c;
+    }
+  }
+  return escape_latex(words);
+}
+
 std::string quotations_tex(const std::vector<Quotation>& quotations) {
   std::string text;
   for (const Quotation& quotation : quotations) {
     text += fmt::format("\\LiterateQuotation{{{}}}{{{}}}{{{}}}\n", quotation.id,
-                        escape_latex(quotation.page), escape_latex(quotation.words));
+                        escape_latex(quotation.page), words_latex(quotation));
   }
   return text;
 }

@@ -31,6 +31,10 @@ std::vector<Quotation> read_quotations(const std::filesystem::path& folder);
 std::vector<std::string> quotation_errors(const std::vector<Quotation>& quotations,
                                           const std::filesystem::path& text_file);
 
+/// The words as LaTeX. A straight mark of quotation opens at the beginning and behind a blank, a
+/// bracket or a dash, and closes elsewhere.
+std::string words_latex(const Quotation& quotation);
+
 /// «\LiterateQuotation{id}{page}{words}» for each.
 std::string quotations_tex(const std::vector<Quotation>& quotations);
 

@@ -53,6 +53,16 @@ BOOST_AUTO_TEST_CASE(white_space_and_hyphens_at_the_ends_of_lines_do_not_count) 
   BOOST_TEST(Place(two).errors("steel is 5%dearer nonfer-rous") != none);
 }
 
+BOOST_AUTO_TEST_CASE(straight_marks_of_quotation_open_and_close) {
+  const auto words = [](const std::string& text) {
+    return words_latex({.id = "a", .page = "1", .words = text, .place = ""});
+  };
+
+  BOOST_TEST(words("\"Near\" is (\"far\"), it's 5") ==
+             "\\textquotedblleft{}Near\\textquotedblright{} is "
+             "(\\textquotedblleft{}far\\textquotedblright{}), it's 5");
+}
+
 BOOST_AUTO_TEST_CASE(a_quotation_that_differs_is_told_with_both_places_and_what_follows) {
   const std::vector<std::string> expected = {
       "report/quotations.toml:3:9: quotation 'steel' differs after 'steel is': it goes on "
