@@ -117,7 +117,6 @@ Expanded Expander::expand() {
 void Expander::read_file(const fs::path& file) {
   const std::string text = sys::read_file(file);
   const auto outer = std::tuple(file_text_, at_, file_name_);
-  result_.files.push_back(file);
   file_text_ = at_ = text;
   file_name_ =
       source_label(sources_.document) + "/" + file.lexically_relative(sources_.document).string();
@@ -164,6 +163,12 @@ void Expander::read_all(std::string_view text) {
 void Expander::read(TexScanner& in, const TexToken& token) {
   const char* begin = token.text.data();
   if (begin >= file_text_.data() && begin < file_text_.data() + file_text_.size()) at_ = token.text;
+  // Of what was generated, or stands in a definition, the author knows the line that asked for it.
+  const bool has_name = token.kind == TexKind::command || token.kind == TexKind::begin ||
+                        token.kind == TexKind::symbol;
+  if (has_name && !result_.commands.contains(token.text)) {
+    result_.commands.emplace(token.text, place());
+  }
   switch (token.kind) {
     case TexKind::comment:
       // A comment ends its line, and the blanks before the next.

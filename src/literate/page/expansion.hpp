@@ -39,7 +39,7 @@ struct Expanded {
   std::vector<std::string> typeset;             ///< environments that LaTeX sets as pictures
   std::vector<std::string> errors;              ///< «file:line:column: what is wrong»
   std::map<std::string, std::string> formulas;  ///< places of formulas, by their TeX without blanks
-  std::vector<std::filesystem::path> files;     ///< all that were read, in this order
+  std::map<std::string, std::string, std::less<>> commands;  ///< where each was first met
 };
 
 /// Reads a document with the scanner of the lint. Throws sys::InputError if the PDF, of which it
@@ -164,6 +164,7 @@ class Expander {
   void clever_range(TexScanner&, const TexToken&);
   std::string link_to(const std::string& key, const std::string& latex);
   std::string number_of(const std::string& key) const;
+  std::vector<std::pair<std::string, bool>> cited_in_order(std::vector<std::string> keys) const;
   void citation(TexScanner&, const TexToken&);
   void bibliography(TexScanner&, const TexToken&);
   void bibliography_items(TexScanner&, const TexToken&);
@@ -220,7 +221,8 @@ class Expander {
   std::string section_;
   std::string class_;
   bool is_math_ = false, is_modified_ = false, is_appendix_ = false, is_author_year_ = false,
-       has_parts_ = false, has_chapters_ = false;
+       sorts_citations_ = false, compresses_citations_ = false, has_parts_ = false,
+       has_chapters_ = false;
   int depth_ = 0, n_notes_among_sources_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
+#include "system/decimal.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -301,22 +302,50 @@ void Expander::clever_range(TexScanner& in, const TexToken& token) {
        link_to(last, number_of(last)));
 }
 
+// The keys of a citation in the order of the PDF, and which of them only a range holds.
+std::vector<std::pair<std::string, bool>> Expander::cited_in_order(
+    std::vector<std::string> keys) const {
+  const auto number = [&](const std::string& key) {
+    return sys::parsed<int>(numbers_.citation(key)[0]);
+  };
+  const bool is_numbered =
+      std::ranges::all_of(keys, [&](const std::string& key) { return number(key).has_value(); });
+  if (is_numbered && sorts_citations_) std::ranges::stable_sort(keys, {}, number);
+  std::vector<std::pair<std::string, bool>> cited;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const bool is_between = is_numbered && compresses_citations_ && i > 0 && i + 1 < keys.size() &&
+                            *number(keys[i - 1]) + 1 == *number(keys[i]) &&
+                            *number(keys[i]) + 1 == *number(keys[i + 1]);
+    cited.emplace_back(keys[i], is_between);
+  }
+  return cited;
+}
+
 // natbib's citations of author and year stand in the text, or in brackets where they have a note.
 void Expander::citation(TexScanner& in, const TexToken& token) {
   const auto first = option(in), second = option(in);
   const std::string before(second ? *first : ""), behind(second ? *second : first.value_or(""));
   const bool is_bare = token.name == "cite" && is_author_year_ && !first;
   const bool is_textual = token.name == "citet" || is_bare;
+  const std::string between = is_author_year_ && !is_textual        ? "; "
+                              : class_ == "IEEEtran" && !is_textual ? "{]}, {[}"
+                                                                    : ", ";
+  const std::string range = class_ == "IEEEtran" ? "{]}–{[}" : "–";
   std::string text;
-  for (const std::string& key : names_in(argument(in))) {
+  bool is_range = false;
+  for (const auto& [key, is_between] : cited_in_order(names_in(argument(in)))) {
+    if (is_between && !is_textual) {
+      is_range = true;
+      continue;
+    }
     const std::vector<std::string> cited = numbers_.citation(key);
     const std::string& number = is_author_year_ ? cited.at(1) : cited[0];
     std::string shown = number;
     if (is_textual) shown = (cited.size() > 2 ? cited[2] + " " : "") + "{[}" + number + "{]}";
     if (!is_textual && is_author_year_) shown = cited[2] + ", " + number;
     text += (text.empty()                     ? ""
-             : is_author_year_ && !is_textual ? "; "
-                                              : ", ") +
+             : std::exchange(is_range, false) ? range
+                                              : between) +
             marked(fmt::format("<a class=\"lit-cite\" href=\"#bib-{}\">", escape_html(key)), shown,
                    "</a>");
   }

@@ -165,7 +165,14 @@ std::string Expander::title_marks(std::string_view labels) const {
 void Expander::package(TexScanner& in, const TexToken&) {
   const std::string_view options = option(in).value_or("");
   const std::string name(argument(in));
-  if (name == "natbib") is_author_year_ = options.find("numbers") == options.npos;
+  const auto has = [&](const char* wanted) { return options.find(wanted) != options.npos; };
+  for (const std::string& one : names_in(name)) {
+    if (one == "natbib") is_author_year_ = !has("numbers");
+    if (one == "cite") {
+      sorts_citations_ = !has("nosort");
+      compresses_citations_ = !has("nocompress");
+    }
+  }
   const fs::path file = sources_.document / (name + ".sty");
   if (fs::is_regular_file(file)) read_preamble(sys::read_file(file));
 }
@@ -315,8 +322,8 @@ void Expander::quoted(TexScanner& in, const TexToken& token) {
   if (quotation == quotations_.end()) return fail("unknown quotation");
   if (token.name == "quotedpage")
     return emit("p.~" + expanded(escape_latex(quotation->second.page)));
-  emit(marked("<span class=\"lit-quoted\">",
-              "``" + expanded(words_latex(quotation->second)) + "''", "</span>"));
+  emit(marked("<span class=\"lit-quoted\">", "``" + expanded(words_latex(quotation->second)) + "''",
+              "</span>"));
 }
 
 void Expander::statement(TexScanner& in, const TexToken&) {

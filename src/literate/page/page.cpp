@@ -51,32 +51,17 @@ std::string marks_lua(const std::vector<PageMark>& marks) {
   return lua + "}\n";
 }
 
-// Where the document has a piece of LaTeX that pandoc did not know, by the command that begins it.
-std::string place_of(const Expanded& document, const fs::path& folder, const std::string& latex) {
-  TexScanner piece(latex);
-  const auto wanted = piece.next();
-  for (const fs::path& file : document.files) {
-    const std::string text = sys::read_file(file);
-    const auto begin = text.find("\\begin{document}");
-    TexScanner in(text);
-    while (const auto token = in.next()) {
-      const bool is_same = wanted && token->kind == wanted->kind && token->name == wanted->name &&
-                           (!token->name.empty() || token->text == wanted->text);
-      const auto at = static_cast<std::size_t>(token->text.data() - text.data());
-      if (!is_same || (begin != text.npos && at < begin)) continue;
-      const TexPlace place = place_in(text, token->text);
-      return fmt::format("{}/{}:{}:{}", source_label(folder),
-                         file.lexically_relative(folder).string(), place.line, place.column);
-    }
-  }
-  return source_label(folder);
-}
-
 // The command or the beginning of the environment.
 std::string command_of(const std::string& latex) {
   TexScanner piece(latex);
   const auto token = piece.next();
   return token ? std::string(token->text) : latex;
+}
+
+// Where the document asks for a piece of LaTeX that pandoc did not know.
+std::string place_of(const Expanded& document, const fs::path& folder, const std::string& latex) {
+  const auto known = document.commands.find(command_of(latex));
+  return known == document.commands.end() ? source_label(folder) : known->second;
 }
 
 // What pandoc and the filter said.

@@ -45,6 +45,9 @@ void register_apples(Document& document) {
   Table prices("prices", {Column::text("fruit"), Column("price", fixed(2), "kr").exact()});
   prices.add_row({"apple & pear", 1.5}).add_row({"\"plum\" µ", 2.75});
   document.table(std::move(prices));
+  Table notes("notes", {Column::text("fruit")});
+  notes.add_row({Cell::latex("\\unheardof{d}")});
+  document.table(std::move(notes));
 }
 
 Page page_of(const std::string& text, const std::string& numbers = aux) {
@@ -123,6 +126,16 @@ BOOST_AUTO_TEST_CASE(what_neither_engine_nor_pandoc_knows_is_told_with_its_place
   const std::vector<std::string> told{"main.tex:9:3: \\unheard is not known to the page"};
 
   BOOST_TEST(errors_of(body + "A \\unheard{b}.\n") == told, per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_a_definition_or_a_table_holds_is_told_where_the_document_asks_for_it) {
+  const std::vector<std::string> told{"main.tex:5:3: \\unheard is not known to the page",
+                                      "main.tex:6:1: \\unheardof is not known to the page"};
+
+  BOOST_TEST(errors_of("\\newcommand\\mine{\\unheard{c}}\n\n"
+                       "A \\mine{}.\n\\tab{notes}\n",
+                       "\\relax\n") == told,
+             per_element());
 }
 
 // Nothing is shown otherwise than in the PDF in silence.

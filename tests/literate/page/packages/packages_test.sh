@@ -6,8 +6,8 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../../../toolchain/shell_test.sh"
 program=$2
 missing=$(sh "$source_dir/src/toolchain/missing" html)
-for style in algorithm2e tikz; do
-  if ! kpsewhich "$style.sty" >/dev/null; then missing+=" $style"; fi
+for style in algorithm2e.sty tikz.sty cite.sty IEEEtran.cls; do
+  if ! kpsewhich "$style" >/dev/null; then missing+=" ${style%.*}"; fi
 done
 if [[ -n $missing ]]; then
   printf 'skipped: %s missing — run "make setup test html"\n' "${missing//$'\n'/ }"
@@ -15,7 +15,7 @@ if [[ -n $missing ]]; then
 fi
 cd "$scratch" || exit 1
 cp -R "$source_dir/tests/literate/page/packages" paper
-for name in packages constructs names; do
+for name in packages constructs names citations; do
   printf '%s\n' name=$name project=packages "root=$scratch" "build=$scratch" "program=$program" "document=$scratch/paper" main=$name.tex \
     "case=$scratch/case.toml" sources= "figures=$scratch" "output=$scratch" repository= "engine=$source_dir/src/literate" >$name.settings
 done
@@ -34,11 +34,18 @@ make_page() {
   claim "the paper of $name becomes a page" "$status" -eq 0
 }
 
-for name in constructs names packages; do
+for name in constructs names citations packages; do
   make_page $name
   runs python3 -B "$source_dir/tests/literate/page/page_and_pdf.py" . paper $name
   claim "page and PDF of $name have the same words, numbers and signs in the same order" "$status" -eq 0
 done
+said=$(sed -e 's/<[^>]*>//g' -e 's/\xc2\xa0/ /g' citations.html | grep 'It is told')
+for cited in 'by one [1],' 'by two [1], [2],' 'by three [1]–[3],' 'by some [1], [3]–[5],' 'with a note [2], [4, p. 3]'; do
+  claim "the page cites $cited, as the PDF does" "$(says "$cited")" = yes
+done
+runs pdftotext -raw citations.pdf -
+said=${said//$'\n'/ }
+claim 'the PDF cites so' "$(says 'by some [1], [3]–[5],')" = yes
 said=$(cat packages.html)
 claim 'each algorithm and each drawing is one picture' "$(grep -o '<img class="lit-drawing" src="data:image/svg' packages.html | wc -l)" -eq 4
 claim 'its source is what a picture says to who cannot see it' "$(says 'node[midway, right] {$s_2 &lt; 7$ \&amp; more};')" = yes
