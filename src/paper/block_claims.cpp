@@ -26,7 +26,7 @@ void claim_body(Document& document, const HalfSpaceCase& half_space, const Block
   const double nu = half_space.material.poisson();
   const Estimate in_plane =
       as_estimate(printed.at("max_stress_xx")) + as_estimate(printed.at("max_stress_yy"));
-  const Estimate ratio = quotient(as_estimate(printed.at("max_stress_zz")), in_plane);
+  const Estimate ratio = as_estimate(printed.at("max_stress_zz")) / in_plane;
   document.claim("plane-strain",
                  {.route = "the printed largest stresses: in plane strain the one out of the plane "
                            "over the sum of those in it is ν",
@@ -40,7 +40,7 @@ void claim_body(Document& document, const HalfSpaceCase& half_space, const Block
   for (const double share : {0.25, 0.5, 0.75}) {
     const Estimate below = study.under_triangle().displacement_z(0, share * r.height());
     depths.push_back(Criterion::at_least(
-        "displacement", Value(quotient(below, middle), percent(1)),
+        "displacement", Value(below / middle, percent(1)),
         {LimitKind::convention, 0.1, "a tenth, which a plot of contours would show"}));
   }
   document.claim("felt-throughout",
@@ -88,7 +88,7 @@ void claim_size(Document& document, const HalfSpaceCase& half_space, const Block
   const Estimate level = change(0);
   Estimate shape;
   for (const double x : half_space.points) {
-    const Estimate of_shape = magnitude(change(x) - level);
+    const Estimate of_shape = abs(change(x) - level);
     shape.value = std::max(shape.value, of_shape.value);
     shape.abs_error = std::max(shape.abs_error, of_shape.abs_error);
   }
@@ -96,18 +96,17 @@ void claim_size(Document& document, const HalfSpaceCase& half_space, const Block
                          "a tenth of the convergence that the run asks for");
   document.value("block.larger.level", Value(level, scientific(3), units.length));
   document.value("block.larger.shape", Value(shape, scientific(2), units.length));
-  document.value("block.larger.share", Value(quotient(level, middle), percent(0)));
+  document.value("block.larger.share", Value(level / middle, percent(0)));
   document.claim(
       "geometry-large-enough",
       {.route = "the block by finite elements under the triangle, in its size and e times as wide "
                 "and high; the change of displacements over the largest one",
        .expected = Verdict::partly,
        .criteria = {
-           Criterion::at_most("level: the change at 𝑥 = 0",
-                              Value(quotient(magnitude(level), middle), percent(0)), unaffected),
+           Criterion::at_most("level: the change at 𝑥 = 0", Value(abs(level) / middle, percent(0)),
+                              unaffected),
            Criterion::at_most("shape: how much the change varies over the points",
-                              Value(quotient(shape, middle), percent(2).rounded_up()),
-                              unaffected)}});
+                              Value(shape / middle, percent(2).rounded_up()), unaffected)}});
 }
 
 void claim_comparison(Document& document, const HalfSpaceCase& half_space,
@@ -120,8 +119,7 @@ void claim_comparison(Document& document, const HalfSpaceCase& half_space,
   for (std::size_t i = 0; i < shares.size(); ++i) {
     if (std::abs(shares.x(i)) < std::abs(shares.x(middle))) middle = i;
     if (shares.x(i) <= a * (1 + 1e-12)) {
-      const Estimate share =
-          quotient(magnitude(shares.part(&Share::whole, i)), as_estimate(printed.fea_z[i]));
+      const Estimate share = abs(shares.part(&Share::whole, i)) / as_estimate(printed.fea_z[i]);
       if (share.value > whole.value) whole = share;
     } else {
       const Estimate step = as_estimate(printed.error[i]) - as_estimate(printed.error[i - 1]);
@@ -142,12 +140,10 @@ void claim_comparison(Document& document, const HalfSpaceCase& half_space,
                                        "steps", growth)}});
 
   const std::size_t last = shares.size() - 1;
-  const Estimate left =
-      quotient(magnitude(shares.part(&Share::body, last) + shares.part(&Share::rest, last)),
-               magnitude(shares.part(&Share::whole, last)));
+  const Estimate left = abs(shares.part(&Share::body, last) + shares.part(&Share::rest, last)) /
+                        abs(shares.part(&Share::whole, last));
   const auto over_whole = [&](double Share::*which) {
-    return Value(quotient(magnitude(shares.part(which, middle)),
-                          magnitude(shares.part(&Share::whole, middle))),
+    return Value(abs(shares.part(which, middle)) / abs(shares.part(&Share::whole, middle)),
                  significant(2));
   };
   const Limit cancelled(LimitKind::convention, 10,
@@ -174,8 +170,7 @@ void claim_run(Document& document, const UnitSystem& units, const PrintedData& p
   Estimate least{HUGE_VAL, 0};
   for (std::size_t i = 0; i < study.observed().size(); ++i) {
     const Estimate computed = study.under_triangle().displacement_z(study.observed()[i].x, 0);
-    const Estimate below =
-        Estimate{1, 0} - quotient(computed, as_estimate(printed_data.figure5.fea_z[i]));
+    const Estimate below = 1 - computed / as_estimate(printed_data.figure5.fea_z[i]);
     if (below.value < least.value) least = below;
   }
   document.claim("robust-model",
@@ -266,13 +261,10 @@ void claim_maxima(Document& document, const HalfSpaceCase& half_space, const Uni
 
   const PrintedNumber& shear = printed.measures.at("max_stress_xy");
   const double shown = 3 * printed.convergence.at("max_stress_xy").value() / 100;
-  const Estimate beyond =
-      quotient(magnitude(as_estimate(shear)), magnitude(named(fitted, "max_stress_xy"))) -
-      Estimate{1, 0};
+  const Estimate beyond = abs(as_estimate(shear)) / abs(named(fitted, "max_stress_xy")) - 1;
   const Estimate uniform = 1 / (2 * std::numbers::pi * half_width) *
-                           magnitude(as_estimate(printed.measures.at("resultant_load_y")));
-  document.value("appendix2.shear",
-                 Value(magnitude(as_estimate(shear)), significant(3), units.stress));
+                           abs(as_estimate(printed.measures.at("resultant_load_y")));
+  document.value("appendix2.shear", Value(abs(as_estimate(shear)), significant(3), units.stress));
   document.value("fit.uniform-shear", Value(uniform, significant(3), units.stress));
   document.claim(
       "convergence-is-no-bound",
@@ -286,10 +278,9 @@ void claim_maxima(Document& document, const HalfSpaceCase& half_space, const Uni
                                {LimitKind::convention, shown,
                                 "three times the convergence that is printed: the load is fitted, "
                                 "and the grids on which the maxima are taken differ"}),
-           Criterion::at_least(
-               "by how much it exceeds that of the uniform pressure",
-               Value(quotient(magnitude(as_estimate(shear)), uniform) - Estimate{1, 0}, percent(1)),
-               {LimitKind::convention, shown, "the same"})}});
+           Criterion::at_least("by how much it exceeds that of the uniform pressure",
+                               Value(abs(as_estimate(shear)) / uniform - 1, percent(1)),
+                               {LimitKind::convention, shown, "the same"})}});
 }
 
 }  // namespace

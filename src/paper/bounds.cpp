@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "paper/prelude.hpp"
 
@@ -29,20 +28,8 @@ double rounded(const ContactCase& c, double x) {
   return rounded(x) * magnitudes / c.cylinders.relative_curvature();
 }
 
-Estimate quotient(Estimate a, Estimate b) {
-  const double least = std::abs(b.value) - b.abs_error;
-  if (!(least > 0))
-    throw std::invalid_argument("a quotient by what may be zero has no error bound");
-  const double value = a.value / b.value;
-  return {value, (a.abs_error + std::abs(value) * b.abs_error) / least + rounded(value)};
-}
-
 Estimate percent_off(Estimate a, const PrintedNumber& b) {
-  return 100 * (quotient(a, as_estimate(b)) - Estimate{1, 0});
-}
-
-Estimate magnitude(Estimate a) {
-  return {std::abs(a.value), a.abs_error};
+  return 100 * (a / as_estimate(b) - 1);
 }
 
 Estimate other_component(const PrintedNumber& magnitude, const PrintedNumber& component) {

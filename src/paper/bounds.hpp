@@ -18,14 +18,8 @@ Estimate closed_form(double x);
 /// body lies in a hollow of the other.
 double rounded(const ContactCase& c, double x);
 
-/// a/b with the errors of both and of the division; b must be farther from zero than its error.
-Estimate quotient(Estimate a, Estimate b);
-
 /// a/b − 1, in per cent: how far the computed number a is off the printed one.
 Estimate percent_off(Estimate a, const PrintedNumber& b);
-
-/// |a|, as wrong as a.
-Estimate magnitude(Estimate a);
 
 /// √(magnitude² − component²), the other component of a displacement of which two printed numbers
 /// are known, as far as their last places leave it open.

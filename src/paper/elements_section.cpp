@@ -106,8 +106,8 @@ void register_quality(Document& document, const ContactCase& c, const Hertz& her
   error("elements.slope.uniform", uniform.finest_slope());
   error("elements.shear.point", point.finest_shear());
   error("elements.shear.uniform", uniform.finest_shear());
-  const Estimate slope_gain = quotient(uniform.finest_slope(), triangular.finest_slope());
-  const Estimate shear_gain = quotient(uniform.finest_shear(), triangular.finest_shear());
+  const Estimate slope_gain = uniform.finest_slope() / triangular.finest_slope();
+  const Estimate shear_gain = uniform.finest_shear() / triangular.finest_shear();
   document.value("elements.slope-gain", Value(slope_gain, significant(2)));
   document.value("elements.shear-gain", Value(shear_gain, significant(2)));
   document.claim(
@@ -121,7 +121,7 @@ void register_quality(Document& document, const ContactCase& c, const Hertz& her
                     of_order("of uniform elements", uniform.slope_order(), 1)}});
   document.value("elements.slope-order", Value(triangular.slope_order(), fixed(1)));
   const auto better = [&](const char* what, Estimate worse, Estimate best) {
-    return Criterion::at_least(what, Value(quotient(worse, best), significant(2)),
+    return Criterion::at_least(what, Value(worse / best, significant(2)),
                                {LimitKind::convention, 10.0, "an order of magnitude"});
   };
   document.check(
@@ -223,7 +223,8 @@ void register_spread(Document& document, const ContactCase& c, const Hertz& hert
     bound = std::max(bound, pressure_error(solution) + rounded(c, 1));
   }
   const auto [least, most] = std::ranges::minmax(errors);
-  document.value("elements.spread", Value(quotient({most, bound}, {least, bound}), significant(2)));
+  document.value("elements.spread",
+                 Value(Estimate{most, bound} / Estimate{least, bound}, significant(2)));
   document.value("elements.spread.n-grids", Value(n_places, integer()));
   document.value("elements.spread.least", Value(closed_form(elements.front()), fixed(1)));
   document.value("elements.spread.most", Value(closed_form(elements.back()), fixed(1)));

@@ -38,7 +38,7 @@ void measure_datum(Document& document, const HalfSpaceCase& c, const UnitSystem&
   document.value("datum.shift", Value(shift, scientific(3), units.length));
   document.value("datum.gradient", Value(at_datum, scientific(3)));
   document.value("datum.gradient-share",
-                 Value(quotient(at_datum, gradient(c, c.load.half_width())), scientific(2)));
+                 Value(at_datum / gradient(c, c.load.half_width()), scientific(2)));
   // Far from the load the shift is that of a concentrated force; (a/datum)² is what is left.
   // But the datum may be so far that rounding leaves more.
   const double left_over =
@@ -63,26 +63,24 @@ void claim_datum(Document& document, const HalfSpaceCase& c,
   if (!printed_data) return;
   const double end = c.farthest_point();
   const Estimate displacement = surface.normal_displacement(end);
-  const Estimate difference =
-      magnitude(displacement - as_estimate(printed_data->figure5.fea_z.back()));
-  const Estimate shift = magnitude(displacement - nearer.normal_displacement(end));
+  const Estimate difference = abs(displacement - as_estimate(printed_data->figure5.fea_z.back()));
+  const Estimate shift = abs(displacement - nearer.normal_displacement(end));
   document.claim(
       "insensitive-to-c",
       {.route = "eq. (2) by quadrature less the printed FEA (z) at the last point, for the "
                 "datum given and one a factor e nearer, both far from the load",
        .expected = Verdict::refuted,
        .criteria = {Criterion::at_most("change of the error, over the error",
-                                       Value(quotient(shift, difference), percent(0)),
+                                       Value(shift / difference, percent(0)),
                                        less_than_a_plot_shows())}});
-  const Estimate at_datum = magnitude(surface.normal_gradient(c.datum));
-  const Estimate at_end = magnitude(surface.normal_gradient(c.load.half_width()));
-  document.claim(
-      "gradient-approaches-zero",
-      {.route = "eq. (2) by quadrature at the datum and at the end of the load",
-       .expected = Verdict::confirmed,
-       .criteria = {Criterion::at_most("gradient over that at the end of the load",
-                                       Value(quotient(at_datum, at_end), percent(2).rounded_up()),
-                                       less_than_a_plot_shows())}});
+  const Estimate at_datum = abs(surface.normal_gradient(c.datum));
+  const Estimate at_end = abs(surface.normal_gradient(c.load.half_width()));
+  document.claim("gradient-approaches-zero",
+                 {.route = "eq. (2) by quadrature at the datum and at the end of the load",
+                  .expected = Verdict::confirmed,
+                  .criteria = {Criterion::at_most("gradient over that at the end of the load",
+                                                  Value(at_datum / at_end, percent(2).rounded_up()),
+                                                  less_than_a_plot_shows())}});
 }
 
 // u_x outside the load, which the paper calls negligible.
@@ -92,7 +90,7 @@ void measure_tangential(Document& document, const HalfSpaceCase& c, const UnitSy
   const Estimate u_x = closed_form(std::abs(tangential_displacement(c.material, c.load, end)));
   document.value("tangential.outside", Value(u_x, scientific(3), units.length));
   // Of u_z in the middle, which no datum makes zero.
-  document.value("tangential.share", Value(quotient(u_x, displacement(c, 0)), percent(0)));
+  document.value("tangential.share", Value(u_x / displacement(c, 0), percent(0)));
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   std::vector<Criterion> shares;
   for (const double x : c.points) {
@@ -117,9 +115,8 @@ void compare_tangential(Document& document, const HalfSpaceCase& c, const UnitSy
   Estimate largest_share, largest_excess;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const Estimate u_z = as_estimate(printed.fea_z[i]);
-    const Estimate share =
-        quotient(other_component(printed.fea_magnitude[i], printed.fea_z[i]), u_z);
-    const Estimate excess = quotient(as_estimate(printed.fea_magnitude[i]), u_z) - Estimate{1, 0};
+    const Estimate share = other_component(printed.fea_magnitude[i], printed.fea_z[i]) / u_z;
+    const Estimate excess = as_estimate(printed.fea_magnitude[i]) / u_z - 1;
     if (share.value > largest_share.value) largest_share = share;
     if (excess.value > largest_excess.value) largest_excess = excess;
   }
@@ -141,11 +138,10 @@ void compare_tangential(Document& document, const HalfSpaceCase& c, const UnitSy
   const Estimate half_space =
       closed_form(std::abs(tangential_displacement(c.material, c.load, c.farthest_point())));
   document.value("tangential.last-share",
-                 Value(quotient(half_space, displacement(c, c.farthest_point())), percent(1)));
+                 Value(half_space / displacement(c, c.farthest_point()), percent(1)));
   const PrintedNumber& largest = printed_data.appendix2.measures.at("max_disp_x");
   document.value("tangential.max-disp-x", Value(as_estimate(largest), scientific(4), unit));
-  document.value("tangential.max-disp-x-ratio",
-                 Value(quotient(as_estimate(largest), half_space), fixed(2)));
+  document.value("tangential.max-disp-x-ratio", Value(as_estimate(largest) / half_space, fixed(2)));
 }
 
 // What the slopes far from the load tell of it: the load that is stated, and that of the summary.
@@ -178,18 +174,18 @@ void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSyste
 void compare_resultants(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
                         const PrintedData& printed_data) {
   const Estimate resultant =
-      magnitude(as_estimate(printed_data.appendix2.measures.at("resultant_load_y")));
+      abs(as_estimate(printed_data.appendix2.measures.at("resultant_load_y")));
   const auto slope = [&](const std::vector<PrintedNumber>& column, std::size_t i) {
     return 1 / (c.points[i] - c.points[i - 1]) *
            (as_estimate(column[i]) - as_estimate(column[i - 1]));
   };
-  const Estimate loads = quotient(resultant, closed_form(c.load.line_load()));
+  const Estimate loads = resultant / closed_form(c.load.line_load());
   Estimate least{HUGE_VAL, 0};
   Estimate most;
   std::vector<Estimate> ratios;
   for (std::size_t i = std::max<std::size_t>(5, c.points.size()) - 4; i < c.points.size(); ++i) {
     const Estimate ratio =
-        quotient(slope(printed_data.figure5.fea_z, i), slope(printed_data.figure5.analytical, i));
+        slope(printed_data.figure5.fea_z, i) / slope(printed_data.figure5.analytical, i);
     ratios.push_back(ratio);
     if (ratio.value < least.value) least = ratio;
     if (ratio.value > most.value) most = ratio;
@@ -238,11 +234,11 @@ void compare_error(Document& document, const HalfSpaceCase& c, const UnitSystem&
   document.value("error.first", Value(first, scientific(2), unit));
   document.value("error.smallest", Value(smallest, scientific(2), unit));
   document.value("error.last", Value(last, scientific(2), unit));
-  document.value("error.last-share", Value(quotient(last, fea), percent(0)));
+  document.value("error.last-share", Value(last / fea, percent(0)));
   document.value("error.datum-that-closes-it",
                  Value(Estimate{closing, closing_error}, significant(2), unit));
   document.value("error.shift-over-last",
-                 Value(quotient(closed_form(shift_per_e(c)), difference), percent(0)));
+                 Value(closed_form(shift_per_e(c)) / difference, percent(0)));
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ void tabulate_measures(Document& document, const PrintedData& printed_data, cons
       if (!has_limit(fitted[i])) return "–";
       return percent_off(computed, found->second);
     };
-    const Estimate by = magnitude(percent_off(fitted[i].value, found->second));
+    const Estimate by = abs(percent_off(fitted[i].value, found->second));
     const bool is_beyond =
         is_told && has_limit(fitted[i]) && by.value - by.abs_error > converged->second.value();
     n_beyond += is_beyond ? 1 : 0;
@@ -167,24 +167,23 @@ void tabulate_measures(Document& document, const PrintedData& printed_data, cons
     return std::ranges::find(fitted, name, &MeasureEstimate::name)->value;
   };
   const auto off = [&](const std::string& name) {
-    return quotient(value_of(name), as_estimate(printed.at(name))) - Estimate{1, 0};
+    return value_of(name) / as_estimate(printed.at(name)) - 1;
   };
   const std::map<std::string, std::string> predicted = {{"resultant_load_y", "resultant"},
                                                         {"strain_energy", "energy"}};
   for (const auto& [measure, key] : predicted) {
-    document.value("fit.predicts." + key, Value(magnitude(off(measure)), percent(2)));
+    document.value("fit.predicts." + key, Value(abs(off(measure)), percent(2)));
   }
-  document.value("fit.shear-below", Value(magnitude(off("max_stress_xy")), percent(1)));
+  document.value("fit.shear-below", Value(abs(off("max_stress_xy")), percent(1)));
   // σ_zz = ν(σ_xx + σ_yy) in plane strain; the printed maxima are all taken under the load's
   // middle.
   const Estimate in_plane =
       as_estimate(printed.at("max_stress_xx")) + as_estimate(printed.at("max_stress_yy"));
   document.value("appendix2.poisson",
-                 Value(quotient(as_estimate(printed.at("max_stress_zz")), in_plane), fixed(3)));
+                 Value(as_estimate(printed.at("max_stress_zz")) / in_plane, fixed(3)));
   // The resultant and the energy are claims.
   const auto predicts = [&](const std::string& name, double limit) {
-    return Criterion::at_most(name + ", off by",
-                              Value(magnitude(off(name)), percent(2).rounded_up()),
+    return Criterion::at_most(name + ", off by", Value(abs(off(name)), percent(2).rounded_up()),
                               {LimitKind::regression, limit, "what was found, with a margin"});
   };
   document.check("fit-predicts", {predicts("max_disp_x", 6e-3), predicts("max_stress_vm", 1.2e-2)},
@@ -218,8 +217,7 @@ void register_fit(Document& document, const HalfSpaceCase& half_space, block::Su
   Estimate least{HUGE_VAL, 0}, most;
   for (std::size_t i = 0; i < study.observed().size(); ++i) {
     const Estimate computed = study.under_triangle().displacement_z(study.observed()[i].x, 0);
-    const Estimate below =
-        Estimate{1, 0} - quotient(computed, as_estimate(printed_data.figure5.fea_z[i]));
+    const Estimate below = 1 - computed / as_estimate(printed_data.figure5.fea_z[i]);
     if (below.value < least.value) least = below;
     if (below.value > most.value) most = below;
   }
@@ -299,7 +297,7 @@ void tabulate_contest(Document& document, const PrintedData& printed_data, const
     }
     if (!is_on_own || c.n_free != 2) continue;
     const auto farther = [](Estimate known, Estimate other) {
-      return std::abs(other.value) > known.value ? magnitude(other) : known;
+      return std::abs(other.value) > known.value ? abs(other) : known;
     };
     farthest_resultant = farther(farthest_resultant, 0.01 * force);
     farthest_energy = farther(farthest_energy, 0.01 * energy);
@@ -323,7 +321,7 @@ void register_von_mises(Document& document, const PrintedData& printed_data,
     const auto measures = c.refitted.measures(options);
     const Estimate computed = std::ranges::find(measures, measure, &MeasureEstimate::name)->value;
     document.value("fit." + name_of_shape(c) + ".von-mises",
-                   Value(quotient(computed, printed) - Estimate{1, 0}, percent(1)));
+                   Value(computed / printed - 1, percent(1)));
   }
   document.value(
       "appendix2.von-mises.convergence",
@@ -335,7 +333,7 @@ void register_von_mises(Document& document, const PrintedData& printed_data,
 void claim_fall(Document& document, const UnitSystem& units, const PrintedData& printed_data,
                 const ContestOutcome& outcome, const ExponentFit& fit) {
   const PrintedNumber& largest = printed_data.appendix2.measures.at("max_stress_yy");
-  const Estimate stress = magnitude(as_estimate(largest));
+  const Estimate stress = abs(as_estimate(largest));
   document.value("appendix2.largest-pressure", Value(stress, significant(4), units.stress));
   document.value(
       "appendix2.largest-pressure.convergence",
@@ -354,7 +352,7 @@ void claim_fall(Document& document, const UnitSystem& units, const PrintedData& 
     met.push_back(Criterion::at_most("misfit", Value(c.largest_misfit, percent(2).rounded_up()),
                                      {LimitKind::convention, small_misfit,
                                       "a tenth of a per cent, as for the linear decrease alone"}));
-    const Estimate off = magnitude(quotient(c.peak, stress) - Estimate{1, 0});
+    const Estimate off = abs(c.peak / stress - 1);
     const std::string name = name_of_shape(c);
     if (name == "triangle") {
       of_linear = off;
@@ -448,9 +446,9 @@ void register_shares(Document& document, const HalfSpaceCase& half_space,
                  Value(equivalent_datum(half_space, datum), significant(2), unit));
   document.value("block.half-size", Value(block_case.rectangle.right(), exact(), unit));
   document.flag("block.holds-datum", half_space.datum <= block_case.rectangle.right());
-  document.value("shares.first.load", Value(magnitude(first_load), scientific(3), unit));
-  document.value("shares.last.load", Value(magnitude(last_load), scientific(3), unit));
-  document.value("shares.last.body", Value(magnitude(last_body), scientific(2), unit));
+  document.value("shares.first.load", Value(abs(first_load), scientific(3), unit));
+  document.value("shares.last.load", Value(abs(last_load), scientific(3), unit));
+  document.value("shares.last.body", Value(abs(last_body), scientific(2), unit));
   document.check("shares-add-up",
                  {Criterion::at_most(
                      "largest gap, over the part of the datum",

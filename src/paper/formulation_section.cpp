@@ -189,7 +189,7 @@ void claim_uniform(Document& document, const HalfSpaceCase& c) {
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most(
            "change of the displacement from the end to ε = 10⁻⁹ half-widths beside it, over 𝐾",
-           Value(magnitude(1 / unit * difference), scientific(2).rounded_up()),
+           Value(abs(1 / unit * difference), scientific(2).rounded_up()),
            {LimitKind::derived, beside * (1 + std::log(2 / beside)),
             "ε[1 + ln(2/ε)], twice what a gradient adds that grows logarithmically"})}});
 
@@ -197,8 +197,7 @@ void claim_uniform(Document& document, const HalfSpaceCase& c) {
       Value(closed_form(c.material.integral_compliance() * pressure * std::log(steps_ratio)),
             scientific(3));
   const auto step = [&](double from, double to) {
-    const Estimate gain =
-        magnitude(surface.normal_gradient(a + to) - surface.normal_gradient(a + from));
+    const Estimate gain = abs(surface.normal_gradient(a + to) - surface.normal_gradient(a + from));
     return Criterion::agrees_relatively(
         "one step", Value(gain, scientific(3)), expected,
         {LimitKind::derived, 1e-3,
@@ -221,7 +220,7 @@ void claim_smooth(Document& document, const HalfSpaceCase& c) {
   const double unit = c.material.integral_compliance() * c.load.line_load() / a;
   const auto jump = [&](double kink, double d) {
     return 1 / unit *
-           magnitude(surface.normal_gradient(kink + d * a) - surface.normal_gradient(kink - d * a));
+           abs(surface.normal_gradient(kink + d * a) - surface.normal_gradient(kink - d * a));
   };
   std::vector<Criterion> continuous, sharp;
   for (const double kink : {-a, 0.0, a}) {

@@ -218,7 +218,7 @@ void compare_bodies(Document& document, const ContactCase& c, const Pair& own, d
   document.value("friction.body2", Value(body2, percent(2)));
   const bool like = are_alike(c);
   document.flag("friction.like", like);
-  const Estimate lost = magnitude(body1 - body2);
+  const Estimate lost = abs(body1 - body2);
   // What `lost` shows when it is printed.
   constexpr double visible = 1e-4;
   const bool nearly_cancels = lost.value + lost.abs_error < visible;

@@ -189,7 +189,7 @@ SlipStrains slip_strains(const Slip& slip, const Pair& pair, const elasticity::M
   };
   SlipStrains strains;
   for (const double part : {-0.95, -0.6, -0.2, 0.0, 0.37, 0.72, 0.93}) {
-    const Estimate found = magnitude(strain(part * stick));
+    const Estimate found = abs(strain(part * stick));
     strains.in_strip.value = std::max(strains.in_strip.value, found.value);
     strains.in_strip.abs_error = std::max(strains.in_strip.abs_error, found.abs_error);
   }

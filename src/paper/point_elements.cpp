@@ -116,7 +116,7 @@ void claim_elements(Document& document, const std::array<std::array<PowerFit, 4>
   document.check("orders-of-point-elements", orders,
                  "the errors of two spheres converge with the expected orders");
   const auto ratio = [&](std::size_t element, std::size_t other) {
-    return quotient(fits[inside][element].factor_estimate(), fits[inside][other].factor_estimate());
+    return fits[inside][element].factor_estimate() / fits[inside][other].factor_estimate();
   };
   const auto nearest = [&](std::size_t element, const char* reason) {
     return of_order(slope, element, {LimitKind::convention, 0.25, reason});

@@ -7,7 +7,7 @@
 #include "config/units.hpp"
 #include "line_contact/hertz.hpp"
 #include "literate/document/document.hpp"
-#include "numerics/estimate.hpp"
+#include "numerics/estimate_algebra.hpp"
 #include "numerics/power_fit.hpp"
 #include "parameters/case.hpp"
 

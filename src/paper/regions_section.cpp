@@ -134,7 +134,7 @@ void register_regions(Document& document, const ContactCase& c, const Hertz& her
       table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
                      Estimate{regions.back().end / hertz.half_width(),
                               of_edge / hertz.half_width() + rounded(c, 1)},
-                     quotient({touching, of_touching}, {extent, 2 * of_edge})});
+                     Estimate{touching, of_touching} / Estimate{extent, 2 * of_edge}});
     }
     if (loading.is_drawn) {
       ++n_panels;

@@ -58,7 +58,7 @@ void check_symmetry(Document& document, const HalfSpaceCase& c) {
   Estimate largest;
   for (const double x : c.points) {
     const Estimate difference =
-        1 / unit * magnitude(surface.normal_displacement(x) - surface.normal_displacement(-x));
+        1 / unit * abs(surface.normal_displacement(x) - surface.normal_displacement(-x));
     largest.value = std::max(largest.value, difference.value);
     largest.abs_error = std::max(largest.abs_error, difference.abs_error);
   }
@@ -88,7 +88,7 @@ void describe_odd_point(Document& document, const HalfSpaceCase& c, const UnitSy
   const double x = c.points[i];
   const Estimate exact = displacement(c, x);
   const Estimate slope = gradient(c, x);
-  const Estimate shift = magnitude(displacement(c, x + printed_data.tri_dist.step.value()) - exact);
+  const Estimate shift = abs(displacement(c, x + printed_data.tri_dist.step.value()) - exact);
   // The printed number is meant as it stands, not as the interval of what rounds to it.
   const double printed = printed_data.figure5.analytical[i].value();
   const Estimate low{std::abs(printed - exact.value), exact.abs_error};
@@ -116,7 +116,7 @@ Criterion rounds_to_print(const std::string& what, const std::vector<Criterion>&
 void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
                 const PrintedData& printed_data) {
   const PrintedNumber& first = printed_data.tri_dist.displacement.front();
-  const Estimate in_output = quotient(as_estimate(first), displacement(c, c.points.front()));
+  const Estimate in_output = as_estimate(first) / displacement(c, c.points.front());
   const Estimate load = c.load.line_load() * in_output;
   const Estimate peak = c.load.peak_pressure() * in_output;
   constexpr double stated = 1000;
@@ -135,21 +135,20 @@ void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& un
            Criterion::agrees_relatively("the program's peak 𝑝₀, on unit thickness",
                                         Value(peak, significant(4), units.line_load), in_words,
                                         apart),
-           Criterion::agrees_relatively("the run's largest vertical stress, on unit thickness",
-                                        Value(magnitude(as_estimate(run.at("max_stress_yy"))),
-                                              significant(4), units.line_load),
-                                        in_words, apart),
+           Criterion::agrees_relatively(
+               "the run's largest vertical stress, on unit thickness",
+               Value(abs(as_estimate(run.at("max_stress_yy"))), significant(4), units.line_load),
+               in_words, apart),
            Criterion::agrees_relatively("the program's whole load 𝑃",
                                         Value(load, significant(4), units.line_load), in_words,
                                         apart),
-           Criterion::agrees_relatively("the run's resultant",
-                                        Value(magnitude(as_estimate(run.at("resultant_load_y"))),
-                                              significant(4), units.line_load),
-                                        in_words, apart)}});
+           Criterion::agrees_relatively(
+               "the run's resultant",
+               Value(abs(as_estimate(run.at("resultant_load_y"))), significant(4), units.line_load),
+               in_words, apart)}});
   // a pressure on a model of unit thickness, per length of its edge
   document.value("load-in-words.per-edge", Value(c.load.peak_pressure(), exact(), units.line_load));
-  document.value("load-in-words.factor",
-                 Value(quotient(Estimate{stated, 0}, load), significant(3)));
+  document.value("load-in-words.factor", Value(Estimate{stated, 0} / load, significant(3)));
 }
 
 // The program's output against eq. (3), at the point and where the program really took it.
@@ -242,7 +241,7 @@ Criterion compare_figure5(Document& document, const HalfSpaceCase& c, const Unit
     const Estimate u_z = displacement(c, c.points[i]);
     table.add_row({quoted(printed.x[i]), quoted(printed.fea_magnitude[i]), quoted(printed.fea_z[i]),
                    quoted(printed.analytical[i]), quoted(printed.error[i]), u_z,
-                   magnitude(u_z - as_estimate(printed.fea_z[i])),
+                   abs(u_z - as_estimate(printed.fea_z[i])),
                    other_component(printed.fea_magnitude[i], printed.fea_z[i])});
     n_analytical += printed.analytical[i].agrees_with(exact);
     analytical_points.push_back(from_print(printed.analytical[i], displacement(c, c.points[i])));

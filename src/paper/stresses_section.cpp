@@ -92,7 +92,7 @@ void compare_depths(Document& document, const PiecewiseLinearTraction& traction,
   document.check("stresses-decay",
                  {Criterion::at_least("largest difference near the surface over that at the "
                                       "depth of the largest shear stress",
-                                      Value(quotient(near, deep), significant(1)),
+                                      Value(near / deep, significant(1)),
                                       {LimitKind::convention, 10.0, "an order of magnitude"})},
                  "the largest difference falls down to the largest shear");
 }
@@ -208,7 +208,7 @@ void compare_sliding(Document& document, const FrictionCase& friction, const Sol
     (mu == 0 ? still : sliding) = exact;
     table.add_row({mu, Estimate{found.x / a, place_error(bound)},
                    Estimate{found.z / a, place_error(bound)}, shear, closed,
-                   Estimate{difference, quotient(shear, closed).abs_error}});
+                   Estimate{difference, (shear / closed).abs_error}});
   }
   document.table(table);
   document.value("stresses.sliding.rise",

@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 #include "line_contact/dense_methods.hpp"
@@ -48,25 +47,6 @@ std::vector<Solution> by_all_methods(const parameters::ContactCase& c, long n_no
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(a_quotient_holds_every_quotient_of_what_its_parts_hold) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int i = 0; i < 10000; ++i) {
-    const Estimate a{10 * uniform(random), std::abs(uniform(random))};
-    const Estimate b{2 + uniform(random), 0.9 * std::abs(uniform(random))};
-    const Estimate quotient = paper::quotient(a, b);
-    const double truth =
-        (a.value + a.abs_error * uniform(random)) / (b.value + b.abs_error * uniform(random));
-    BOOST_TEST(contains(quotient, truth));
-  }
-  const Estimate worst = paper::quotient({1, 0.5}, {-2, 1});
-  BOOST_TEST(worst.value == -0.5);
-  BOOST_TEST(worst.abs_error == 1, boost::test_tools::tolerance(1e-14));  // 1.5/−1 is −1.5
-  BOOST_CHECK_THROW(paper::quotient({1, 0}, {0, 0}), std::invalid_argument);
-  BOOST_CHECK_THROW(paper::quotient({1, 0}, {1, 1}), std::invalid_argument);
-  BOOST_CHECK_THROW(paper::quotient({1, 0}, {1, std::nan("")}), std::invalid_argument);
-}
 
 BOOST_AUTO_TEST_CASE(a_printed_number_is_half_a_unit_of_its_last_place_wrong) {
   const Estimate printed = paper::as_estimate(PrintedNumber("-1.6236048e-006"));

@@ -18,7 +18,8 @@ foreach(folder IN ITEMS literate system config)
   install(DIRECTORY "${HALFSPACE_ROOT}/src/${folder}/" DESTINATION "${headers}/${folder}"
     FILES_MATCHING PATTERN "*.hpp" PATTERN template EXCLUDE PATTERN program EXCLUDE)
 endforeach()
-install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${headers}/numerics")
+install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" "${HALFSPACE_ROOT}/src/numerics/estimate_algebra.hpp"
+  DESTINATION "${headers}/numerics")
 
 # The same folders as in the sources, so that scripts and CMake find each other in either.
 set(share "share/${versioned}")
