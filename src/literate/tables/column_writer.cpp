@@ -132,8 +132,13 @@ std::string ColumnWriter::cell_html(std::size_t row) const {
   if (cell.is_number) {
     return fmt::format("<td class=\"lit-numeric\">{}</td>", number_html(cell.text, width_, mark));
   }
-  return fmt::format("<td{}><tex>{}</tex>{}</td>", format_.numbers ? " class=\"lit-middle\"" : "",
-                     cell.text, mark);
+  return fmt::format("<td{}><tex>{}</tex>{}</td>", html_class(), cell.text, mark);
+}
+
+std::string ColumnWriter::html_class() const {
+  if (!format_.numbers) return "";
+  const bool has_numbers = std::ranges::any_of(cells_, &Written::is_number);
+  return has_numbers ? " class=\"lit-flush\"" : " class=\"lit-middle\"";
 }
 
 std::string ColumnWriter::heading() const {

@@ -41,6 +41,10 @@ class ColumnWriter {
   /// The text of a cell, or its digits without the column's power of ten.
   const std::string& printed(std::size_t row) const { return cells_[row].text; }
 
+  /// What HTML says of heads and texts: those of numbers end where the numbers do, and a column of
+  /// numbers without a common form is centred.
+  std::string html_class() const;
+
   /// The same cell as HTML, in which LaTeX stands in <tex></tex>.
   std::string cell_html(std::size_t row) const;
 

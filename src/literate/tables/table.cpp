@@ -199,7 +199,7 @@ std::string head_html(const Columns& columns) {
     first = end;
   }
   for (const ColumnWriter& column : columns) {
-    const char* kind = column.specification() == "l" ? "" : " class=\"lit-middle\"";
+    const std::string kind = column.html_class();
     const char* cell = column.heading().empty() ? "td" : "th scope=\"col\"";
     headings += fmt::format("<{}{}><tex>{}</tex></{}>", cell, kind, column.heading(),
                             std::string_view(cell).substr(0, 2));

@@ -43,16 +43,33 @@ std::string escape_ascii(char c) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view raised_group = "\\ensuremath{^{", lowered_group = "\\ensuremath{_{";
+
+bool is_shifted_alike(std::string_view a, std::string_view b) {
+  return (a.starts_with(raised_group) && b.starts_with(raised_group)) ||
+         (a.starts_with(lowered_group) && b.starts_with(lowered_group));
+}
+
+}  // namespace
+
 std::string escape_latex(std::string_view text) {
   std::string escaped;
+  std::string_view former;
   while (!text.empty()) {
     const std::string_view character = sys::first_character(text).bytes;
     const std::string_view symbol = latex_of(character);
     if (character.size() == 1) {
       escaped += escape_ascii(character.front());
+    } else if (is_shifted_alike(former, symbol)) {
+      // An exponent of several characters, such as ⁻⁹, is one.
+      escaped.resize(escaped.size() - 2);
+      escaped += symbol.substr(raised_group.size());
     } else {
       escaped += symbol.empty() ? character : symbol;
     }
+    former = symbol;
     text.remove_prefix(character.size());
   }
   return escaped;

@@ -45,6 +45,7 @@ BOOST_AUTO_TEST_CASE(plain_text_is_what_a_reader_of_latex_reads) {
 }
 
 BOOST_AUTO_TEST_CASE(mathematical_letters_are_symbols_in_italics) {
+  BOOST_TEST(escape_latex("10⁻¹²") == "10\\ensuremath{^{-12}}");
   BOOST_TEST(escape_latex("over 𝑝₀") == "over \\ensuremath{p}\\ensuremath{_{0}}");
   BOOST_TEST(escape_latex("𝑎𝑧𝐴𝑍ℎ") ==
              "\\ensuremath{a}\\ensuremath{z}\\ensuremath{A}\\ensuremath{Z}\\ensuremath{h}");
