@@ -70,6 +70,13 @@ def check_on_desktop(browser):
           return edges.some(edge => paper.getImageData(...edge).data.some((byte, i, all) =>
             i % 4 === 3 && byte > 0 && Math.min(all[i - 1], all[i - 2], all[i - 3]) < 250)) ? image.dataset.drawing : '';
         })).then(cut => cut.filter(name => name))"""))
+    claim("what is aligned at the right ends there", browser.evaluate(
+        """[...document.querySelectorAll('mtd[columnalign=right]')].filter(cell => cell.lastElementChild &&
+          Math.abs(cell.lastElementChild.getBoundingClientRect().right - cell.getBoundingClientRect().right
+            + parseFloat(getComputedStyle(cell).paddingRight)) > 2).map(cell => cell.textContent)"""))
+    claim("drawings that one line holds stand beside each other at each width", browser.evaluate(
+        """[...document.querySelectorAll('.lit-row')].filter(row =>
+          new Set([...row.querySelectorAll('img')].map(e => e.closest('.lit-row > *').getBoundingClientRect().top)).size > 1).length"""))
     claim("no formula is an error", browser.evaluate(
         "[...document.querySelectorAll('merror')]"
         ".map(e => e.textContent)"))
@@ -127,15 +134,31 @@ def check_formulas(browser):
         claim(f"at {width} px a formula is whole, or a shadow tells that it goes on", browser.evaluate(
             """[...document.querySelectorAll('.lit-equation')].filter(box => box.scrollWidth > box.clientWidth + 1 &&
               (getComputedStyle(box).backgroundImage === 'none' || innerWidth >= 1280)).map(box => box.textContent.slice(-30))"""))
-        claim(f"at {width} px no line begins with the sign behind a formula", browser.evaluate(
-            """[...document.querySelectorAll('main p math')].filter(formula => {
-              const behind = formula.nextSibling;
-              if (behind?.nodeType !== 3 || !/^[.,;:)\\]%]/.test(behind.data)) return false;
-              const range = new Range();
-              range.setStart(behind, 0);
-              range.setEnd(behind, 1);
-              return range.getBoundingClientRect().left < formula.getBoundingClientRect().right - 2;
-            }).map(e => e.getAttribute('alttext'))"""))
+        claim(f"at {width} px no line breaks beside a formula without a blank", browser.evaluate(
+            """[...document.querySelectorAll('main math')].filter(formula => [formula.previousSibling, formula.nextSibling].some((text, i) => {
+              if (text?.nodeType !== 3 || !(i ? /^\\S/ : /\\S$/).test(text.data) || !formula.getClientRects().length) return false;
+              const range = new Range(), at = i ? 0 : text.length - 1;
+              range.setStart(text, at);
+              range.setEnd(text, at + 1);
+              const one = range.getBoundingClientRect(), other = formula.getBoundingClientRect();
+              return i ? one.left < other.right - 2 : one.right > other.left + 2;
+            })).map(e => e.getAttribute('alttext'))"""))
+        claim(f"at {width} px no line breaks within a number, before its unit or behind the sign of a section", browser.evaluate(
+            """[...document.querySelectorAll('main :is(p, li)')].flatMap(whole => {
+              const walker = document.createTreeWalker(whole, NodeFilter.SHOW_TEXT), places = [];
+              let said = '';
+              while (walker.nextNode()) if (!walker.currentNode.parentElement.closest('math, pre, .lit-note')) {
+                for (let i = 0; i < walker.currentNode.length; ++i) places.push([walker.currentNode, i]);
+                said += walker.currentNode.data;
+              }
+              return [...said.matchAll(/§\\s\\w|\\d\\s[×%]|×\\s10(?:−?\\d+)?|\\d\\s(?:psi|lbf)\\b/g)].filter(found => {
+                const range = new Range();
+                range.setStart(...places[found.index]);
+                range.setEnd(places[found.index + found[0].length - 1][0], places[found.index + found[0].length - 1][1] + 1);
+                const boxes = [...range.getClientRects()];
+                return boxes.some(box => box.left < boxes[0].left - 1);
+              }).map(found => said.slice(Math.max(0, found.index - 20), found.index + 20));
+            })"""))
         claim(f"at {width} px no formula lies upon a note", browser.evaluate(
             """(notes => [...document.querySelectorAll('.lit-equation')].map(e => [e, e.getBoundingClientRect()])
               .filter(([e, a]) => notes.some(b => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom))

@@ -420,7 +420,8 @@ std::string Expander::uses(const std::string& kind, const std::string& name) con
   for (const Use& use : found->second) {
     if (!html.empty() && use.section == last) continue;
     html += fmt::format("{}<a class=\"lit-ref\" href=\"#{}\">{}</a>", html.empty() ? "" : ", ",
-                        escape_html(use.id), use.section.empty() ? "the text" : "§ " + use.section);
+                        escape_html(use.id),
+                        use.section.empty() ? "the text" : "§\u00a0" + use.section);
     last = use.section;
   }
   return "<span class=\"lit-uses\">used in " + html + "</span>";

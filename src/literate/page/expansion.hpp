@@ -154,6 +154,7 @@ class Expander {
   // What LaTeX numbers, and what cites it.
   void title(TexScanner&, const TexToken&);
   void heading(TexScanner&, const TexToken&);
+  void bookmark_setup(TexScanner&, const TexToken&);
   void appendix(TexScanner&, const TexToken&);
   std::string appendix_word(std::string_view heading) const;
   /// REVTeX prints neither «Abstract» nor «References».
@@ -190,6 +191,7 @@ class Expander {
   void show_display(const std::string& environment, std::vector<Row> rows);
   void number(TexScanner&, const TexToken&);
   void unit(TexScanner&, const TexToken&);
+  void unbroken(const std::string& latex);
   void boxed(TexScanner&, const TexToken&);
   void skip_length(TexScanner&, const TexToken&);
   void rule(TexScanner&, const TexToken&);

@@ -45,13 +45,14 @@ std::string unit_with_solidus(std::string_view unit) {
       part = is_below ? &below : &above;
       n_below += is_below ? 1 : 0;
       is_below = false;
+      if (!part->empty()) *part += "\\,\\si{}";
     }
-    *part += token->text;
+    if (part->empty()) *part = "\\si{}";
+    part->insert(part->size() - 1, token->text);
     if (!is_power) is_whole = !prefixes.contains(token->name);
   }
-  std::string text = above.empty() ? "" : "\\si{" + above + "}";
-  if (n_below > 0) text += n_below > 1 ? "/(\\si{" + below + "})" : "/\\si{" + below + "}";
-  return text;
+  if (n_below == 0) return above;
+  return above + (n_below > 1 ? "/(" + below + ")" : "/" + below);
 }
 
 std::string listed(const std::vector<std::string>& parts) {
@@ -111,6 +112,7 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::heading,
         {"part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"});
     add(&E::appendix, {"appendix", "appendices"});
+    add(&E::bookmark_setup, {"bookmarksetup"});
     add(&E::label, {"label"});
     add(&E::reference, {"ref", "eqref", "pageref", "nameref", "autoref"});
     add(&E::clever_reference, {"cref", "Cref", "labelcref"});
@@ -169,6 +171,13 @@ void Expander::title(TexScanner&, const TexToken&) {
     html += fmt::format("<p class=\"lit-{}\"><tex>{}</tex></p>", kind, metadata_[name]);
   }
   fragment(html + "<!--lit:cite-->\n</header>");
+}
+
+// \bookmarksetup{startatroot}: what follows is in no part.
+void Expander::bookmark_setup(TexScanner& in, const TexToken&) {
+  for (const std::string& setting : names_in(argument(in))) {
+    if (setting == "startatroot") has_parts_ = false;
+  }
 }
 
 void Expander::appendix(TexScanner&, const TexToken&) {
@@ -586,10 +595,16 @@ void Expander::input(TexScanner& in, const TexToken&) {
 }
 
 void Expander::boxed(TexScanner& in, const TexToken&) {
-  const bool has_width = option(in).has_value();
+  static const std::regex length(R"(\s*[\d.]+(em|ex|pt|pc|mm|cm|in)\s*)");
+  const std::string width(option(in).value_or(""));
   option(in);
-  read_all(argument(in));
-  if (has_width) emit(" ");
+  if (is_math_ || !std::regex_match(width, length)) {
+    read_all(argument(in));
+    return emit(width.empty() ? "" : " ");
+  }
+  const std::string text = expanded(argument(in));
+  emit(marked(fmt::format("<span class=\"lit-box\" style=\"min-width:{}\">", width), text,
+              "</span> "));
 }
 
 // \\hskip1em plus .5em minus .4em, \\penalty0
@@ -635,10 +650,20 @@ void Expander::number(TexScanner& in, const TexToken& token) {
   std::string printed(sys::stripped(argument(in)));
   if (token.name == "num") return emit(quantity_latex(printed, is_math_));
   const std::string unit = unit_of_latex(argument(in));
-  if (unit.find('\\') == unit.npos) return emit(quantity_latex(printed + " " + unit, is_math_));
+  if (unit.find('\\') == unit.npos) {
+    return unbroken(quantity_latex(printed + " " + unit, is_math_));
+  }
   const std::string bare = unit_with_solidus(unit);
-  emit(quantity_latex(printed, is_math_) + (bare.starts_with('/') ? "" : is_math_ ? "\\," : " "));
-  emit(bare);
+  unbroken(quantity_latex(printed, is_math_) +
+           (bare.starts_with('/') ? ""
+            : is_math_            ? "\\,"
+                                  : "~") +
+           bare);
+}
+
+// A number and its unit stand on one line.
+void Expander::unbroken(const std::string& latex) {
+  emit(is_math_ ? latex : marked("<span class=\"lit-nowrap\">", latex, "</span>"));
 }
 
 void Expander::unit(TexScanner& in, const TexToken&) {

@@ -65,7 +65,7 @@ local function breakable(math)
     depth = depth + (deeper[token] or 0)
     at = at + #token
     if token == "=" and depth == 0 and at <= #text then
-      parts:insert(pandoc.Math("InlineMath", text:sub(from, at - 1)))
+      parts:extend({pandoc.Math("InlineMath", text:sub(from, at - 1)), html("<wbr>")})
       from = at
     end
   end
@@ -74,23 +74,38 @@ local function breakable(math)
   return parts
 end
 
--- A browser may break a line between a formula and a sign that touches it, which TeX never does.
-local function with_signs_close(inlines)
-  local kept = pandoc.List()
+-- TeX breaks no line between a formula and what touches it; a browser would.
+local function unbroken(inlines)
+  local kept, run, has_formula = pandoc.List(), pandoc.List(), false
+  local function add_run()
+    local is_close = has_formula and #run > 1
+    if is_close then kept:insert(html('<span class="lit-close">')) end
+    kept:extend(run)
+    if is_close then kept:insert(html("</span>")) end
+    run, has_formula = pandoc.List(), false
+  end
   for _, inline in ipairs(inlines) do
-    local former = kept[#kept]
-    local sign, rest = nil, nil
-    if inline.t == "Str" and former and former.t == "Math" then sign, rest = inline.text:match("^([%.,;:%)%]%%]+)(.*)$") end
-    if sign then
-      kept:remove()
-      local before = kept[#kept]
-      local opening = before and before.t == "Str" and before.text:match("^[%(%[]$") and kept:remove() or pandoc.Str("")
-      kept:extend({html('<span class="lit-close">'), opening, former, pandoc.Str(sign), html("</span>"), pandoc.Str(rest)})
+    if inline.t == "Str" or inline.t == "Math" then
+      run:insert(inline)
+      has_formula = has_formula or inline.t == "Math"
     else
+      add_run()
       kept:insert(inline)
     end
   end
+  add_run()
   return kept
+end
+
+-- Drawings of one line stay beside each other, since captions say left and right.
+local function row_of_drawings(para)
+  local n_drawings = 0
+  para:walk({RawInline = function(raw)
+    if raw.text:match('^<img class="lit%-drawing"') then n_drawings = n_drawings + 1 end
+  end})
+  if n_drawings < 2 then return nil end
+  return {pandoc.RawBlock("html", '<div class="lit-row" tabindex="0" role="group" aria-label="drawings">'),
+          pandoc.Plain(para.content), pandoc.RawBlock("html", "</div>")}
 end
 
 local function native_table(tbl)
@@ -109,11 +124,12 @@ local function contents(doc)
       Note = function() return {} end,
       Link = function(link) return link.content end})
     local is_part = pandoc.utils.stringify(text):match("^Part") ~= nil
-    if is_part then depth = 1 end
+    local is_root = depth == 1 and header.level == 2
+    depth = is_part and 1 or is_root and 0 or depth
     local is_lower = not is_part and header.level > 2 + depth
     if is_lower ~= is_inner then add(is_lower and "<ol>" or "</ol>") end
     is_inner = is_lower
-    add(is_part and '<li class="lit-toc-part">' or "<li>")
+    add(is_part and '<li class="lit-toc-part">' or is_root and '<li class="lit-toc-root">' or "<li>")
     items:insert(pandoc.Plain({pandoc.Link(text, "#" .. header.identifier)}))
   end})
   if is_inner then add("</ol>") end
@@ -126,7 +142,7 @@ return {
   {Div = block},
   {Link = inline},
   {RawInline = unknown, RawBlock = unknown, Table = native_table, Math = breakable},
-  {Inlines = with_signs_close},
+  {Inlines = unbroken, Para = row_of_drawings, Plain = row_of_drawings},
   {Pandoc = function(doc)
     local blocks = contents(doc)
     blocks:extend(doc.blocks)

@@ -140,15 +140,60 @@ std::string with_captions(std::string html) {
   return html;
 }
 
-// Where a row's element ends that begins at a place.
-std::size_t end_of_row(std::string_view html, std::size_t at) {
+// Where an element without attributes ends that begins at a place.
+std::size_t end_of_element(std::string_view html, std::size_t at, const std::string& name) {
+  const std::string open_tag = "<" + name + ">", close_tag = "</" + name + ">";
   for (int depth = 0;;) {
-    const auto open = html.find("<mrow", at), close = html.find("</mrow>", at);
+    const auto open = html.find(open_tag, at), close = html.find(close_tag, at);
     if (close == html.npos) return html.size();
     depth += open < close ? 1 : -1;
-    at = std::min(open, close) + 1;
+    at = open < close ? open + open_tag.size() : close + close_tag.size();
     if (depth == 0) return at;
   }
+}
+
+// Letters that TeX sets upright: those of \mathrm, as one word, and capital Greek ones.
+std::string with_upright_letters(std::string html) {
+  static const std::regex upright("<mstyle mathvariant=\"normal\">(.*?)</mstyle>"),
+      greek("<mi>(Γ|Δ|Θ|Λ|Ξ|Π|Σ|Υ|Φ|Ψ|Ω)</mi>");
+  std::string text;
+  for (std::smatch found; std::regex_search(html, found, upright); html = found.suffix()) {
+    const std::string one_word = boost::replace_all_copy(found[1].str(), "</mi><mi>", "");
+    text += found.prefix().str() + "<mrow>" +
+            boost::replace_all_copy(one_word, "<mi>", "<mi mathvariant=\"normal\">") + "</mrow>";
+  }
+  return std::regex_replace(text + html, greek, "<mi mathvariant=\"normal\">$1</mi>");
+}
+
+// The name of an operator, such as ln, has a thin space beside letters, numbers and bars, and none
+// beside signs and parentheses, as in TeX; pandoc leaves it the spaces of a relation.
+std::string with_operator_spaces(std::string html) {
+  static const std::regex operator_name("<mo>[A-Za-z ]*</mo>"), scripts("<(m(?:su|un|ov)[a-z]*)>$"),
+      letter_before("</m(?!o>)[a-z]+>$|form=\"postfix\">[^<]*</mo>$"),
+      sign_behind("^(?:<mspace[^>]*></mspace>)*(?:<m[a-z]+>)*<mo[^>]*>(?![|∥A-Za-z<])|^</|^$");
+  std::string text;
+  for (std::smatch found; std::regex_search(html, found, operator_name);) {
+    std::string before = text + found.prefix().str();
+    std::string element = found[0].str(), behind = found.suffix().str();
+    // With its limits or its exponent.
+    if (std::smatch outer; std::regex_search(before, outer, scripts)) {
+      const std::string tag = outer[0].str(), whole = tag + element + behind;
+      const auto end = end_of_element(whole, 0, outer[1].str());
+      behind = whole.substr(end);
+      element = whole.substr(0, end);
+      before.resize(before.size() - tag.size());
+    }
+    const auto space = [](bool is_thin) { return is_thin ? "0.167em" : "0em"; };
+    const auto at = element.find("<mo>") + 3;
+    element.insert(at, fmt::format(" lspace=\"{}\" rspace=\"{}\"",
+                                   space(std::regex_search(before, letter_before)),
+                                   space(!std::regex_search(behind, sign_behind))));
+    const auto done = before.size() + element.find("</mo>", at);
+    html = before + element + behind;
+    text = html.substr(0, done);
+    html.erase(0, done);
+  }
+  return text + html;
 }
 
 // A minus behind a relation, a comma or a parenthesis is that of a number, and stands close to it.
@@ -164,7 +209,7 @@ std::string with_plain_fences(std::string_view html) {
   constexpr std::string_view row = "<mrow><mo stretchy=\"true\" form=\"prefix\">";
   std::string text(html);
   for (auto at = text.find(row); at != text.npos; at = text.find(row, at + 1)) {
-    const std::size_t size = end_of_row(text, at) - at;
+    const std::size_t size = end_of_element(text, at, "mrow") - at;
     const std::string inside = text.substr(at, size);
     const auto has = [&](const char* element) { return inside.find(element) != inside.npos; };
     if (has("<mfrac") || has("<mtable") || has("<mun") || has("<mover") || has("<msqrt")) continue;
@@ -203,7 +248,8 @@ std::string tidied(std::string_view html) {
     html.remove_prefix(at);
     if (html.starts_with(math)) {
       const std::string_view whole = html.substr(0, html.find("</math>"));
-      std::string body = with_signs(with_plain_fences(between(whole, "<semantics>", annotation)));
+      const std::string fenced = with_plain_fences(between(whole, "<semantics>", annotation));
+      std::string body = with_operator_spaces(with_upright_letters(with_signs(fenced)));
       // Rows of a display are as large as a display of one line.
       const bool is_display = whole.starts_with("<math display=\"block");
       if (is_display && body.starts_with("<mtable>")) body.insert(7, " displaystyle=\"true\"");

@@ -82,11 +82,11 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
     text += (text.empty() ? "" : "\\times") + ("10^{" + exponent + "}");
   }
   if (!exponent.empty() && !is_math) {
-    text += fmt::format("{}10\\textsuperscript{{{}}}", text.empty() ? "" : " × ",
+    text += fmt::format("{}10\\textsuperscript{{{}}}", text.empty() ? "" : "~×~",
                         boost::replace_all_copy(exponent, "-", "−"));
   }
   if (blank == printed.npos) return text;
-  return text + (is_math ? "\\," : " ") + unit_with_powers(printed.substr(blank + 1), is_math);
+  return text + (is_math ? "\\," : "~") + unit_with_powers(printed.substr(blank + 1), is_math);
 }
 
 }  // namespace literate

@@ -144,6 +144,8 @@ def check_reading(browser, page):
 
     browser.resize(*page_checks.PHONE)
     browser.open(page)
+    claim("two drawings stand side by side on a phone", browser.evaluate(
+        "new Set([...document.querySelectorAll('#F2 .lit-drawn')].map(e => e.getBoundingClientRect().top)).size !== 1"))
     claim("a phone shows the text before the contents", browser.evaluate("document.getElementById('contents').getBoundingClientRect().height > 0"))
     browser.click(".lit-contents-button")
     claim("a phone shows the contents when asked", browser.evaluate("!document.getElementById('contents').getBoundingClientRect().height"))

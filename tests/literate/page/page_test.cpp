@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(every_number_is_that_of_the_pdf) {
 BOOST_AUTO_TEST_CASE(values_and_claims_keep_their_marks) {
   const std::string html = page_of(body).html;
 
-  for (const char* part : {"data-key=\"mass\"", ">2.61 g</a></span>", "data-claim=\"apples\"",
+  for (const char* part : {"data-key=\"mass\"", ">2.61 g</a></span>", "data-claim=\"apples\"",
                            "data-verdict=\"confirmed\"", "weighing &lt;twice&gt; &amp; adding up",
                            "market, stall 3", "data-table=\"prices\"", "apple &amp; pear"}) {
     BOOST_TEST(holds(html, part), part << " in " << html);
@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_and_powers) {
   const std::string html =
       page_of("\\val{flow} \\val{strength} \\qty{2}{m/s^2} \\qty{4}{\\percent}\n", "\\relax\n")
           .html;
-  for (const char* part : {">2.5 µm<sup>2</sup> s<sup>−1</sup></a>", ">3 MPa m<sup>0.5</sup></a>",
-                           "2 m/s<sup>2</sup>", "4 %"}) {
+  for (const char* part : {">2.5 µm<sup>2</sup> s<sup>−1</sup></a>", ">3 MPa m<sup>0.5</sup></a>",
+                           "2 m/s<sup>2</sup>", "4 %"}) {
     BOOST_TEST(holds(html, part), part << " in " << html);
   }
   const std::string formula = page_of("\\(\\val{flow}\\)\n", "\\relax\n").html;
@@ -203,7 +203,12 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
            {"\\ifdim72.2pt<1in less\\else more\\fi", "", "<p>less</p>"},
            {"\\url{https://e.org/a%20b} goes on", "", "goes on"},
            {"\\unit{\\joule\\per\\mole\\squared}", "", "J/mol<sup>2</sup>"},
-           {"\\unit{\\watt\\per\\metre\\per\\kelvin}", "", "W/(m"},
+           {"\\unit{\\watt\\per\\metre\\per\\kelvin}", "", "W/(m K)"},
+           {"\\(\\unit{\\watt\\per\\metre\\per\\kelvin}\\)", "",
+            "m</mtext><mspace width=\"0.167em\"></mspace><mtext mathvariant=\"normal\">K"},
+           {"\\makebox[4em][l]{$a$}width", "", "style=\"min-width:4em\"><math"},
+           {"\\part{A}\\section*{B}\\bookmarksetup{startatroot}\\section*{C}",
+            "\\LiterateNumber{part}{I}{document}{Part}{1}\n", "<li class=\"lit-toc-root\">"},
            {"\\qty{7}{\\per\\metre}", "", "7/m"},
            {"a\\footnotemark[7] b\\footnotemark[8] \\footnotetext[7]{one}", "",
             "id=\"note-1\" role=\"note\">one"},
@@ -245,9 +250,35 @@ BOOST_AUTO_TEST_CASE(rows_of_a_display_are_as_large_as_one_line) {
 BOOST_AUTO_TEST_CASE(no_line_breaks_between_a_formula_and_the_sign_behind_it) {
   const std::string html = page_of("Of \\(a\\), (\\(b\\)) and \\(c\\) more.\n", "\\relax\n").html;
 
-  BOOST_TEST(holds(html, "<mi>a</mi></math>,</span> <"), html);
+  BOOST_TEST(holds(html, "<mi>a</mi></math>,</span> "), html);
   BOOST_TEST(holds(html, "<span class=\"lit-close\">(<math"), html);
   BOOST_TEST(holds(html, "<mi>b</mi></math>)</span> and <math"), html);
+}
+
+BOOST_AUTO_TEST_CASE(letters_are_upright_where_tex_has_them_so) {
+  const std::string html =
+      page_of("\\(p_{\\mathrm{max}}\\), \\(\\mathrm d\\Delta\\)\n", "\\relax\n").html;
+
+  BOOST_TEST(holds(html, "<mi mathvariant=\"normal\">max</mi>"), html);
+  BOOST_TEST(holds(html, "<mi mathvariant=\"normal\">d</mi>"), html);
+  BOOST_TEST(holds(html, "<mi mathvariant=\"normal\">Δ</mi>"), html);
+}
+
+BOOST_AUTO_TEST_CASE(the_name_of_an_operator_has_a_thin_space_beside_letters_alone) {
+  const std::string html = page_of("\\[a\\ln x = \\ln(x) + \\sin^2 y\\]\n", "\\relax\n").html;
+
+  for (const char* part : {"<mi>a</mi><mo lspace=\"0.167em\" rspace=\"0.167em\">ln</mo><mi>x</mi>",
+                           "<mo>=</mo><mo lspace=\"0em\" rspace=\"0em\">ln</mo><mrow>",
+                           "<mo>+</mo><msup><mo lspace=\"0em\" rspace=\"0.167em\">sin</mo>"}) {
+    BOOST_TEST(holds(html, part), part << " in " << html);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(drawings_of_one_line_stay_beside_each_other) {
+  const std::string drawing = "\\includegraphics{main.tex}";
+  const std::string html = page_of(drawing + "\\hfill" + drawing + "\n", "\\relax\n").html;
+
+  BOOST_TEST(holds(html, "<div class=\"lit-row\" tabindex=\"0\""), html);
 }
 
 BOOST_AUTO_TEST_CASE(a_minus_of_a_number_stands_close_to_it) {
