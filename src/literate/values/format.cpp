@@ -182,8 +182,11 @@ namespace {
 
 using Style = RoundedNumber::Style;
 
+/// Its two digits, rounded up. The sum of 0.1 and 0.05 is 0.15000000000000002 as a double and
+/// prints 0.15: what lies above two digits by less than 10⁻¹² of the error is the rounding of the
+/// error.
 RoundedNumber with_uncertainty(Estimate estimate) {
-  const Decimal error = rounded_up_to_digits(estimate.abs_error, 2);
+  const Decimal error = rounded_up_to_digits((1 - 1e-12) * estimate.abs_error, 2);
   return {rounded_to_place(estimate.value, error.place), Style::automatic, true, error.digits};
 }
 
