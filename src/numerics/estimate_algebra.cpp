@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numerics/estimate_algebra.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "system/require.hpp"
 
@@ -42,6 +45,11 @@ double lower_end(Estimate a) {
 }
 double upper_end(Estimate a) {
   return -lower_end(-a);
+}
+
+// What an operation refuses, with the error that reaches too far.
+sys::InvalidQuantity refused(std::string_view quantity, Estimate a, std::string_view allowed) {
+  return {quantity, a.value, fmt::format("{} its error, {}", allowed, a.abs_error)};
 }
 
 // Infinity and NaN have no bound.
@@ -96,7 +104,7 @@ Estimate operator*(Estimate a, Estimate b) {
 // With q the rounded quotient, (a + α)/(b + β) − q = ((a − qb) + α − qβ)/(b + β)
 Estimate operator/(Estimate a, Estimate b) {
   const double least = subtract_down(std::abs(b.value), b.abs_error);
-  if (!(least > 0)) throw sys::InvalidQuantity("divisor", b.value, "farther from 0 than its error");
+  if (!(least > 0)) throw refused("divisor", b, "farther from 0 than");
   const double quotient = a.value / b.value;
   double error = remainder(a.value, quotient, b.value);
   error = add_up(error, a.abs_error);
@@ -107,7 +115,7 @@ Estimate operator/(Estimate a, Estimate b) {
 // With r the rounded root, √(a + α) − r = ((a − r²) + α)/(√(a + α) + r)
 Estimate sqrt(Estimate a) {
   const double least = lower_end(a);
-  if (!(least >= 0)) throw sys::InvalidQuantity("radicand", a.value, "above 0 by its error");
+  if (!(least >= 0)) throw refused("radicand", a, "above 0 by at least");
   if (a.value == 0) return a;
   const double root = std::sqrt(a.value);
   const double error = add_up(remainder(a.value, root, root), a.abs_error);
@@ -118,7 +126,7 @@ Estimate pow(Estimate a, double p) {
   const auto power = [p](double x) { return std::pow(x, p); };
   const bool is_whole = p > 0 && std::floor(p) == p;
   if (lower_end(a) > 0 || (is_whole && std::fmod(p, 2) == 1)) return monotone(a, power);
-  if (!is_whole) throw sys::InvalidQuantity("base of a power", a.value, "above 0 by its error");
+  if (!is_whole) throw refused("base of a power", a, "above 0 by more than");
   if (upper_end(a) < 0) return monotone(-a, power);
   // an even power of what may be zero
   const double most = std::max(-lower_end(a), upper_end(a));
@@ -131,8 +139,7 @@ Estimate exp(Estimate a) {
 }
 
 Estimate log(Estimate a) {
-  if (!(lower_end(a) > 0))
-    throw sys::InvalidQuantity("argument of log", a.value, "above 0 by its error");
+  if (!(lower_end(a) > 0)) throw refused("argument of log", a, "above 0 by more than");
   return monotone(a, [](double x) { return std::log(x); });
 }
 

@@ -184,16 +184,16 @@ BOOST_AUTO_TEST_CASE(what_has_no_bound_is_refused) {
 
   BOOST_TEST(message_of([] {
                return 1 / Estimate{1e-3, 1e-3};
-             }) == "divisor = 0.001: must be farther from 0 than its error");
+             }) == "divisor = 0.001: must be farther from 0 than its error, 0.001");
   BOOST_TEST(message_of([] {
                return log(Estimate{1, 1});
-             }) == "argument of log = 1: must be above 0 by its error");
+             }) == "argument of log = 1: must be above 0 by more than its error, 1");
   BOOST_TEST(message_of([] {
                return sqrt(Estimate{1, 2});
-             }) == "radicand = 1: must be above 0 by its error");
+             }) == "radicand = 1: must be above 0 by at least its error, 2");
   BOOST_TEST(message_of([] {
                return pow(Estimate{-1, 0}, 0.5);
-             }) == "base of a power = -1: must be above 0 by its error");
+             }) == "base of a power = -1: must be above 0 by more than its error, 0");
   BOOST_TEST(message_of([] {
                return exp(Estimate{700, 20});
              }) == "a number with a bound = inf: must be a finite number");
