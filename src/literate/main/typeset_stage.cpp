@@ -236,6 +236,8 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
   made.insert(made.end(), {"statements.tex", "restyled.tex", "repository.tex"});
   std::ranges::move(misplaced_files(settings.document, made),
                     std::back_inserter(references.errors));
+  std::ranges::move(missing_inputs(settings.document, generated),
+                    std::back_inserter(references.errors));
   std::ranges::move(images_of(settings.document).errors, std::back_inserter(references.errors));
   std::ranges::move(figure_width_errors(settings.document), std::back_inserter(references.errors));
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);

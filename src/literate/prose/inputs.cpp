@@ -3,12 +3,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 #include "system/nearest_name.hpp"
 #include "system/process.hpp"
 
@@ -25,6 +28,39 @@ bool is_in_tex(const fs::path& folder, const std::string& name) {
   return sys::run({"kpsewhich", {name}, folder, {}, {}}).exit_status == 0;
 }
 
+/// The names of the databases in the argument of \bibliography or \addbibresource, as files.
+std::vector<std::string> databases(const TexCommand& use) {
+  std::vector<std::string> files;
+  std::istringstream names(use.argument);
+  for (std::string name; std::getline(names, name, ',');) {
+    name = sys::stripped(name);
+    if (!name.empty()) files.push_back(name.ends_with(".bib") ? name : name + ".bib");
+  }
+  return files;
+}
+
+/// Whether the document brings the references themselves, as BibTeX wrote them.
+bool has_references(const fs::path& folder) {
+  return std::ranges::any_of(sys::files_below(folder),
+                             [](const std::string& file) { return file.ends_with(".bbl"); });
+}
+
+std::vector<std::string> missing_databases(const fs::path& folder, const std::string& file,
+                                           const std::string& text) {
+  std::vector<std::string> errors;
+  for (const TexCommand& use : commands_in(text, {"bibliography", "addbibresource"})) {
+    for (const std::string& name : databases(use)) {
+      if (name.find('\\') != std::string::npos || fs::is_regular_file(folder / name) ||
+          is_in_tex(folder, name)) {
+        continue;
+      }
+      errors.push_back(fmt::format("{}/{}:{}:{}: there is no bibliography '{}'",
+                                   source_label(folder), file, use.line, use.column, name));
+    }
+  }
+  return errors;
+}
+
 }  // namespace
 
 std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& generated) {
@@ -33,6 +69,7 @@ std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& 
   for (const std::string& file : files) {
     parts.insert(fs::path(file).replace_extension().generic_string());
   }
+  const bool brings_references = has_references(folder);
   std::vector<std::string> errors;
   for (const std::string& file : files) {
     const std::string text = sys::read_file(folder / file);
@@ -44,6 +81,10 @@ std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& 
       }
       errors.push_back(fmt::format("{}/{}:{}:{}: there is no file '{}'{}", source_label(folder),
                                    file, use.line, use.column, name, sys::suggestion(name, parts)));
+    }
+    if (!brings_references) {
+      const std::vector<std::string> missing = missing_databases(folder, file, text);
+      errors.insert(errors.end(), missing.begin(), missing.end());
     }
   }
   return errors;

@@ -27,6 +27,23 @@ BOOST_AUTO_TEST_CASE(a_part_that_is_not_there_is_told_with_its_place_and_the_nea
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(a_bibliography_that_is_not_there_is_told_unless_its_references_are) {
+  const TemporaryFolder scratch;
+  const auto folder = scratch / "report";
+  sys::write_file_atomically(folder / "main.tex",
+                             "\\bibliography{own, more/others,gone}\n"
+                             "\\addbibresource{own.bib}\\bibliography{\\jobname}\n");
+  sys::write_file_atomically(folder / "own.bib", "");
+  sys::write_file_atomically(folder / "more/others.bib", "");
+
+  BOOST_TEST(
+      missing_inputs(folder, scratch / "generated") ==
+          (std::vector<std::string>{"report/main.tex:1:1: there is no bibliography 'gone.bib'"}),
+      boost::test_tools::per_element());
+  sys::write_file_atomically(folder / "main.bbl", "");
+  BOOST_TEST(missing_inputs(folder, scratch / "generated").empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_file_that_would_take_the_place_of_a_generated_one_is_refused) {
   const TemporaryFolder scratch;
   const auto folder = scratch / "report";
