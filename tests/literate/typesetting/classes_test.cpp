@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The classes that papers are written in: each typesets the same small paper.
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -7,8 +8,10 @@
 
 #include "literate/document/document.hpp"
 #include "literate/figures/draw.hpp"
+#include "literate/page/html_text.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "system/files.hpp"
+#include "system/process.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(classes_test)
@@ -31,6 +34,8 @@ TypesetOptions typeset_in(const DocumentClass& chosen, const fs::path& scratch,
                           const std::string& engine) {
   Document document;
   document.value("load", Value(3, integer()));
+  document.value("drift", Value({-0.00471, 0.0017}, uncertain()));
+  document.value("resistance", Value(2e-7, exact(), "ohm"));
   document.figure("f", {.width_cm = 5, .height_cm = 4, .texts = {{"name", "$\\nu$"}}});
   document.table(Table("t", {Column("n", integer())}).add_row({12}));
   TypesetOptions options{.source_dir = scratch / "paper",
@@ -48,7 +53,9 @@ TypesetOptions typeset_in(const DocumentClass& chosen, const fs::path& scratch,
   sys::write_file_atomically(
       options.source_dir / "main.tex",
       chosen.line + "\n\\usepackage{literate}\n\\begin{document}\n" + chosen.before +
-          "The load is \\val{load}; see figure~\\ref{f} and table~\\ref{t}.\n"
+          "The load is \\val{load}, the drift \\val{drift}, the resistance \\val{resistance}, in "
+          "bold "
+          "\\textbf{\\val{drift}, \\val{resistance}}; see figure~\\ref{f} and table~\\ref{t}.\n"
           "\\begin{figure}\\centering\\fig[width=" +
           chosen.width +
           "]{f}\n"
@@ -73,6 +80,15 @@ void require_typesets(const DocumentClass& chosen, const std::string& engine = "
   BOOST_TEST(sys::sha256_of_file(first.output_pdf) == sys::sha256_of_file(second.output_pdf));
   BOOST_TEST(fs::exists(first.build_dir / "preamble/preamble.fmt") ==
              (chosen.keeps_preamble && engine == "pdflatex"));
+  // Signs of numbers are signs for whoever copies or hears the text, in whatever font.
+  const std::string text =
+      sys::run({.program = "pdftotext", .arguments = {"-raw", first.output_pdf.string(), "-"}})
+          .output;
+  // The sign of an ohm and the Greek letter are one sign to Unicode.
+  const std::string words = boost::replace_all_copy(without_blanks(text), "\u2126", "\u03a9");
+  for (const char* wanted : {"drift−0.0047(17),theresistance2×10−7Ω", "bold−0.0047(17),2×10−7Ω"}) {
+    BOOST_TEST(words.find(wanted) != words.npos, wanted << " in " << text);
+  }
 }
 
 const std::string journal_front =
