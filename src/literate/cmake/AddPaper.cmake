@@ -29,7 +29,8 @@
 # All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
 # names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
 
-# The names of files in a program and in the paper's own libraries that it links start at `root`.
+# The names of files in a program and in the paper's own libraries that it links start at `root`: whole names, and those
+# that begin at the build folder, which ccache tells the compiler where it has a base_dir.
 function(literate_map_prefix target root)
   get_target_property(aliased ${target} ALIASED_TARGET)
   if(aliased)
@@ -42,12 +43,17 @@ function(literate_map_prefix target root)
   if(is_imported OR NOT is_inside OR type STREQUAL "INTERFACE_LIBRARY")
     return()
   endif()
-  set(map "-fmacro-prefix-map=${root}/=")
-  get_target_property(options ${target} COMPILE_OPTIONS)
-  if(map IN_LIST options)
+  get_target_property(is_mapped ${target} LITERATE_IS_MAPPED)
+  if(is_mapped)
     return()
   endif()
-  target_compile_options(${target} PRIVATE "${map}")
+  set_property(TARGET ${target} PROPERTY LITERATE_IS_MAPPED ON)
+  target_compile_options(${target} PRIVATE "-fmacro-prefix-map=${root}/=")
+  file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${root}")
+  if(from_build)
+    cmake_path(APPEND from_build "") # a slash at its end, and one only
+    target_compile_options(${target} PRIVATE "-fmacro-prefix-map=${from_build}=")
+  endif()
   get_target_property(links ${target} LINK_LIBRARIES)
   foreach(link IN LISTS links)
     if(TARGET "${link}")
