@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 
 /// std::mt19937_64 is the same everywhere, the standard distributions are not.
@@ -17,6 +18,11 @@ class RandomInputs {
     return low + (high - low) * fraction;
   }
   double log_uniform(double low, double high) { return low * std::pow(high / low, uniform(0, 1)); }
+  /// Of a normal distribution with mean 0 and standard deviation 1, by Box and Muller.
+  double normal() {
+    return std::sqrt(-2 * std::log(1 - uniform(0, 1))) *
+           std::cos(2 * std::numbers::pi * uniform(0, 1));
+  }
   double sign() { return uniform(-1, 1) < 0 ? -1 : 1; }
 
   /// A point x/a on the surface: log-uniform up to `far`, within 1e-9 of a kink, or under the load.
