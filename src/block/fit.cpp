@@ -1,59 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/fit.hpp"
 
-#include <gsl/gsl_multifit.h>
-
+#include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
+#include "numerics/least_squares.hpp"
 #include "system/require.hpp"
 
 namespace block {
 namespace {
 
 using Observed = std::vector<SurfaceDisplacement>;
-using Ratios = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-struct FreeWorkspace {
-  void operator()(gsl_multifit_linear_workspace* w) const { gsl_multifit_linear_free(w); }
-};
+using numerics::Measured;
 
 // Returns A_ik = u_k(x_i)/u_i, a row for each observation and a column for each load, on one of the
 // two discretisations.
-Ratios relative_displacements(const std::vector<RefinedSolution>& solutions,
-                              const Solution& (RefinedSolution::*mesh)() const,
-                              const Observed& observed) {
-  Ratios ratios(static_cast<Index>(observed.size()), static_cast<Index>(solutions.size()));
+Eigen::MatrixXd relative_displacements(const std::vector<RefinedSolution>& solutions,
+                                       const Solution& (RefinedSolution::*mesh)() const,
+                                       const Observed& observed) {
+  Eigen::MatrixXd ratios(static_cast<Index>(observed.size()), static_cast<Index>(solutions.size()));
   for (Index k = 0; k < ratios.cols(); ++k) {
     const Solution& solution = (solutions[static_cast<std::size_t>(k)].*mesh)();
     for (Index i = 0; i < ratios.rows(); ++i) {
       const SurfaceDisplacement& point = observed[static_cast<std::size_t>(i)];
-      ratios(i, k) = solution.displacement(point.x, 0).y() / point.u_z;
+      ratios(i, k) = solution.displacement(point.x, 0).y() / point.u_z.value();
     }
   }
   return ratios;
 }
 
-// Returns the factors f that make the sum of the squared relative misfits, Σ_i (Σ_k A_ik f_k − 1)²,
-// least; A are the ratios. GSL does it by singular values, because Eigen's QR would take the
-// compiler ten seconds.
-Eigen::VectorXd least_squares(const Ratios& ratios) {
-  const auto n_rows = static_cast<std::size_t>(ratios.rows());
-  const auto n_columns = static_cast<std::size_t>(ratios.cols());
-  const std::vector<double> ones(n_rows, 1);
-  Eigen::VectorXd factors(ratios.cols());
-  std::vector<double> covariances(n_columns * n_columns);
-  const auto matrix = gsl_matrix_const_view_array(ratios.data(), n_rows, n_columns);
-  const auto right_side = gsl_vector_const_view_array(ones.data(), n_rows);
-  auto result = gsl_vector_view_array(factors.data(), n_columns);
-  auto covariance = gsl_matrix_view_array(covariances.data(), n_columns, n_columns);
-  double sum_of_squares = 0;
-  const std::unique_ptr<gsl_multifit_linear_workspace, FreeWorkspace> workspace(
-      gsl_multifit_linear_alloc(n_rows, n_columns));
-  gsl_multifit_linear(&matrix.matrix, &right_side.vector, &result.vector, &covariance.matrix,
-                      &sum_of_squares, workspace.get());
-  return factors;
+// The displacements over themselves: ones, with their relative uncertainties.
+std::vector<Measured> relative(const Observed& observed) {
+  std::vector<Measured> ones;
+  ones.reserve(observed.size());
+  for (const SurfaceDisplacement& point : observed) ones.push_back(point.u_z / point.u_z.value());
+  return ones;
 }
 
 void require_observed(const Observed& observed, std::size_t n_loads) {
@@ -63,13 +45,8 @@ void require_observed(const Observed& observed, std::size_t n_loads) {
                                "no less than the number of loads, which is 1 or more");
   }
   for (const SurfaceDisplacement& point : observed) {
-    sys::require_positive("observed displacement", point.u_z);
+    sys::require_positive("observed displacement", point.u_z.value());
   }
-}
-
-// Returns A f − 1.
-Eigen::VectorXd misfits(const Ratios& ratios, const Eigen::VectorXd& factors) {
-  return ratios * factors - Eigen::VectorXd::Ones(ratios.rows());
 }
 
 }  // namespace
@@ -78,21 +55,31 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
   require_observed(observed, solutions.size());
 
   // Solve the least-squares problem on both meshes
-  const Ratios ratios = relative_displacements(solutions, &RefinedSolution::fine, observed);
-  const Eigen::VectorXd fine = least_squares(ratios);
-  const Eigen::VectorXd coarse =
-      least_squares(relative_displacements(solutions, &RefinedSolution::coarse, observed));
+  const std::vector<Measured> ones = relative(observed);
+  const numerics::LinearLeastSquares fine = numerics::fit_linear(
+      relative_displacements(solutions, &RefinedSolution::fine, observed), ones);
+  const numerics::LinearLeastSquares coarse = numerics::fit_linear(
+      relative_displacements(solutions, &RefinedSolution::coarse, observed), ones);
 
-  std::vector<numerics::Estimate> factors;
-  for (Index k = 0; k < fine.size(); ++k) {
-    factors.push_back({fine[k], std::abs(fine[k] - coarse[k])});
+  Fit fit{.factors = fine.coefficients,
+          .residuals = {},
+          .chi_squared = fine.chi_squared,
+          .solution = solutions.front()};
+  std::vector<double> values;
+  for (std::size_t k = 0; k < fit.factors.size(); ++k) {
+    values.push_back(fine.coefficients[k].value());
+    const double distance = std::abs(values[k] - coarse.coefficients[k].value());
+    fit.factors[k] = fit.factors[k] + Measured::bounded({0, distance});
   }
-  const Eigen::VectorXd residuals = misfits(ratios, fine);
-  return {factors,
-          {residuals.begin(), residuals.end()},
-          residuals.cwiseAbs().maxCoeff(),
-          residuals.norm() / std::sqrt(static_cast<double>(residuals.size())),
-          RefinedSolution::combination(solutions, {fine.begin(), fine.end()})};
+  double squares = 0;
+  for (const double residual : fine.residuals) {
+    fit.residuals.push_back(-residual);
+    fit.max_misfit = std::max(fit.max_misfit, std::abs(residual));
+    squares += residual * residual;
+  }
+  fit.rms_misfit = std::sqrt(squares / static_cast<double>(fine.residuals.size()));
+  fit.solution = RefinedSolution::combination(solutions, values);
+  return fit;
 }
 
 LinearFit fit_linear_load(const SupportedBlock& block, double half_width,
@@ -105,16 +92,12 @@ LinearFit fit_linear_load(const SupportedBlock& block, double half_width,
                        block.solve(elasticity::distributed_load(rising, nullptr, kinks))},
                       observed);
 
-  // The edge fraction is the quotient of the two factors, and its error has those of both
-  const numerics::Estimate peak = fit.factors[0];
-  const numerics::Estimate edge = fit.factors[1];
-  const double fraction = edge.value / peak.value;
-  const double fraction_error =
-      (edge.abs_error + std::abs(fraction) * peak.abs_error) / std::abs(peak.value);
-  const auto pressure = [=](double x) { return peak.value * falling(x) + edge.value * rising(x); };
-  return {peak,
-          {fraction, fraction_error},
-          elasticity::distributed_load(pressure, nullptr, kinks),
+  const Measured peak = fit.factors[0];
+  const Measured edge = fit.factors[1];
+  const auto pressure = [p_m = peak.value(), p_e = edge.value(), falling, rising](double x) {
+    return p_m * falling(x) + p_e * rising(x);
+  };
+  return {peak, edge, edge / peak, elasticity::distributed_load(pressure, nullptr, kinks),
           std::move(fit)};
 }
 

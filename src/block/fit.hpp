@@ -5,40 +5,46 @@
 
 #include "block/analysis.hpp"
 #include "elasticity/load.hpp"
-#include "numerics/estimate.hpp"
+#include "numerics/measured.hpp"
 
 namespace block {
 
-/// A displacement to be explained: u_z > 0 (into the body) at x on the top.
+/// A displacement to be explained: u_z > 0 (into the body) at x on the top, with what is known of
+/// its uncertainty.
 struct SurfaceDisplacement {
   double x;
-  double u_z;
+  numerics::Measured u_z;
 };
 
 /// How well a sum of loads explains displacements, and what it predicts.
 struct Fit {
-  std::vector<numerics::Estimate> factors;  ///< of the loads, in their order
+  /// Of the loads, in their order: with the standard uncertainties that those of the displacements
+  /// leave them, and bounds on their errors of discretisation.
+  std::vector<numerics::Measured> factors;
   std::vector<double> residuals;  ///< relative, computed/observed − 1, one an observation
-  double max_misfit;              ///< the largest |residual|
-  double rms_misfit;              ///< √(mean residual²)
+  double max_misfit = 0;          ///< the largest |residual|
+  double rms_misfit = 0;          ///< √(mean residual²)
+  double chi_squared = 0;         ///< Σ (residual/s)²; 0 without uncertainties
   RefinedSolution solution;       ///< the block under the fitted load
 };
 
-/// The factors c_k that minimise Σᵢ [(Σ_k c_k u_k(xᵢ) − uᵢ)/uᵢ]², u_k the displacement under load
-/// k.
+/// The factors c_k that minimise Σᵢ [(Σ_k c_k u_k(xᵢ) − uᵢ)/(sᵢuᵢ)]², u_k the displacement under
+/// load k and sᵢ the relative standard uncertainty of the displacement uᵢ; all sᵢ are 1 if none has
+/// one.
 ///
-/// The displacement is linear in the load, so this is linear least squares, solved by a Householder
-/// QR. Errors of the factors are those of discretisation: the distance from the same fit on the
-/// coarser mesh. One load gives the best scale of a one-parameter family. `solutions` are of one
-/// SupportedBlock, one a load. Throws InvalidQuantity for fewer observations than loads, no load,
-/// an observed displacement not > 0 and a point off the block.
+/// The displacement is linear in the load, so this is linear least squares (numerics::fit_linear).
+/// The bound on the error of a factor is that of discretisation: the distance from the same fit on
+/// the coarser mesh. One load gives the best scale of a one-parameter family. `solutions` are of
+/// one SupportedBlock, one a load. Throws InvalidQuantity for fewer observations than loads, no
+/// load, an observed displacement not > 0, a point off the block, and for what fit_linear refuses.
 Fit fit_loads(const std::vector<RefinedSolution>& solutions,
               const std::vector<SurfaceDisplacement>& observed);
 
 /// The linear fall (see linear_fall) that explains displacements best.
 struct LinearFit {
-  numerics::Estimate peak;           ///< stress
-  numerics::Estimate edge_fraction;  ///< of the peak, at |x| = half_width
+  numerics::Measured peak;           ///< stress
+  numerics::Measured edge;           ///< stress at |x| = half_width
+  numerics::Measured edge_fraction;  ///< edge over peak
   elasticity::Load load;             ///< both put into a load
   Fit fit;
 };

@@ -210,8 +210,8 @@ void claim_run(Document& document, const UnitSystem& units, const PrintedData& p
 // The largest principal stress of a half-space at points around the ends of the fitted load, on
 // small arcs, over its peak.
 double largest_tension_beside_ends(const block::LinearFit& fit, double a) {
-  const double peak = fit.peak.value;
-  const double edge = fit.edge_fraction.value * peak;
+  const double peak = fit.peak.value();
+  const double edge = fit.edge.value();
   double largest = -HUGE_VAL;
   for (const double radius : {1e-3, 1e-2, 1e-1}) {
     for (int i = 1; i < 36; ++i) {

@@ -196,8 +196,8 @@ void register_fit(Document& document, const HalfSpaceCase& half_space, block::Su
                   const UnitSystem& units, const PrintedData& printed_data,
                   const BlockStudy& study) {
   const block::LinearFit& fit = *study.fit();
-  document.value("fit.peak", Value(fit.peak, significant(4), units.stress));
-  document.value("fit.edge-fraction", Value(fit.edge_fraction, fixed(3)));
+  document.value("fit.peak", Value(fit.peak.bounded(), significant(4), units.stress));
+  document.value("fit.edge-fraction", Value(fit.edge_fraction.bounded(), fixed(3)));
   // Peak and edge fraction err together: the resultant is taken of the fit on either mesh.
   const double resultant = elasticity::normal_resultant(fit.load);
   const double coarse_resultant = study.under_fit().coarse().applied().force.y();
@@ -412,8 +412,9 @@ std::vector<Share> like_with_like(const HalfSpaceCase& h, const BlockStudy& stud
   std::vector<Share> shares;
   for (const block::SurfaceDisplacement& printed : study.observed()) {
     const double x = printed.x;
-    shares.push_back({x, half_space(x) - printed.u_z, datum, half_space(x) - stated(x) - datum,
-                      stated(x) - fitted(x), fitted(x) - printed.u_z});
+    shares.push_back({x, half_space(x) - printed.u_z.value(), datum,
+                      half_space(x) - stated(x) - datum, stated(x) - fitted(x),
+                      fitted(x) - printed.u_z.value()});
   }
   return shares;
 }

@@ -28,10 +28,10 @@ block::Fit coarse_fit(const std::vector<RefinedSolution>& solutions,
 
 // Every shape is 1 in the middle and falls to 0 at the ends of the load, where only the uniform
 // pressure, the first of two, is left.
-double largest_pressure(const std::vector<Estimate>& factors) {
+double largest_pressure(const std::vector<numerics::Measured>& factors) {
   double middle = 0;
-  for (const Estimate& factor : factors) middle += factor.value;
-  return std::max(middle, factors.front().value);
+  for (const numerics::Measured& factor : factors) middle += factor.value();
+  return std::max(middle, factors.front().value());
 }
 
 Contestant fitted(const BlockStudy& study, std::string shape, bool falls_about_half,
@@ -56,7 +56,7 @@ Ratios ratios_of(const block::Solution& solution,
                  const std::vector<block::SurfaceDisplacement>& observed) {
   Ratios ratios;
   for (const block::SurfaceDisplacement& point : observed) {
-    ratios.push_back(solution.displacement(point.x, 0).y() / point.u_z);
+    ratios.push_back(solution.displacement(point.x, 0).y() / point.u_z.value());
   }
   return ratios;
 }
