@@ -82,6 +82,13 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
   return fit;
 }
 
+Fit fit_coarse_loads(const std::vector<RefinedSolution>& solutions, const Observed& observed) {
+  std::vector<RefinedSolution> coarse;
+  coarse.reserve(solutions.size());
+  for (const RefinedSolution& s : solutions) coarse.emplace_back(s.coarse(), s.coarse());
+  return fit_loads(coarse, observed);
+}
+
 LinearFit fit_linear_load(const SupportedBlock& block, double half_width,
                           const Observed& observed) {
   const double a = sys::require_positive("half_width", half_width);

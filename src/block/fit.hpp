@@ -40,6 +40,10 @@ struct Fit {
 Fit fit_loads(const std::vector<RefinedSolution>& solutions,
               const std::vector<SurfaceDisplacement>& observed);
 
+/// The same on the coarser mesh alone, to see how far it moves.
+Fit fit_coarse_loads(const std::vector<RefinedSolution>& solutions,
+                     const std::vector<SurfaceDisplacement>& observed);
+
 /// The linear fall (see linear_fall) that explains displacements best.
 struct LinearFit {
   numerics::Measured peak;           ///< stress

@@ -23,15 +23,6 @@ block::Analysis analysis_of(const HalfSpaceCase& half_space, const BlockCase& bl
           block_case.discretization};
 }
 
-// The same fit on the coarser mesh alone.
-block::Fit coarse_fit(const std::vector<block::RefinedSolution>& solutions,
-                      const std::vector<block::SurfaceDisplacement>& observed) {
-  std::vector<block::RefinedSolution> coarse;
-  coarse.reserve(solutions.size());
-  for (const block::RefinedSolution& s : solutions) coarse.emplace_back(s.coarse(), s.coarse());
-  return block::fit_loads(coarse, observed);
-}
-
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
@@ -82,9 +73,10 @@ BlockStudy::BlockStudy(const HalfSpaceCase& half_space, const BlockCase& block_c
   const Support sides = block_case.sides;
   fit_ = fit_on(sides);
   const double a = half_space_.load.half_width();
-  const block::Fit coarse = coarse_fit({on(sides).solve(elasticity::linear_fall(1, 0, a)),
-                                        on(sides).solve(elasticity::linear_fall(1, 1, a))},
-                                       observed_);
+  const block::Fit coarse =
+      block::fit_coarse_loads({on(sides).solve(elasticity::linear_fall(1, 0, a)),
+                               on(sides).solve(elasticity::linear_fall(1, 1, a))},
+                              observed_);
   under_fit_.emplace(fit_->fit.solution.fine(), coarse.solution.fine());
   misfit_error_ = largest_difference(fit_->fit.residuals, coarse.residuals);
 }

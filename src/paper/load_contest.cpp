@@ -17,15 +17,6 @@ using block::RefinedSolution;
 using block::Support;
 using block::Supports;
 
-// The same fit on the coarser mesh alone.
-block::Fit coarse_fit(const std::vector<RefinedSolution>& solutions,
-                      const std::vector<block::SurfaceDisplacement>& observed) {
-  std::vector<RefinedSolution> coarse;
-  coarse.reserve(solutions.size());
-  for (const RefinedSolution& s : solutions) coarse.emplace_back(s.coarse(), s.coarse());
-  return block::fit_loads(coarse, observed);
-}
-
 // Every shape is 1 in the middle and falls to 0 at the ends of the load, where only the uniform
 // pressure, the first of two, is left.
 double largest_pressure(const std::vector<numerics::Measured>& factors) {
@@ -37,7 +28,7 @@ double largest_pressure(const std::vector<numerics::Measured>& factors) {
 Contestant fitted(const BlockStudy& study, std::string shape, bool falls_about_half,
                   const Supports& supports, const std::vector<RefinedSolution>& solutions) {
   const block::Fit fine = block::fit_loads(solutions, study.observed());
-  const block::Fit coarse = coarse_fit(solutions, study.observed());
+  const block::Fit coarse = block::fit_coarse_loads(solutions, study.observed());
   const double peak = largest_pressure(fine.factors);
   return {std::move(shape),
           static_cast<int>(solutions.size()),
