@@ -354,12 +354,29 @@ function(literate_run_script)
   if(NOT read)
     message(FATAL_ERROR "literate_run_script: no word of '${arg_COMMAND}' is a file in ${CMAKE_CURRENT_SOURCE_DIR}")
   endif()
+  list(JOIN arg_COMMAND " " said)
+
+  # CMake does not tell a function the line that called it, so the line is looked for.
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_LIST_FILE BASE_DIRECTORY "${CMAKE_SOURCE_DIR}" OUTPUT_VARIABLE place)
+  file(READ "${CMAKE_CURRENT_LIST_FILE}" text)
+  list(GET arg_MAKES 0 first)
+  string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" first "${first}")
+  if(text MATCHES "^(.*\n)?[ \t]*literate_run_script[ \t]*\\([^)#]*MAKES[ \t\n]+\"?${first}[ \t\n\")]")
+    string(REGEX REPLACE "[^\n]" "" line "${CMAKE_MATCH_1}x")
+    string(LENGTH "x${line}" line)
+    string(APPEND place ":${line}")
+  endif()
+
+  cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
+  list(POP_FRONT arg_COMMAND tool)
+  if(TARGET "${tool}")
+    set(tool "$<TARGET_FILE:${tool}>")
+  endif()
   list(APPEND read ${arg_READS})
   list(TRANSFORM read PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   list(TRANSFORM arg_MAKES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
-  list(JOIN arg_COMMAND " " said)
   add_custom_command(OUTPUT ${arg_MAKES}
-    COMMAND ${arg_COMMAND}
+    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
     DEPENDS ${read}
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
     COMMENT "${said}"

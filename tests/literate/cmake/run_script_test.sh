@@ -37,9 +37,41 @@ claim 'a changed script is run again' "$(cat measured.csv)" = "y
 edits sed -i 's/1/2/' raw.txt
 runs cmake --build build
 claim 'so it is when what it reads has changed' "$(tail -n 1 measured.csv)" -eq 2
-edits sed -i '$a exit 7' measure.sh
+# shellcheck disable=SC2016
+edits sed -i '$a echo half >measured.csv; echo a remark; exit 7' measure.sh
 runs cmake --build build
-claim 'a script that fails stops the build' "$status $(says 'sh measure.sh')" = '1 yes'
+claim 'a script that fails stops the build' "$status" -eq 1
+claim 'it is named first, with its line and its exit code' "$(says 'FAILED: ')$(grep -A 1 -m 1 ' && ' <<<"$said" | tail -n 1)" = \
+  'yesmeasured: CMakeLists.txt:4: sh measure.sh failed with exit code 7'
+claim 'then what it said' "$(tail -n 2 <<<"$said" | head -n 1)" = 'a remark'
+claim 'the file from before is still there' "$(cat measured.csv)" = "y
+2"
+rm measured.csv
+runs cmake --build build
+claim 'a file that did not exist is none' "$status" -eq 1 -a ! -e measured.csv
+
+echo 'echo nothing is written' >measure.sh
+runs cmake --build build
+claim 'a script that makes no file is told with its line and the file' \
+  "$status $(says 'measured: CMakeLists.txt:4: sh measure.sh did not write measured.csv')" = '1 yes'
+claim 'nothing is said of an earlier run' "$(says 'earlier run')" = no
+echo 'of an earlier run' >measured.csv
+runs cmake --build build
+claim 'a file of an earlier run does not pass for its own' \
+  "$status $(says 'did not write measured.csv, which is still the file of an earlier run')" = '1 yes'
+claim 'and stays' "$(cat measured.csv)" = 'of an earlier run'
+echo 'cp -p raw.txt measured.csv' >measure.sh
+runs cmake --build build
+claim 'a script may copy a file with its date' "$status $(cat measured.csv)" = '0 2'
+
+# What it reads tells Ninja nothing here: the script fails for a reason of its own.
+echo 'echo half >measured.csv; [ ! -e broken ] || exit 7' >measure.sh
+runs cmake --build build
+touch broken
+rm measured.csv
+runs cmake --build build
+runs cmake --build build
+claim 'half a file is not taken for whole by the next build' "$status" -eq 1
 
 sed -i 's/sh measure.sh/sh mesure.sh/' CMakeLists.txt
 runs cmake -S . -B build -G Ninja
