@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -112,19 +111,18 @@ literate::Figure stress_figure(std::vector<Point> points, double poisson,
   std::stable_sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
     return curve(a) < curve(b) || (curve(a) == curve(b) && place(a) < place(b));
   });
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> places, shear, von_mises, mcewen;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& point = points[i];
     if (i > 0 && curve(point) != curve(points[i - 1])) {
       for (std::vector<double>* column : {&places, &shear, &von_mises, &mcewen}) {
-        column->push_back(gap);
+        column->push_back(literate::gap);
       }
     }
     places.push_back(place(point));
     shear.push_back(point.stress.max_shear());
     von_mises.push_back(point.stress.von_mises(poisson));
-    mcewen.push_back(point.mcewen ? point.mcewen->max_shear() : gap);
+    mcewen.push_back(point.mcewen ? point.mcewen->max_shear() : literate::gap);
   }
   literate::Figure figure{
       .width_cm = 14,

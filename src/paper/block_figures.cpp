@@ -2,7 +2,6 @@
 #include "paper/block_claims.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,8 +10,6 @@
 
 namespace paper {
 namespace {
-
-constexpr double no_point = std::numeric_limits<double>::quiet_NaN();
 
 // What the convergence of the lower orders is measured against.
 constexpr int highest_order = 8;
@@ -48,7 +45,7 @@ FigureData sample(const block::Solution& solution, double left, double right, do
       cell_y.push_back(y[c]);
       cell_u.push_back(mean);
     }
-    for (auto* column : {&cell_x, &cell_y, &cell_u}) column->push_back(no_point);
+    for (auto* column : {&cell_x, &cell_y, &cell_u}) column->push_back(literate::gap);
   }
   return {{"x", cell_x}, {"y", cell_y}, {"u_z", cell_u}};
 }
@@ -143,8 +140,8 @@ Figure mesh(const HalfSpaceCase& half_space, const BlockCase& block_case, const 
   const auto& z_lines = m.z_lines();
   std::vector<double> x, y;
   const auto line = [&](double x0, double y0, double x1, double y1) {
-    x.insert(x.end(), {x0, x1, no_point});
-    y.insert(y.end(), {y0, y1, no_point});
+    x.insert(x.end(), {x0, x1, literate::gap});
+    y.insert(y.end(), {y0, y1, literate::gap});
   };
   // 0 − z, so that the surface is at 0 and not at −0.
   for (const double at : x_lines) line(at, 0 - z_lines.front(), at, 0 - z_lines.back());

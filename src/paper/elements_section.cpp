@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "elasticity/concentrated_load.hpp"
@@ -25,7 +24,6 @@ Figure element_figure() {
   const elasticity::Material unit(2 / std::acos(-1.0), 0);  // K = load: 2/(πE) = 1
   constexpr double end = 2.5;
   constexpr int n = 500;
-  constexpr double infinite = std::numeric_limits<double>::quiet_NaN();
   const elasticity::ConcentratedLoad force(1);
   const elasticity::UniformLoad uniform(1, 0.5);
   const elasticity::TriangularLoad triangle(1, 1);
@@ -36,12 +34,12 @@ Figure element_figure() {
     const double x = end * (2.0 * i / n - 1);
     const bool at_force = i == n / 2;
     abscissae.push_back(x);
-    point.push_back(at_force ? infinite : elasticity::normal_displacement(unit, force, x, 1));
+    point.push_back(at_force ? literate::gap : elasticity::normal_displacement(unit, force, x, 1));
     uniform_u.push_back(-line_contact::influence_coefficient(Element::uniform, x));
     triangular_u.push_back(-line_contact::influence_coefficient(Element::triangular, x));
     const bool at_end = i == 2 * n / 5 || i == 3 * n / 5;  // |x| = 1/2
-    point_slope.push_back(at_force ? infinite : elasticity::normal_gradient(unit, force, x));
-    uniform_slope.push_back(at_end ? infinite : elasticity::normal_gradient(unit, uniform, x));
+    point_slope.push_back(at_force ? literate::gap : elasticity::normal_gradient(unit, force, x));
+    uniform_slope.push_back(at_end ? literate::gap : elasticity::normal_gradient(unit, uniform, x));
     triangular_slope.push_back(elasticity::normal_gradient(unit, triangle, x));
   }
   return {.width_cm = 14,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "elasticity/concentrated_load.hpp"
@@ -77,7 +76,6 @@ Figure geometry() {
 
 // Nodes over an elliptic pressure, as many as can be told apart in print.
 Figure elements() {
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   constexpr int n_each_side = 5;
   constexpr int shown = 2;  // the node whose p_j and c are labelled
   const auto pressure_at = [](int node) {
@@ -91,7 +89,7 @@ Figure elements() {
     pressure.push_back(pressure_at(j));
     if (pressure.back() == 0) continue;
     triangle_x.insert(triangle_x.end(), {j - 1.0, j + 0.0, j + 1.0, j + 1.0});
-    height.insert(height.end(), {0, pressure.back(), 0, gap});
+    height.insert(height.end(), {0, pressure.back(), 0, literate::gap});
   }
   return {.width_cm = 7,
           .height_cm = 4,
@@ -122,7 +120,7 @@ Figure gradients(const HalfSpaceCase& half_space) {
     x.push_back(xi);
     under_triangle.push_back(triangular.normal_gradient(xi * a).value / unit);
     under_uniform.push_back(uniform.normal_gradient(xi * a).value / unit);
-    under_force.push_back(is_middle ? std::numeric_limits<double>::quiet_NaN()
+    under_force.push_back(is_middle ? literate::gap
                                     : concentrated.normal_gradient(xi * a).value / unit);
   }
   return {.width_cm = 8,

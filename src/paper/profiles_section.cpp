@@ -134,8 +134,7 @@ Panel panel_of(const KnownContact& known, const Solution& solution, double a, do
     const double x = std::sin(angle);
     const double pressure = known.pressure(x * known.half_width) / scale;
     panel.exact_x.push_back(x);
-    panel.exact.push_back(std::isfinite(pressure) ? pressure
-                                                  : std::numeric_limits<double>::quiet_NaN());
+    panel.exact.push_back(std::isfinite(pressure) ? pressure : literate::gap);
     panel.hertz.push_back(std::cos(angle));
   }
   return panel;

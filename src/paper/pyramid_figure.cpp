@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -70,7 +69,7 @@ Figure pyramid_figure() {
     distance.push_back(d);
     by_pyramid.push_back(of_pyramid({d, 0}));
     by_uniform.push_back(of_uniform({d, 0}));
-    by_force.push_back(i == 0 ? std::numeric_limits<double>::quiet_NaN() : 1 / std::abs(d));
+    by_force.push_back(i == 0 ? literate::gap : 1 / std::abs(d));
   }
   return {.width_cm = 14,
           .height_cm = 5.2,

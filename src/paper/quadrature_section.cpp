@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -111,13 +110,12 @@ void count_evaluations(Document& document, const HalfSpaceCase& c) {
 // On logarithmic axes a difference of exactly zero is a gap.
 Figure error_figure(const Comparisons& gradients, const Comparisons& displacements,
                     double half_width, double displacement_unit) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const double gradient_unit = displacement_unit / half_width;
   const auto errors = [&](const Comparisons& comparisons, double unit) -> FigureData {
     std::vector<double> x, difference, estimate;
     for (const Comparison& c : comparisons) {
       x.push_back(c.x / half_width);
-      difference.push_back(c.difference() == 0 ? nan : std::abs(c.difference()) / unit);
+      difference.push_back(c.difference() == 0 ? literate::gap : std::abs(c.difference()) / unit);
       estimate.push_back(c.quadrature.abs_error / unit);
     }
     return {{"x", x}, {"difference", difference}, {"estimate", estimate}};

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 #include <gnuplot-iostream.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <locale>
 #include <set>
 #include <sstream>
@@ -26,6 +28,14 @@ void require_identifier(const std::string& name) {
       fmt::format("'{}' is no name of a variable: letters, digits and '_', no digit first", name));
 }
 
+// A gap is told from other NaN by its bits.
+void require_finite_or_gap(double number, const std::string& what) {
+  const auto bits = std::bit_cast<std::uint64_t>(number);
+  if (std::isfinite(number) || bits == std::bit_cast<std::uint64_t>(gap)) return;
+  throw std::logic_error(
+      fmt::format("{} is {}: must be finite, or literate::gap where no point is", what, number));
+}
+
 void require_columns(const std::string& block, const FigureData& data) {
   if (data.columns.empty()) throw std::logic_error(fmt::format("data '{}' has no columns", block));
   const auto& [first_name, first] = data.columns.front();
@@ -36,9 +46,14 @@ void require_columns(const std::string& block, const FigureData& data) {
     if (!names.insert(name).second) {
       throw std::logic_error(fmt::format("data '{}' has two columns '{}'", block, name));
     }
-    if (numbers.size() == first.size()) continue;
-    throw std::logic_error(fmt::format("data '{}': column '{}' has {} points and '{}' has {}",
-                                       block, first_name, first.size(), name, numbers.size()));
+    if (numbers.size() != first.size()) {
+      throw std::logic_error(fmt::format("data '{}': column '{}' has {} points and '{}' has {}",
+                                         block, first_name, first.size(), name, numbers.size()));
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      require_finite_or_gap(numbers[i],
+                            fmt::format("data '{}': column '{}', point {}", block, name, i + 1));
+    }
   }
   if (data.row_length == 0 || first.size() % data.row_length == 0) return;
   throw std::logic_error(fmt::format("data '{}': {} points do not make rows of {}", block,
@@ -114,7 +129,7 @@ void require_drawable(const Figure& figure) {
   }
   for (const auto& [name, number] : figure.numbers) {
     require_name(name);
-    if (std::isinf(number)) throw std::logic_error(fmt::format("number '{}' is infinite", name));
+    require_finite_or_gap(number, fmt::format("number '{}'", name));
   }
   for (const auto& [name, text] : figure.texts) {
     require_name(name);

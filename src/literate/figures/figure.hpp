@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
@@ -11,7 +12,10 @@
 
 namespace literate {
 
-/// One block of data: columns of equal length under their names, NaN for a gap in a curve.
+/// A point that is not there: a gap in a curve. It is a NaN that no computation makes by accident.
+inline const double gap = std::nan("1");
+
+/// One block of data: columns of equal length under their names.
 struct FigureData {
   using Column = std::pair<std::string, std::vector<double>>;
 
@@ -47,7 +51,8 @@ struct Figure {
 
 /// Throws std::logic_error saying what of a figure no script could read: a size that is not
 /// positive, a name that is no identifier or is given twice, a block without columns or points,
-/// columns of unequal length or equal names, a number that is infinite, a text of several lines.
+/// columns of unequal length or equal names, a number that is neither finite nor a gap, a text of
+/// several lines.
 void require_drawable(const Figure& figure);
 
 /// Writes what a script reads of a figure to the folder: name.gp, which sets the terminal and all

@@ -24,7 +24,7 @@ struct CommaLocale : std::numpunct<char> {
 };
 
 const std::vector<double> x{0, 0.1, 1.0 / 3};
-const std::vector<double> y{1e-300, -2.5, std::nan("")};
+const std::vector<double> y{1e-300, -2.5, literate::gap};
 
 Figure curve() {
   return {.width_cm = 6, .height_cm = 4.5, .data = {{"curve", {{"x", x}, {"y", y}}}}};
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_surface_has_a_blank_line_after_each_row_but_the_last) {
 BOOST_AUTO_TEST_CASE(scripts_find_data_numbers_and_texts_as_variables) {
   const TemporaryFolder scratch;
   Figure figure = curve();
-  figure.numbers = {{"two", 2}, {"small", 1e-7}, {"none", std::nan("")}};
+  figure.numbers = {{"two", 2}, {"small", 1e-7}, {"none", literate::gap}};
   figure.texts = {{"unit", "\\,in"}, {"title", "Hertz' pressure"}};
 
   write_figure(scratch.path(), "f", figure);
@@ -91,7 +91,14 @@ BOOST_AUTO_TEST_CASE(what_no_script_could_read_is_refused_by_name) {
   BOOST_TEST(has(refusal_of(figure), "'curve' is given twice"));
   figure = curve();
   figure.numbers["far"] = std::numeric_limits<double>::infinity();
-  BOOST_TEST(has(refusal_of(figure), "'far' is infinite"));
+  BOOST_TEST(has(refusal_of(figure), "'far' is inf: must be finite"));
+  figure.numbers["far"] = std::log(-1.0);
+  BOOST_TEST(has(refusal_of(figure), "'far' is"));
+  figure = curve();
+  figure.data["curve"].columns[1].second[1] = std::sqrt(-1.0);
+  BOOST_TEST(has(refusal_of(figure), "data 'curve': column 'y', point 2 is"));
+  figure.data["curve"].columns[1].second[1] = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(has(refusal_of(figure), "must be finite, or literate::gap where no point is"));
   figure = curve();
   figure.texts["title"] = "two\nlines";
   BOOST_TEST(has(refusal_of(figure), "'title' has more than one line"));
