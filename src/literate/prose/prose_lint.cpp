@@ -25,7 +25,7 @@ const sys::Pattern& unit() {
   static const sys::Pattern pattern(
       R"re(^(\s|~|\\[,;: ]|[{}]|-)*)re"
       R"re((\\%|per ?cent\b|(µ|°|[kMG]?Pa|[kM]?N|[numcdk]?m|kg|mg|ms|[kM]?Hz|[kMG]B|[mk]?J|kW|kV|lbf|lb|psi|ksi)re"
-      R"re(|ft|rad|mrad|K|pounds?|inch(es)?|feet|degrees?|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?)re"
+      R"re(|s|ft|rad|mrad|K|pounds?|inch(es)?|feet|degrees?|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?)re"
       R"re(|hours?|newtons?|pascals?)(?![A-Za-z])))re");
   return pattern;
 }
@@ -36,10 +36,11 @@ const sys::Pattern& inches() {
   return pattern;
 }
 
-/// A number at the start of a text, with whole part, decimals and power of ten as groups.
+/// A number at the start of a text, with whole part, decimals and power of ten as groups. Of
+/// $12\times 10^{3}$ the sign is blank here.
 const sys::Pattern& numeral() {
   static const sys::Pattern pattern(
-      R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?([eE][+-]?\d+)?)re");
+      R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?([eE][+-]?\d+|\s+10\^(?:\{[+-]?\d+\}|\d))?)re");
   return pattern;
 }
 
@@ -75,7 +76,8 @@ bool has_unit(const Surroundings& around) {
   return begins_with_unit(letters->rest) || letters->rest.starts_with("in}");
 }
 
-/// Whether a number is a year in parentheses or after a month, or the place in a cited source.
+/// Whether a number is a year in parentheses, after a month or beside a citation, or the place in a
+/// cited source.
 bool is_reference(const std::string& number, const Surroundings& around) {
   static const sys::Pattern year("(1[5-9]|20)\\d\\d");
   static const sys::Pattern month(
@@ -84,7 +86,15 @@ bool is_reference(const std::string& number, const Surroundings& around) {
   if (year.is_all_of(number)) {
     if (around.before.ends_with('(') && around.after.starts_with(')')) return true;
     if (month.is_in(around.before)) return true;
+    static const sys::Pattern citation("^[\\s~]*\x03");
+    static const sys::Pattern citation_of("\x03[\\s~]+(of|in)[\\s~]+$");
+    if (citation.is_in(around.after) || citation_of.is_in(around.before)) return true;
   }
+  static const sys::Pattern part(
+      "([Pp]ages?|pp?\\.|[Cc]hapter|[Ss]ection|[Ee]quations?|[Ee]qs?\\.|[Ff]igures?|[Ff]igs?\\."
+      "|[Tt]ables?)[\\s~]+$");
+  static const sys::Pattern of_citation("^[\\s~]+(of|in)[\\s~]+\x03");
+  if (part.is_in(around.before) && of_citation.is_in(around.after)) return true;
   static const sys::Pattern behind_citation("\x03\\s*,[^.;)\x03]*$");
   static const sys::Pattern before_citation(
       "^[a-z]?\\)(\\s+and\\s+\\(\\d+(\\.\\d+)?[a-z]?\\))?[\\s~]+of[\\s~]+\x03");
@@ -135,13 +145,15 @@ std::vector<Typed> typed_in(const Prose& prose) {
     const std::string rest = prose.text.substr(at, reach);
     const auto match = numeral().find_in(rest);
     if (!match) continue;
-    const std::string number(match->parts[0]);
+    const std::string_view exponent = match->parts[3];
+    const std::string number = fmt::format("{}{}{}", match->parts[1], match->parts[2],
+                                           exponent.starts_with(' ') ? "" : exponent);
     const Surroundings around{prose.text.substr(begin, at - begin), std::string(match->rest),
                               prose.modes[at]};
     const bool is_long = significant_digits(match->parts[1], match->parts[2]) > most_digits;
     const bool is_result = has_unit(around) || (is_long && around.mode != TexMode::display_math);
     if (is_result && !is_reference(number, around)) found.push_back({at, number});
-    at += number.size() - 1;
+    at += match->parts[0].size() - 1;
   }
   return found;
 }

@@ -44,6 +44,8 @@ BOOST_AUTO_TEST_CASE(a_number_with_a_unit_is_a_result_however_short) {
   BOOST_TEST(found_in("2 mm, 3~psi, 4\\,N, 5\\%, 6 per cent, 7 pounds/inch, 8-inch, 9 in.") ==
              "2 3 4 5 6 7 8 9 ");
   BOOST_TEST(found_in("\\qty{2}{mm}, $2\\,\\mathrm{MPa}$, $3$ mm, $-4~\\text{in}$") == "2 2 3 4 ");
+  BOOST_TEST(found_in("$7\\ \\text{s}$, $8\\,\\text{s}$, 9~s, $6\\;\\mathrm{s}$") == "7 8 9 6 ");
+  BOOST_TEST(found_in("$12\\times 10^{3}$ Pa, $1.2\\cdot10^5\\,\\text{Pa}$, 3 MPa") == "12 1.2 3 ");
   BOOST_TEST(found_in("row 2 in the table, 3 Kings, 2 nodes, 4 nothing, $2\\,m$, 5 minus 3") == "");
 }
 
@@ -73,6 +75,11 @@ BOOST_AUTO_TEST_CASE(years_and_places_in_sources_are_no_results) {
   BOOST_TEST(found_in("Ruggiero (2001), 23 April 2001") == "");
   BOOST_TEST(found_in("(\\cite{a}, 13.12; \\cite{b}, chapter 1.23)") == "");
   BOOST_TEST(found_in("(2.25b) and (2.25a) of \\cite{a}, and (4.49) of~\\cite{a}") == "");
+  BOOST_TEST(found_in("in 1921 \\cite{a}, 1921~\\cite{a}, \\cite{a} of 1921, \\cite{a} in 1921") ==
+             "");
+  BOOST_TEST(found_in("Page 123 of \\cite{a}, p.~123 of~\\cite{a}, equation 2.25 of \\cite{a}") ==
+             "");
+  BOOST_TEST(found_in("1234~\\cite{a}. 1921 points \\cite{a}") == "1234 1921 ");
   BOOST_TEST(found_in("2001 points (2.25) by \\cite{a}: 1.234") == "2001 2.25 1.234 ");
 }
 
