@@ -22,6 +22,7 @@
 #include "literate/document/last_registered.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
+#include "system/require.hpp"
 
 namespace literate {
 namespace {
@@ -138,6 +139,9 @@ void compute_guarded(Document& document, const Inputs& inputs, const Compute& co
   const Clock clock;
   try {
     compute(document, inputs);
+  } catch (const sys::InvalidQuantity& error) {
+    // An operator, such as a division, knows no line of its caller.
+    throw sys::InputError(fmt::format("{}; {}", error.what(), how_far()));
   } catch (const sys::Error&) {
     throw;
   } catch (const std::exception& error) {

@@ -77,9 +77,14 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
       const ReferenceKind& kind = *std::ranges::find(kinds, use.name, &ReferenceKind::command);
       used.emplace(kind.noun, use.argument);
       if (kind.names.contains(use.argument) || is_left_out(use.branches, names.flags)) continue;
-      report.errors.push_back(fmt::format(
-          "{}/{}:{}:{}: unknown {} '{}'{}", source_label(source_dir), file, use.line, use.column,
-          kind.noun, use.argument, sys::suggestion(use.argument, kind.names)));
+      const std::string place =
+          fmt::format("{}/{}:{}:{}", source_label(source_dir), file, use.line, use.column);
+      const bool is_flag = kind.noun == std::string_view("value") && flags.contains(use.argument);
+      report.errors.push_back(
+          is_flag ? fmt::format("{}: '{}' is a flag, which \\ifflag{{{}}}{{yes}}{{no}} asks for",
+                                place, use.argument, use.argument)
+                  : fmt::format("{}: unknown {} '{}'{}", place, kind.noun, use.argument,
+                                sys::suggestion(use.argument, kind.names)));
     }
   }
   for (std::string& error : statement_errors(statements_below(source_dir), names)) {

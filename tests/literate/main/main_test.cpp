@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "literate/document/names.hpp"
+#include "numerics/estimate_algebra.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -193,6 +194,23 @@ int status_of(const std::function<void()>& act) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return status;
+}
+
+BOOST_AUTO_TEST_CASE(what_an_operator_refuses_is_told_with_how_far_all_came) {
+  const Workplace place;
+
+  const Answer answer =
+      place.compute([](literate::Document& document, const literate::Inputs& inputs) {
+        register_sum(document, inputs);
+        const numerics::Estimate none = 1 / numerics::Estimate{0, 1};
+        document.value("none", {none, literate::significant(3)});
+      });
+
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(
+      answer.errors.starts_with("toy: divisor = 0: must be farther from 0 than its error, 1; "
+                                "the last thing registered was value 'sum' ("),
+      answer.errors);
 }
 
 BOOST_AUTO_TEST_CASE(a_crash_is_told_with_how_far_all_came) {

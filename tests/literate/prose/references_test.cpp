@@ -49,6 +49,13 @@ BOOST_AUTO_TEST_CASE(an_unknown_key_has_file_line_column_and_the_nearest_name) {
       boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(a_flag_that_is_asked_for_as_a_value_is_told_to_be_one) {
+  BOOST_TEST(report_on("\\val{diverged}").errors ==
+                 Lines{"report/part/a.tex:1:1: 'diverged' is a flag, which "
+                       "\\ifflag{diverged}{yes}{no} asks for"},
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(each_kind_is_looked_up_among_its_own) {
   BOOST_TEST(
       report_on(
