@@ -83,7 +83,8 @@ double in_unit(double number, const std::string& from, const std::string& to) {
 }
 
 /// The error of a number in another unit. The rounding of the conversion belongs to it where the
-/// error has digits as small; elsewhere it would only lift an error of 1 above 1, and cost a digit.
+/// error has digits as small; elsewhere it would only lift an error of 1 above 1, and cost a digit,
+/// although the rounding to the printed digits is ten thousand times greater.
 double converted_error(double abs_error, const std::string& from, const std::string& unit,
                        double rounding) {
   constexpr double least_share = 1e-6;

@@ -21,8 +21,17 @@ void require_count(const char* what, int count, int least) {
       fmt::format("{} = {}: must lie between {} and {}", what, count, least, most));
 }
 
+/// An error as it counts wherever digits depend on it: to twelve significant digits. As a double the
+/// sum of 0.1 and 0.05 is 0.15000000000000002; what lies behind twelve digits is the rounding of the
+/// error itself.
+double counted(double abs_error) {
+  constexpr int n_digits = 12;
+  return number_of(rounded_to_digits(abs_error, n_digits));
+}
+
 /// The least place p with 10^p ≥ error > 0.
-int place_of(const Decimal& error) {
+int place_of(double abs_error) {
+  const Decimal error = shortest(counted(abs_error));
   return leading_place(error) + (error.digits == "1" ? 0 : 1);
 }
 
@@ -38,7 +47,7 @@ Decimal supported_digits(Estimate estimate, int max_digits) {
     const Decimal all = shortest(estimate.value);
     return all.place >= longest.place ? all : longest;
   }
-  const int place = place_of(shortest(2 * estimate.abs_error));
+  const int place = place_of(2 * estimate.abs_error);
   if (is_zero(longest)) return rounded_to_place(0, place);
   return rounded_to_place(estimate.value, std::max(place, leading_place(longest) - max_digits + 1));
 }
@@ -150,7 +159,7 @@ void require_error_bound(double abs_error) {
 
 std::optional<int> least_earned_place(double abs_error) {
   if (abs_error == 0) return std::nullopt;
-  return place_of(shortest(abs_error));
+  return place_of(abs_error);
 }
 
 void require_earned(double number, int place, double abs_error, std::string_view printed) {
@@ -182,11 +191,9 @@ namespace {
 
 using Style = RoundedNumber::Style;
 
-/// Its two digits, rounded up. The sum of 0.1 and 0.05 is 0.15000000000000002 as a double and
-/// prints 0.15: what lies above two digits by less than 10⁻¹² of the error is the rounding of the
-/// error.
+/// Its two digits, rounded up.
 RoundedNumber with_uncertainty(Estimate estimate) {
-  const Decimal error = rounded_up_to_digits((1 - 1e-12) * estimate.abs_error, 2);
+  const Decimal error = rounded_up_to_digits(counted(estimate.abs_error), 2);
   return {rounded_to_place(estimate.value, error.place), Style::automatic, true, error.digits};
 }
 

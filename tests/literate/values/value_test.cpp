@@ -248,6 +248,7 @@ BOOST_AUTO_TEST_CASE(an_uncertainty_stands_in_units_of_the_last_digit_and_is_rou
   BOOST_TEST(printed(2.5, 0) == "2.5");
   BOOST_TEST(printed(11, 0.1 + 0.05) == "11.00(15)");  // as a double 0.15000000000000002
   BOOST_TEST(printed(11, 0.1500001) == "11.00(16)");
+  BOOST_TEST(printed(11, 0.1500000000008) == "11.00(16)");
   BOOST_CHECK_THROW(printed(1, -1), std::invalid_argument);
 }
 
