@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -170,7 +169,7 @@ literate::Figure contact_figure(const ContactInput& input, const SolvedContact& 
       const double at = begin - margin + (end - begin + 2 * margin) * i / n;
       const double p = input.closed_form->pressure(at);
       along.push_back(at);
-      exact.push_back(std::isfinite(p) ? p : std::numeric_limits<double>::quiet_NaN());
+      exact.push_back(std::isfinite(p) ? p : literate::gap);
     }
     figure.data["closed"] = {{"x", along}, {"pressure", exact}};
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -12,8 +11,6 @@
 
 namespace assignment {
 namespace {
-
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
 // The slope's bracket as it stands in eq. (3).
 double three_terms(double xi) {
@@ -32,7 +29,7 @@ literate::Figure setting() {
   std::vector<double> p;
   for (std::size_t j = 1; j + 1 < node.size(); ++j) {
     x.insert(x.end(), {node[j] - 1, node[j], node[j] + 1, node[j] + 1});
-    p.insert(p.end(), {0, height[j], 0, gap});
+    p.insert(p.end(), {0, height[j], 0, literate::gap});
   }
   return {.width_cm = 15.5,
           .height_cm = 3.5,

@@ -18,6 +18,8 @@ const std::vector<Words> commands = {
     Words{"contact"} + from_case + Words{"--profile", "wedge", "--slope", "0.01"},
     Words{"point-contact"} + from_case + Words{"--load", "1", "--nodes", "32"},
     Words{"point-contact"} + from_case +
+        Words{"--load", "1", "--nodes", "32", "--profile", "cone", "--slope", "0.01"},
+    Words{"point-contact"} + from_case +
         Words{"--load", "1", "--nodes", "32", "--profile", "rounded-punch", "--flat", "0.01",
               "--edge-radius", "1", "--domain", "0.06"},
     Words{"stress"} + from_case + Words{"--x", "0,0.01", "--z", "0.002,0.01,0.02"},
