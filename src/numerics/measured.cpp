@@ -104,12 +104,13 @@ double Measured::standard() const {
   return u;
 }
 
-double Measured::standard_of_kind(std::string_view kind) const {
-  double u = 0;
+std::map<std::string, double> Measured::kinds() const {
+  std::map<std::string, double> kinds;
   for (const auto& [source, component] : components_) {
-    if (std::string_view(source).substr(0, source.find('/')) == kind) u = std::hypot(u, component);
+    double& u = kinds[source.substr(0, source.find('/'))];
+    u = std::hypot(u, component);
   }
-  return u;
+  return kinds;
 }
 
 double covariance(const Measured& a, const Measured& b) {

@@ -44,8 +44,8 @@ class Measured {
   /// u, in the unit of value().
   double standard() const;
 
-  /// What sources of one kind add to it, such as "statistics".
-  double standard_of_kind(std::string_view kind) const;
+  /// What the sources of each kind add to it, such as "statistics".
+  std::map<std::string, double> kinds() const;
 
   /// cᵢ u(xᵢ) by the names of the sources, in the unit of value(); none is 0.
   const std::map<std::string, double>& components() const { return components_; }

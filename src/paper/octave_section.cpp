@@ -38,7 +38,7 @@ void compare(Document& document, const Document& octave, const ContactM& ours) {
     const Value& theirs = octave.values().at("p" + std::to_string(i + 1));
     largest = std::max(largest, std::abs(ours.pressure[i]));
     difference = std::max(difference, std::abs(theirs.number().value() - ours.pressure[i]));
-    error = std::max(error, theirs.abs_error().value());
+    error = std::max(error, theirs.uncertainty().value().bound);
   }
   document.value("octave.difference",
                  Value(difference / largest, scientific(1).rounded_up()).as_is());

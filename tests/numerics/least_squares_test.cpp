@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(what_the_observations_have_in_common_moves_the_whole_line) 
       fit_linear(straight({0, 1, 2, 3}), {point(1, 0.1, 1) + scale, point(2, 0.1, 2) + scale,
                                           point(3, 0.1, 3) + scale, point(4, 0.1, 4) + scale});
   BOOST_TEST(fit.coefficients[0].components().at("zero of the scale") == 0.5, tolerance(1e-12));
-  BOOST_TEST(std::abs(fit.coefficients[1].standard_of_kind("zero of the scale")) < 1e-14);
+  BOOST_TEST(std::abs(fit.coefficients[1].kinds().at("zero of the scale")) < 1e-14);
 }
 
 // The worst data within the bounds, found by trying all their signs.
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(numbers_with_a_covariance_have_it_again) {
                  tolerance(1e-13));
     }
   }
-  BOOST_TEST(numbers[0].standard_of_kind("calibration") == 2, tolerance(1e-13));
+  BOOST_TEST(numbers[0].kinds().at("calibration") == 2, tolerance(1e-13));
 }
 
 // u + 2v from u and v, whose covariance has rank two: an example of the manual of the Python

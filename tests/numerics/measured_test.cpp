@@ -65,10 +65,10 @@ BOOST_AUTO_TEST_CASE(weights_from_one_balance_are_correlated_by_it) {
   const Measured first = weighed(5, "statistics/first"), second = weighed(7, "statistics/second");
   BOOST_TEST(correlation(first, second) == 0.64, boost::test_tools::tolerance(1e-14));
   const Measured sum = first + second;
-  BOOST_TEST(sum.standard_of_kind("statistics") == 0.03 * std::numbers::sqrt2,
+  BOOST_TEST(sum.kinds().at("statistics") == 0.03 * std::numbers::sqrt2,
              boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(sum.standard_of_kind("calibration") == 0.08, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST((second - first).standard_of_kind("calibration") == 0);
+  BOOST_TEST(sum.kinds().at("calibration") == 0.08, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(!(second - first).kinds().contains("calibration"));
 }
 
 BOOST_AUTO_TEST_CASE(a_bound_and_a_standard_uncertainty_stay_apart) {

@@ -42,7 +42,7 @@ parameters::Case papers_case() {
 // ours.
 void check_within_error(const literate::Document& octave, const std::string& key, double ours) {
   const literate::Value& value = octave.values().at(key);
-  const double allowed = value.abs_error().value() + tolerance::rounding * std::abs(ours);
+  const double allowed = value.uncertainty().value().bound + tolerance::rounding * std::abs(ours);
   BOOST_TEST(std::abs(value.number().value() - ours) <= allowed,
              key << ": Octave has " << value.number().value() << ", here it is " << ours);
 }
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(contact_m_in_octave_gives_the_pressures_of_our_run_as_print
   for (std::size_t i = 0; i < 8; ++i) {
     check_within_error(octave, fmt::format("p{}", i + 1), ours.pressure[i]);
     // The bound is that of a comparison worth making: eight digits of each pressure.
-    BOOST_TEST(octave.values().at(fmt::format("p{}", i + 1)).abs_error().value() <
+    BOOST_TEST(octave.values().at(fmt::format("p{}", i + 1)).uncertainty().value().bound <
                1e-8 * ours.pressure[i]);
   }
   check_within_error(octave, "load", ours.line_load);

@@ -59,12 +59,13 @@ void check_within(const Document& one, const Document& other,
                   const std::map<std::string, double>& factors, bool errors_of_both) {
   int n_compared = 0;
   for (const auto& [key, value] : one.values()) {
-    if (!value.abs_error() || !other.values().contains(key)) continue;
+    if (!value.uncertainty() || !other.values().contains(key)) continue;
     const Value& again = other.values().at(key);
-    BOOST_TEST_REQUIRE(again.abs_error().has_value(), key);
+    BOOST_TEST_REQUIRE(again.uncertainty().has_value(), key);
     const double factor = factors.at(value.unit());
     const double apart = std::abs(*value.number() - factor * *again.number());
-    const double allowed = *value.abs_error() + (errors_of_both ? factor * *again.abs_error() : 0);
+    const double allowed =
+        value.uncertainty()->bound + (errors_of_both ? factor * again.uncertainty()->bound : 0);
     BOOST_TEST(apart <= allowed, key << ": " << *value.number() << " and "
                                      << factor * *again.number() << ", apart " << apart
                                      << ", allowed " << allowed);
@@ -84,7 +85,7 @@ void check_cells_within(const Document& one, const Document& other,
       for (std::size_t i = 0; i < table.columns().size(); ++i) {
         const literate::Cell& cell = table.rows()[r][i];
         const literate::Cell& cell_again = again.rows()[r][i];
-        if (cell.abs_error().value_or(0) == 0 || cell_again.number() == nullptr) continue;
+        if (cell.error() == 0 || cell_again.number() == nullptr) continue;
         const literate::ColumnFormat& column = table.columns()[i].format();
         // The unit may stand in a column beside it, as in the table of the cylinders.
         const literate::Cell& beside = table.rows()[r][std::min<std::size_t>(1, i)];
@@ -95,8 +96,8 @@ void check_cells_within(const Document& one, const Document& other,
         }
         const double factor = factors.at(unit);
         const double apart = std::abs(*cell.number() - factor * *cell_again.number());
-        const double of_other = factor * cell_again.abs_error().value_or(0);
-        const double allowed = *cell.abs_error() + (errors_of_both ? of_other : 0);
+        const double of_other = factor * cell_again.error();
+        const double allowed = cell.error() + (errors_of_both ? of_other : 0);
         BOOST_TEST(apart <= allowed, name << ", row " << r + 1 << ", " << column.heading << ": "
                                           << *cell.number() << " and "
                                           << factor * *cell_again.number() << ", apart " << apart
@@ -186,8 +187,8 @@ BOOST_AUTO_TEST_CASE(every_cell_is_exact_quoted_or_has_a_bound) {
         for (std::size_t i = 0; i < row.size(); ++i) {
           const std::string column = name + ": " + table.columns()[i].format().heading;
           if (row[i].number() == nullptr || row[i].place()) continue;
-          n_with_bound += row[i].abs_error().value_or(0) > 0 ? 1 : 0;
-          BOOST_TEST((row[i].abs_error() || without.contains(column) || given.contains(column)),
+          n_with_bound += row[i].error() > 0 ? 1 : 0;
+          BOOST_TEST((row[i].uncertainty() || without.contains(column) || given.contains(column)),
                      column);
         }
       }
@@ -200,14 +201,15 @@ BOOST_AUTO_TEST_CASE(no_digit_is_printed_below_its_bound) {
   // The last printed place, from the mantissa's decimals and the exponent.
   for (const auto& [key, value] : papers().values()) {
     const std::string& text = value.printed();
-    if (!value.abs_error() || text.find('(') != std::string::npos) continue;
+    if (!value.uncertainty() || text.find('(') != std::string::npos) continue;
     const std::string digits = text.substr(0, text.find(' '));
     const std::size_t e = std::min(digits.find('e'), digits.size());
     const std::size_t point = std::min(digits.find('.'), e);
     double place = point < e ? -static_cast<double>(e - point - 1) : 0;
     if (e < digits.size()) place += std::stod(digits.substr(e + 1));
     if (text.ends_with("%")) place -= 2;
-    BOOST_TEST(std::pow(10, place) >= *value.abs_error() * (1 - 1e-12), key << ": " << text);
+    BOOST_TEST(std::pow(10, place) >= value.uncertainty()->bound * (1 - 1e-12),
+               key << ": " << text);
   }
 }
 
@@ -228,10 +230,10 @@ BOOST_AUTO_TEST_CASE(another_datum_of_the_cylinders_changes_nothing_but_their_ap
       computed(with(papers_text, "datum = {value = 1, unit", "datum = {value = 0.1, unit"));
   for (const Document* document : {&other, &nearer}) {
     for (const auto& [key, value] : papers().values()) {
-      if (!value.abs_error() || key.ends_with("approach")) continue;
-      BOOST_TEST(
-          std::abs(*value.number() - *document->values().at(key).number()) <= *value.abs_error(),
-          key);
+      if (!value.uncertainty() || key.ends_with("approach")) continue;
+      BOOST_TEST(std::abs(*value.number() - *document->values().at(key).number()) <=
+                     value.uncertainty()->bound,
+                 key);
     }
   }
 }
@@ -251,7 +253,7 @@ BOOST_AUTO_TEST_CASE(the_approach_of_the_cylinders_holds_that_of_a_grid_that_end
     constexpr double of_graded_grid = 1e-9;  // relative, measured for the half-width
     const Value& approach = document->values().at("cylinders.approach");
     BOOST_TEST(std::abs(*approach.number() - solution.approach(c.datum)) <=
-               *approach.abs_error() + of_graded_grid * *approach.number());
+               approach.uncertainty()->bound + of_graded_grid * *approach.number());
   }
 }
 

@@ -21,7 +21,10 @@ std::string caller_of(const Criterion::Location& location, const std::string& na
   return line + name;
 }
 
-double require_abs_error(const std::string& place, const Value& quantity) {
+using numerics::Estimate;
+using numerics::Measured;
+
+Measured require_measured(const std::string& place, const Value& quantity) {
   if (!quantity.number()) throw std::invalid_argument(place + ": a criterion tests a number");
   try {
     quantity.require_finite();
@@ -29,7 +32,27 @@ double require_abs_error(const std::string& place, const Value& quantity) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", place, error.what()));
   }
-  return *quantity.counted_error();
+  return quantity.measured().value();
+}
+
+/// How many standard uncertainties count; of a quantity that has none it does not matter.
+double k_of(const Limit& limit) {
+  return limit.n_counted().value_or(1);
+}
+
+Measured magnitude(const Measured& number) {
+  return number.value() < 0 ? -number : number;
+}
+
+/// A number with the error that the limit counts.
+Estimate counted(const std::string& place, const Measured& number, const Limit& limit) {
+  if (number.standard() > 0 && !limit.n_counted()) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} has a standard uncertainty of {}: say how many of them the limit "
+                    "counts, by Limit(...).counting(2)",
+                    place, round_trip(number.value()), round_trip(number.standard())));
+  }
+  return {number.value(), Uncertainty(number).error(k_of(limit))};
 }
 
 /// A limit, or an error, in the notation of the quantity that it belongs to.
@@ -60,15 +83,13 @@ Phrase at_most_in_signs(const Value& number) {
 }
 
 /// How far two quantities are apart, in their unit.
-Value difference_of(const Value& computed, const Value& stated, double abs_error) {
-  const double difference = std::abs(*computed.number() - *stated.number());
-  if (computed.format()->notation() == Notation::integer && abs_error == 0) {
-    return {difference, exact(), computed.unit()};
+Value difference_of(const Value& computed, const Measured& difference) {
+  if (computed.format()->notation() == Notation::integer && Uncertainty(difference).error() == 0) {
+    return {difference.value(), exact(), computed.unit()};
   }
   constexpr int n_digits = 2;
   const Format format = significant(n_digits);
-  return {numerics::Estimate{difference, abs_error},
-          computed.is_percentage() ? format.in_percent() : format, computed.unit()};
+  return {difference, computed.is_percentage() ? format.in_percent() : format, computed.unit()};
 }
 
 }  // namespace
@@ -106,6 +127,17 @@ Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int 
   number_ = number_of(rounded_to_digits(number.value, n_digits));
 }
 
+Limit Limit::counting(double k) const {
+  if (!(k > 0 && std::isfinite(k))) {
+    throw std::invalid_argument(
+        fmt::format("{} standard uncertainties counted: must be a finite number > 0", k));
+  }
+  Limit limit = *this;
+  limit.n_counted_ = k;
+  limit.reason_ += fmt::format("; {} standard uncertainties count", k);
+  return limit;
+}
+
 std::string_view name_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::holds:
@@ -131,10 +163,12 @@ Outcome outcome_of(double excess, double unsure) {
   return excess - unsure > 0 ? Outcome::fails : Outcome::undecided;
 }
 
-Phrase found_of(const Criterion& criterion, double limit, Side side) {
+Phrase found_of(const Criterion& criterion, const Limit& limit, Side side) {
   const Value& quantity = criterion.quantity();
-  return criterion.outcome() == Outcome::undecided ? undecided_phrase(quantity, limit, side)
-                                                   : found_phrase(quantity, limit, side);
+  const double k = k_of(limit);
+  return criterion.outcome() == Outcome::undecided
+             ? undecided_phrase(quantity, limit.number(), side, k)
+             : found_phrase(quantity, limit.number(), side, k);
 }
 
 std::string_view verb_of(Outcome outcome) {
@@ -145,19 +179,19 @@ std::string_view verb_of(Outcome outcome) {
 
 /// Compares the interval of the tested number with that of the limit; both are printed as `like`
 /// is.
-void Criterion::decide(double tested, double error, bool is_upper_limit, const Value& like,
+void Criterion::decide(const Estimate& tested, bool is_upper_limit, const Value& like,
                        const std::string& place) {
   // A negated limit turns «at least» into «at most»: −q ≤ −L.
   const double sign = is_upper_limit ? 1 : -1;
-  excess_ = sign * (tested - limit_.number());
-  const double unsure = error + limit_.abs_error();
+  excess_ = sign * (tested.value - limit_.number());
+  const double unsure = tested.abs_error + limit_.abs_error();
   outcome_ = outcome_of(excess_, unsure);
-  const Outcome of_unrounded = outcome_of(sign * (tested - limit_.unrounded()), unsure);
+  const Outcome of_unrounded = outcome_of(sign * (tested.value - limit_.unrounded()), unsure);
   if (of_unrounded != outcome_) {
     throw std::invalid_argument(fmt::format(
         "{}: rounding decides, since {} {} against the printed limit {} and {} against {} itself: "
         "give the limit more than {} digits",
-        place, round_trip(tested), verb_of(outcome_), round_trip(limit_.number()),
+        place, round_trip(tested.value), verb_of(outcome_), round_trip(limit_.number()),
         verb_of(of_unrounded), round_trip(limit_.unrounded()), limit_.n_digits()));
   }
   if (outcome_ == Outcome::undecided) {
@@ -169,35 +203,37 @@ void Criterion::decide(double tested, double error, bool is_upper_limit, const V
 
 Criterion Criterion::at_most(std::string name, Value quantity, Limit limit, Location location) {
   const std::string place = caller_of(location, name);
-  const double error = require_abs_error(place, quantity);
+  const Estimate tested = counted(place, require_measured(place, quantity), limit);
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.limit_phrase_ =
       at_most_in_signs(limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.decide(*criterion.quantity_.number(), error, true, criterion.quantity_, place);
-  criterion.found_ = found_of(criterion, criterion.limit_.number(), Side::at_most);
+  criterion.decide(tested, true, criterion.quantity_, place);
+  criterion.found_ = found_of(criterion, criterion.limit_, Side::at_most);
   return criterion;
 }
 
 Criterion Criterion::at_least(std::string name, Value quantity, Limit limit, Location location) {
   const std::string place = caller_of(location, name);
-  const double error = require_abs_error(place, quantity);
+  const Estimate tested = counted(place, require_measured(place, quantity), limit);
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
   criterion.condition_ =
       phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
   criterion.limit_phrase_ =
       in_signs("≥", "\\ge", limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.decide(*criterion.quantity_.number(), error, false, criterion.quantity_, place);
-  criterion.found_ = found_of(criterion, criterion.limit_.number(), Side::at_least);
+  criterion.decide(tested, false, criterion.quantity_, place);
+  criterion.found_ = found_of(criterion, criterion.limit_, Side::at_least);
   return criterion;
 }
 
 Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance,
                             Location location) {
   const std::string place = caller_of(location, name);
-  const double error = require_abs_error(place, computed) + require_abs_error(place, stated);
-  const Value difference = difference_of(computed, stated, error);
+  const Measured apart =
+      magnitude(require_measured(place, computed) - require_measured(place, stated));
+  const Estimate tested = counted(place, apart, tolerance);
+  const Value difference = difference_of(computed, apart);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
   const double tolerated = criterion.limit_.number();
   const Value& quantity = criterion.quantity_;
@@ -208,41 +244,38 @@ Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limi
                                            : at_most_in_signs(limit_like(tolerated, quantity));
   // Whether counts are equal can be seen; of other numbers the printed digits may be the same.
   const bool is_seen = tolerated == 0 && difference.format()->notation() == Notation::exact;
-  criterion.found_ =
-      is_seen ? phrase("{}", quantity)
-              : agreement_phrase(quantity, stated, difference, tolerated, Distance::absolute);
-  criterion.decide(*difference.number(), error, true, quantity, place);
+  criterion.found_ = is_seen ? phrase("{}", quantity)
+                             : agreement_phrase(quantity, stated, difference, tolerated,
+                                                Distance::absolute, k_of(criterion.limit_));
+  criterion.decide(tested, true, quantity, place);
   return criterion;
 }
 
 Criterion Criterion::agrees_relatively(std::string name, Value computed, Value stated,
                                        Limit tolerance, Location location) {
   const std::string place = caller_of(location, name);
-  const double error = require_abs_error(place, computed);
-  const double error_of_stated = require_abs_error(place, stated);
-  const double c = *computed.number();
-  const double s = *stated.number();
-  if (!(std::abs(s) > error_of_stated)) {
+  const Measured c = require_measured(place, computed);
+  const Measured s = require_measured(place, stated);
+  if (!(std::abs(s.value()) > s.bounded().abs_error + s.standard())) {
     throw std::invalid_argument(place + ": a relative difference from zero");
   }
-  // |(c ± δc)/(s ± δs) − c/s| ≤ (δc + |c/s| δs)/(|s| − δs)
-  const double unsure =
-      (error + std::abs(c / s) * error_of_stated) / (std::abs(s) - error_of_stated);
+  const Measured apart = magnitude(c / s - 1);
+  const Estimate tested = counted(place, apart, tolerance);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
-  const double off = std::abs(c / s - 1);
+  const double off = tested.value;
   constexpr int n_digits = 2;
-  const Value difference(numerics::Estimate{off, unsure},
-                         relative(significant(n_digits), off + unsure));
-  criterion.found_ = agreement_phrase(criterion.quantity_, stated, difference,
-                                      criterion.limit_.number(), Distance::relative);
+  const Value difference(apart, relative(significant(n_digits), off + tested.abs_error));
+  criterion.found_ =
+      agreement_phrase(criterion.quantity_, stated, difference, criterion.limit_.number(),
+                       Distance::relative, k_of(criterion.limit_));
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
   criterion.limit_phrase_ = at_most_in_signs(relative(criterion.limit_.number()));
-  criterion.decide(off, unsure, true, Value(0, exact().in_percent()), place);
+  criterion.decide(tested, true, Value(0, exact().in_percent()), place);
   if (criterion.outcome_ == Outcome::undecided) {
     // The error, which says why, stands behind it.
-    criterion.found_ = agreement_phrase(criterion.quantity_, stated,
-                                        relative(number_of(rounded_to_digits(off, n_digits))),
-                                        criterion.limit_.number(), Distance::relative);
+    criterion.found_ = agreement_phrase(
+        criterion.quantity_, stated, relative(number_of(rounded_to_digits(off, n_digits))),
+        criterion.limit_.number(), Distance::relative, k_of(criterion.limit_));
   }
   return criterion;
 }

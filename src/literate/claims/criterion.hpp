@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <source_location>
 #include <string>
 #include <string_view>
@@ -38,7 +39,14 @@ class Limit {
   Limit(LimitKind kind, double number, std::string reason, int n_digits = 3)
       : Limit(kind, numerics::Estimate{number, 0}, std::move(reason), n_digits) {}
 
+  /// The same limit for a quantity with a standard uncertainty, of which `k` > 0 count: k = 2 are
+  /// about 95 % of a normal distribution. The reason says so. Throws std::invalid_argument for
+  /// another k.
+  Limit counting(double k) const;
+
   double number() const { return number_; }
+  /// How many standard uncertainties count; none if nobody said.
+  const std::optional<double>& n_counted() const { return n_counted_; }
   double unrounded() const { return unrounded_; }
   int n_digits() const { return n_digits_; }
   double abs_error() const { return abs_error_; }
@@ -51,6 +59,7 @@ class Limit {
   double unrounded_;
   int n_digits_;
   double abs_error_;
+  std::optional<double> n_counted_;
   std::string reason_;
 };
 
@@ -68,11 +77,12 @@ std::string_view name_of(Outcome outcome);
 /// A condition on a computed quantity that decides a claim: quantity, relation, limit.
 ///
 /// One object prints the quantity, prints the limit and decides, so that what the reader sees is
-/// what was tested. The quantity's error counts: if number ± error, or limit ± its error, lies on
-/// both sides of the limit, the criterion is undecided. Every factory throws std::invalid_argument
-/// with its caller's line for a quantity without a finite number or of whose error nobody told
-/// (Value::counted_error), for an empty name, and where the outcome is another one against the
-/// limit before it was rounded.
+/// what was tested. The quantity's error counts: its bound, with as many standard uncertainties as
+/// Limit::counting() says. If number ± error, or limit ± its error, lies on both sides of the
+/// limit, the criterion is undecided. Every factory throws std::invalid_argument with its caller's
+/// line for a quantity without a finite number or of whose error nobody told (Value::measured), for
+/// a standard uncertainty where the limit does not say how many count, for an empty name, and where
+/// the outcome is another one against the limit before it was rounded.
 class Criterion {
  public:
   using Location = std::source_location;
@@ -86,7 +96,8 @@ class Criterion {
                             Location location = Location::current());
 
   /// |computed − stated| ≤ tolerance, in the quantities' unit. The error of the difference is the
-  /// sum of both. A tolerance of 0 asks for equality, such as of counts.
+  /// sum of both bounds; what both are uncertain by from one source cancels. A tolerance of 0 asks
+  /// for equality, such as of counts.
   static Criterion agrees(std::string name, Value computed, Value stated, Limit tolerance,
                           Location location = Location::current());
 
@@ -132,7 +143,7 @@ class Criterion {
 
  private:
   Criterion(std::string name, Value quantity, Limit limit);
-  void decide(double tested, double error, bool is_upper_limit, const Value& like,
+  void decide(const numerics::Estimate& tested, bool is_upper_limit, const Value& like,
               const std::string& place);
 
   std::string name_;

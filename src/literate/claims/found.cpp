@@ -22,12 +22,17 @@ Format with_digits(Notation notation, int n_digits, bool is_percentage) {
   return is_percentage ? format.in_percent() : format;
 }
 
+/// The quantity with its bound and k standard uncertainties.
+Estimate counted(const Value& quantity, double k) {
+  return {*quantity.number(), Uncertainty(quantity.measured().value()).error(k)};
+}
+
 /// The number that a reader reads.
 double as_printed(const Value& value) {
   if (!value.format()->rounds_up()) {
     return number_of(rounded_to_place(*value.number(), value.last_place()));
   }
-  const double bound = *value.number() + value.counted_error().value_or(0);
+  const double bound = *value.number() + value.measured().value_or(0).bounded().abs_error;
   return number_of(rounded_up_to_place(bound, value.last_place()));
 }
 
@@ -71,7 +76,7 @@ Printed rounded_print(const Value& value) {
 Printed bound_print(const Value& quantity, Estimate estimate, double limit) {
   const bool from_above = estimate.value <= limit;
   const double sign = from_above ? 1 : -1;
-  const double magnitude = sign * estimate.value + estimate.abs_error;
+  const double magnitude = decimal(sign * estimate.value + estimate.abs_error);
   Decimal bound;
   int n_digits = 2;
   for (;; ++n_digits) {
@@ -94,7 +99,7 @@ int n_printed_digits(const Value& value) {
 
 /// The quantity as it is printed elsewhere if it is rounded up to two digits or more, else to the
 /// nearest number with the digits of its format and `n_more` besides.
-Value nearest(const Value& quantity, Estimate estimate, int n_more) {
+Value nearest(const Value& quantity, int n_more) {
   const Format& format = *quantity.format();
   const Notation notation = format.notation();
   const bool is_percentage = format.is_percentage();
@@ -103,7 +108,8 @@ Value nearest(const Value& quantity, Estimate estimate, int n_more) {
     return quantity;
   }
   const auto with = [&](Notation wanted, int n_digits) {
-    return Value(estimate, with_digits(wanted, n_digits, is_percentage), quantity.unit());
+    return Value(quantity.measured().value(), with_digits(wanted, n_digits, is_percentage),
+                 quantity.unit());
   };
   if (!format.rounds_up()) {
     return n_more == 0 ? quantity : with(notation, format.digits() + n_more);
@@ -118,24 +124,22 @@ Value nearest(const Value& quantity, Estimate estimate, int n_more) {
   return digits.last_place() < decimals.last_place() ? digits : decimals;
 }
 
-/// The quantity with its error in parentheses.
+/// The quantity with its error behind it.
 Value with_error(const Value& quantity) {
-  if (*quantity.counted_error() == 0) {
-    return quantity;
-  }
-  return {Estimate{*quantity.number(), *quantity.counted_error()},
+  if (counted(quantity, 1).abs_error == 0) return quantity;
+  return {quantity.measured().value(),
           quantity.is_percentage() ? uncertain().in_percent() : uncertain(), quantity.unit()};
 }
 
-Printed found_print(const Value& quantity, double limit, Side side) {
-  if (!quantity.number() || !quantity.counted_error()) {
+Printed found_print(const Value& quantity, double limit, Side side, double k) {
+  if (!quantity.measured()) {
     throw std::invalid_argument("what was found is a number with its error");
   }
-  const Estimate estimate{*quantity.number(), *quantity.counted_error()};
+  const Estimate estimate = counted(quantity, k);
   if (std::abs(estimate.value) < estimate.abs_error) return bound_print(quantity, estimate, limit);
   const bool is_allowed_itself = is_allowed(estimate.value, limit, side);
   for (int n_more = 0; n_more < digits_of_double; ++n_more) {
-    const Value printed = nearest(quantity, estimate, n_more);
+    const Value printed = nearest(quantity, n_more);
     if (is_allowed(as_printed(printed), limit, side) == is_allowed_itself) {
       return rounded_print(printed);
     }
@@ -153,22 +157,22 @@ double distance_of(const Value& computed, const Value& stated, Distance distance
 
 }  // namespace
 
-Phrase found_phrase(const Value& quantity, double limit, Side side) {
-  return found_print(quantity, limit, side).phrase;
+Phrase found_phrase(const Value& quantity, double limit, Side side, double k) {
+  return found_print(quantity, limit, side, k).phrase;
 }
 
-Phrase undecided_phrase(const Value& quantity, double limit, Side side) {
-  const bool is_lost = std::abs(*quantity.number()) < *quantity.abs_error();
-  return is_lost ? found_phrase(quantity, limit, side) : phrase("{}", with_error(quantity));
+Phrase undecided_phrase(const Value& quantity, double limit, Side side, double k) {
+  const bool is_lost = std::abs(*quantity.number()) < counted(quantity, k).abs_error;
+  return is_lost ? found_phrase(quantity, limit, side, k) : phrase("{}", with_error(quantity));
 }
 
 Phrase agreement_phrase(const Value& computed, const Value& stated, const Value& difference,
-                        double tolerance, Distance distance) {
+                        double tolerance, Distance distance, double k) {
   const bool agrees = *difference.number() <= tolerance;
   // Where a difference is less than its error, a reader is told how far it may be from nothing.
-  const bool is_lost = *difference.number() < *difference.counted_error();
+  const bool is_lost = *difference.number() < counted(difference, k).abs_error;
   const double limit = is_lost && !agrees ? std::numeric_limits<double>::infinity() : tolerance;
-  const Printed apart = found_print(difference, limit, Side::at_most);
+  const Printed apart = found_print(difference, limit, Side::at_most, k);
   const auto sentence = [&](const Value& from, const Value& to, const Printed& by) {
     return phrase("{}, {} from {}", from, by.phrase, to);
   };
@@ -178,23 +182,21 @@ Phrase agreement_phrase(const Value& computed, const Value& stated, const Value&
     return seen == 0 ||
            (apart.least < seen && (seen < apart.most || (is_lost && seen <= apart.most)));
   };
-  const auto more = [](const Value& value, int n_more) {
-    return nearest(value, {*value.number(), *value.counted_error()}, n_more);
-  };
   if (reads_true(computed, stated)) return sentence(computed, stated, apart);
   for (int n_more = 1; n_more < digits_of_double; ++n_more) {
-    const Value from = more(computed, n_more);
+    const Value from = nearest(computed, n_more);
     if (reads_true(from, stated)) return sentence(from, stated, apart);
-    const Value to = more(stated, n_more);
+    const Value to = nearest(stated, n_more);
     if (reads_true(from, to)) return sentence(from, to, apart);
   }
   // What has no error gets as many digits as the difference has.
   const Value by = with_error(difference);
   const auto beside = [&](const Value& value) {
     Value printed = with_error(value);
-    for (int n_more = 1; n_more < digits_of_double && *value.counted_error() == 0; ++n_more) {
+    const bool is_exact = counted(value, k).abs_error == 0;
+    for (int n_more = 1; n_more < digits_of_double && is_exact; ++n_more) {
       if (printed.last_place() <= by.last_place()) break;
-      printed = more(value, n_more);
+      printed = nearest(value, n_more);
     }
     return printed;
   };

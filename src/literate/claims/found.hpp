@@ -16,14 +16,15 @@ enum class Side { at_most, at_least };
 /// at least. A quantity that is less than its error in magnitude is told by what it is at most, or
 /// at least: number and error together, rounded away from the number to two digits. Where the
 /// rounded number would lie on the other side of the limit than the number itself, more digits are
-/// printed, and the error in parentheses where it does not support them.
+/// printed, and the error where it does not support them.
 ///
-/// Throws std::invalid_argument for a quantity without a number or without an error.
-Phrase found_phrase(const Value& quantity, double limit, Side side);
+/// What counts as its error are the bound and `k` standard uncertainties. Throws
+/// std::invalid_argument for a quantity without a number or without an error.
+Phrase found_phrase(const Value& quantity, double limit, Side side, double k = 1);
 
-/// The same of a quantity whose error leaves open on which side it is: with the error in
-/// parentheses, so that a reader sees that it reaches across the limit.
-Phrase undecided_phrase(const Value& quantity, double limit, Side side);
+/// The same of a quantity whose error leaves open on which side it is: with the error, so that a
+/// reader sees that it reaches across the limit.
+Phrase undecided_phrase(const Value& quantity, double limit, Side side, double k = 1);
 
 /// What the difference of two numbers is held against: a number of their unit, or a ratio.
 enum class Distance { absolute, relative };
@@ -33,9 +34,9 @@ enum class Distance { absolute, relative };
 /// What is printed is consistent: the difference of the two printed numbers is the printed
 /// difference, as far as that is rounded, and lies on the same side of the tolerance as what was
 /// tested. Only two numbers that are printed alike may differ by less than their digits show. Where
-/// the digits of the formats contradict this, more of them are printed, and the errors in
-/// parentheses where these support no more. The difference comes with its error.
+/// the digits of the formats contradict this, more of them are printed, and the errors where these
+/// support no more. The difference comes with its error.
 Phrase agreement_phrase(const Value& computed, const Value& stated, const Value& difference,
-                        double tolerance, Distance distance);
+                        double tolerance, Distance distance, double k = 1);
 
 }  // namespace literate

@@ -19,7 +19,7 @@ foreach(folder IN ITEMS literate system config)
     FILES_MATCHING PATTERN "*.hpp" PATTERN template EXCLUDE PATTERN program EXCLUDE)
 endforeach()
 install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" "${HALFSPACE_ROOT}/src/numerics/estimate_algebra.hpp"
-  DESTINATION "${headers}/numerics")
+  "${HALFSPACE_ROOT}/src/numerics/measured.hpp" DESTINATION "${headers}/numerics")
 
 # The same folders as in the sources, so that scripts and CMake find each other in either.
 set(share "share/${versioned}")

@@ -2,6 +2,7 @@
 #include "literate/document/document_tex.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -93,19 +94,44 @@ std::string breakable_word(const std::string& printed) {
   return text;
 }
 
-/// What is known of the error, as LaTeX, in the unit in which the value is printed; empty for
-/// nothing.
-std::string error_tex(const Value& value) {
-  if (value.is_as_is()) return "no error bound";
-  if (!value.abs_error()) return {};
-  if (*value.abs_error() == 0) return "exact";
-  const Format format = scientific(2).rounded_up();
-  const Value bound = value.is_percentage() ? Value(*value.abs_error(), format.in_percent())
-                                            : Value(*value.abs_error(), format, value.unit());
-  return "error $\\le$ " + bound.latex();
+/// A number in the unit in which a value is printed.
+std::string like(const Value& value, double number, const Format& format) {
+  return value.is_percentage() ? Value(number, format.in_percent()).latex()
+                               : Value(number, format, value.unit()).latex();
+}
+
+std::string standard_tex(const Value& value, const Uncertainty& uncertainty) {
+  constexpr int n_digits = 2;
+  constexpr double least_told = 0.05;
+  const auto print = [&](double u) { return like(value, u, significant(n_digits)); };
+  std::string text = "standard uncertainty " + print(uncertainty.standard);
+  if (uncertainty.kinds.size() > 1) {
+    std::vector<std::string> kinds;
+    for (const auto& [kind, u] : uncertainty.kinds) {
+      kinds.push_back(fmt::format("{} {}", escape_latex(kind), print(u)));
+    }
+    text += fmt::format(" ({})", fmt::join(kinds, ", "));
+  }
+  if (uncertainty.neglected > least_told * uncertainty.standard) {
+    text += ", of which the second order may take or add " +
+            like(value, uncertainty.neglected, significant(n_digits).rounded_up());
+  }
+  return text;
 }
 
 }  // namespace
+
+std::string error_tex(const Value& value) {
+  if (value.is_as_is()) return "no error bound";
+  if (!value.uncertainty()) return {};
+  const Uncertainty& uncertainty = *value.uncertainty();
+  if (uncertainty.error() == 0) return "exact";
+  std::string text;
+  if (uncertainty.standard > 0) text = standard_tex(value, uncertainty);
+  if (uncertainty.bound == 0) return text;
+  const std::string bound = like(value, uncertainty.bound, scientific(2).rounded_up());
+  return text + (text.empty() ? "" : ", ") + "error $\\le$ " + bound;
+}
 
 std::string index_tex(const Registered& registered) {
   std::string text;
@@ -120,12 +146,14 @@ std::string index_tex(const Registered& registered) {
 }
 
 std::string values_csv(const Registered& registered) {
-  std::string text = "key,printed,number,abs_error,unit,place\n";
+  std::string text = "key,printed,number,abs_error,standard,unit,place\n";
   for (const auto& [key, value] : registered.values) {
-    text += sys::csv_line({key, value.printed(),
-                           value.number() ? fmt::format("{}", *value.number()) : "",
-                           value.abs_error() ? fmt::format("{}", *value.abs_error()) : "",
-                           value.unit(), text_of(registered.places.at({"value", key}))});
+    const auto& uncertainty = value.uncertainty();
+    text += sys::csv_line(
+        {key, value.printed(), value.number() ? fmt::format("{}", *value.number()) : "",
+         uncertainty ? fmt::format("{}", uncertainty->bound) : "",
+         uncertainty && uncertainty->standard > 0 ? fmt::format("{}", uncertainty->standard) : "",
+         value.unit(), text_of(registered.places.at({"value", key}))});
   }
   return text;
 }

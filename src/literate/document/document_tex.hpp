@@ -16,12 +16,16 @@ std::string values_tex(const Registered& registered);
 /// Writes the ledger: how many claims have which verdict, and an entry for each claim.
 std::string claims_tex(const Registered& registered);
 
+/// What is not known of a value, as LaTeX in the unit in which it is printed: «error $\le$ …»,
+/// «standard uncertainty …», «exact»; empty if nobody told it.
+std::string error_tex(const Value& value);
+
 /// Writes the index of values: key, value, error bound and place of each.
 std::string index_tex(const Registered& registered);
 
 /// values.csv: key, printed text, unrounded number, bound of its error, unit and place in the code
-/// of every value; and sources.csv: kind, name, place and function of each figure, table and claim. Both
-/// as RFC 4180 has it.
+/// of every value; and sources.csv: kind, name, place and function of each figure, table and claim.
+/// Both as RFC 4180 has it.
 std::string values_csv(const Registered& registered);
 std::string sources_csv(const Registered& registered);
 

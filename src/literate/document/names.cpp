@@ -17,10 +17,20 @@ namespace {
 using nlohmann::json;
 using Places = std::map<std::string, std::string>;
 
+/// A standard uncertainty by its kinds; a bound of 0 beside it says nothing.
+void add_uncertainty(json& entry, const std::optional<Uncertainty>& uncertainty) {
+  if (!uncertainty) return;
+  entry["abs_error"] = uncertainty->bound;
+  if (uncertainty->standard == 0) return;
+  entry["standard"] = uncertainty->standard;
+  entry["kinds"] = uncertainty->kinds;
+  if (uncertainty->neglected > 0) entry["neglected"] = uncertainty->neglected;
+}
+
 json value_json(const Value& value, const SourcePlace& place) {
   json entry{{"printed", value.printed()}, {"place", text_of(place)}};
   if (value.number()) entry["number"] = *value.number();
-  if (value.abs_error()) entry["abs_error"] = *value.abs_error();
+  add_uncertainty(entry, value.uncertainty());
   if (!value.unit().empty()) entry["unit"] = value.unit();
   if (!value.format()) return entry;
   const Format& format = *value.format();
@@ -28,10 +38,12 @@ json value_json(const Value& value, const SourcePlace& place) {
   entry["digits"] = format.digits();
   entry["last_place"] = value.last_place();
   const bool is_exact = format.notation() == Notation::exact ||
-                        format.notation() == Notation::integer || value.abs_error() == 0.0;
+                        format.notation() == Notation::integer ||
+                        (value.uncertainty() && value.uncertainty()->error() == 0);
   if (is_exact) entry["exact"] = true;
   if (format.is_percentage()) entry["percent"] = true;
   if (format.rounds_up()) entry["rounded_up"] = true;
+  if (format.tells_kinds()) entry["by_kind"] = true;
   return entry;
 }
 
@@ -39,7 +51,12 @@ std::optional<StoredNumber> stored_number(const json& entry) {
   if (!entry.contains("number")) return std::nullopt;
   StoredNumber stored;
   stored.number = entry.at("number").get<double>();
-  if (entry.contains("abs_error")) stored.abs_error = entry.at("abs_error").get<double>();
+  if (entry.contains("abs_error")) {
+    stored.uncertainty = Uncertainty(entry.at("abs_error").get<double>());
+    stored.uncertainty->standard = entry.value("standard", 0.0);
+    stored.uncertainty->kinds = entry.value("kinds", std::map<std::string, double>());
+    stored.uncertainty->neglected = entry.value("neglected", 0.0);
+  }
   stored.unit = entry.value("unit", "");
   stored.notation = notation_of(entry.at("notation").get<std::string>());
   stored.digits = entry.at("digits").get<int>();
@@ -47,6 +64,7 @@ std::optional<StoredNumber> stored_number(const json& entry) {
   stored.is_exact = entry.value("exact", false);
   stored.is_percentage = entry.value("percent", false);
   stored.rounds_up = entry.value("rounded_up", false);
+  stored.tells_kinds = entry.value("by_kind", false);
   return stored;
 }
 
@@ -67,7 +85,7 @@ json cells_json(const std::map<std::string, Table>& tables) {
       json& entry = entries[fmt::format("table {}, row {}, column {}", name, place.first + 1,
                                         place.second + 1)];
       entry = {{"number", *cell.number()}, {"printed", printed}};
-      if (cell.abs_error()) entry["abs_error"] = *cell.abs_error();
+      add_uncertainty(entry, cell.uncertainty());
     }
   }
   return entries;

@@ -30,8 +30,8 @@ struct NamedText {
 
 /// A number as names.json stores it, for printing it in another way.
 struct StoredNumber {
-  double number = 0;                ///< of a percentage the ratio
-  std::optional<double> abs_error;  ///< none for bounds, rounding and exact numbers
+  double number = 0;                       ///< of a percentage the ratio
+  std::optional<Uncertainty> uncertainty;  ///< none of a number whose error nobody told
   std::string unit;
   Notation notation = Notation::significant;
   int digits = 0;      ///< that its format names
@@ -39,6 +39,7 @@ struct StoredNumber {
   bool is_exact = false;
   bool is_percentage = false;
   bool rounds_up = false;
+  bool tells_kinds = false;
   double conversion = 1;  ///< from the unit that last_place counts in
 };
 
@@ -60,8 +61,8 @@ struct Names {
 };
 
 /// Writes names.json: all names, sorted; for each value its printed text and its place, and its
-/// number, error bound, unit and style if it has them; flags, checks and claims with their outcome;
-/// faults.
+/// number, what is not known of it, unit and style if it has them; flags, checks and claims with
+/// their outcome; faults.
 std::string names_json(const Registered& registered, const std::vector<Excerpt>& excerpts,
                        const std::vector<std::string>& files);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "literate/document/document_tex.hpp"
 #include "literate/text/latex.hpp"
 #include "system/files.hpp"
 
@@ -39,13 +40,8 @@ std::string criterion_html(const Criterion& criterion, Verdict verdict) {
 }
 
 std::string error_of(const Value& value) {
-  if (value.is_as_is()) return ", no error bound";
-  if (!value.abs_error()) return {};
-  if (*value.abs_error() == 0) return ", exact";
-  const Format format = scientific(2).rounded_up();
-  const Value bound = value.is_percentage() ? Value(*value.abs_error(), format.in_percent())
-                                            : Value(*value.abs_error(), format, value.unit());
-  return ", error " + tex("$\\le$~" + bound.latex());
+  const std::string error = error_tex(value);
+  return error.empty() ? "" : ", " + tex(error);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "literate/imports/import_error.hpp"
@@ -34,7 +35,7 @@ struct CsvSource {
 /// Which fields of a line are cells of one printed column.
 struct Fields {
   std::size_t number = 0;
-  std::optional<std::size_t> abs_error = {};
+  std::map<std::string, std::size_t> errors = {};  // columns «abs_error» and «standard»
 };
 
 /// Splits «x (in)» into a heading for LaTeX and a unit.
@@ -65,7 +66,7 @@ void declare_exact(std::vector<ImportedColumn>& columns, const CsvSource& source
     const sys::CsvField& field = heading[fields[i].number];
     const std::string& name = field.text;
     columns[i].is_exact = columns[i].is_exact || exact.contains(name);
-    const std::string suggestion = sys::suggestion(name, {"abs_error"});
+    const std::string suggestion = sys::suggestion(name, {"abs_error", "standard"});
     if (columns[i].is_exact || suggestion.empty()) continue;
     throw ImportError(fmt::format("{}: column '{}'{}", source.at(field), name, suggestion));
   }
@@ -74,13 +75,12 @@ void declare_exact(std::vector<ImportedColumn>& columns, const CsvSource& source
 std::vector<Fields> fields_of(const CsvSource& source, const sys::CsvRow& heading) {
   std::vector<Fields> columns;
   for (std::size_t i = 0; i < heading.size(); ++i) {
-    if (heading[i].text != "abs_error") {
+    const std::string& name = heading[i].text;
+    if (name != "abs_error" && name != "standard") {
       columns.push_back({i});
-    } else if (columns.empty() || columns.back().abs_error) {
+    } else if (columns.empty() || !columns.back().errors.emplace(name, i).second) {
       throw ImportError(
-          fmt::format("{}: abs_error has no column of numbers to its left", source.at(heading[i])));
-    } else {
-      columns.back().abs_error = i;
+          fmt::format("{}: {} has no column of numbers to its left", source.at(heading[i]), name));
     }
   }
   return columns;
@@ -114,14 +114,15 @@ ImportedCell cell_of(const CsvSource& source, const sys::CsvRow& row, const Fiel
   } else {
     cell.content = text;
   }
-  if (!fields.abs_error || row[*fields.abs_error].text.empty()) return cell;
-  const sys::CsvField& of_error = row[*fields.abs_error];
-  const auto error = written_number(of_error.text);
-  if (!error) {
-    throw ImportError(
-        fmt::format("{}: abs_error '{}' is not a number", source.at(of_error), of_error.text));
+  for (const auto& [name, column] : fields.errors) {
+    if (row[column].text.empty()) continue;
+    const auto error = written_number(row[column].text);
+    if (!error) {
+      throw ImportError(fmt::format("{}: {} '{}' is not a number", source.at(row[column]), name,
+                                    row[column].text));
+    }
+    (name == "standard" ? cell.standard : cell.abs_error) = error->number;
   }
-  cell.abs_error = error->number;
   return cell;
 }
 
@@ -133,7 +134,7 @@ bool is_not_finite(std::string_view text) {
 }
 
 bool holds_a_number(const std::vector<sys::CsvRow>& rows, const Fields& fields) {
-  if (fields.abs_error) return true;
+  if (!fields.errors.empty()) return true;
   return std::any_of(rows.begin() + 1, rows.end(), [&fields](const sys::CsvRow& row) {
     const std::string& text = row[fields.number].text;
     return written_number(text).has_value() || is_not_finite(text);

@@ -58,31 +58,41 @@ int whole_field(const JsonFile& file, const Json::Value& object, const std::stri
   return value.asInt();
 }
 
-double error_field(const JsonFile& file, const Json::Value& object, const std::string& what) {
-  const double error = number_field(file, object, what, "abs_error").number;
-  if (error < 0) {
-    file.fail(object["abs_error"], what + ": abs_error must not be negative");
-  }
-  return error;
+/// An abs_error, a standard uncertainty, or both.
+Uncertainty uncertainty_field(const JsonFile& file, const Json::Value& object,
+                              const std::string& what) {
+  const auto field = [&](const char* name) {
+    const double error = number_field(file, object, what, name).number;
+    if (error < 0) file.fail(object[name], fmt::format("{}: {} must not be negative", what, name));
+    return error;
+  };
+  if (!object.isMember("standard")) return field("abs_error");
+  Uncertainty uncertainty(object.isMember("abs_error") ? field("abs_error") : 0);
+  uncertainty.standard = field("standard");
+  return uncertainty;
 }
 
 constexpr int max_digits = 100;
+using numerics::Measured;
 
 Value value_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
   if (entry.isObject() && entry.isMember("text")) {
     file.require_fields(entry, what, {"text"});
     return Value::text(text_field(file, entry, what, "text"));
   }
-  file.require_fields(entry, what, {"value", "abs_error", "unit", "digits"});
+  file.require_fields(entry, what, {"value", "abs_error", "standard", "unit", "digits"});
   const double number = number_field(file, entry, what, "value").number;
-  const double error = error_field(file, entry, what);
+  const Uncertainty uncertainty = uncertainty_field(file, entry, what);
+  // What a script says of a number is a source of its own.
+  const Measured measured =
+      Measured(number, uncertainty.standard, what) + Measured::bounded({0, uncertainty.bound});
   const std::string unit = unit_field(file, entry, what);
   try {
-    if (!entry.isMember("digits")) return Value({number, error}, supported(), unit);
+    if (!entry.isMember("digits")) return Value(measured, supported(), unit);
     const int digits = whole_field(file, entry, what, "digits", 1, max_digits);
     const Value wanted(number, significant(digits), unit);
-    require_earned(number, wanted.last_place(), error, wanted.printed());
-    return Value({number, error}, significant(digits), unit);
+    require_earned(number, wanted.last_place(), uncertainty.error(), wanted.printed());
+    return Value(measured, significant(digits), unit);
   } catch (const std::invalid_argument& reason) {
     file.fail(entry, fmt::format("{}: {}", what, reason.what()));
   }
@@ -144,9 +154,11 @@ ImportedCell cell_of(const JsonFile& file, const Json::Value& entry, const std::
   } else if (entry.isNumeric()) {
     cell.content = written_number(file.written(entry)).value();
   } else {
-    file.require_fields(entry, what + ": a cell", {"value", "abs_error"});
+    file.require_fields(entry, what + ": a cell", {"value", "abs_error", "standard"});
     cell.content = number_field(file, entry, what, "value");
-    cell.abs_error = error_field(file, entry, what);
+    const Uncertainty uncertainty = uncertainty_field(file, entry, what);
+    cell.abs_error = uncertainty.bound;
+    cell.standard = uncertainty.standard;
   }
   return cell;
 }

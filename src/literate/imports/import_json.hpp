@@ -25,15 +25,16 @@ struct ImportOptions {
 ///   "script_sha256"  the SHA-256 of the script when it ran; numbers older than it are refused
 ///   "values"         an object; each field is a value, and its name is the key:
 ///       {"value": 1.2e-6, "abs_error": 1e-14, "unit": "in", "digits": 8}   or   {"text": "7.3.0"}
-///     abs_error is required, 0 for what is exact. With digits, so many significant ones are
-///     printed, and the error has to support them; without, those are printed that it supports.
+///     abs_error, a bound, is required, 0 for what is exact; or else standard, an uncertainty, or
+///     both. With digits, so many significant ones are printed, and the error has to support them;
+///     without, those are printed that it supports.
 ///   "tables"         an object; each field is a table:
 ///       {"columns": [{"heading": "$x$", "unit": "in", "decimals": 3}, …], "rows": [[0.005, …], …]}
 ///     A column has a heading (LaTeX) and prints by decimals (with exponent: of the number divided
 ///     by 10^exponent), digits, integer: true or text: true; without any of them each number keeps
 ///     the digits of the file as far as its error supports them. A cell is a text, null or
-///     {"value": …, "abs_error": …}, or a bare number where the column is of integers or says
-///     exact: true.
+///     {"value": …, "abs_error": …, "standard": …}, or a bare number where the column is of
+///     integers or says exact: true.
 ///
 /// The file and its script are attached to the document, and are the source place of each value and
 /// table. Throws ImportError, «file:line:column: what is wrong», for anything else: bad JSON, a key

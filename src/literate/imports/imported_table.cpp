@@ -59,19 +59,29 @@ int printed_place(const ImportedColumn& column, const WrittenNumber& written) {
   }
 }
 
+std::optional<Uncertainty> uncertainty_of(const ImportedCell& cell) {
+  const auto required = [&](const char* name, std::optional<double> error) {
+    const double number = error.value_or(0);
+    if (std::isfinite(number) && number >= 0) return number;
+    throw ImportError(fmt::format("{}: {} = {}: must be finite and not negative", cell.at, name,
+                                  round_trip(number)));
+  };
+  if (!cell.abs_error && !cell.standard) return std::nullopt;
+  Uncertainty uncertainty(required("abs_error", cell.abs_error));
+  uncertainty.standard = required("standard", cell.standard);
+  return uncertainty;
+}
+
 void require_earned(const ImportedColumn& column, const ImportedCell& cell,
                     const WrittenNumber& written) {
-  if (!cell.abs_error) {
+  const auto uncertainty = uncertainty_of(cell);
+  if (!uncertainty) {
     if (column.is_exact || column.format == NumberFormat::integer) return;
     throw ImportError(fmt::format(
         "{}: {} comes without its error: give column '{}' an abs_error, or declare it exact",
         cell.at, written.text, column.heading));
   }
-  const double error = *cell.abs_error;
-  if (!std::isfinite(error) || error < 0) {
-    throw ImportError(fmt::format("{}: abs_error = {}: must be finite and not negative", cell.at,
-                                  round_trip(error)));
-  }
+  const double error = uncertainty->error();
   const int place = printed_place(column, written);
   if (column.format != NumberFormat::as_written && std::pow(10.0, place) < error) {
     throw ImportError(
@@ -107,10 +117,10 @@ Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
   require_earned(column, cell, written);
   require_held(column, cell, written);
   if (column.format == NumberFormat::as_written) {
-    return Cell::quoted(written.number, written.place, cell.abs_error);
+    return Cell::quoted(written.number, written.place, uncertainty_of(cell));
   }
-  if (!cell.abs_error) return written.number;
-  return numerics::Estimate{written.number, *cell.abs_error};
+  if (const auto uncertainty = uncertainty_of(cell)) return {written.number, *uncertainty};
+  return written.number;
 }
 
 Cell cell_of(const ImportedColumn& column, const ImportedCell& cell) {

@@ -47,7 +47,8 @@ std::optional<WrittenNumber> written_number(std::string_view text);
 struct ImportedCell {
   std::variant<std::monostate, WrittenNumber, std::string> content = {};
   std::optional<double> abs_error = {};
-  std::string at = {};  ///< «file:line:column», for messages
+  std::optional<double> standard = {};  ///< uncertainty
+  std::string at = {};                  ///< «file:line:column», for messages
 };
 
 /// Makes a table for the document. A number that keeps its digits keeps them as far as its error

@@ -15,8 +15,10 @@ function valueCard(mark) {
   const value = lit.facts.values[key];
   if (!value) return null;
   const inUnit = (number) => `${lit.number(String(number))}${value.unit ? " " + value.unit : ""}`;
-  const error = value.abs_error === 0 || value.exact ? "none: the value is exact"
-    : value.abs_error === undefined ? "no bound is known" : "at most " + inUnit(value.abs_error);
+  const error = value.exact ? "none: the value is exact"
+    : value.abs_error === undefined ? "no bound is known"
+    : [value.standard && inUnit(value.standard) + " (standard uncertainty)", value.abs_error && "at most " + inUnit(value.abs_error)]
+      .filter(Boolean).join(", ");
   const row = (name, text) => [lit.make("dt", {}, name), lit.make("dd", {}, text)];
   return [
     lit.make("p", {class: "lit-card-head"}, lit.number(value.printed)),

@@ -24,7 +24,8 @@ json values_of(const json& names) {
   json values = json::object();
   for (const auto& entry : names.at("values").items()) {
     json& value = values[entry.key()];
-    for (const char* part : {"printed", "number", "abs_error", "unit", "exact", "percent", "place"})
+    for (const char* part :
+         {"printed", "number", "abs_error", "standard", "unit", "exact", "percent", "place"})
       if (entry.value().contains(part)) value[part] = entry.value().at(part);
     if (value.contains("unit")) value["unit"] = plain_unit(value.at("unit").get<std::string>());
   }

@@ -57,9 +57,45 @@ std::string unit_with_powers(std::string_view unit, bool is_math) {
   return text;
 }
 
+constexpr std::string_view plus_minus = " ± ";
+
+/// «0.786 ± 0.012», «(4.7 ± 1.8)e-3 mm», «(994 ± 22 (statistics) ± 5 (calibration)) psi».
+std::string with_plus_minus(std::string_view printed, bool is_math) {
+  std::string_view rest;
+  const bool has_brackets = printed.starts_with('(');
+  if (has_brackets) {
+    std::size_t end = 0;
+    for (int depth = 0; end < printed.size(); ++end) {
+      depth += (printed[end] == '(' ? 1 : 0) - (printed[end] == ')' ? 1 : 0);
+      if (depth == 0) break;
+    }
+    rest = printed.substr(end + 1);
+    printed = printed.substr(1, end - 1);
+  }
+  std::string text;
+  for (std::string_view part = printed; !part.empty();) {
+    const auto next = std::min(part.find(plus_minus), part.size());
+    const std::string_view of = part.substr(0, next);
+    const auto word = std::min(of.find(" ("), of.size());
+    if (!text.empty()) text += is_math ? "\\pm " : "~±~";
+    text += quantity_latex(of.substr(0, word), is_math);
+    const std::string what = escape_bookmark(of.substr(word));
+    text += is_math && !what.empty() ? "\\text{" + what + "}" : what;
+    part.remove_prefix(std::min(next + plus_minus.size(), part.size()));
+  }
+  if (!has_brackets) return text;
+  text = "(" + text + ")";
+  if (rest.starts_with('e')) {
+    return text + (is_math ? "\\times " : "~×~") + quantity_latex(rest, is_math);
+  }
+  if (rest.empty()) return text;
+  return text + (is_math ? "\\," : "~") + unit_with_powers(rest.substr(1), is_math);
+}
+
 }  // namespace
 
 std::string quantity_latex(std::string_view printed, bool is_math) {
+  if (printed.find(plus_minus) != printed.npos) return with_plus_minus(printed, is_math);
   const auto blank = printed.find(' ');
   std::string_view number = printed.substr(0, blank);
   const bool is_number = number.find_first_not_of("+-.0123456789()e") == number.npos &&

@@ -113,9 +113,13 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
   if (stored.is_exact) {
     if (config::converts_exactly(before, from, unit)) return stored;
     stored.is_exact = false;
-    stored.abs_error = rounding;
-  } else if (stored.abs_error) {
-    stored.abs_error = converted_error(*stored.abs_error, from, unit, rounding);
+    stored.uncertainty = Uncertainty(rounding);
+  } else if (stored.uncertainty) {
+    Uncertainty& uncertainty = *stored.uncertainty;
+    uncertainty.bound = converted_error(uncertainty.bound, from, unit, rounding);
+    uncertainty.standard *= std::abs(factor);
+    uncertainty.neglected *= std::abs(factor);
+    for (auto& [kind, standard] : uncertainty.kinds) standard *= std::abs(factor);
   }
   stored.conversion = factor;
   return stored;
@@ -128,7 +132,7 @@ int n_digits_of(const StoredNumber& stored) {
   const bool names_digits = stored.notation == Notation::significant ||
                             stored.notation == Notation::scientific ||
                             stored.notation == Notation::supported;
-  if (names_digits && stored.abs_error && !stored.is_exact) {
+  if (names_digits && stored.uncertainty && !stored.is_exact) {
     return std::clamp(stored.digits, 1, digits_of_double);
   }
   constexpr int fewest_of_exact = 3;
@@ -155,7 +159,7 @@ int at_most(const StoredNumber& stored, std::optional<int> most, int n_digits) {
   if (!most) return n_digits;
   if (stored.is_exact)
     return std::min(*most, static_cast<int>(shortest(stored.number).digits.size()));
-  return stored.abs_error ? *most : std::min(*most, n_digits);
+  return stored.uncertainty ? *most : std::min(*most, n_digits);
 }
 
 Format with_digits(const StoredNumber& stored, const Wish& wish, int n_digits, bool is_scientific) {
@@ -164,7 +168,7 @@ Format with_digits(const StoredNumber& stored, const Wish& wish, int n_digits, b
   }
   const int n = wish.digits.value_or(at_most(stored, wish.max_digits, n_digits));
   const bool keeps_supported =
-      stored.notation == Notation::supported && stored.abs_error && !wish.format && !wish.digits;
+      stored.notation == Notation::supported && stored.uncertainty && !wish.format && !wish.digits;
   const Format format = is_scientific     ? scientific(n)
                         : keeps_supported ? supported(n)
                                           : significant(n);
@@ -173,6 +177,11 @@ Format with_digits(const StoredNumber& stored, const Wish& wish, int n_digits, b
 
 Format with_decimals(const StoredNumber& stored, const Wish& wish) {
   const Format format = fixed(wish.decimals.value_or(decimals_of(stored)));
+  return stored.is_percentage ? format.in_percent() : format;
+}
+
+Format uncertain_like(const StoredNumber& stored) {
+  const Format format = stored.tells_kinds ? uncertain().by_kind() : uncertain();
   return stored.is_percentage ? format.in_percent() : format;
 }
 
@@ -188,9 +197,9 @@ Format format_of(const StoredNumber& stored, const Wish& wish, int n_digits) {
   }
   const bool was_scientific = stored.notation == Notation::scientific;
   if (!wish.format) {
-    if (stored.notation == Notation::uncertain && stored.abs_error && !wish.names_place() &&
+    if (stored.notation == Notation::uncertain && stored.uncertainty && !wish.names_place() &&
         !wish.max_digits) {
-      return stored.is_percentage ? uncertain().in_percent() : uncertain();
+      return uncertain_like(stored);
     }
     if (wish.decimals) return with_decimals(stored, wish);
     return with_digits(stored, wish, n_digits, was_scientific);
@@ -206,7 +215,7 @@ Format format_of(const StoredNumber& stored, const Wish& wish, int n_digits) {
     if (wish.names_place()) {
       throw std::invalid_argument("format=uncertain has the digits that the error gives it");
     }
-    return stored.is_percentage ? uncertain().in_percent() : uncertain();
+    return uncertain_like(stored);
   }
   if (name == "percent") {
     if (!stored.unit.empty()) {
@@ -230,7 +239,7 @@ Value bare(const StoredNumber& stored, const Format& format) {
 /// Whether a style prints digits that were never printed of a number without an error.
 bool prints_unknown_digits(const StoredNumber& stored, const Format& format) {
   const double last = std::pow(10.0, stored.last_place) * stored.conversion;
-  return !stored.abs_error && !stored.is_exact &&
+  return !stored.uncertainty && !stored.is_exact &&
          std::pow(10.0, bare(stored, format).last_place()) < last * (1 - 1e-9);
 }
 
@@ -238,8 +247,8 @@ bool prints_unknown_digits(const StoredNumber& stored, const Format& format) {
 /// printed if it has none.
 void require_earned_digits(const StoredNumber& stored, const Format& format) {
   const Value value = bare(stored, format);
-  if (stored.abs_error) {
-    require_earned(stored.number, value.last_place(), *stored.abs_error, value.printed());
+  if (stored.uncertainty) {
+    require_earned(stored.number, value.last_place(), stored.uncertainty->error(), value.printed());
   } else if (prints_unknown_digits(stored, format)) {
     throw std::invalid_argument(fmt::format(
         "'{}' has more digits than the value, which has no error bound, is printed with",
@@ -275,13 +284,12 @@ Value restyled(const StoredNumber& original, std::string_view text) {
   if (original.rounds_up) format = format.rounded_up();
   const std::string unit_of_print = format.is_percentage() ? "" : stored.unit;
   if (format.notation() == Notation::uncertain) {
-    if (!stored.abs_error) throw std::invalid_argument("format=uncertain needs an error bound");
-    return {numerics::Estimate{stored.number, *stored.abs_error}, format, unit_of_print};
+    if (!stored.uncertainty) throw std::invalid_argument("format=uncertain needs an error");
+    return {stored.number, *stored.uncertainty, format, unit_of_print};
   }
   if (stored.is_exact) return {numerics::Estimate{stored.number, 0}, format, unit_of_print};
-  if (wish.names_place() || !stored.abs_error) require_earned_digits(stored, format);
-  const double abs_error = stored.abs_error.value_or(0);
-  return {numerics::Estimate{stored.number, abs_error}, format, unit_of_print};
+  if (wish.names_place() || !stored.uncertainty) require_earned_digits(stored, format);
+  return {stored.number, stored.uncertainty.value_or(0), format, unit_of_print};
 }
 
 double restyled_number(const StoredNumber& stored, std::string_view text) {

@@ -16,7 +16,7 @@ namespace literate {
 
 Cell::Cell(std::string_view text) : content_(escape_latex(text)), plain_(text) {}
 
-Cell Cell::quoted(double number, int place, std::optional<double> abs_error) {
+Cell Cell::quoted(double number, int place, const std::optional<Uncertainty>& uncertainty) {
   const double printed = number_of(rounded_to_place(number, place));
   // A decimal number that was read as a double is off by half a rounding; two more may come from
   // arithmetic such as 5 · 0.01.
@@ -26,8 +26,8 @@ Cell Cell::quoted(double number, int place, std::optional<double> abs_error) {
                                             round_trip(number), place));
   }
   Cell cell(number);
-  cell.place_ = std::max(place, least_earned_place(abs_error.value_or(0)).value_or(place));
-  cell.abs_error_ = abs_error;
+  cell.uncertainty_ = uncertainty;
+  cell.place_ = std::max(place, least_earned_place(cell.error()).value_or(place));
   return cell;
 }
 

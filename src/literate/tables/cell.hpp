@@ -8,33 +8,38 @@
 #include <variant>
 
 #include "literate/values/decimal.hpp"
-#include "numerics/estimate.hpp"
+#include "literate/values/format.hpp"
 
 namespace literate {
 
 /// A number, a text, or nothing. Text is plain and is escaped, unless Cell::latex made it.
 ///
-/// A number is exact (an integer), an estimate with its error bound, or quoted with its last place.
-/// Table::add_row() takes one that is none of these, a bare double, only in a column that is
-/// declared to hold exact numbers.
+/// A number is exact (an integer), an estimate or a measured number with its error, or quoted with
+/// its last place. Table::add_row() takes one that is none of these, a bare double, only in a
+/// column that is declared to hold exact numbers.
 class Cell {
  public:
   Cell() = default;
   template <std::integral Integer>
-  Cell(Integer number) : content_(double_of(number)), abs_error_(0) {}
+  Cell(Integer number) : content_(double_of(number)), uncertainty_(0.0) {}
   template <std::floating_point Number>
   Cell(Number number) : content_(static_cast<double>(number)) {}
   /// Prints as the column says, but no digit that the error does not support.
-  Cell(numerics::Estimate estimate) : content_(estimate.value), abs_error_(estimate.abs_error) {}
+  Cell(numerics::Estimate estimate) : content_(estimate.value), uncertainty_(estimate.abs_error) {}
+  /// The same with the standard uncertainty and the bound, added.
+  Cell(const numerics::Measured& number) : Cell(number.value(), number) {}
+  Cell(double number, const Uncertainty& uncertainty)
+      : content_(number), uncertainty_(uncertainty) {}
   Cell(std::string_view text);
   Cell(const std::string& text) : Cell(std::string_view(text)) {}
   Cell(const char* text) : Cell(std::string_view(text)) {}
 
   /// Makes a number that another source prints with its last digit at 10^place, and with an error
-  /// bound if that source tells one: it keeps these digits as far as the error supports them,
+  /// if that source tells one: it keeps these digits as far as the error supports them,
   /// whatever the column says. Throws
   /// std::invalid_argument for a number that has more digits.
-  static Cell quoted(double number, int place, std::optional<double> abs_error = std::nullopt);
+  static Cell quoted(double number, int place,
+                     const std::optional<Uncertainty>& uncertainty = std::nullopt);
 
   /// Makes a text that is LaTeX already. Its CSV file has it as plain_text() makes it.
   static Cell latex(std::string text);
@@ -45,8 +50,11 @@ class Cell {
   bool is_empty() const { return std::holds_alternative<std::monostate>(content_); }
   /// The number, or null.
   const double* number() const { return std::get_if<double>(&content_); }
-  /// The error bound of the number: 0 for an integer; none for a bare or a quoted number.
-  const std::optional<double>& abs_error() const { return abs_error_; }
+  /// What is not known of the number: 0 for an integer; none for a bare or a quoted number.
+  const std::optional<Uncertainty>& uncertainty() const { return uncertainty_; }
+
+  /// What its digits count as its error; 0 where nobody told it.
+  double error() const { return uncertainty_ ? uncertainty_->error() : 0; }
   /// The place of a quoted number's last digit; none if the column decides it.
   const std::optional<int>& place() const { return place_; }
   /// The text as LaTeX, or null.
@@ -59,7 +67,7 @@ class Cell {
  private:
   std::variant<std::monostate, double, std::string> content_;
   std::string plain_;
-  std::optional<double> abs_error_;
+  std::optional<Uncertainty> uncertainty_;
   std::optional<int> place_;
   std::string mark_;
 };

@@ -24,7 +24,7 @@ int common_exponent_of(const std::vector<const Cell*>& cells, int n_digits) {
     const double* number = cell->number();
     if (number == nullptr) continue;
     if (*number != 0) consider(leading_place(rounded_to_digits(*number, n_digits)));
-    if (const auto place = least_earned_place(cell->abs_error().value_or(0))) consider(*place);
+    if (const auto place = least_earned_place(cell->error())) consider(*place);
   }
   return largest.value_or(0);
 }
@@ -47,21 +47,22 @@ RoundedNumber with_digits_of(const ColumnFormat& column, const Cell& cell) {
     const bool has_exponent = format.notation() == Notation::scientific;
     return {rounded_to_place(number, *cell.place()),
             has_exponent ? RoundedNumber::Style::with_exponent : RoundedNumber::Style::plain,
-            cell.abs_error().value_or(0) > 0, ""};
+            cell.error() > 0};
   }
   if (format.notation() == Notation::fixed && !format.rounds_up()) {
     // Moving the decimal point is exact, so the number is rounded only once; dividing it would
     // round it again.
     const int of_percentage = format.is_percentage() ? -2 : 0;
-    return rounded_at(number, cell.abs_error(), column.exponent + of_percentage - format.digits());
+    return rounded_at(number, cell.uncertainty(),
+                      column.exponent + of_percentage - format.digits());
   }
-  return rounded(format, number, cell.abs_error());
+  return rounded(format, number, cell.uncertainty());
 }
 
 /// The number of a cell as the column prints it: an exact one is not rounded.
 RoundedNumber rounded_in(const ColumnFormat& column, const Cell& cell) {
   RoundedNumber rounded = with_digits_of(column, cell);
-  const bool is_exact = column.is_exact && !cell.abs_error() && !cell.place();
+  const bool is_exact = column.is_exact && !cell.uncertainty() && !cell.place();
   if (is_exact && !column.numbers->rounds_up()) {
     rounded.digits = all_digits(*cell.number(), rounded.digits);
   }
@@ -70,7 +71,7 @@ RoundedNumber rounded_in(const ColumnFormat& column, const Cell& cell) {
 
 std::string text_of(const ColumnFormat& column, const RoundedNumber& number) {
   const int of_percentage = column.numbers->is_percentage() ? -2 : 0;
-  return number.text(column.exponent + of_percentage);
+  return number.printed(column.exponent + of_percentage).text();
 }
 
 }  // namespace
@@ -81,8 +82,8 @@ void require_printable(const ColumnFormat& column, const Cell& cell) {
   const std::string digits = round_trip(*number);
   if (!column.numbers) throw std::invalid_argument(digits + " is a number in a column of texts");
   if (!std::isfinite(*number)) throw std::invalid_argument(digits + " is not finite");
-  if (cell.abs_error()) {
-    require_error_bound(*cell.abs_error());
+  if (cell.uncertainty()) {
+    require_error_bound(cell.uncertainty()->bound);
   } else if (!cell.place() && !column.is_exact) {
     throw std::invalid_argument(
         digits + " comes without its error: give an Estimate, or declare the column exact");

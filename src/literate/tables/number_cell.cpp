@@ -8,11 +8,13 @@
 namespace literate {
 namespace {
 
+constexpr std::string_view plus_minus = "±";
+
 struct Parts {
   bool negative = false;
   std::string_view whole;
   std::string_view decimals;
-  std::string_view uncertainty;  // in parentheses
+  std::string_view uncertainty;  // «(12)», «±0.012», «(12)±3»
   bool negative_exponent = false;
   std::string_view exponent;
 };
@@ -31,9 +33,10 @@ Parts parts_of(std::string_view number) {
     parts.negative_exponent = remove_minus(parts.exponent);
     number = number.substr(0, e);
   }
-  if (const auto open = number.find('('); open != number.npos) {
-    parts.uncertainty = number.substr(open);
-    number = number.substr(0, open);
+  if (const auto begin = std::min(number.find('('), number.find(plus_minus));
+      begin != number.npos) {
+    parts.uncertainty = number.substr(begin);
+    number = number.substr(0, begin);
   }
   const auto point = number.find('.');
   parts.whole = number.substr(0, point);
@@ -60,6 +63,27 @@ std::string grouped(std::string_view digits, bool point_is_left,
   return text;
 }
 
+/// The same with the digits behind ± in groups, and the sign as it is to be written.
+std::string uncertainty_of(std::string_view text, std::string_view sign,
+                           std::string_view separator) {
+  const auto begin = text.find(plus_minus);
+  std::string written(text.substr(0, begin));
+  if (begin == text.npos) return written;
+  const std::string_view number = text.substr(begin + plus_minus.size());
+  const auto point = number.find('.');
+  written += sign;
+  written += grouped(number.substr(0, point), false, separator);
+  if (point != number.npos) {
+    written += ".";
+    written += grouped(number.substr(point + 1), true, separator);
+  }
+  return written;
+}
+
+std::string uncertainty_latex(std::string_view text) {
+  return uncertainty_of(text, "\\pm ", "\\,");
+}
+
 std::string blank(const std::string& what) {
   return what.empty() ? "" : "\\hphantom{" + what + "}";
 }
@@ -84,7 +108,7 @@ std::string power_of_ten(const Parts& parts, const NumberWidth& column) {
 NumberWidth width_of(std::string_view number) {
   const Parts parts = parts_of(number);
   return {parts.negative,          parts.whole.size(),    parts.decimals.size(),
-          parts.negative_exponent, parts.exponent.size(), parts.uncertainty.size()};
+          parts.negative_exponent, parts.exponent.size(), std::string(parts.uncertainty)};
 }
 
 NumberWidth widest(const NumberWidth& a, const NumberWidth& b) {
@@ -93,7 +117,7 @@ NumberWidth widest(const NumberWidth& a, const NumberWidth& b) {
           std::max(a.n_decimals, b.n_decimals),
           a.negative_exponent || b.negative_exponent,
           std::max(a.n_exponent, b.n_exponent),
-          std::max(a.n_uncertainty, b.n_uncertainty)};
+          a.uncertainty.size() < b.uncertainty.size() ? b.uncertainty : a.uncertainty};
 }
 
 std::string table_format(const NumberWidth& width) {
@@ -110,11 +134,16 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
   const Parts parts = parts_of(number);
   const bool has_exponent = !parts.exponent.empty();
   std::string text = blank_digits(parts.whole.size(), column.n_whole);
+  // What is behind ± belongs with its number into brackets before a power of ten.
+  const bool has_brackets =
+      has_exponent && parts.uncertainty.find(plus_minus) != parts.uncertainty.npos;
+  if (has_brackets) text += "(";
   // In braces the sign belongs to the number; behind a blank it would be an operator, with spaces.
   if (column.negative) text += parts.negative ? "{-}" : blank("-");
   text += grouped(parts.whole, false);
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true);
-  text += parts.uncertainty;
+  text += uncertainty_latex(parts.uncertainty);
+  if (has_brackets) text += ")";
   // The power of ten follows its digits at once, so that no hole is left where others have
   // decimals.
   if (has_exponent) text += power_of_ten(parts, column);
@@ -122,12 +151,10 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
 
   if (parts.decimals.empty() && column.n_decimals > 0) text += blank(".");
   text += blank_digits(parts.decimals.size(), column.n_decimals);
-  if (parts.uncertainty.size() < column.n_uncertainty) {
-    // Parentheses are as wide as those that the others have.
-    const bool has_none = parts.uncertainty.empty();
-    text += blank(
-        (has_none ? "()" : "") +
-        std::string(column.n_uncertainty - parts.uncertainty.size() - (has_none ? 2 : 0), '0'));
+  if (parts.uncertainty.empty()) {
+    text += blank(uncertainty_latex(column.uncertainty));
+  } else if (parts.uncertainty.size() < column.uncertainty.size()) {
+    text += blank(std::string(column.uncertainty.size() - parts.uncertainty.size(), '0'));
   }
 
   if (has_exponent || column.n_exponent == 0) return text;
@@ -140,9 +167,13 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
 std::string number_html(std::string_view number, const NumberWidth& column, std::string_view mark) {
   constexpr std::string_view thin = "\u202F", digit = "\u2007", point = "\u2008";
   const Parts parts = parts_of(number);
-  std::string text = (parts.negative ? "−" : "") + grouped(parts.whole, false, thin);
+  const bool has_brackets =
+      !parts.exponent.empty() && parts.uncertainty.find(plus_minus) != parts.uncertainty.npos;
+  std::string text = (has_brackets ? "(" : "") + std::string(parts.negative ? "−" : "") +
+                     grouped(parts.whole, false, thin);
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true, thin);
-  text += parts.uncertainty;
+  text += uncertainty_of(parts.uncertainty, " ± ", thin);
+  if (has_brackets) text += ")";
   if (!parts.exponent.empty()) {
     text += fmt::format(" × 10<sup>{}{}</sup>", parts.negative_exponent ? "−" : "", parts.exponent);
   }
@@ -150,7 +181,7 @@ std::string number_html(std::string_view number, const NumberWidth& column, std:
   if (!parts.exponent.empty()) return text;
   if (parts.decimals.empty() && column.n_decimals > 0) text += point;
   const std::size_t n = column.n_decimals - parts.decimals.size() +
-                        (parts.uncertainty.empty() ? column.n_uncertainty : 0);
+                        (parts.uncertainty.empty() ? column.uncertainty.size() : 0);
   for (std::size_t i = 0; i < n; ++i) text += digit;
   const std::size_t n_thin = n_separators(column.n_decimals) - n_separators(parts.decimals.size());
   for (std::size_t i = 0; i < n_thin; ++i) text += thin;

@@ -8,14 +8,14 @@
 namespace literate {
 
 /// The width of a number, or the width that holds all of a column: the signs, and the digits before
-/// the point, after it, in the exponent and of the uncertainty in parentheses.
+/// the point, after it and in the exponent, and the uncertainty.
 struct NumberWidth {
   bool negative = false;
   std::size_t n_whole = 1;
   std::size_t n_decimals = 0;
   bool negative_exponent = false;
   std::size_t n_exponent = 0;
-  std::size_t n_uncertainty = 0;  ///< with its parentheses
+  std::string uncertainty = {};  ///< the longest: «(12)», «±0.012»
 };
 
 /// Measures a number as `plain` or `scientific` writes it.

@@ -252,24 +252,32 @@ std::string csv_cell(const Cell& cell) {
 }
 
 /// A bare number is exact; only of one that is quoted without an error none is known.
-std::string csv_error(const Cell& cell) {
-  if (cell.number() == nullptr || (cell.place() && !cell.abs_error())) return "";
-  return fmt::format("{}", cell.abs_error().value_or(0));
+std::string csv_bound(const Cell& cell) {
+  if (cell.number() == nullptr || (cell.place() && !cell.uncertainty())) return "";
+  return fmt::format("{}", cell.uncertainty().value_or(0).bound);
+}
+
+std::string csv_standard(const Cell& cell) {
+  if (cell.number() == nullptr || !cell.uncertainty()) return "";
+  return fmt::format("{}", cell.uncertainty()->standard);
 }
 
 }  // namespace
 
 std::string Table::csv() const {
-  std::vector<bool> has_errors(columns_.size(), false);
+  std::vector<bool> has_bounds(columns_.size(), false), has_standards = has_bounds;
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (row[i].abs_error().value_or(0) > 0) has_errors[i] = true;
+      const Uncertainty uncertainty = row[i].uncertainty().value_or(0);
+      if (uncertainty.bound > 0) has_bounds[i] = true;
+      if (uncertainty.standard > 0) has_standards[i] = true;
     }
   }
   std::vector<std::string> fields;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     fields.push_back(csv_heading(columns_[i].format()));
-    if (has_errors[i]) fields.emplace_back("abs_error");
+    if (has_bounds[i]) fields.emplace_back("abs_error");
+    if (has_standards[i]) fields.emplace_back("standard");
   }
   std::string text = sys::csv_line(fields);
   std::string marks;
@@ -278,7 +286,8 @@ std::string Table::csv() const {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const Cell& cell = rows_[r][i];
       fields.push_back(csv_cell(cell));
-      if (has_errors[i]) fields.push_back(csv_error(cell));
+      if (has_bounds[i]) fields.push_back(csv_bound(cell));
+      if (has_standards[i]) fields.push_back(csv_standard(cell));
       if (!cell.mark().empty()) {
         marks += fmt::format("# row {}, column {}: {}\n", r + 1, i + 1, cell.mark());
       }

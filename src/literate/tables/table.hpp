@@ -59,8 +59,8 @@ class Table {
 
   /// Writes the table as CSV, with headings, texts and notes as plain_text() makes them and numbers
   /// that read back the same; a percentage is written as the ratio. A column whose numbers have
-  /// errors is followed by one of error bounds, «abs_error», as import_csv reads it; notes stand at
-  /// the end in lines that begin with #.
+  /// errors is followed by one of error bounds, «abs_error», or of standard uncertainties,
+  /// «standard», as import_csv reads them; notes stand at the end in lines that begin with #.
   std::string csv() const;
 
   /// The digits of each cell that holds a number, without the column's power of ten, by row and

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "numerics/estimate.hpp"
-
 namespace literate {
 namespace {
 
 using numerics::Estimate;
+using numerics::rounding::add_up;
+using numerics::rounding::multiply_up;
 
 void require_count(const char* what, int count, int least) {
   constexpr int most = 100;
@@ -21,9 +21,9 @@ void require_count(const char* what, int count, int least) {
       fmt::format("{} = {}: must lie between {} and {}", what, count, least, most));
 }
 
-/// An error as it counts wherever digits depend on it: to twelve significant digits. As a double the
-/// sum of 0.1 and 0.05 is 0.15000000000000002; what lies behind twelve digits is the rounding of the
-/// error itself.
+/// An error as it counts wherever digits depend on it: to twelve significant digits. As a double
+/// the sum of 0.1 and 0.05 is 0.15000000000000002; what lies behind twelve digits is the rounding
+/// of the error itself.
 double counted(double abs_error) {
   constexpr int n_digits = 12;
   return number_of(rounded_to_digits(abs_error, n_digits));
@@ -116,6 +116,16 @@ Format Format::rounded_up() const {
   return format;
 }
 
+Format Format::by_kind() const {
+  if (notation_ != Notation::uncertain) {
+    throw std::invalid_argument(
+        fmt::format("{}() tells no kinds of uncertainty", name_of(notation_)));
+  }
+  Format format = *this;
+  format.tells_kinds_ = true;
+  return format;
+}
+
 Format significant(int n_digits) {
   require_count("significant digits", n_digits, 1);
   return {Notation::significant, n_digits};
@@ -152,6 +162,16 @@ Format uncertain() {
   return {Notation::uncertain, 0};
 }
 
+Uncertainty::Uncertainty(const numerics::Measured& number)
+    : bound(number.bounded().abs_error),
+      standard(number.standard()),
+      kinds(number.kinds()),
+      neglected(number.neglected()) {}
+
+double Uncertainty::error(double k) const {
+  return add_up(bound, add_up(multiply_up(k, standard), multiply_up(k * k, neglected)));
+}
+
 void require_error_bound(double abs_error) {
   if (std::isfinite(abs_error) && abs_error >= 0) return;
   throw std::invalid_argument("an error bound to be printed is negative or not finite");
@@ -169,7 +189,13 @@ void require_earned(double number, int place, double abs_error, std::string_view
                   printed, abs_error));
 }
 
-std::string RoundedNumber::text(int exponent) const {
+std::string NumberPrint::text() const {
+  std::string text = number;
+  for (const Beside& of : beside) text += "±" + of.number;
+  return exponent.empty() ? text : fmt::format("{}e{}", text, exponent);
+}
+
+NumberPrint RoundedNumber::printed(int exponent) const {
   Decimal shifted = digits;
   shifted.place -= exponent;
   // Zero has no power of ten, unless it says how much is known of it.
@@ -181,20 +207,71 @@ std::string RoundedNumber::text(int exponent) const {
   } else {
     text = style == Style::plain ? plain(shifted) : plain_or_scientific(shifted);
   }
-  if (!uncertainty.empty()) {
-    text.insert(std::min(text.find('e'), text.size()), fmt::format("({})", uncertainty));
+  NumberPrint printed;
+  const std::size_t end = std::min(text.find('e'), text.size());
+  if (end < text.size()) printed.exponent = text.substr(end + 1);
+  printed.number = text.substr(0, end) + (standard.empty() ? "" : fmt::format("({})", standard));
+  const int power = printed.exponent.empty() ? 0 : std::stoi(printed.exponent);
+  for (const auto& [of, what] : beside) {
+    Decimal shifted_too = of;
+    shifted_too.place -= exponent + power;
+    printed.beside.push_back({plain(shifted_too), what});
   }
-  return text;
+  return printed;
 }
 
 namespace {
 
 using Style = RoundedNumber::Style;
 
-/// Its two digits, rounded up.
-RoundedNumber with_uncertainty(Estimate estimate) {
-  const Decimal error = rounded_up_to_digits(counted(estimate.abs_error), 2);
-  return {rounded_to_place(estimate.value, error.place), Style::automatic, true, error.digits};
+constexpr int n_digits_of_error = 2;
+
+/// ± a bound that holds the true number, though the printed one is rounded.
+RoundedNumber with_bound(Estimate estimate) {
+  for (int place = rounded_up_to_digits(counted(estimate.abs_error), n_digits_of_error).place;;
+       ++place) {
+    const Decimal digits = rounded_to_place(estimate.value, place);
+    const double bound = estimate.abs_error + std::abs(estimate.value - number_of(digits));
+    const Decimal printed = rounded_up_to_place(counted(bound), place);
+    if (printed.digits.size() > n_digits_of_error) continue;
+    return {digits, Style::automatic, true, "", {{printed, ""}}};
+  }
+}
+
+/// A bound beside a standard uncertainty, unless it is less than a tenth of the last digit.
+void add_bound(RoundedNumber& rounded, double bound, std::string_view what) {
+  const int place = rounded.digits.place;
+  const Decimal tenth{.negative = false, .digits = "1", .place = place - 1};
+  if (bound < number_of(tenth)) return;
+  rounded.beside.push_back({rounded_up_to_place(counted(bound), place), std::string(what)});
+}
+
+/// The number with each kind of what is not known of it, to the digits of the least of them, but to
+/// no more than three of all together.
+RoundedNumber with_kinds(double number, const Uncertainty& uncertainty) {
+  int place = rounded_to_digits(uncertainty.standard, n_digits_of_error).place;
+  const int finest = place - 1;
+  for (const auto& [kind, standard] : uncertainty.kinds) {
+    place = std::min(place, rounded_to_digits(standard, n_digits_of_error).place);
+  }
+  place = std::max(place, finest);
+  RoundedNumber result{rounded_to_place(number, place), Style::automatic, true};
+  for (const auto& [kind, standard] : uncertainty.kinds) {
+    const Decimal nearest = rounded_to_place(standard, place);
+    result.beside.push_back(
+        {is_zero(nearest) ? rounded_up_to_place(standard, place) : nearest, kind});
+  }
+  add_bound(result, uncertainty.bound, "at most");
+  return result;
+}
+
+RoundedNumber with_uncertainty(double number, const Uncertainty& uncertainty) {
+  if (uncertainty.standard == 0) return with_bound({number, uncertainty.bound});
+  const Decimal standard = rounded_to_digits(uncertainty.standard, n_digits_of_error);
+  RoundedNumber result{rounded_to_place(number, standard.place), Style::automatic, true,
+                       standard.digits};
+  add_bound(result, uncertainty.bound, "");
+  return result;
 }
 
 /// A number without an error is the decimal number that reads as it: behind its digits stand zeros,
@@ -207,6 +284,13 @@ Decimal exact_to_place(double number, int place) {
   return digits;
 }
 
+/// The number with all that its digits count as its error.
+Estimate estimate_of(double number, const std::optional<Uncertainty>& uncertainty) {
+  if (!uncertainty) return {number, 0};
+  require_error_bound(uncertainty->bound);
+  return {number, uncertainty->error()};
+}
+
 /// Whether a number is known not to be zero, although it is rounded to it.
 bool is_lost_by_rounding(const Decimal& digits, Estimate estimate) {
   return is_zero(digits) && std::abs(estimate.value) > estimate.abs_error;
@@ -214,19 +298,19 @@ bool is_lost_by_rounding(const Decimal& digits, Estimate estimate) {
 
 }  // namespace
 
-RoundedNumber rounded_at(double number, std::optional<double> abs_error, int place) {
-  if (abs_error) require_error_bound(*abs_error);
-  const Estimate estimate{number, abs_error.value_or(0)};
-  const Decimal digits = abs_error == 0.0
+RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place) {
+  const Estimate estimate = estimate_of(number, uncertainty);
+  const bool is_exact = uncertainty && estimate.abs_error == 0;
+  const Decimal digits = is_exact
                              ? exact_to_place(number, place)
                              : rounded_to_place(number, earned_place(estimate.abs_error, place));
-  RoundedNumber rounded{digits, Style::plain, estimate.abs_error > 0, ""};
+  RoundedNumber rounded{digits, Style::plain, estimate.abs_error > 0};
   if (!is_zero(digits) || number == 0) return rounded;
   if (const auto first = first_digits(estimate)) {
     rounded.digits = *first;
     rounded.style = Style::automatic;
   } else if (is_lost_by_rounding(digits, estimate)) {
-    return with_uncertainty(estimate);
+    return with_uncertainty(number, *uncertainty);
   }
   return rounded;
 }
@@ -245,19 +329,18 @@ RoundedNumber exactly(const Format& format, Estimate estimate) {
       throw std::invalid_argument(
           fmt::format("{} is not a whole number", round_trip(estimate.value)));
     }
-    return {digits, Style::plain, false, ""};
+    return {digits, Style::plain};
   }
   Decimal digits = shortest(estimate.value);
-  if (!format.is_percentage()) return {digits, Style::automatic, false, ""};
+  if (!format.is_percentage()) return {digits, Style::automatic};
   // All zeros of an exact number are known: 100 %, not 1e2 %.
   for (; digits.place > -2 && !is_zero(digits); --digits.place) digits.digits += '0';
-  return {digits, Style::plain, false, ""};
+  return {digits, Style::plain};
 }
 
 /// A bound is true with any digits, so that none has to be earned; finer than the second digit of
 /// the error it says nothing more.
 RoundedNumber bound_above(const Format& format, Estimate estimate) {
-  constexpr int n_digits_of_error = 2;
   const double bound = estimate.value + estimate.abs_error;
   if (bound < 0) throw std::invalid_argument("a bound to be printed is negative");
   int lowest = format.notation() == Notation::fixed
@@ -267,35 +350,36 @@ RoundedNumber bound_above(const Format& format, Estimate estimate) {
     lowest = std::max(lowest, rounded_to_digits(estimate.abs_error, n_digits_of_error).place);
   }
   const Decimal digits = rounded_up_to_place(bound, lowest);
-  return {digits, Style::plain, true, ""};
+  return {digits, Style::plain, true};
 }
 
-RoundedNumber to_nearest(const Format& format, Estimate estimate, std::optional<double> abs_error) {
+RoundedNumber to_nearest(const Format& format, Estimate estimate,
+                         const std::optional<Uncertainty>& uncertainty) {
   if (format.notation() == Notation::fixed) {
-    return rounded_at(estimate.value, abs_error,
+    return rounded_at(estimate.value, uncertainty,
                       -format.digits() - (format.is_percentage() ? 2 : 0));
   }
   const auto to_digits = [&] {
     const int lowest = lowest_place(estimate, format.digits());
-    return abs_error == 0.0
+    return uncertainty && estimate.abs_error == 0
                ? exact_to_place(estimate.value, lowest)
                : rounded_to_place(estimate.value, earned_place(estimate.abs_error, lowest));
   };
   const Decimal digits = format.notation() == Notation::supported
                              ? supported_digits(estimate, format.digits())
                              : to_digits();
-  if (is_lost_by_rounding(digits, estimate)) return with_uncertainty(estimate);
-  return {digits, Style::automatic, estimate.abs_error > 0, ""};
+  if (is_lost_by_rounding(digits, estimate)) return with_uncertainty(estimate.value, *uncertainty);
+  return {digits, Style::automatic, estimate.abs_error > 0};
 }
 
 }  // namespace
 
-RoundedNumber rounded(const Format& format, double number, std::optional<double> abs_error) {
-  if (abs_error) require_error_bound(*abs_error);
-  const Estimate estimate{number, abs_error.value_or(0)};
+RoundedNumber rounded(const Format& format, double number,
+                      const std::optional<Uncertainty>& uncertainty) {
+  const Estimate estimate = estimate_of(number, uncertainty);
   const Notation notation = format.notation();
   const bool needs_error = notation == Notation::supported || notation == Notation::uncertain;
-  if (needs_error && !abs_error) {
+  if (needs_error && !uncertainty) {
     throw std::invalid_argument(
         fmt::format("{} has no error, which {}() prints it by", number, name_of(notation)));
   }
@@ -303,15 +387,23 @@ RoundedNumber rounded(const Format& format, double number, std::optional<double>
       (needs_error || notation == Notation::exact || notation == Notation::integer)) {
     throw std::invalid_argument(fmt::format("{}() cannot round up", name_of(notation)));
   }
+  if (format.rounds_up() && uncertainty && uncertainty->standard > 0) {
+    throw std::invalid_argument(fmt::format(
+        "{} has a standard uncertainty of {}, which is no bound: rounded_up() has nothing to round",
+        number, uncertainty->standard));
+  }
 
   RoundedNumber result;
   if (notation == Notation::exact || notation == Notation::integer) {
     result = exactly(format, estimate);
   } else if (notation == Notation::uncertain) {
-    result = estimate.abs_error == 0 ? exactly(format, estimate) : with_uncertainty(estimate);
+    result = estimate.abs_error == 0 ? exactly(format, estimate)
+             : format.tells_kinds() && uncertainty->standard > 0
+                 ? with_kinds(number, *uncertainty)
+                 : with_uncertainty(number, *uncertainty);
   } else {
     result = format.rounds_up() ? bound_above(format, estimate)
-                                : to_nearest(format, estimate, abs_error);
+                                : to_nearest(format, estimate, uncertainty);
   }
   if (format.is_percentage()) {
     // Style::automatic is what a number too small for its decimals has.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "literate/values/decimal.hpp"
+#include "numerics/measured.hpp"
 
 namespace literate {
 
@@ -35,11 +38,16 @@ class Format {
   /// them is true. Refuses negative sums.
   Format rounded_up() const;
 
+  /// uncertain() with each kind of standard uncertainty by itself: 994 ± 22 (statistics) ± 5
+  /// (calibration). Refuses other notations.
+  Format by_kind() const;
+
   Notation notation() const { return notation_; }
   /// Significant digits, or decimals of fixed(); 0 where the notation has no such number.
   int digits() const { return digits_; }
   bool is_percentage() const { return is_percentage_; }
   bool rounds_up() const { return rounds_up_; }
+  bool tells_kinds() const { return tells_kinds_; }
 
  private:
   Format(Notation notation, int digits) : notation_(notation), digits_(digits) {}
@@ -57,6 +65,7 @@ class Format {
   int digits_;
   bool is_percentage_ = false;
   bool rounds_up_ = false;
+  bool tells_kinds_ = false;
 };
 
 /// Prints `n_digits` significant digits, 1 ≤ n_digits ≤ 100, with an exponent outside [1e-3, 1e6).
@@ -80,37 +89,80 @@ Format integer();
 Format exact();
 
 /// Prints the digits that the error supports, at most `max_digits`. The last digit stands at 10^p,
-/// the least power of ten ≥ 2·abs_error, so it is wrong by one at most. With an error of 0 it
-/// prints as exact() does.
+/// the least power of ten that is no less than twice the error, so it is wrong by one at most. With
+/// an error of 0 it prints as exact() does.
 Format supported(int max_digits = 12);
 
-/// Prints the number and, in parentheses, the error bound in units of its last digit, rounded up to
-/// two digits: 0.78615138(12) for 0.786151378 and 1.2e-7. With an error of 0 it prints as exact()
-/// does.
+/// Prints the number with what is not known of it, to two digits. A standard uncertainty, rounded
+/// to the nearest, stands in parentheses in units of the last digit: 994(22). A bound stands behind
+/// ±, as JCGM 100:2008, 7.2.2, has it, and is rounded up with the rounding of the number in it:
+/// 0.786151378 and 1.2e-7 are 0.78615138 ± 0.00000013. Beside a standard uncertainty it is left out
+/// where it is less than a tenth of the last digit. With an error of 0 it prints as exact() does.
 Format uncertain();
+
+/// What is not known of a number, in its unit: the true one is no farther than `bound` from a
+/// number that is distributed about the printed one.
+struct Uncertainty {
+  // NOLINTNEXTLINE(google-explicit-constructor): a bound alone is what most numbers have
+  Uncertainty(double abs_error) : bound(abs_error) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): the same without the names of its sources
+  Uncertainty(const numerics::Measured& number);
+
+  double bound;
+  double standard = 0;  ///< of all kinds together
+  std::map<std::string, double> kinds = {};
+  double neglected = 0;  ///< by the law of propagation
+
+  /// The bound with k standard uncertainties; what the law of propagation neglects grows with k².
+  double error(double k = 1) const;
+};
+
+/// The texts of which a printed number consists.
+struct NumberPrint {
+  struct Beside {
+    std::string number;
+    std::string what;  ///< such as «statistics»; empty if nothing has to be said
+  };
+
+  std::string number;          ///< with its standard uncertainty in parentheses: 0.786(12)
+  std::vector<Beside> beside;  ///< what stands behind ±
+  std::string exponent;        ///< a power of ten of all of it; empty for none
+
+  /// In one: 0.786(12), 4.7±1.8e-3.
+  std::string text() const;
+};
 
 /// A number as a format rounds it.
 struct RoundedNumber {
+  /// What stands behind ±, and in parentheses what it is, if that has to be said.
+  struct Beside {
+    Decimal digits;
+    std::string what;
+  };
+
   Decimal digits;
   enum class Style { plain, automatic, with_exponent } style = Style::plain;
   bool has_unknown_zeros = false;  ///< zeros left of the point would claim digits not known
-  std::string uncertainty;         ///< in units of the last digit; empty for none
+  std::string standard = {};       ///< uncertainty in units of the last digit; empty for none
+  std::vector<Beside> beside = {};
 
-  /// The number divided by 10^exponent, as text: -0.0123, 4.55e4, 0.786(12).
-  std::string text(int exponent = 0) const;
+  /// The number divided by 10^exponent.
+  NumberPrint printed(int exponent = 0) const;
 };
 
-/// Rounds a number, with its error bound if it has one; of a percentage both are of the ratio.
+/// Rounds a number, with what is not known of it if somebody told; of a percentage both are of the
+/// ratio.
 ///
-/// Throws std::invalid_argument for a number that is not finite, for an error bound that is
-/// negative or not finite, for digits out of range, and for what the format refuses: a fraction, a
-/// negative bound, an error beside an exact or whole number, none beside supported() and
-/// uncertain().
-RoundedNumber rounded(const Format& format, double number, std::optional<double> abs_error);
+/// Throws std::invalid_argument for a number that is not finite, for a bound or a standard
+/// uncertainty that is negative or not finite, for digits out of range, and for what the format
+/// refuses: a fraction, a negative bound, an error beside an exact or whole number, none beside
+/// supported() and uncertain(), a standard uncertainty where a bound is to be rounded up.
+RoundedNumber rounded(const Format& format, double number,
+                      const std::optional<Uncertainty>& uncertainty);
 
 /// As rounded() for a format that fixes the place of the last digit: fixed() with decimals of the
 /// number divided by 10^exponent.
-RoundedNumber rounded_at(double number, std::optional<double> abs_error, int place);
+RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place);
 
 /// The least power of ten that is not less than the bound, as the place of a last digit; none for a
 /// bound of 0.

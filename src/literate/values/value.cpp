@@ -12,37 +12,73 @@
 
 namespace literate {
 
-Value::Value(double number, std::optional<double> abs_error, const Format& format,
+namespace {
+
+/// A number for readers and for LaTeX.
+struct Print {
+  std::string plain, latex;
+};
+
+/// With a unit as plain text and as siunitx takes it. siunitx prints no number that has two
+/// uncertainties, nor words beside them.
+Print print_of(const NumberPrint& number, const std::string& unit, const std::string& tex_unit) {
+  const std::string space = unit.empty() ? "" : " ";
+  const std::string text = number.text();
+  if (number.beside.empty()) {
+    return {text + space + unit, unit.empty() ? fmt::format("\\num{{{}}}", text)
+                                              : fmt::format("\\qty{{{}}}{{{}}}", text, tex_unit)};
+  }
+  Print print{number.number, fmt::format("\\num{{{}}}", number.number)};
+  for (const auto& [beside, what] : number.beside) {
+    print.plain += " ± " + beside;
+    print.latex += fmt::format("\\pm\\num{{{}}}", beside);
+    if (what.empty()) continue;
+    print.plain += fmt::format(" ({})", what);
+    print.latex += fmt::format("\\mbox{{ ({})}}", escape_latex(what));
+  }
+  if (!number.exponent.empty() || !unit.empty()) {
+    print = {fmt::format("({})", print.plain), fmt::format("({})", print.latex)};
+  }
+  if (!number.exponent.empty()) {
+    print.plain += "e" + number.exponent;
+    print.latex += fmt::format("\\times\\num{{e{}}}", number.exponent);
+  }
+  if (!unit.empty()) print.latex += fmt::format("\\,\\unit{{{}}}", tex_unit);
+  return {print.plain + space + unit, fmt::format("\\ensuremath{{{}}}", print.latex)};
+}
+
+}  // namespace
+
+Value::Value(double number, std::optional<Uncertainty> uncertainty, const Format& format,
              std::string_view unit)
-    : number_(number), abs_error_(abs_error), format_(format), unit_(unit) {
+    : number_(number), uncertainty_(std::move(uncertainty)), format_(format), unit_(unit) {
   const std::string unit_text = plain_unit(unit);
   if (unit_text.empty()) unit_.clear();
   if (format.is_percentage() && !unit_.empty()) {
     throw std::invalid_argument(fmt::format("a percentage has no other unit, such as '{}'", unit));
   }
   if (!std::isfinite(number)) return;
-  const RoundedNumber digits = rounded(format, number, abs_error);
+  const RoundedNumber digits = rounded(format, number, uncertainty_);
   last_place_ = digits.digits.place;
   // Multiplying by 100 would round twice; moving the point does not.
-  std::string text = digits.text(format.is_percentage() ? -2 : 0);
-  if (text.ends_with("e0")) text.resize(text.size() - 2);  // siunitx prints no such exponent
-  if (format.is_percentage()) {
-    latex_ = fmt::format("\\qty{{{}}}{{\\percent}}", text);
-    printed_ = text + " %";
-  } else if (unit_.empty()) {
-    latex_ = fmt::format("\\num{{{}}}", text);
-    printed_ = text;
-  } else {
-    latex_ = fmt::format("\\qty{{{}}}{{{}}}", text, latex_unit(unit));
-    printed_ = fmt::format("{} {}", text, unit_text);
-  }
+  NumberPrint printed = digits.printed(format.is_percentage() ? -2 : 0);
+  if (printed.exponent == "0") printed.exponent.clear();  // siunitx prints no such exponent
+  const Print print = format.is_percentage() ? print_of(printed, "%", "\\percent")
+                                             : print_of(printed, unit_text, latex_unit(unit_));
+  latex_ = print.latex;
+  printed_ = print.plain;
 }
 
 Value::Value(double number, const Format& format, std::string_view unit)
     : Value(number, std::nullopt, format, unit) {}
 
 Value::Value(numerics::Estimate estimate, const Format& format, std::string_view unit)
-    : Value(estimate.value, estimate.abs_error, format, unit) {}
+    : Value(estimate.value, Uncertainty(estimate.abs_error), format, unit) {}
+
+Value::Value(const numerics::Measured& measured, const Format& format, std::string_view unit)
+    : Value(measured.value(), Uncertainty(measured), format, unit) {
+  measured_ = measured;
+}
 
 Value Value::text(std::string_view text) {
   Value value;
@@ -57,15 +93,24 @@ void Value::require_finite() const {
   }
 }
 
-std::optional<double> Value::counted_error() const {
-  if (abs_error_ || !number_) return abs_error_;
+bool Value::is_told() const {
+  if (uncertainty_ || is_as_is_) return true;
   const Notation notation = format_->notation();
-  const bool is_exact = notation == Notation::exact || notation == Notation::integer;
-  return is_exact || is_as_is_ ? std::optional(0.0) : std::nullopt;
+  return notation == Notation::exact || notation == Notation::integer;
+}
+
+std::optional<numerics::Measured> Value::measured() const {
+  if (measured_ || !number_ || !is_told()) return measured_;
+  const Uncertainty uncertainty = uncertainty_.value_or(0);
+  numerics::Measured measured = numerics::Measured::bounded({*number_, uncertainty.bound});
+  for (const auto& [kind, standard] : uncertainty.kinds) {
+    measured = measured + numerics::Measured(0, standard, kind);
+  }
+  return measured;
 }
 
 void Value::require_error() const {
-  if (!number_ || counted_error()) return;
+  if (!number_ || is_told()) return;
   throw std::invalid_argument(
       fmt::format("{} comes without its error: give an Estimate or .within(error), or say .as_is() "
                   "of a number that is printed as it came",
@@ -76,7 +121,7 @@ void Value::require_untold() const {
   if (!number_) {
     throw std::invalid_argument(fmt::format("'{}' is text and can have no error", printed_));
   }
-  if (counted_error()) {
+  if (is_told()) {
     throw std::invalid_argument(fmt::format("the error of '{}' is told already", printed_));
   }
 }
@@ -89,7 +134,7 @@ Value Value::within(double abs_error) const {
         "of one that is printed as it came",
         printed_));
   }
-  return {*number_, abs_error, *format_, unit_};
+  return {*number_, Uncertainty(abs_error), *format_, unit_};
 }
 
 Value Value::as_is() const {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "literate/values/format.hpp"
-#include "numerics/estimate.hpp"
+#include "numerics/measured.hpp"
 
 namespace literate {
 
@@ -30,6 +30,14 @@ class Value {
 
   /// Prints a number with its error bound: no digit that the bound does not support.
   Value(numerics::Estimate estimate, const Format& format, std::string_view unit = "");
+
+  /// Prints a number with its standard uncertainty: no digit that this and its bound, added, do not
+  /// support. Throws InvalidQuantity as its arithmetic does.
+  Value(const numerics::Measured& measured, const Format& format, std::string_view unit = "");
+
+  /// The same of a number whose sources have lost their names.
+  Value(double number, std::optional<Uncertainty> uncertainty, const Format& format,
+        std::string_view unit);
 
   /// Prints plain text, escaped for LaTeX.
   static Value text(std::string_view text);
@@ -64,12 +72,12 @@ class Value {
   /// The unrounded number; none for text.
   const std::optional<double>& number() const { return number_; }
 
-  /// The error bound that came with an estimate or from within(), if any.
-  const std::optional<double>& abs_error() const { return abs_error_; }
+  /// What is not known of the number, which came with it or from within(), if any.
+  const std::optional<Uncertainty>& uncertainty() const { return uncertainty_; }
 
-  /// The error that a criterion counts: the bound, or 0 of a number that exact() or integer()
-  /// prints or that stands as it is; none if nobody told it.
-  std::optional<double> counted_error() const;
+  /// The number with the uncertainty that a criterion counts: none of a number that exact() or
+  /// integer() prints or that stands as it is; nothing if nobody told it.
+  std::optional<numerics::Measured> measured() const;
 
   /// Whether as_is() made it.
   bool is_as_is() const { return is_as_is_; }
@@ -90,14 +98,14 @@ class Value {
 
  private:
   Value() = default;
-  Value(double number, std::optional<double> abs_error, const Format& format,
-        std::string_view unit);
+  bool is_told() const;
   void require_untold() const;
 
   std::string latex_;
   std::string printed_;
   std::optional<double> number_;
-  std::optional<double> abs_error_;
+  std::optional<Uncertainty> uncertainty_;
+  std::optional<numerics::Measured> measured_;  // with the names of the sources, where it has any
   bool is_as_is_ = false;
   std::optional<Format> format_;
   int last_place_ = 0;

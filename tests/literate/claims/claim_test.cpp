@@ -44,10 +44,10 @@ BOOST_AUTO_TEST_CASE(a_claim_finds_what_its_criteria_say) {
 }
 
 BOOST_AUTO_TEST_CASE(a_message_has_every_criterion_with_what_was_computed_and_asked) {
-  BOOST_TEST(
-      text_of({held, still_open}) ==
-      "share: 10.0 % (asked: at most 20 %); share: 20.0(10) % (asked: at most 20 %), undecided: an "
-      "error of 1 % reaches across the limit");
+  BOOST_TEST(text_of({held, still_open}) ==
+             "share: 10.0 % (asked: at most 20 %); share: (20.0 ± 1.0) % (asked: at most 20 %), "
+             "undecided: an "
+             "error of 1 % reaches across the limit");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

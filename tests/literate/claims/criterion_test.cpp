@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_quantity_shows_the_error_that_leaves_its_verdict_open) {
                                limit_of(65));
   };
 
-  BOOST_TEST(at_least(67, 5).computed() == "load: 67.0(50) N");
+  BOOST_TEST(at_least(67, 5).computed() == "load: (67.0 ± 5.0) N");
   BOOST_TEST(at_least(67, 5).condition().plain == "at least 65 N");
   BOOST_TEST(at_least(77, 5).computed() == "load: 8e1 N");
   BOOST_TEST(at_least(67, 80).computed() == "load: at least -13 N");
@@ -177,12 +177,13 @@ BOOST_AUTO_TEST_CASE(the_sentence_of_an_agreement_is_consistent_with_its_own_num
         .computed();
   };
   BOOST_TEST(agrees(Value({0.6, 0.04}, significant(2)), 0.05) ==
-             "x: 0.600(40), 0.150(40) from 0.75");
+             "x: 0.600 ± 0.040, 0.150 ± 0.040 from 0.75");
   BOOST_TEST(agrees(Value(0.6432, fixed(1)).as_is(), 0.05) == "x: 0.64, 0.11 from 0.75");
-  BOOST_TEST(agrees(Value({0.7, 0.1}, supported()), 0.2) == "x: 0.70(10), at most 0.16 from 0.75");
+  BOOST_TEST(agrees(Value({0.7, 0.1}, supported()), 0.2) ==
+             "x: 0.70 ± 0.10, at most 0.15 from 0.75");
   // Within 0.08 it may be or not.
   BOOST_TEST(agrees(Value({0.66, 0.1}, supported()), 0.08) ==
-             "x: 0.66(10), at most 0.19 from 0.75");
+             "x: 0.66 ± 0.10, at most 0.19 from 0.75");
 }
 
 BOOST_AUTO_TEST_CASE(cases_are_counted_and_one_that_is_undecided_keeps_all_of_them_open) {
@@ -258,6 +259,71 @@ BOOST_AUTO_TEST_CASE(what_cannot_decide_is_refused) {
   BOOST_CHECK_THROW(Limit(static_cast<LimitKind>(17), 1.0, "why"), std::invalid_argument);
   BOOST_CHECK_THROW(misfit_at_most(std::nan(""), 0, limit), std::invalid_argument);
   BOOST_CHECK_THROW(limit_of(1, -1e-3), std::invalid_argument);
+}
+
+namespace {
+
+Value load(double number, double standard, const char* source) {
+  return {numerics::Measured(number, standard, source), literate::uncertain(), "psi"};
+}
+
+Limit counting(double number, double k) {
+  return Limit(LimitKind::stated, number, "the paper's load").counting(k);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(as_many_standard_uncertainties_count_as_the_limit_says) {
+  const auto at_most = [](double limit, double k) {
+    return Criterion::at_most("load", load(993.63, 21.9, "fit"), counting(limit, k));
+  };
+  BOOST_TEST(is(at_most(1020, 1), Outcome::holds));
+  BOOST_TEST(is(at_most(1020, 2), Outcome::undecided));
+  BOOST_TEST(is(at_most(1040, 2), Outcome::holds));
+  BOOST_TEST(is(at_most(900, 3), Outcome::fails));
+  BOOST_TEST(at_most(1020, 2).computed() == "load: 994(22) psi");
+  BOOST_TEST(at_most(1020, 2).missing() == "an error of 44 psi reaches across the limit");
+  BOOST_TEST(at_most(1020, 2).reason() ==
+             "stated: the paper's load; 2 standard uncertainties count");
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_counts_beside_them) {
+  const numerics::Measured both =
+      numerics::Measured(10, 1, "scale") + numerics::Measured::bounded({0, 0.5});
+  const auto at_most = [&](double limit) {
+    return Criterion::at_most("load", Value(both, significant(2)), counting(limit, 2));
+  };
+  BOOST_TEST(is(at_most(12.6), Outcome::holds));
+  BOOST_TEST(is(at_most(12.4), Outcome::undecided));
+}
+
+BOOST_AUTO_TEST_CASE(what_two_numbers_are_uncertain_by_from_one_source_cancels_in_their_agreement) {
+  const auto apart = [](const char* source_of_second) {
+    return Criterion::agrees("load", load(100, 5, "balance"), load(101, 5, source_of_second),
+                             counting(2, 2));
+  };
+  BOOST_TEST(is(apart("balance"), Outcome::holds));
+  BOOST_TEST(is(apart("another"), Outcome::undecided));
+  BOOST_TEST(is(Criterion::agrees_relatively("load", load(100, 1, "balance"),
+                                             load(101, 1.01, "balance"), counting(0.02, 2)),
+                Outcome::holds));
+  BOOST_TEST(is(Criterion::agrees_relatively("load", load(100, 1, "balance"),
+                                             load(101, 1.01, "another"), counting(0.02, 2)),
+                Outcome::undecided));
+}
+
+BOOST_AUTO_TEST_CASE(a_standard_uncertainty_is_refused_where_nobody_says_how_many_count) {
+  const auto decide = [] {
+    (void)Criterion::at_most("load", load(993.63, 21.9, "fit"),
+                             Limit(LimitKind::stated, 1020, "the paper's load"));
+  };
+  const std::string message = message_of<std::invalid_argument>(decide);
+  BOOST_TEST(message.find("criterion_test.cpp:") != message.npos, message);
+  BOOST_TEST(message.ends_with("load: 993.63 has a standard uncertainty of 21.9: say how many of "
+                               "them the limit counts, by Limit(...).counting(2)"),
+             message);
+  BOOST_CHECK_THROW(counting(1, 0), std::invalid_argument);
+  BOOST_CHECK_THROW(counting(1, std::nan("")), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -79,6 +79,12 @@ BOOST_AUTO_TEST_CASE(what_is_known_of_an_error_is_told_of_no_more_than_that) {
   document.value("residual", Value(2.34e-15, scientific(2)).as_is());
   document.value("bound", Value({1.25, 0.01}, fixed(2)));
   document.value("none", Value({1.25, 0}, fixed(2)));
+  const numerics::Measured load =
+      numerics::Measured(994, 20, "statistics") + numerics::Measured(0, 9, "calibration");
+  document.value("load", Value(load, uncertain(), "psi"));
+  document.value("load-of-both", Value(load + numerics::Measured::bounded({0, 3}), uncertain()));
+  const numerics::Measured ratio = load / numerics::Measured(100, 20, "width");
+  document.value("ratio", Value(ratio, uncertain()));
 
   document.write(folder / "generated");
 
@@ -88,11 +94,18 @@ BOOST_AUTO_TEST_CASE(what_is_known_of_an_error_is_told_of_no_more_than_that) {
   BOOST_TEST(has("index.tex", "{residual}{residual}{no error bound}"));
   BOOST_TEST(has("index.tex", "{bound}{bound}{error $\\le$ \\num{1.0e-2}}"));
   BOOST_TEST(has("index.tex", "{none}{none}{exact}"));
-  BOOST_TEST(has("values.csv", "residual,2.3e-15,2.34e-15,,,"));
-  BOOST_TEST(has("page/index.html", ", no error bound"));
+  BOOST_TEST(has("index.tex",
+                 "{standard uncertainty \\qty{22}{psi} (calibration \\qty{9.0}{psi}, statistics "
+                 "\\qty{20}{psi})}"));
+  BOOST_TEST(has("index.tex", "statistics \\num{20}), error $\\le$ \\num{3.0}}"));
+  BOOST_TEST(has("index.tex", ", of which the second order may take or add \\num{0.4"));
+  BOOST_TEST(has("page/index.html", "<tex>standard uncertainty \\qty{22}{psi}"));
+  BOOST_TEST(has("values.csv", "load,994(22) psi,994,0,21.9317"));
+  BOOST_TEST(has("values.csv", "residual,2.3e-15,2.34e-15,,,,"));
+  BOOST_TEST(has("page/index.html", ", <tex>no error bound</tex>"));
   const Names names = read_names(folder / "generated/names.json");
   BOOST_TEST(!names.numbers.at("residual").is_exact);
-  BOOST_TEST(!names.numbers.at("residual").abs_error.has_value());
+  BOOST_TEST(!names.numbers.at("residual").uncertainty.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(bare_digits_read_back_the_same_and_have_neither_unit_nor_exponent) {

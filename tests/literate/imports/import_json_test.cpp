@@ -87,10 +87,26 @@ BOOST_AUTO_TEST_CASE(a_value_has_its_digits_unit_error_and_place_in_the_file) {
   const Value& value = document.values().at("octave-u0");
   BOOST_TEST(value.printed() == "1.6236048e-6 in");
   BOOST_TEST(value.number().value() == 1.62360478e-6);
-  BOOST_TEST(value.abs_error().value() == 1e-14);
+  BOOST_TEST(value.uncertainty().value().bound == 1e-14);
   const SourcePlace& place = document.registered().places.at({"value", "octave-u0"});
   BOOST_TEST(text_of(place) == "octave/results.json:4");
   BOOST_TEST(place.function == "octave/run.m");
+}
+
+BOOST_AUTO_TEST_CASE(a_standard_uncertainty_comes_with_its_number) {
+  const Checkout checkout;
+  const Document document = checkout.import(
+      R"({"script": "run.m", "values": {"load": {"value": 993.63, "standard": 0.4, "unit": "psi"},
+          "both": {"value": 10, "standard": 1, "abs_error": 0.5}}})");
+
+  const Value& load = document.values().at("load");
+  BOOST_TEST(load.printed() == "994 psi");
+  BOOST_TEST(load.measured()->components().at("value 'load'") == 0.4);
+  const Value& both = document.values().at("both");
+  BOOST_TEST(both.uncertainty()->bound == 0.5);
+  BOOST_TEST(both.uncertainty()->standard == 1);
+  BOOST_TEST(checkout.error_of_values(R"("a": {"value": 1, "standard": -0.5})")
+                 .ends_with("value 'a': standard must not be negative"));
 }
 
 BOOST_AUTO_TEST_CASE(without_digits_those_are_printed_that_the_error_supports) {
@@ -233,9 +249,10 @@ BOOST_AUTO_TEST_CASE(keys_and_names_have_the_form_of_the_engine) {
 BOOST_AUTO_TEST_CASE(an_unknown_field_is_told_with_those_that_are_known) {
   const Checkout checkout;
 
-  BOOST_TEST(checkout.error_of_values(R"("a": {"value": 1, "abs_err": 0})") ==
-             "1:61: value 'a' has an unknown field 'abs_err'; known are value, abs_error, unit, "
-             "digits");
+  BOOST_TEST(
+      checkout.error_of_values(R"("a": {"value": 1, "abs_err": 0})") ==
+      "1:61: value 'a' has an unknown field 'abs_err'; known are value, abs_error, standard, unit, "
+      "digits");
   BOOST_TEST(checkout.error(R"({"vales": {}})").starts_with("1:11: the file has an unknown field"));
 }
 

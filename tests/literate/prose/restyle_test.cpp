@@ -43,6 +43,10 @@ const Names& names() {
     document.value("tiny", Value({2.5, 1e-15}, uncertain(), "m"));
     document.value("work", Value({9.304813, 0.284}, supported(), "ft.lbf"));
     document.value("torque", Value({9.304813, 0.284}, significant(3), "ft.lbf"));
+    const numerics::Measured load =
+        numerics::Measured(993.63, 20.04, "statistics") + numerics::Measured(0, 8.8, "calibration");
+    document.value("load", Value(load, uncertain(), "psi"));
+    document.value("load-by-kind", Value(load, uncertain().by_kind(), "psi"));
     document.value("word", Value::text("none"));
     const TemporaryFolder folder;
     document.write(folder / "out");
@@ -74,7 +78,7 @@ BOOST_AUTO_TEST_CASE(digits_and_formats_come_from_the_unrounded_number) {
   BOOST_TEST(styled("period", "format=fixed,decimals=2").printed() == "2.35 s");
   BOOST_TEST(styled("period", " format = scientific , digits = 2 ").printed() == "2.3 s");
   BOOST_TEST(styled("period", "format=scientific").printed() == "2.346 s");
-  BOOST_TEST(styled("period", "format=uncertain").printed() == "2.345679(20) s");
+  BOOST_TEST(styled("period", "format=uncertain").printed() == "(2.345679 ± 0.000021) s");
   BOOST_TEST(styled("small", "digits=3").printed() == "1.25e-7 lbf/in");
   BOOST_TEST(styled("small", "format=significant").printed() == "1.2e-7 lbf/in");
   BOOST_TEST(styled("count", "format=scientific,digits=3").printed() == "1.05e6");
@@ -93,24 +97,33 @@ BOOST_AUTO_TEST_CASE(a_value_keeps_its_unit_and_converts_into_others) {
   BOOST_TEST(styled("width", "digits=1").latex() == "\\qty{0.01}{in}");
   BOOST_TEST(styled("period", "unit=ms").printed() == "2346 ms");
   BOOST_TEST(styled("period", "unit=ms,digits=5").printed() == "2345.7 ms");
-  BOOST_TEST(styled("period", "unit=ms,format=uncertain").printed() == "2345.679(20) ms");
+  BOOST_TEST(styled("period", "unit=ms,format=uncertain").printed() == "(2345.679 ± 0.021) ms");
   BOOST_TEST(styled("catchment", "unit=mi2").printed() == "6868 mi²");  // 6868.0 is not known
   BOOST_TEST(styled("small", "unit=N/m").printed() == "2.2e-5 N/m");
 }
 
 BOOST_AUTO_TEST_CASE(an_error_stays_beside_its_number) {
-  BOOST_TEST(styled("mean", "unit=ms").printed() == "123.46(12) ms");
-  BOOST_TEST(styled("mean", "unit=s").printed() == "0.12346(12) s");
-  BOOST_TEST(styled("fraction", "unit=percent").printed() == "12.346(12) %");
+  BOOST_TEST(styled("mean", "unit=ms").printed() == "(123.46 ± 0.13) ms");
+  BOOST_TEST(styled("mean", "unit=s").printed() == "(0.12346 ± 0.00013) s");
+  BOOST_TEST(styled("fraction", "unit=percent").printed() == "(12.346 ± 0.013) %");
   BOOST_TEST(styled("fraction", "digits=2").printed() == "0.12");
   BOOST_TEST(styled("mean", "unit=ms,format=significant,digits=2").printed() == "1.2e2 ms");
+}
+
+BOOST_AUTO_TEST_CASE(a_standard_uncertainty_stays_beside_its_number) {
+  // 1 psi are 6.894757 kPa
+  BOOST_TEST(styled("load", "unit=kPa").printed() == "6.85(15)e3 kPa");
+  BOOST_TEST(styled("load", "digits=1").printed() == "1e3 psi");
+  BOOST_TEST(styled("load-by-kind", "unit=MPa").printed() ==
+             "(6.851 ± 0.061 (calibration) ± 0.138 (statistics)) MPa");
+  BOOST_TEST(refusal("load-by-kind", "digits=3").starts_with("993.63 is printed as '994 psi'"));
 }
 
 BOOST_AUTO_TEST_CASE(the_rounding_of_a_conversion_costs_no_digit) {
   BOOST_TEST(styled("transfer", "unit=W/m2/K").printed() == "2.500 W/(m² K)");
   BOOST_TEST(styled("transfer", "unit=mW/m2/K").printed() == "2500 mW/(m² K)");
   BOOST_TEST(styled("transfer", "unit=kW/m2/K").printed() == "0.002500 kW/(m² K)");
-  BOOST_TEST(styled("tiny", "unit=mm").printed() == "2500.0000000000000(22) mm");
+  BOOST_TEST(styled("tiny", "unit=mm").printed() == "(2500.0000000000000 ± 0.0000000000022) mm");
 }
 
 BOOST_AUTO_TEST_CASE(a_value_has_the_digits_that_its_error_supports_in_the_other_unit) {
@@ -187,7 +200,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_done_is_refused_with_what_can) {
   BOOST_TEST(refusal("period", "format=percent") == "format = percent: the value has the unit s");
   BOOST_TEST(refusal("period", "format=round") ==
              "format = round: must be one of fixed, significant, scientific, percent, uncertain");
-  BOOST_TEST(refusal("count", "format=uncertain") == "format=uncertain needs an error bound");
+  BOOST_TEST(refusal("count", "format=uncertain") == "format=uncertain needs an error");
   BOOST_TEST(refusal("period", "unit=mm") == "unit = mm: \"s\" cannot be converted into \"mm\"");
   BOOST_TEST(refusal("period", "unit=furlonk") == "unit = furlonk: unknown unit \"furlonk\"");
   BOOST_TEST(refusal("heat", "unit=K") ==
