@@ -30,14 +30,6 @@ Eigen::MatrixXd relative_displacements(const std::vector<RefinedSolution>& solut
   return ratios;
 }
 
-// The displacements over themselves: ones, with their relative uncertainties.
-std::vector<Measured> relative(const Observed& observed) {
-  std::vector<Measured> ones;
-  ones.reserve(observed.size());
-  for (const SurfaceDisplacement& point : observed) ones.push_back(point.u_z / point.u_z.value());
-  return ones;
-}
-
 void require_observed(const Observed& observed, std::size_t n_loads) {
   if (n_loads == 0 || observed.size() < n_loads) {
     throw sys::InvalidQuantity("number of observed displacements",
@@ -51,6 +43,13 @@ void require_observed(const Observed& observed, std::size_t n_loads) {
 
 }  // namespace
 
+std::vector<Measured> relative(const Observed& observed) {
+  std::vector<Measured> ones;
+  ones.reserve(observed.size());
+  for (const SurfaceDisplacement& point : observed) ones.push_back(point.u_z / point.u_z.value());
+  return ones;
+}
+
 Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& observed) {
   require_observed(observed, solutions.size());
 
@@ -61,23 +60,17 @@ Fit fit_loads(const std::vector<RefinedSolution>& solutions, const Observed& obs
   const numerics::LinearLeastSquares coarse = numerics::fit_linear(
       relative_displacements(solutions, &RefinedSolution::coarse, observed), ones);
 
-  Fit fit{.factors = fine.coefficients,
-          .residuals = {},
-          .chi_squared = fine.chi_squared,
-          .solution = solutions.front()};
+  Fit fit{.factors = fine.coefficients, .residuals = {}, .solution = solutions.front()};
   std::vector<double> values;
   for (std::size_t k = 0; k < fit.factors.size(); ++k) {
     values.push_back(fine.coefficients[k].value());
     const double distance = std::abs(values[k] - coarse.coefficients[k].value());
     fit.factors[k] = fit.factors[k] + Measured::bounded({0, distance});
   }
-  double squares = 0;
   for (const double residual : fine.residuals) {
     fit.residuals.push_back(-residual);
     fit.max_misfit = std::max(fit.max_misfit, std::abs(residual));
-    squares += residual * residual;
   }
-  fit.rms_misfit = std::sqrt(squares / static_cast<double>(fine.residuals.size()));
   fit.solution = RefinedSolution::combination(solutions, values);
   return fit;
 }

@@ -23,10 +23,11 @@ struct Fit {
   std::vector<numerics::Measured> factors;
   std::vector<double> residuals;  ///< relative, computed/observed − 1, one an observation
   double max_misfit = 0;          ///< the largest |residual|
-  double rms_misfit = 0;          ///< √(mean residual²)
-  double chi_squared = 0;         ///< Σ (residual/s)²; 0 without uncertainties
   RefinedSolution solution;       ///< the block under the fitted load
 };
+
+/// The observed displacements over themselves: ones, with their relative uncertainties sᵢ.
+std::vector<numerics::Measured> relative(const std::vector<SurfaceDisplacement>& observed);
 
 /// The factors c_k that minimise Σᵢ [(Σ_k c_k u_k(xᵢ) − uᵢ)/(sᵢuᵢ)]², u_k the displacement under
 /// load k and sᵢ the relative standard uncertainty of the displacement uᵢ; all sᵢ are 1 if none has

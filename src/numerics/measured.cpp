@@ -128,6 +128,11 @@ double correlation(const Measured& a, const Measured& b) {
   return covariance(a, b) / u_a / u_b;
 }
 
+Measured given(const Measured& a, const Measured& b, double known) {
+  const double u_b = sys::require_positive("standard uncertainty", b.standard());
+  return a - covariance(a, b) / (u_b * u_b) * (b - known);
+}
+
 Measured operator-(const Measured& a) {
   return Propagation::of(a, -a.bounded(), -1, 0);
 }

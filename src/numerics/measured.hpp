@@ -69,6 +69,11 @@ double covariance(const Measured& a, const Measured& b);
 /// Their covariance over both standard uncertainties. Throws InvalidQuantity where one has none.
 double correlation(const Measured& a, const Measured& b);
 
+/// The first number, if the second is found to be exactly `known`: a − cov(a, b)/u²(b) (b − known).
+/// Of coefficients of a linear fit it is that of the fit with b held there. Throws InvalidQuantity
+/// for a b without standard uncertainty.
+Measured given(const Measured& a, const Measured& b, double known);
+
 Measured operator-(const Measured& a);
 Measured operator+(const Measured& a, const Measured& b);
 Measured operator-(const Measured& a, const Measured& b);

@@ -32,10 +32,14 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }  // namespace
 
 std::vector<block::SurfaceDisplacement> observed_in(const HalfSpaceCase& half_space,
-                                                    const PrintedFigure5& printed) {
+                                                    const PrintedData& printed) {
+  const auto& convergence = printed.appendix2.convergence;
   std::vector<block::SurfaceDisplacement> observed;
   for (std::size_t i = 0; i < half_space.points.size(); ++i) {
-    observed.push_back({half_space.points[i], printed.fea_z[i].value()});
+    const double u_z = printed.figure5.fea_z[i].value();
+    const std::string measure = fmt::format("measure{}", i + 1);
+    const double relative = convergence.at(measure).value() / 100;
+    observed.push_back({half_space.points[i], {u_z, relative * u_z, "convergence/" + measure}});
   }
   return observed;
 }

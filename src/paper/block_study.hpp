@@ -71,9 +71,11 @@ class BlockStudy {
   double misfit_error_ = 0;
 };
 
-/// The printed z-displacements of Fig. 5 at the points of the half-space.
+/// The printed z-displacements of Fig. 5 at the points of the half-space, the convergence that
+/// Appendix 2 prints of each taken as its standard uncertainty. Throws for points of which it prints
+/// none.
 std::vector<block::SurfaceDisplacement> observed_in(const HalfSpaceCase& half_space,
-                                                    const PrintedFigure5& printed);
+                                                    const PrintedData& printed);
 
 /// Mass, centre and moments of inertia of the case's block, named and ordered as in the printed
 /// summary; in the units of the case, for unit thickness.

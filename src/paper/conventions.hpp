@@ -19,7 +19,7 @@ inline Limit nearly_identical() {
 }
 
 /// To how much a fitted pressure has to reproduce the printed displacements, relatively. The run
-/// tells nothing of its error: the convergence that it prints is no bound.
+/// tells no bound on its error.
 constexpr double small_misfit = 1e-3;
 
 /// The square of the element width over the half-width of the contact, for errors of linear

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "elasticity/load_shapes.hpp"
+#include "numerics/least_squares.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
@@ -19,24 +20,22 @@ using block::Supports;
 
 // Every shape is 1 in the middle and falls to 0 at the ends of the load, where only the uniform
 // pressure, the first of two, is left.
-double largest_pressure(const std::vector<numerics::Measured>& factors) {
-  double middle = 0;
-  for (const numerics::Measured& factor : factors) middle += factor.value();
-  return std::max(middle, factors.front().value());
+Measured largest_pressure(const std::vector<Measured>& factors) {
+  Measured middle = 0;
+  for (const Measured& factor : factors) middle = middle + factor;
+  return middle.value() > factors.front().value() ? middle : factors.front();
 }
 
 Contestant fitted(const BlockStudy& study, std::string shape, bool falls_about_half,
                   const Supports& supports, const std::vector<RefinedSolution>& solutions) {
   const block::Fit fine = block::fit_loads(solutions, study.observed());
   const block::Fit coarse = block::fit_coarse_loads(solutions, study.observed());
-  const double peak = largest_pressure(fine.factors);
   return {std::move(shape),
           static_cast<int>(solutions.size()),
           falls_about_half,
           supports,
           {fine.max_misfit, std::abs(fine.max_misfit - coarse.max_misfit)},
-          {fine.rms_misfit, std::abs(fine.rms_misfit - coarse.rms_misfit)},
-          {peak, std::abs(peak - largest_pressure(coarse.factors))},
+          largest_pressure(fine.factors),
           {fine.solution.fine(), coarse.solution.fine()}};
 }
 
@@ -53,28 +52,22 @@ Ratios ratios_of(const block::Solution& solution,
 }
 
 struct Misfit {
-  double sum_of_squares;
-  double largest;
+  double sum_of_squares;  // of residuals over their uncertainties, if they have any
+  double largest;         // residual
 };
 
-// The misfit of the combination of two loads that makes Σ (f u + g v − 1)² least.
-Misfit best_misfit(const Ratios& u, const Ratios& v) {
-  double uu = 0, uv = 0, vv = 0, u1 = 0, v1 = 0;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    uu += u[i] * u[i];
-    uv += u[i] * v[i];
-    vv += v[i] * v[i];
-    u1 += u[i];
-    v1 += v[i];
-  }
-  const double determinant = uu * vv - uv * uv;
-  const double f = (u1 * vv - v1 * uv) / determinant;
-  const double g = (v1 * uu - u1 * uv) / determinant;
+// The misfit of the combination of two loads that fits the displacements, `ones`, best.
+Misfit best_misfit(const Ratios& u, const Ratios& v, const std::vector<Measured>& ones) {
+  Eigen::MatrixXd ratios(static_cast<Eigen::Index>(u.size()), 2);
+  ratios << Eigen::Map<const Eigen::VectorXd>(u.data(), ratios.rows()),
+      Eigen::Map<const Eigen::VectorXd>(v.data(), ratios.rows());
+  const numerics::LinearLeastSquares fit = numerics::fit_linear(ratios, ones);
   Misfit misfit{};
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const double residual = f * u[i] + g * v[i] - 1;
-    misfit.sum_of_squares += residual * residual;
-    misfit.largest = std::max(misfit.largest, std::abs(residual));
+  for (std::size_t i = 0; i < ones.size(); ++i) {
+    const double residual = std::abs(fit.residuals[i]);
+    const double standard = ones[i].standard();
+    misfit.sum_of_squares += std::pow(standard > 0 ? residual / standard : residual, 2);
+    misfit.largest = std::max(misfit.largest, residual);
   }
   return misfit;
 }
@@ -156,8 +149,8 @@ struct ExponentOnOneMesh {
 };
 
 ExponentOnOneMesh fit_exponent(const FallsByExponent& falls, const Ratios& uniform,
-                               double allowed) {
-  const auto misfit = [&](double m) { return best_misfit(falls.at(m), uniform); };
+                               const std::vector<Measured>& ones, double allowed) {
+  const auto misfit = [&](double m) { return best_misfit(falls.at(m), uniform, ones); };
   const double best =
       least_of([&](double m) { return misfit(m).sum_of_squares; }, least_exponent, most_exponent);
   const auto is_met = [&](double m) { return misfit(m).largest <= allowed; };
@@ -225,9 +218,11 @@ ExponentFit fit_exponent(const BlockStudy& study, double half_width, Support sid
     fine.add(m, ratios_of(fall.fine(), study.observed()));
     coarse.add(m, ratios_of(fall.coarse(), study.observed()));
   }
-  const auto on_fine = fit_exponent(fine, ratios_of(uniform.fine(), study.observed()), allowed);
+  const std::vector<Measured> ones = block::relative(study.observed());
+  const Ratios uniform_ratios = ratios_of(uniform.fine(), study.observed());
+  const auto on_fine = fit_exponent(fine, uniform_ratios, ones, allowed);
   const auto on_coarse =
-      fit_exponent(coarse, ratios_of(uniform.coarse(), study.observed()), allowed);
+      fit_exponent(coarse, ratios_of(uniform.coarse(), study.observed()), ones, allowed);
   const auto estimate = [&](double ExponentOnOneMesh::*which) {
     return Estimate{on_fine.*which, std::abs(on_fine.*which - on_coarse.*which) + of_exponent};
   };
@@ -238,11 +233,10 @@ ExponentFit fit_exponent(const BlockStudy& study, double half_width, Support sid
                   {},
                   {}};
   constexpr int n_drawn = 200;
-  const Ratios uniform_ratios = ratios_of(uniform.fine(), study.observed());
   for (int i = 0; i <= n_drawn; ++i) {
     const double share = static_cast<double>(i) / n_drawn;
     fit.exponents.push_back(least_exponent * std::pow(most_exponent / least_exponent, share));
-    fit.misfits.push_back(best_misfit(fine.at(fit.exponents.back()), uniform_ratios).largest);
+    fit.misfits.push_back(best_misfit(fine.at(fit.exponents.back()), uniform_ratios, ones).largest);
   }
   return fit;
 }

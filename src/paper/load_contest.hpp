@@ -21,8 +21,7 @@ struct Contestant {
   bool falls_about_half;
   block::Supports supports;
   Estimate largest_misfit;  ///< relative; wrong by its distance from the coarser mesh
-  Estimate rms_misfit;
-  Estimate peak;  ///< the largest pressure, in the middle or at the ends of the load
+  Measured peak;  ///< the largest pressure, in the middle or at the ends of the load
   block::RefinedSolution refitted;  ///< under the fits made on each of the two meshes
 };
 
@@ -33,9 +32,9 @@ std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& ha
 
 /// p = p_e + (p_0 − p_e)(1 − |x/a|ᵐ) with the exponent m fitted besides p_0 and p_e.
 ///
-/// `best` makes the mean square misfit least. With each m from `least` to `most` a choice of p_0
-/// and p_e meets every displacement to `allowed`; both are `best` if not even that does. Each
-/// number is wrong by its distance from the coarser mesh.
+/// `best` makes the sum of squares least, of residuals over their uncertainties. With each m from
+/// `least` to `most` a choice of p_0 and p_e meets every displacement to `allowed`; both are `best`
+/// if not even that does. Each number is wrong by its distance from the coarser mesh.
 struct ExponentFit {
   Estimate best, least, most;
   Estimate misfit;                         ///< the largest at `best`, relative

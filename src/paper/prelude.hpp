@@ -8,6 +8,7 @@
 #include "line_contact/hertz.hpp"
 #include "literate/document/document.hpp"
 #include "numerics/estimate_algebra.hpp"
+#include "numerics/measured.hpp"
 #include "numerics/power_fit.hpp"
 #include "parameters/case.hpp"
 
@@ -35,6 +36,7 @@ using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
 using numerics::fit_power;
+using numerics::Measured;
 using numerics::PowerFit;
 using parameters::BlockCase;
 using parameters::ContactCase;

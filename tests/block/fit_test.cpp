@@ -55,17 +55,14 @@ BOOST_AUTO_TEST_CASE(misfits_are_the_relative_residuals_of_the_fitted_solution) 
   const block::LinearFit fit =
       block::fit_linear_load(clamped, paper_block::half_width, paper_block::printed);
 
-  double square = 0;
   double largest = 0;
   for (std::size_t i = 0; i < paper_block::printed.size(); ++i) {
     const auto& point = paper_block::printed[i];
     const double residual =
         fit.fit.solution.displacement_z(point.x, 0).value / point.u_z.value() - 1;
     BOOST_TEST(std::abs(fit.fit.residuals[i] - residual) < 1e-12);
-    square += residual * residual;
     largest = std::max(largest, std::abs(residual));
   }
-  BOOST_CHECK_CLOSE(fit.fit.rms_misfit, std::sqrt(square / 11), 1e-6);
   BOOST_CHECK_CLOSE(fit.fit.max_misfit, largest, 1e-6);
 }
 
@@ -73,6 +70,8 @@ BOOST_AUTO_TEST_CASE(no_other_peak_and_edge_fraction_fit_better) {
   const auto clamped = clamped_block({elasticity::linear_fall(1, 0, paper_block::half_width)});
   const auto best = block::fit_linear_load(clamped, paper_block::half_width, paper_block::printed);
 
+  double least = 0;
+  for (const double residual : best.fit.residuals) least += residual * residual;
   for (const double peak_step : {-1e-4, 0.0, 1e-4}) {
     for (const double edge_step : {-1e-4, 0.0, 1e-4}) {
       if (peak_step == 0 && edge_step == 0) continue;
@@ -85,7 +84,7 @@ BOOST_AUTO_TEST_CASE(no_other_peak_and_edge_fraction_fit_better) {
         const double residual = solution.displacement_z(point.x, 0).value / point.u_z.value() - 1;
         square += residual * residual;
       }
-      BOOST_TEST(std::sqrt(square / 11) > best.fit.rms_misfit);
+      BOOST_TEST(square > least);
     }
   }
 }

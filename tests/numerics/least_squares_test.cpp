@@ -189,4 +189,26 @@ BOOST_AUTO_TEST_CASE(refuses_what_is_no_fit_and_no_covariance) {
   BOOST_CHECK_THROW(correlated({1, 2}, MatrixXd::Constant(2, 2, NAN), "fit"), InvalidQuantity);
 }
 
+// y = c₀ + c₁x with c₀ + c₁ held at s is y − s x = c₀ (1 − x), one coefficient.
+BOOST_AUTO_TEST_CASE(a_coefficient_given_the_sum_of_both_is_that_of_the_fit_with_the_sum_held) {
+  const std::vector<double> x{0, 1, 2, 4};
+  const std::vector<Measured> y{point(1.1, 0.1, 1), point(1.9, 0.2, 2), point(3.2, 0.1, 3),
+                                point(4.9, 0.3, 4)};
+  const double s = 2.1;
+  Eigen::MatrixXd column(4, 1);
+  std::vector<Measured> reduced;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    column(static_cast<Eigen::Index>(i), 0) = 1 - x[i];
+    reduced.push_back(y[i] - s * x[i]);
+  }
+
+  const auto free = fit_linear(straight(x), y).coefficients;
+  const Measured held = fit_linear(column, reduced).coefficients[0];
+
+  const Measured given_sum = given(free[0], free[0] + free[1], s);
+  BOOST_TEST(given_sum.value() == held.value(), tolerance(1e-12));
+  BOOST_TEST(given_sum.standard() == held.standard(), tolerance(1e-12));
+  BOOST_CHECK_THROW(given(free[0], 2, s), sys::InvalidQuantity);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(the_shape_that_made_the_displacements_wins_on_its_supports)
   BOOST_TEST(n_own == 9);
   BOOST_TEST(contestants.size() == 13U);
   // 600 at the ends and 400 more in the middle
-  BOOST_TEST(best->peak.value == 1000, boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(best->peak.value() == 1000, boost::test_tools::tolerance(1e-8));
 }
 
 BOOST_AUTO_TEST_CASE(displacements_do_not_tell_falls_about_half_way_apart) {

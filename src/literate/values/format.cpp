@@ -238,11 +238,12 @@ RoundedNumber with_bound(Estimate estimate) {
   }
 }
 
-/// A bound beside a standard uncertainty, unless it is less than a tenth of the last digit.
+/// A bound beside a standard uncertainty, unless it is less than half a unit of the last digit,
+/// which rounding leaves open anyway.
 void add_bound(RoundedNumber& rounded, double bound, std::string_view what) {
   const int place = rounded.digits.place;
-  const Decimal tenth{.negative = false, .digits = "1", .place = place - 1};
-  if (bound < number_of(tenth)) return;
+  const Decimal half{.negative = false, .digits = "5", .place = place - 1};
+  if (bound < number_of(half)) return;
   rounded.beside.push_back({rounded_up_to_place(counted(bound), place), std::string(what)});
 }
 

@@ -97,7 +97,8 @@ Format supported(int max_digits = 12);
 /// to the nearest, stands in parentheses in units of the last digit: 994(22). A bound stands behind
 /// ±, as JCGM 100:2008, 7.2.2, has it, and is rounded up with the rounding of the number in it:
 /// 0.786151378 and 1.2e-7 are 0.78615138 ± 0.00000013. Beside a standard uncertainty it is left out
-/// where it is less than a tenth of the last digit. With an error of 0 it prints as exact() does.
+/// where it is less than half a unit of the last digit. With an error of 0 it prints as exact()
+/// does.
 Format uncertain();
 
 /// What is not known of a number, in its unit: the true one is no farther than `bound` from a

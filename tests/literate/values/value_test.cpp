@@ -312,7 +312,7 @@ BOOST_AUTO_TEST_CASE(a_bound_beside_a_standard_uncertainty_is_printed_where_it_c
                       "psi");
     return value.printed() + " | " + value.latex();
   };
-  BOOST_TEST(printed(0.09) == "994(22) psi | \\qty{994(22)}{psi}");
+  BOOST_TEST(printed(0.49) == "994(22) psi | \\qty{994(22)}{psi}");
   BOOST_TEST(printed(2.1) ==
              "(994(22) ± 3) psi | \\ensuremath{(\\num{994(22)}\\pm\\num{3})\\,\\unit{psi}}");
 }
