@@ -166,6 +166,10 @@ const UnitSystem& unit_system(std::string_view name) {
       fmt::format("unknown unit system \"{}\": must be one of {}", name, fmt::join(names, ", ")));
 }
 
+bool is_unit(const std::string& name) {
+  return Unit(ut_parse(database(), spelt_for_udunits(name).c_str(), UT_UTF8)) != nullptr;
+}
+
 double conversion_factor(const std::string& from, const std::string& to) {
   if (from == to) return 1;
   const Unit from_unit = parse(from);

@@ -40,6 +40,9 @@ const std::vector<UnitSystem>& unit_systems();
 /// The system of that name; throws UnitError that lists the names for any other.
 const UnitSystem& unit_system(std::string_view name);
 
+/// Whether UDUNITS-2 knows a unit.
+bool is_unit(const std::string& name);
+
 /// Returns how many units `to` make one unit `from`, for example 25.4 for in and mm; exactly 1 for
 /// two spellings of one unit. Throws UnitError if a unit is unknown, if the dimensions differ, and
 /// if the one is no positive multiple of the other: units with an offset or a logarithm.

@@ -100,6 +100,11 @@ void complete(std::vector<ImportedColumn>& columns, const CsvSource& source,
     if (columns[i].heading.empty()) columns[i].heading = from_file.heading;
     if (columns[i].unit.empty()) columns[i].unit = from_file.unit;
     columns[i].at = source.at(heading[fields[i].number]);
+    const std::string& name = heading[fields[i].number].text;
+    if (name.rfind(" (") != name.npos && name.find(')', name.rfind(" (")) == name.npos) {
+      throw ImportError(fmt::format("{}: column '{}': the parenthesis of its unit is not closed",
+                                    columns[i].at, name));
+    }
   }
 }
 

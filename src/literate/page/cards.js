@@ -14,7 +14,7 @@ function valueCard(mark) {
   const key = mark.dataset.key;
   const value = lit.facts.values[key];
   if (!value) return null;
-  const inUnit = (number) => `${lit.number(String(number))}${value.unit ? " " + value.unit : ""}`;
+  const inUnit = (number) => `${lit.number(String(number))}${value.unit ? " " + value.unit.replace(/[{}]/g, "") : ""}`;
   const error = value.exact ? "none: the value is exact"
     : value.abs_error === undefined ? "no bound is known"
     : [value.standard && inUnit(value.standard) + " (standard uncertainty)", value.abs_error && "at most " + inUnit(value.abs_error)]

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/units.hpp"
 #include "literate/text/characters.hpp"
 #include "system/decimal.hpp"
 #include "system/utf8.hpp"
@@ -40,6 +41,7 @@ constexpr auto unit_signs = std::to_array<SignAndLatex>({
     {"‰", "\\text{\\textperthousand}"},
     {"€", "\\text{\\texteuro}"},
     {"ℓ", "\\ensuremath{\\ell}"},
+    {"_", "\\text{\\textunderscore}"},
     {"₂", "_{2}"},
 });
 
@@ -82,7 +84,9 @@ using Factors = std::vector<Factor>;
 
 class Reader {
  public:
-  explicit Reader(std::string_view unit) : unit_(unit), rest_(unit) {}
+  /// Names that UDUNITS does not know are refused if `refuses_unknown`.
+  Reader(std::string_view unit, bool refuses_unknown)
+      : unit_(unit), rest_(unit), refuses_unknown_(refuses_unknown) {}
 
   Factors all() {
     skip_blanks();
@@ -165,7 +169,39 @@ class Reader {
       rest_.remove_prefix(1);
       return {};
     }
-    return {{sign_of_unit(name()), 1, "", false}};
+    if (take("{")) return {{annotation(), 1, "", false}};
+    const std::string_view word = name();
+    if (refuses_unknown_ && !is_known(word)) {
+      refuse(fmt::format(
+          "UDUNITS-2 does not know '{}'; what it does not know stands in braces, {{{}}}", word,
+          word));
+    }
+    return {{sign_of_unit(word), 1, "", false}};
+  }
+
+  static bool is_known(std::string_view word) {
+    constexpr std::string_view unknown_to_udunits[] = {"€", "ℓ", "₂", "CO2"};
+    for (const std::string_view sign : unknown_to_udunits) {
+      if (word.find(sign) != word.npos) return true;
+    }
+    return sign_of_unit(word) != word || config::is_unit(std::string(word));
+  }
+
+  /// What is no unit of UDUNITS stands as it is, {vehicles}: letters, blanks and signs of units.
+  std::string annotation() {
+    const auto end = rest_.find('}');
+    if (end == rest_.npos) refuse("a brace is not closed");
+    const std::string_view text = taken(end);
+    take("}");
+    for (std::string_view left = text; !left.empty();) {
+      const std::string_view character = sys::first_character(left).bytes;
+      if (!is_part_of_name(character) && character != " ") {
+        refuse(fmt::format("'{}' has no place in braces", character));
+      }
+      left.remove_prefix(character.size());
+    }
+    if (text.empty()) refuse("nothing stands in braces");
+    return std::string(text);
   }
 
   /// A name has letters and signs, and digits only in H2O and CO2.
@@ -207,7 +243,8 @@ class Reader {
   }
 
   static bool is_part_of_name(std::string_view character) {
-    if (character.size() == 1) return is_letter(character.front()) || character == "%";
+    if (character.size() == 1)
+      return is_letter(character.front()) || character == "%" || character == "_";
     // What UDUNITS reads as a product or a power is no part of a name, and the rest must print.
     if (std::ranges::find(superscripts, character) != superscripts.end()) return false;
     for (const std::string_view sign : {"·", "⋅", "×", "⁻", "⁺", "\u00A0"}) {
@@ -282,11 +319,12 @@ class Reader {
   }
 
   std::string_view unit_, rest_;
+  bool refuses_unknown_;
 };
 
-Factors factors_of(std::string_view unit) {
+Factors factors_of(std::string_view unit, bool refuses_unknown = true) {
   if (unit.empty()) return {};
-  Factors factors = Reader(unit).all();
+  Factors factors = Reader(unit, refuses_unknown).all();
   std::erase_if(factors, [](const Factor& factor) {
     return factor.power == 0 && factor.broken_power.empty();
   });
@@ -307,10 +345,10 @@ Factors factors_of(std::string_view unit) {
 
 /// Writes what is multiplied, a slash, and what divides it.
 template <class Power>
-std::string written(std::string_view unit, std::string_view times, const Power& with_power) {
+std::string written(const Factors& factors, std::string_view times, const Power& with_power) {
   std::string above, below;
   int n_below = 0;
-  for (const Factor& factor : factors_of(unit)) {
+  for (const Factor& factor : factors) {
     std::string& text = factor.is_divided ? below : above;
     text += (text.empty() ? "" : std::string(times)) + with_power(factor);
     n_below += factor.is_divided ? 1 : 0;
@@ -319,14 +357,8 @@ std::string written(std::string_view unit, std::string_view times, const Power& 
   return above + "/" + (n_below == 1 ? below : "(" + below + ")");
 }
 
-}  // namespace
-
-void require_unit(std::string_view unit) {
-  factors_of(unit);
-}
-
-std::string plain_unit(std::string_view unit) {
-  return written(unit, " ", [](const Factor& factor) {
+std::string plain_of(const Factors& factors) {
+  return written(factors, " ", [](const Factor& factor) {
     std::string text = factor.sign;
     if (!factor.broken_power.empty()) return text + "^(" + factor.broken_power + ")";
     for (const char c : factor.power_text()) {
@@ -336,8 +368,18 @@ std::string plain_unit(std::string_view unit) {
   });
 }
 
+}  // namespace
+
+void require_unit(std::string_view unit) {
+  factors_of(unit);
+}
+
+std::string plain_unit(std::string_view unit) {
+  return plain_of(factors_of(unit));
+}
+
 std::string latex_unit(std::string_view unit) {
-  return written(unit, ".", [](const Factor& factor) {
+  return written(factors_of(unit), ".", [](const Factor& factor) {
     std::string text = factor.sign;
     for (const auto& [sign, latex] : unit_signs) boost::replace_all(text, sign, latex);
     const std::string power = factor.power_text();
@@ -355,7 +397,7 @@ std::string unit_of_latex(std::string_view latex) {
   }
   std::erase_if(text, [](char c) { return c == '{' || c == '}'; });
   try {
-    return plain_unit(text);
+    return plain_of(factors_of(text, false));
   } catch (const std::invalid_argument&) {
     return std::string(latex);
   }

@@ -8,7 +8,8 @@ namespace literate {
 
 /// A unit is typed as UDUNITS reads it: names with their powers, «m2», «m^2», «m**2», «m²», «s-1»
 /// or «s⁻¹»; between them a blank, «.», «·», «*» or «-» for a product, «/» or « per » for a
-/// quotient, and parentheses. As there, a slash divides by the one factor behind it, so that
+/// quotient, and parentheses. What UDUNITS does not know, such as {kWh} or {vehicles}, stands in
+/// braces, which are not printed. As there, a slash divides by the one factor behind it, so that
 /// «N/m.s» is printed as N s/m. «m^0.5» and «m^(1/2)» are printed as well; «1» is no unit.
 ///
 /// Each of these functions throws std::invalid_argument, which tells how a unit is spelt, for

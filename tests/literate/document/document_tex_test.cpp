@@ -23,7 +23,7 @@ namespace {
 const std::string here = "tests/literate/document/document_tex_test.cpp:";
 
 Criterion price_at_most(double limit) {
-  return Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "kr"),
+  return Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "{kr}"),
                             {LimitKind::stated, limit, "half of the last digit more"});
 }
 
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_check_holds_if_all_of_its_criteria_do_and_tells_what_they
   document.check("cheap", {price_at_most(2.65)}, "apples are cheap");
   document.check("very-cheap", {price_at_most(2.65), price_at_most(2.5)}, "apples are very cheap");
   document.check("hardly-known",
-                 {Criterion::at_most("price", Value({2.612, 0.01}, fixed(2), "kr"),
+                 {Criterion::at_most("price", Value({2.612, 0.01}, fixed(2), "{kr}"),
                                      {LimitKind::stated, 2.61, "the price of a pear"})},
                  "apples cost no more than pears");
 
@@ -256,13 +256,13 @@ BOOST_AUTO_TEST_CASE(the_day_of_the_paper_is_told_in_words) {
 
 BOOST_AUTO_TEST_CASE(every_value_stands_in_a_csv_file_with_its_error_and_its_line) {
   Document document;
-  document.value("price", Value({2.612, 0.001}, fixed(2), "kr"));
+  document.value("price", Value({2.612, 0.001}, fixed(2), "{kr}"));
   document.value("name", Value::text("a \"red\", sour one"));
 
   const std::string csv = values_csv(document.registered());
 
   BOOST_TEST(csv.starts_with("key,printed,number,abs_error,standard,unit,place\n"), csv);
-  BOOST_TEST(holds(csv, "\nprice,2.61 kr,2.612,0.001,,kr," + here), csv);
+  BOOST_TEST(holds(csv, "\nprice,2.61 kr,2.612,0.001,,{kr}," + here), csv);
   BOOST_TEST(holds(csv, "\nname,\"a \"\"red\"\", sour one\",,,,," + here), csv);
 }
 

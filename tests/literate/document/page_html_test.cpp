@@ -18,7 +18,7 @@ bool holds(const std::string& text, const std::string& part) {
 Claim claim_of_apples(double limit) {
   return {.route = "weighing & adding up",
           .expected = Verdict::confirmed,
-          .criteria = {Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "kr"),
+          .criteria = {Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "{kr}"),
                                           {LimitKind::stated, limit, "half of the last digit"})}};
 }
 
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_ledgers_entry_has_the_verdict_that_was_found) {
 
 BOOST_AUTO_TEST_CASE(the_index_has_every_value_with_its_error) {
   Document document;
-  document.value("price", Value({2.612, 0.001}, fixed(2), "kr"));
+  document.value("price", Value({2.612, 0.001}, fixed(2), "{kr}"));
   document.value("stalls", Value(3, integer()));
   const std::string html = index_html(document.registered());
 

@@ -87,6 +87,32 @@ BOOST_AUTO_TEST_CASE(headings_of_the_file_are_plain_text) {
   BOOST_TEST(holds(latex_of_points(Checkout().import("u_z\n1\n", {}, {"u_z"})), "u\\_z"));
 }
 
+BOOST_AUTO_TEST_CASE(
+    a_unit_that_is_none_and_a_parenthesis_that_is_open_are_refused_at_their_heading) {
+  const auto refused = [](const std::string& heading) {
+    return message_of<ImportError>(
+        [&] { (void)Checkout().import(heading + "\n1\n", {}, {heading}); });
+  };
+  BOOST_TEST(refused("k (furlongz)").find("points.csv:1:1: ") != std::string::npos,
+             refused("k (furlongz)"));
+  BOOST_TEST(refused("k (furlongz)").find("UDUNITS-2 does not know 'furlongz'") !=
+             std::string::npos);
+  BOOST_TEST(
+      refused("k (s-1").ends_with("column 'k (s-1': the parenthesis of its unit is not closed"),
+      refused("k (s-1"));
+  BOOST_TEST(refused("cars ({cars})") == "(no error)");
+}
+
+BOOST_AUTO_TEST_CASE(a_standard_uncertainty_stands_to_the_right_of_its_column) {
+  const Document document =
+      Checkout().import("load (psi),standard,abs_error\n994.1,0.08,0.01\n605,1,\n", {}, {});
+  const auto& rows = document.tables().at("points").rows();
+  BOOST_TEST(rows[0][0].uncertainty()->standard == 0.08);
+  BOOST_TEST(rows[0][0].uncertainty()->bound == 0.01);
+  BOOST_TEST(rows[1][0].uncertainty()->standard == 1);
+  BOOST_TEST(document.tables().at("points").csv().starts_with("load (psi),abs_error,standard\n"));
+}
+
 BOOST_AUTO_TEST_CASE(file_and_script_are_the_source_of_the_table) {
   const Document document = Checkout().import("x\n1\n");
 

@@ -291,7 +291,7 @@ BOOST_AUTO_TEST_CASE(csv_has_the_errors_beside_their_numbers) {
 
 BOOST_AUTO_TEST_CASE(the_table_of_the_page_has_every_cell_in_its_place) {
   Table table("prices",
-              {Column::text("fruit"), Column("price", fixed(2), "kr").exact().under("2026"),
+              {Column::text("fruit"), Column("price", fixed(2), "{kr}").exact().under("2026"),
                Column("weight", integer(), "g").under("2026")});
   table.add_row({"apple < pear", 1.5, 160}).add_row({"plum", Cell(2.75).marked("a"), 40});
   table.note("a", "of this year");
