@@ -201,9 +201,15 @@ double converted(double number, const std::string& from, const std::string& to) 
 }
 
 bool converts_exactly(double number, const std::string& from, const std::string& to) {
-  auto [converted, is_exact] = conversion(number, from, to);
-  while (converted.digits > 0 && converted.digits % 10 == 0) converted.digits /= 10;
-  return is_exact && is_short(converted);
+  const auto without_zeros = [](Decimal decimal) {
+    for (; decimal.digits > 0 && decimal.digits % 10 == 0; decimal.digits /= 10) ++decimal.exponent;
+    return decimal;
+  };
+  const auto [in_unit, is_exact] = conversion(number, from, to);
+  const Decimal printed = without_zeros(shortest(nearest(in_unit)));
+  const Decimal meant = without_zeros(in_unit);
+  return is_exact && printed.digits == meant.digits &&
+         (meant.digits == 0 || printed.exponent == meant.exponent);
 }
 
 }  // namespace config

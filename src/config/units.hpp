@@ -55,8 +55,8 @@ double conversion_factor(const std::string& from, const std::string& to);
 /// conversion_factor does.
 double converted(double number, const std::string& from, const std::string& to);
 
-/// Whether what converted() returns is the quantity itself, in a decimal number of 15 digits or
-/// fewer, and not rounded: 39.4 in are 1.00076 m, but 15 km/h are 9.3205… mi/h.
+/// Whether what converted() returns prints as the quantity itself and is not rounded: 39.4 in are
+/// 1.00076 m, but 15 km/h are 9.3205… mi/h.
 bool converts_exactly(double number, const std::string& from, const std::string& to);
 
 }  // namespace config

@@ -29,13 +29,15 @@ int common_exponent_of(const std::vector<const Cell*>& cells, int n_digits) {
   return largest.value_or(0);
 }
 
-/// As many digits as the number has, without what reading it as a double or the arithmetic of a
-/// grid left of it: 0.3 for 3 · 0.1.
-Decimal all_digits(double number, Decimal digits) {
+/// All digits of a number, down to `place` at least. Where it is one of twelve digits but for what
+/// the arithmetic of a grid left of it, these are meant: 0.3 for 3 · 0.1.
+Decimal all_digits(double number, int place) {
+  if (number == 0) return rounded_to_place(number, place);
   constexpr double noise = 4 * std::numeric_limits<double>::epsilon();
-  while (std::abs(number_of(digits) - number) > noise * std::abs(number)) {
-    digits = rounded_to_place(number, digits.place - 1);
-  }
+  constexpr int n_meant = 12;
+  const double meant = number_of(rounded_to_digits(number, n_meant));
+  Decimal digits = shortest(std::abs(meant - number) <= noise * std::abs(number) ? meant : number);
+  for (; digits.place > place; --digits.place) digits.digits += '0';
   return digits;
 }
 
@@ -64,7 +66,7 @@ RoundedNumber rounded_in(const ColumnFormat& column, const Cell& cell) {
   RoundedNumber rounded = with_digits_of(column, cell);
   const bool is_exact = column.is_exact && !cell.uncertainty() && !cell.place();
   if (is_exact && !column.numbers->rounds_up()) {
-    rounded.digits = all_digits(*cell.number(), rounded.digits);
+    rounded.digits = all_digits(*cell.number(), rounded.digits.place);
   }
   return rounded;
 }

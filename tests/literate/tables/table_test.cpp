@@ -149,6 +149,9 @@ BOOST_AUTO_TEST_CASE(an_exact_number_is_not_rounded) {
   BOOST_TEST(printed(Column("x", exact()), 2.5e-7) == "2.5e-7");
   // What the arithmetic of a grid leaves is no digit of its points.
   BOOST_TEST(printed(Column("x", fixed(1)).exact(), 3 * 0.1) == "0.3");
+  BOOST_TEST(printed(Column("x", fixed(1)).scaled(-6).exact(), 1.2345678901234567e-6) ==
+             "1.2345678901234567");
+  BOOST_TEST(printed(Column("x", fixed(20)).exact(), 0.3) == "0.30000000000000000000");
   BOOST_TEST(printed(Column("x", fixed(1)).exact(), 3 * 0.15) == "0.45");
 }
 
