@@ -142,6 +142,8 @@ void compute_guarded(Document& document, const Inputs& inputs, const Compute& co
   } catch (const sys::InvalidQuantity& error) {
     // An operator, such as a division, knows no line of its caller.
     throw sys::InputError(fmt::format("{}; {}", error.what(), how_far()));
+  } catch (const std::invalid_argument& error) {
+    throw sys::InputError(fmt::format("{}; {}", error.what(), how_far()));
   } catch (const sys::Error&) {
     throw;
   } catch (const std::exception& error) {

@@ -12,6 +12,7 @@
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
+#include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/pattern.hpp"
@@ -28,17 +29,34 @@ struct GeneratedKind {
 constexpr std::array<GeneratedKind, 3> kinds{
     {{"tables", "tab", "table"}, {"figures", "fig", "figure"}, {"excerpts", "excerpt", "excerpt"}}};
 
-/// The places at which the document uses a name, each «folder/file.tex:line».
-std::vector<std::string> uses(const GeneratedKind& kind, const std::string& name,
+/// The places at which the document gives a command a name, each «folder/file.tex:line».
+std::vector<std::string> uses(const char* command, std::string_view name,
                               const std::filesystem::path& source_dir) {
   std::vector<std::string> places;
   for (const std::string& file : document_files(source_dir)) {
-    for (const TexCommand& use : commands_in(sys::read_file(source_dir / file), {kind.command})) {
+    for (const TexCommand& use : commands_in(sys::read_file(source_dir / file), {command})) {
       if (use.argument != name) continue;
       places.push_back(fmt::format("{}/{}:{}", source_label(source_dir), file, use.line));
     }
   }
   return places;
+}
+
+/// The first brace that nothing closes, «folder/file.tex:line:column: »; empty if there is none.
+std::string place_of_open_brace(const std::filesystem::path& source_dir) {
+  for (const std::string& file : document_files(source_dir)) {
+    const std::string text = sys::read_file(source_dir / file);
+    std::vector<std::string_view> open;
+    TexScanner scanner(text);
+    while (const auto token = scanner.next()) {
+      if (token->kind == TexKind::open) open.push_back(token->text);
+      if (token->kind == TexKind::close && !open.empty()) open.pop_back();
+    }
+    if (open.empty()) continue;
+    const TexPlace place = place_in(text, open.back());
+    return fmt::format("{}/{}:{}:{}: ", source_label(source_dir), file, place.line, place.column);
+  }
+  return {};
 }
 
 /// The lines of a paragraph that ends in line `last`, as far as they stand in this text. TeX tells
@@ -86,12 +104,23 @@ std::string with_place_of_use(const std::string& message, const std::filesystem:
   // Only the first line is rewritten. The lines after it show the place in the generated file.
   static const sys::Pattern generated(
       R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.(?:tex|txt)(?::\d+)?):\s*([^\n]*))");
+  static const sys::Pattern twice(R"(LaTeX Warning: Label `([^']+)' multiply defined)");
+  if (const auto label = twice.find_in(message)) {
+    const std::vector<std::string> places = uses("label", label->parts[1], source_dir);
+    if (places.size() < 2) return message;
+    return fmt::format("{}: label '{}' is defined more than once", fmt::join(places, " and "),
+                       label->parts[1]);
+  }
+  if (message.starts_with("! File ended while scanning")) {
+    const std::string place = place_of_open_brace(source_dir);
+    return place.empty() ? message : place + "this brace is not closed\n  " + message;
+  }
   const auto match = generated.find_in(message);
   if (!match) return with_name_of_box(message, source_dir);
   const std::vector<std::string_view>& parts = match->parts;
   for (const GeneratedKind& kind : kinds) {
     if (parts[2] != kind.folder) continue;
-    const std::vector<std::string> places = uses(kind, std::string(parts[3]), source_dir);
+    const std::vector<std::string> places = uses(kind.command, parts[3], source_dir);
     if (places.empty()) return message;
     return fmt::format("{}: in {} '{}': {} ({}){}", fmt::join(places, " or "), kind.noun, parts[3],
                        parts[4], parts[1], match->rest);

@@ -299,6 +299,11 @@ bool is_lost_by_rounding(const Decimal& digits, Estimate estimate) {
 
 }  // namespace
 
+/// Whether nothing is left but zeros before the point, such as 0 · 10² of 12 ± 34.
+bool is_zero_of_more(const Decimal& digits, Estimate estimate) {
+  return is_zero(digits) && digits.place > 0 && estimate.abs_error > 0;
+}
+
 RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place) {
   const Estimate estimate = estimate_of(number, uncertainty);
   const bool is_exact = uncertainty && estimate.abs_error == 0;
@@ -357,8 +362,10 @@ RoundedNumber bound_above(const Format& format, Estimate estimate) {
 RoundedNumber to_nearest(const Format& format, Estimate estimate,
                          const std::optional<Uncertainty>& uncertainty) {
   if (format.notation() == Notation::fixed) {
-    return rounded_at(estimate.value, uncertainty,
-                      -format.digits() - (format.is_percentage() ? 2 : 0));
+    const RoundedNumber rounded = rounded_at(
+        estimate.value, uncertainty, -format.digits() - (format.is_percentage() ? 2 : 0));
+    return is_zero_of_more(rounded.digits, estimate) ? with_uncertainty(estimate.value, *uncertainty)
+                                                     : rounded;
   }
   const auto to_digits = [&] {
     const int lowest = lowest_place(estimate, format.digits());
@@ -369,7 +376,9 @@ RoundedNumber to_nearest(const Format& format, Estimate estimate,
   const Decimal digits = format.notation() == Notation::supported
                              ? supported_digits(estimate, format.digits())
                              : to_digits();
-  if (is_lost_by_rounding(digits, estimate)) return with_uncertainty(estimate.value, *uncertainty);
+  if (is_lost_by_rounding(digits, estimate) || is_zero_of_more(digits, estimate)) {
+    return with_uncertainty(estimate.value, *uncertainty);
+  }
   return {digits, Style::automatic, estimate.abs_error > 0};
 }
 

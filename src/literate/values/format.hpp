@@ -27,7 +27,8 @@ Notation notation_of(std::string_view name);
 /// no digit whose place is less than the error, and so perhaps fewer than the format names. A
 /// number that fixed() would print as zero, though it is not, prints its first digits instead: two
 /// of them, or as many as its error supports. One that is greater than its error, although the
-/// error supports none of its digits, prints as uncertain() does: -0.0047(18).
+/// error supports none of its digits, prints as uncertain() does, -0.0047 ± 0.0018, and so does one
+/// of which nothing but zeros before the point would be left, 12 ± 34.
 class Format {
  public:
   /// The same format for a ratio that is printed in per cent: 0.125 as 12.5 %.

@@ -184,6 +184,21 @@ BOOST_AUTO_TEST_CASE(an_exception_that_says_nothing_of_its_place_is_told_with_ho
              answer.errors);
 }
 
+BOOST_AUTO_TEST_CASE(what_the_engine_refuses_of_a_computation_is_bad_input) {
+  const Workplace place;
+
+  const Answer answer =
+      place.compute([](literate::Document& document, const literate::Inputs& inputs) {
+        register_sum(document, inputs);
+        document.value("half", {1.5, literate::integer()});
+      });
+
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(answer.errors.starts_with(
+                 "toy: 1.5 is not a whole number; the last thing registered was value 'sum' ("),
+             answer.errors);
+}
+
 // In a process of its own, since it does not outlive it.
 int status_of(const std::function<void()>& act) {
   const pid_t child = ::fork();

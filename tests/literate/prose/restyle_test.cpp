@@ -30,6 +30,7 @@ const Names& names() {
     document.value("catchment", Value(17788.04, significant(5), "km2").as_is());
     document.value("tie", Value(0.125, exact()));
     document.value("count", Value(1048576, integer()));
+    document.value("shift", Value(numerics::Estimate{2.5, 0}, fixed(0), "h"));
     document.value("sum", Value(0.1 + 0.2, exact(), "m"));
     document.value("heat", Value({20, 0.1}, fixed(1), "degC"));
     document.value("mean", Value({0.123456, 1.2e-4}, uncertain(), "s"));
@@ -95,6 +96,8 @@ BOOST_AUTO_TEST_CASE(a_value_keeps_its_unit_and_converts_into_others) {
   BOOST_TEST(styled("width", "unit=mm").latex() == "\\qty{0.254}{mm}");
   BOOST_TEST(styled("width", "unit={um},digits=2").latex() == "\\qty{250}{\\micro m}");
   BOOST_TEST(styled("rod", "unit=m").printed() == "1.00076 m");
+  BOOST_TEST(styled("shift", "unit=min").printed() == "150 min");
+  BOOST_TEST(styled("shift", "unit=min,format=fixed,decimals=0").printed() == "150 min");
   BOOST_TEST(styled("sum", "unit=cm").printed() == "30.000000000000004 cm");
   BOOST_TEST(styled("width", "digits=1").latex() == "\\qty{0.01}{in}");
   BOOST_TEST(styled("period", "unit=ms").printed() == "2346 ms");

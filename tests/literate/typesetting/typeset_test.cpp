@@ -262,6 +262,17 @@ BOOST_AUTO_TEST_CASE(an_undefined_reference_is_an_error_with_file_and_line) {
                  .starts_with("my report/main.tex:7: LaTeX Warning: Reference `fig:x'"));
 }
 
+BOOST_AUTO_TEST_CASE(a_label_that_is_defined_twice_is_told_at_both_lines) {
+  BOOST_TEST(Paper("\\section{A}\\label{x}\n\n\\section{B}\\label{x}").error() ==
+             "my report/main.tex:6 and my report/main.tex:8: label 'x' is defined more than once");
+}
+
+BOOST_AUTO_TEST_CASE(a_brace_that_is_not_closed_has_file_and_line) {
+  BOOST_TEST(Paper("One.\n\nA \\emph{word \\emph{or} more.")
+                 .error()
+                 .starts_with("my report/main.tex:8:8: this brace is not closed\n  ! File ended"));
+}
+
 BOOST_AUTO_TEST_CASE(an_overfull_box_is_an_error_with_file_and_line) {
   BOOST_TEST(Paper("\\noindent\\mbox{\\rule{20cm}{1pt}}\n")
                  .error()

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(an_estimate_prints_the_digits_its_error_supports) {
   BOOST_TEST(estimated(-123456, 400) == "-1.23e5");
   BOOST_TEST(estimated(0.0001, 0.004) == "0.00");
   BOOST_TEST(estimated(1e-18, 1e-16) == "0e-15");
-  BOOST_TEST(estimated(7, 40) == "0e2");
+  BOOST_TEST(estimated(7, 40) == "7 ± 40");
   BOOST_TEST(estimated(70, 40) == "1e2");
   BOOST_TEST(estimated(1.0 / 3, 1e-16) == "0.333333333333");
   BOOST_TEST(estimated(1.0 / 3, 1e-16, 4) == "0.3333");
