@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numerics/power_fit.hpp"
 
-#include <gsl/gsl_fit.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "numerics/estimate_algebra.hpp"
+#include "numerics/least_squares.hpp"
 #include "system/require.hpp"
 
 namespace numerics {
@@ -56,22 +55,6 @@ Logarithms logarithms(const std::vector<double>& n, const std::vector<double>& e
   return logs;
 }
 
-double mean_of(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-}
-
-// slope = Σ(xᵢ − x̄) yᵢ / Σ(xᵢ − x̄)², so that its bound is Σ|xᵢ − x̄| boundᵢ / Σ(xᵢ − x̄)².
-double slope_error(const std::vector<double>& x, const std::vector<double>& bounds) {
-  const double mean = mean_of(x);
-  double squares = 0;
-  double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    squares += (x[i] - mean) * (x[i] - mean);
-    sum += std::abs(x[i] - mean) * bounds[i];
-  }
-  return sum / squares;
-}
-
 }  // namespace
 
 PowerFit fit_power(const std::vector<double>& n, const std::vector<double>& errors,
@@ -79,14 +62,14 @@ PowerFit fit_power(const std::vector<double>& n, const std::vector<double>& erro
   require_lengths(n.size(), errors.size(), bounds.empty() ? errors.size() : bounds.size());
   const Logarithms logs = logarithms(n, errors, bounds);
   // ln|error| = ln C − r ln n
-  double intercept, slope, cov00, cov01, cov11, residual;
-  gsl_fit_linear(logs.n.data(), 1, logs.error.data(), 1, logs.n.size(), &intercept, &slope, &cov00,
-                 &cov01, &cov11, &residual);
-  // intercept = ȳ − slope·x̄
-  const double of_slope = slope_error(logs.n, logs.bound);
-  const double of_intercept = mean_of(logs.bound) + of_slope * std::abs(mean_of(logs.n));
-  const double factor = std::exp(intercept);
-  return {-slope, factor, of_slope, factor * std::expm1(of_intercept)};
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(logs.n.size()), 2);
+  std::vector<Measured> observed;
+  for (std::size_t i = 0; i < logs.n.size(); ++i) {
+    matrix.row(static_cast<Eigen::Index>(i)) << 1, -logs.n[i];
+    observed.push_back(Measured::bounded({logs.error[i], logs.bound[i]}));
+  }
+  const LinearLeastSquares fit = fit_linear(matrix, observed);
+  return {fit.coefficients[1].bounded(), exp(fit.coefficients[0].bounded())};
 }
 
 }  // namespace numerics

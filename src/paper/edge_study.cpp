@@ -82,7 +82,7 @@ Graded errors_of_graded(const ContactCase& c, const Hertz& hertz) {
 }
 
 Estimate order_of(const EdgeErrors& errors) {
-  return fit_power(errors.elements, errors.largest, errors.bounds).order_estimate();
+  return fit_power(errors.elements, errors.largest, errors.bounds).order;
 }
 
 Criterion of_order(const char* what, const EdgeErrors& errors, double expected,
@@ -173,7 +173,7 @@ EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& her
 
   const auto order = [&](const std::vector<double>& errors) {
     const std::vector<double> bounds(errors.size(), of_graded_width);
-    return fit_power(graded.pressure.elements, errors, bounds).order_estimate();
+    return fit_power(graded.pressure.elements, errors, bounds).order;
   };
   document.value("graded.width-order", Value(order(graded.half_width), fixed(1)));
   document.claim("graded-order",

@@ -69,7 +69,7 @@ struct QualityStudy {
 
   Estimate finest_slope() const { return {slope.back(), slope_bounds.back()}; }
   Estimate finest_shear() const { return {shear.back(), shear_bounds.back()}; }
-  Estimate slope_order() const { return fit_power(elements, slope, slope_bounds).order_estimate(); }
+  Estimate slope_order() const { return fit_power(elements, slope, slope_bounds).order; }
 };
 
 QualityStudy study_quality(const ContactCase& c, const Hertz& hertz, Element element,
@@ -170,7 +170,7 @@ Estimate finest_over_fit(Document& document, const ContactCase& c, const Hertz& 
         {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, Element::triangular},
         c.line_load, tolerance);
     const HertzErrors errors = errors_against(hertz, solution);
-    const double fitted = inside.factor * std::pow(errors.elements, -inside.order);
+    const double fitted = inside.factor.value * std::pow(errors.elements, -inside.order.value);
     squares += std::pow(errors.inside / fitted, 2) / n_edge_places;
     bound = std::max(bound, (pressure_error(solution) + rounded(c, 1)) / fitted);
   }
@@ -192,7 +192,7 @@ void claim_orders(Document& document, PowerFit inside, double ratio, Estimate fi
            "mean squares over ten neighbouring grids each",
        .expected = Verdict::confirmed,
        .criteria = {
-           of_order("order of triangles", inside.order_estimate(), 2),
+           of_order("order of triangles", inside.order, 2),
            Criterion::at_most("error on the finest grids, over that of the fit",
                               Value(finest, fixed(1)), eighth),
            Criterion::at_least("factor 𝐵 of triangles over that of uniform elements",
@@ -244,22 +244,21 @@ void register_orders(Document& document, const ContactCase& c, const Hertz& hert
     const PowerFit first = fit(triangular, quantity);
     const PowerFit second = fit(uniform, quantity);
     for (const PowerFit& power : {first, second}) {
-      orders.push_back(of_order(quantity.name, power.order_estimate(), quantity.expected));
+      orders.push_back(of_order(quantity.name, power.order, quantity.expected));
     }
-    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text),
-                   first.order_estimate(), first.factor_estimate(), second.order_estimate(),
-                   second.factor_estimate()});
+    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text), first.order,
+                   first.factor, second.order, second.factor});
   }
   document.table(std::move(table));
   document.check("orders-of-convergence", orders,
                  "all errors of contact converge with the expected orders");
   const PowerFit inside = fit_power(triangular.elements, triangular.inside);
   const PowerFit uniform_inside = fit_power(uniform.elements, uniform.inside);
-  claim_orders(document, inside, inside.factor / uniform_inside.factor,
+  claim_orders(document, inside, inside.factor.value / uniform_inside.factor.value,
                finest_over_fit(document, c, hertz, inside));
   const auto n = static_cast<long>(triangular.elements.size());
   document.value("elements.n-grids", Value(n, integer()));
-  const double inside_ratio = inside.factor / uniform_inside.factor;
+  const double inside_ratio = inside.factor.value / uniform_inside.factor.value;
   document.value("elements.inside-ratio",
                  Value({inside_ratio, of_factors * inside_ratio}, significant(2)));
   register_spread(document, c, hertz);

@@ -144,14 +144,14 @@ void fit_slip_orders(Document& document, ContactCase c, double mu) {
   document.value("slip.fit.share", Value(parts_of_sliding[1], exact()));
   document.value("slip.fit.least", Value(closed_form(elements.front()), fixed(0)));
   document.value("slip.fit.most", Value(closed_form(elements.back()), fixed(0)));
-  document.value("slip.fit.largest", Value(of_largest.order_estimate(), fixed(1)));
-  document.value("slip.fit.mean", Value(of_mean.order_estimate(), fixed(1)));
+  document.value("slip.fit.largest", Value(of_largest.order, fixed(1)));
+  document.value("slip.fit.mean", Value(of_mean.order, fixed(1)));
   const char* const scatter = "the scatter of where the edges fall between the nodes";
   document.check(
       "slip-orders",
-      {Criterion::agrees("order of the largest error", Value(of_largest.order_estimate(), fixed(2)),
+      {Criterion::agrees("order of the largest error", Value(of_largest.order, fixed(2)),
                          Value(0.5, exact()), {LimitKind::regression, 0.25, scatter}),
-       Criterion::agrees("order of the mean error", Value(of_mean.order_estimate(), fixed(2)),
+       Criterion::agrees("order of the mean error", Value(of_mean.order, fixed(2)),
                          Value(1.5, exact()), {LimitKind::regression, 0.3, scatter}),
        Criterion::at_most("largest error times the root of the elements over a",
                           Value({root_factor, 1e-6 * root_factor}, significant(2)),

@@ -100,8 +100,7 @@ void claim_elements(Document& document, const std::array<std::array<PowerFit, 4>
     const StudiedError& e = studied_errors[error];
     return Criterion::agrees(
         std::string(e.name) + ", " + std::string(name_of(point_elements[element])) + ": order",
-        Value(fits[error][element].order_estimate(), fixed(2)), Value(e.expected[element], exact()),
-        limit);
+        Value(fits[error][element].order, fixed(2)), Value(e.expected[element], exact()), limit);
   };
   std::vector<Criterion> orders;
   for (std::size_t error = 0; error < studied_errors.size(); ++error) {
@@ -116,7 +115,7 @@ void claim_elements(Document& document, const std::array<std::array<PowerFit, 4>
   document.check("orders-of-point-elements", orders,
                  "the errors of two spheres converge with the expected orders");
   const auto ratio = [&](std::size_t element, std::size_t other) {
-    return fits[inside][element].factor_estimate() / fits[inside][other].factor_estimate();
+    return fits[inside][element].factor / fits[inside][other].factor;
   };
   const auto nearest = [&](std::size_t element, const char* reason) {
     return of_order(slope, element, {LimitKind::convention, 0.25, reason});
@@ -161,8 +160,8 @@ void study_elements(Document& document, const ContactCase& c, const TwoSpheres& 
     for (std::size_t element = 0; element < studies.size(); ++element) {
       const PowerFit power = fit(studies[element], studied_errors[error]);
       fits[error][element] = power;
-      row.emplace_back(power.order_estimate());
-      row.emplace_back(power.factor_estimate());
+      row.emplace_back(power.order);
+      row.emplace_back(power.factor);
     }
     table.add_row(row);
   }

@@ -202,9 +202,9 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
   constexpr std::array<double, 5> expected = {2, 0.5, 1.5, 2, 2};
   const auto of_order = [](const std::vector<double>& elements, const std::vector<double>& errors,
                            double order) {
-    return Criterion::agrees("order", Value(fit_power(elements, errors).order, fixed(2)).as_is(),
-                             Value(order, exact()),
-                             {LimitKind::regression, 0.1, "what was found, with a margin"});
+    return Criterion::agrees(
+        "order", Value(fit_power(elements, errors).order.value, fixed(2)).as_is(),
+        Value(order, exact()), {LimitKind::regression, 0.1, "what was found, with a margin"});
   };
   std::vector<Criterion> orders, orders_away, edges;
   Estimate worst_edge;
@@ -277,7 +277,7 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
     // The closed forms of all profiles have at most five times the roundings of Hertz.
     const double closed = 5 * rounded(c, 1);
     const auto order = [&](const std::vector<double>& errors) {
-      return fit_power(study.elements, errors, study.bound).order_estimate();
+      return fit_power(study.elements, errors, study.bound).order;
     };
     table.add_row({Cell::latex(known.name),
                    is_finite ? Cell(Estimate{known.peak / p0, closed * known.peak / p0}) : "∞",
