@@ -190,6 +190,7 @@ class Expander {
   std::vector<Row> rows_of_display(std::string_view body);
   void show_display(const std::string& environment, std::vector<Row> rows);
   void number(TexScanner&, const TexToken&);
+  void ensure_math(TexScanner&, const TexToken&);
   void unit(TexScanner&, const TexToken&);
   void unbroken(const std::string& latex);
   void boxed(TexScanner&, const TexToken&);

@@ -126,6 +126,7 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::item, {"item"});
     add(&E::input, {"input", "include"});
     add(&E::number, {"num", "qty", "SI"});
+    add(&E::ensure_math, {"ensuremath"});
     add(&E::unit, {"si", "unit"});
     add(&E::boxed, {"makebox", "framebox"});
     add(&E::rule, {"rule"});
@@ -659,6 +660,11 @@ void Expander::number(TexScanner& in, const TexToken& token) {
             : is_math_            ? "\\,"
                                   : "~") +
            bare);
+}
+
+void Expander::ensure_math(TexScanner& in, const TexToken&) {
+  const std::string formula(argument(in));
+  read_all(is_math_ ? formula : "$" + formula + "$");
 }
 
 // A number and its unit stand on one line.

@@ -36,6 +36,11 @@ void register_apples(Document& document) {
   document.value("mass", Value({2.612, 0.001}, fixed(2), "g"));
   document.value("flow", Value(2.5, exact(), "um2.s-1"));
   document.value("strength", Value(3, exact(), "MPa.m^0.5"));
+  const numerics::Measured load =
+      numerics::Measured(993.63, 21.9, "scale") + numerics::Measured::bounded({0, 2.1});
+  document.value("load", Value(load, uncertain(), "um.s-2"));
+  document.value("kinds", Value(load, uncertain().by_kind()));
+  document.value("tiny", Value(numerics::Estimate{4.73e-5, 1.7e-6}, uncertain(), "m2"));
   document.value("signs", Value::text("\"µ\" „x” • † © | ~ ^ < > § ½ – — & # \\ ° Å × ≤ é"));
   document.claim("apples",
                  {.route = "weighing <twice> & adding up",
@@ -113,6 +118,20 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_and_powers) {
   const std::string formula = page_of("\\(\\val{flow}\\)\n", "\\relax\n").html;
   BOOST_TEST(holds(formula, "µm"), formula);
   BOOST_TEST(holds(formula, "<msup>"), formula);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_known_of_a_number_stands_behind_it) {
+  const Page page = page_of("\\val{load} \\val{kinds} \\val{tiny} \\valueindex\n", "\\relax\n");
+  BOOST_TEST(page.errors == std::vector<std::string>{}, per_element());
+  for (const char* part :
+       {">(994(22)\u00A0±\u00A03)\u00A0µm s<sup>−2</sup></a>",
+        ">994\u00A0±\u00A022 (scale)\u00A0±\u00A03 (at most)</a>",
+        ">(4.73\u00A0±\u00A00.17)\u00A0×\u00A010<sup>−5</sup>\u00A0m<sup>2</sup></a>"}) {
+    BOOST_TEST(holds(page.html, part), part << " in " << page.html);
+  }
+  const std::string formula = page_of("\\(\\val{tiny}\\)\n", "\\relax\n").html;
+  BOOST_TEST(holds(formula, "<mo>×</mo>"), formula);
+  BOOST_TEST(holds(formula, "<mo>±</mo>"), formula);
 }
 
 BOOST_AUTO_TEST_CASE(every_sign_that_the_engine_writes_stands_on_the_page) {
