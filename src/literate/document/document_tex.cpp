@@ -129,7 +129,13 @@ std::string error_tex(const Value& value) {
   std::string text;
   if (uncertainty.standard > 0) text = standard_tex(value, uncertainty);
   if (uncertainty.bound == 0) return text;
-  const std::string bound = like(value, uncertainty.bound, scientific(2).rounded_up());
+  const Format two_digits = scientific(2).rounded_up();
+  if (uncertainty.sides) {
+    return fmt::format("error $\\le$ {} below, {} above",
+                       like(value, uncertainty.sides->first, two_digits),
+                       like(value, uncertainty.sides->second, two_digits));
+  }
+  const std::string bound = like(value, uncertainty.bound, two_digits);
   return text + (text.empty() ? "" : ", ") + "error $\\le$ " + bound;
 }
 

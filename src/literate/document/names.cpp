@@ -21,6 +21,10 @@ using Places = std::map<std::string, std::string>;
 void add_uncertainty(json& entry, const std::optional<Uncertainty>& uncertainty) {
   if (!uncertainty) return;
   entry["abs_error"] = uncertainty->bound;
+  if (uncertainty->sides) {
+    entry["below"] = uncertainty->sides->first;
+    entry["above"] = uncertainty->sides->second;
+  }
   if (uncertainty->standard == 0) return;
   entry["standard"] = uncertainty->standard;
   entry["kinds"] = uncertainty->kinds;
@@ -53,6 +57,10 @@ std::optional<StoredNumber> stored_number(const json& entry) {
   stored.number = entry.at("number").get<double>();
   if (entry.contains("abs_error")) {
     stored.uncertainty = Uncertainty(entry.at("abs_error").get<double>());
+    if (entry.contains("below")) {
+      stored.uncertainty->sides = {entry.at("below").get<double>(),
+                                   entry.at("above").get<double>()};
+    }
     stored.uncertainty->standard = entry.value("standard", 0.0);
     stored.uncertainty->kinds = entry.value("kinds", std::map<std::string, double>());
     stored.uncertainty->neglected = entry.value("neglected", 0.0);

@@ -17,7 +17,8 @@ function valueCard(mark) {
   const inUnit = (number) => `${lit.number(String(number))}${value.unit ? " " + value.unit.replace(/[{}]/g, "") : ""}`;
   const error = value.exact ? "none: the value is exact"
     : value.abs_error === undefined ? "no bound is known"
-    : [value.standard && inUnit(value.standard) + " (standard uncertainty)", value.abs_error && "at most " + inUnit(value.abs_error)]
+    : [value.standard && inUnit(value.standard) + " (standard uncertainty)", value.above !== undefined ? `at most ${inUnit(value.below)} below, ${inUnit(value.above)} above`
+      : value.abs_error && "at most " + inUnit(value.abs_error)]
       .filter(Boolean).join(", ");
   const row = (name, text) => [lit.make("dt", {}, name), lit.make("dd", {}, text)];
   return [

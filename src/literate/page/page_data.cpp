@@ -25,7 +25,7 @@ json values_of(const json& names) {
   for (const auto& entry : names.at("values").items()) {
     json& value = values[entry.key()];
     for (const char* part :
-         {"printed", "number", "abs_error", "standard", "unit", "exact", "percent", "place"})
+         {"printed", "number", "abs_error", "below", "above", "standard", "unit", "exact", "percent", "place"})
       if (entry.value().contains(part)) value[part] = entry.value().at(part);
     if (value.contains("unit")) value["unit"] = plain_unit(value.at("unit").get<std::string>());
   }

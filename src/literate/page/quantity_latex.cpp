@@ -59,7 +59,8 @@ std::string unit_with_powers(std::string_view unit, bool is_math) {
 
 constexpr std::string_view plus_minus = " ± ";
 
-/// «0.786 ± 0.012», «(4.7 ± 1.8)e-3 mm», «(994 ± 22 (statistics) ± 5 (calibration)) psi».
+/// «0.786 ± 0.012», «994 +22 −18», «(4.7 ± 1.8)e-3 mm», «(994 ± 22 (statistics) ± 5 (calibration))
+/// psi».
 std::string with_plus_minus(std::string_view printed, bool is_math) {
   std::string_view rest;
   const bool has_brackets = printed.starts_with('(');
@@ -73,6 +74,14 @@ std::string with_plus_minus(std::string_view printed, bool is_math) {
     printed = printed.substr(1, end - 1);
   }
   std::string text;
+  if (const auto above = printed.find(" +"), below = printed.find(" −"); above != printed.npos) {
+    text = quantity_latex(printed.substr(0, above), is_math);
+    const std::string up = quantity_latex(printed.substr(above + 2, below - above - 2), is_math);
+    const std::string down =
+        quantity_latex(printed.substr(below + std::string_view(" −").size()), is_math);
+    text += is_math ? fmt::format("^{{+{}}}_{{-{}}}", up, down) : fmt::format("~+{}~−{}", up, down);
+    printed = {};
+  }
   for (std::string_view part = printed; !part.empty();) {
     const auto next = std::min(part.find(plus_minus), part.size());
     const std::string_view of = part.substr(0, next);
@@ -95,7 +104,8 @@ std::string with_plus_minus(std::string_view printed, bool is_math) {
 }  // namespace
 
 std::string quantity_latex(std::string_view printed, bool is_math) {
-  if (printed.find(plus_minus) != printed.npos) return with_plus_minus(printed, is_math);
+  if (printed.find(plus_minus) != printed.npos || printed.find(" +") != printed.npos)
+    return with_plus_minus(printed, is_math);
   const auto blank = printed.find(' ');
   std::string_view number = printed.substr(0, blank);
   const bool is_number = number.find_first_not_of("+-.0123456789()e") == number.npos &&

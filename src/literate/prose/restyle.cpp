@@ -117,6 +117,11 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
   } else if (stored.uncertainty) {
     Uncertainty& uncertainty = *stored.uncertainty;
     uncertainty.bound = converted_error(uncertainty.bound, from, unit, rounding);
+    if (uncertainty.sides) {
+      for (double* side : {&uncertainty.sides->first, &uncertainty.sides->second}) {
+        *side = converted_error(*side, from, unit, rounding);
+      }
+    }
     uncertainty.standard *= std::abs(factor);
     uncertainty.neglected *= std::abs(factor);
     for (auto& [kind, standard] : uncertainty.kinds) standard *= std::abs(factor);

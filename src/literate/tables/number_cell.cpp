@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 
 namespace literate {
 namespace {
@@ -33,7 +34,7 @@ Parts parts_of(std::string_view number) {
     parts.negative_exponent = remove_minus(parts.exponent);
     number = number.substr(0, e);
   }
-  if (const auto begin = std::min(number.find('('), number.find(plus_minus));
+  if (const auto begin = std::min({number.find('('), number.find(plus_minus), number.find('+')});
       begin != number.npos) {
     parts.uncertainty = number.substr(begin);
     number = number.substr(0, begin);
@@ -80,7 +81,17 @@ std::string uncertainty_of(std::string_view text, std::string_view sign,
   return written;
 }
 
+/// Whether a power of ten has to be told from what is behind a sign.
+bool has_sign(std::string_view uncertainty) {
+  return uncertainty.starts_with('+') || uncertainty.find(plus_minus) != uncertainty.npos;
+}
+
 std::string uncertainty_latex(std::string_view text) {
+  if (text.starts_with('+')) {
+    constexpr std::string_view minus = "−";
+    const auto at = text.find(minus);
+    return fmt::format("^{{+{}}}_{{-{}}}", text.substr(1, at - 1), text.substr(at + minus.size()));
+  }
   return uncertainty_of(text, "\\pm ", "\\,");
 }
 
@@ -135,8 +146,7 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
   const bool has_exponent = !parts.exponent.empty();
   std::string text = blank_digits(parts.whole.size(), column.n_whole);
   // What is behind ± belongs with its number into brackets before a power of ten.
-  const bool has_brackets =
-      has_exponent && parts.uncertainty.find(plus_minus) != parts.uncertainty.npos;
+  const bool has_brackets = has_exponent && has_sign(parts.uncertainty);
   if (has_brackets) text += "(";
   // In braces the sign belongs to the number; behind a blank it would be an operator, with spaces.
   if (column.negative) text += parts.negative ? "{-}" : blank("-");
@@ -167,12 +177,13 @@ std::string aligned_number(std::string_view number, const NumberWidth& column,
 std::string number_html(std::string_view number, const NumberWidth& column, std::string_view mark) {
   constexpr std::string_view thin = "\u202F", digit = "\u2007", point = "\u2008";
   const Parts parts = parts_of(number);
-  const bool has_brackets =
-      !parts.exponent.empty() && parts.uncertainty.find(plus_minus) != parts.uncertainty.npos;
+  const bool has_brackets = !parts.exponent.empty() && has_sign(parts.uncertainty);
   std::string text = (has_brackets ? "(" : "") + std::string(parts.negative ? "−" : "") +
                      grouped(parts.whole, false, thin);
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true, thin);
-  text += uncertainty_of(parts.uncertainty, " ± ", thin);
+  text += parts.uncertainty.starts_with('+')
+              ? " " + boost::replace_first_copy(std::string(parts.uncertainty), "−", " −")
+              : uncertainty_of(parts.uncertainty, " ± ", thin);
   if (has_brackets) text += ")";
   if (!parts.exponent.empty()) {
     text += fmt::format(" × 10<sup>{}{}</sup>", parts.negative_exponent ? "−" : "", parts.exponent);

@@ -168,6 +168,14 @@ Uncertainty::Uncertainty(const numerics::Measured& number)
       kinds(number.kinds()),
       neglected(number.neglected()) {}
 
+Uncertainty Uncertainty::to_sides(double below, double above) {
+  require_error_bound(below);
+  require_error_bound(above);
+  Uncertainty uncertainty(std::max(below, above));
+  if (below != above) uncertainty.sides = {below, above};
+  return uncertainty;
+}
+
 double Uncertainty::error(double k) const {
   return add_up(bound, add_up(multiply_up(k, standard), multiply_up(k * k, neglected)));
 }
@@ -191,7 +199,7 @@ void require_earned(double number, int place, double abs_error, std::string_view
 
 std::string NumberPrint::text() const {
   std::string text = number;
-  for (const Beside& of : beside) text += "±" + of.number;
+  for (const Beside& of : beside) text += of.sign + of.number;
   return exponent.empty() ? text : fmt::format("{}e{}", text, exponent);
 }
 
@@ -212,10 +220,10 @@ NumberPrint RoundedNumber::printed(int exponent) const {
   if (end < text.size()) printed.exponent = text.substr(end + 1);
   printed.number = text.substr(0, end) + (standard.empty() ? "" : fmt::format("({})", standard));
   const int power = printed.exponent.empty() ? 0 : std::stoi(printed.exponent);
-  for (const auto& [of, what] : beside) {
+  for (const auto& [of, what, sign] : beside) {
     Decimal shifted_too = of;
     shifted_too.place -= exponent + power;
-    printed.beside.push_back({plain(shifted_too), what});
+    printed.beside.push_back({plain(shifted_too), what, sign});
   }
   return printed;
 }
@@ -234,8 +242,30 @@ RoundedNumber with_bound(Estimate estimate) {
     const double bound = estimate.abs_error + std::abs(estimate.value - number_of(digits));
     const Decimal printed = rounded_up_to_place(counted(bound), place);
     if (printed.digits.size() > n_digits_of_error) continue;
-    return {digits, Style::automatic, true, "", {{printed, ""}}};
+    return {digits, Style::automatic, true, "", {{printed}}};
   }
+}
+
+/// + and − the bounds to either side, to two digits of the lesser but no more than three of the
+/// greater. They hold the true number, though the printed one is rounded.
+RoundedNumber with_sides(double number, double below, double above) {
+  const auto place_of_digits = [](double bound, int n) {
+    return rounded_up_to_digits(counted(bound), n).place;
+  };
+  const double lesser =
+      std::min(below, above) > 0 ? std::min(below, above) : std::max(below, above);
+  const int place = std::max(place_of_digits(lesser, n_digits_of_error),
+                             place_of_digits(std::max(below, above), n_digits_of_error + 1));
+  const Decimal digits = rounded_to_place(number, place);
+  const double up = number_of(digits) - number;
+  const auto printed = [&](double bound) {
+    return rounded_up_to_place(counted(std::max(bound, 0.0)), place);
+  };
+  return {digits,
+          Style::automatic,
+          true,
+          "",
+          {{printed(above - up), "", "+"}, {printed(below + up), "", "−"}}};
 }
 
 /// A bound beside a standard uncertainty, unless it is less than half a unit of the last digit,
@@ -267,6 +297,9 @@ RoundedNumber with_kinds(double number, const Uncertainty& uncertainty) {
 }
 
 RoundedNumber with_uncertainty(double number, const Uncertainty& uncertainty) {
+  if (uncertainty.standard == 0 && uncertainty.sides) {
+    return with_sides(number, uncertainty.sides->first, uncertainty.sides->second);
+  }
   if (uncertainty.standard == 0) return with_bound({number, uncertainty.bound});
   const Decimal standard = rounded_to_digits(uncertainty.standard, n_digits_of_error);
   RoundedNumber result{rounded_to_place(number, standard.place), Style::automatic, true,
@@ -362,10 +395,11 @@ RoundedNumber bound_above(const Format& format, Estimate estimate) {
 RoundedNumber to_nearest(const Format& format, Estimate estimate,
                          const std::optional<Uncertainty>& uncertainty) {
   if (format.notation() == Notation::fixed) {
-    const RoundedNumber rounded = rounded_at(
-        estimate.value, uncertainty, -format.digits() - (format.is_percentage() ? 2 : 0));
-    return is_zero_of_more(rounded.digits, estimate) ? with_uncertainty(estimate.value, *uncertainty)
-                                                     : rounded;
+    const RoundedNumber rounded = rounded_at(estimate.value, uncertainty,
+                                             -format.digits() - (format.is_percentage() ? 2 : 0));
+    return is_zero_of_more(rounded.digits, estimate)
+               ? with_uncertainty(estimate.value, *uncertainty)
+               : rounded;
   }
   const auto to_digits = [&] {
     const int lowest = lowest_place(estimate, format.digits());

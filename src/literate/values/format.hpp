@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "literate/values/decimal.hpp"
@@ -97,9 +98,9 @@ Format supported(int max_digits = 12);
 /// Prints the number with what is not known of it, to two digits. A standard uncertainty, rounded
 /// to the nearest, stands in parentheses in units of the last digit: 994(22). A bound stands behind
 /// ±, as JCGM 100:2008, 7.2.2, has it, and is rounded up with the rounding of the number in it:
-/// 0.786151378 and 1.2e-7 are 0.78615138 ± 0.00000013. Beside a standard uncertainty it is left out
-/// where it is less than half a unit of the last digit. With an error of 0 it prints as exact()
-/// does.
+/// 0.786151378 and 1.2e-7 are 0.78615138 ± 0.00000013. A bound that is another one to either side
+/// stands behind + and −: 994 +22 −18. Beside a standard uncertainty it is left out where it is
+/// less than half a unit of the last digit. With an error of 0 it prints as exact() does.
 Format uncertain();
 
 /// What is not known of a number, in its unit: the true one is no farther than `bound` from a
@@ -110,8 +111,13 @@ struct Uncertainty {
   // NOLINTNEXTLINE(google-explicit-constructor): the same without the names of its sources
   Uncertainty(const numerics::Measured& number);
 
+  /// A bound that is another one to either side: the true number lies in [number − below,
+  /// number + above]. Digits and decisions count the greater as the bound.
+  static Uncertainty to_sides(double below, double above);
+
   double bound;
-  double standard = 0;  ///< of all kinds together
+  std::optional<std::pair<double, double>> sides = {};  ///< below and above, if they differ
+  double standard = 0;                                  ///< of all kinds together
   std::map<std::string, double> kinds = {};
   double neglected = 0;  ///< by the law of propagation
 
@@ -123,11 +129,12 @@ struct Uncertainty {
 struct NumberPrint {
   struct Beside {
     std::string number;
-    std::string what;  ///< such as «statistics»; empty if nothing has to be said
+    std::string what;        ///< such as «statistics»; empty if nothing has to be said
+    std::string sign = "±";  ///< or «+» and «−» of a bound to one side
   };
 
   std::string number;          ///< with its standard uncertainty in parentheses: 0.786(12)
-  std::vector<Beside> beside;  ///< what stands behind ±
+  std::vector<Beside> beside;  ///< what stands behind ±, or behind + and −
   std::string exponent;        ///< a power of ten of all of it; empty for none
 
   /// In one: 0.786(12), 4.7±1.8e-3.
@@ -136,10 +143,11 @@ struct NumberPrint {
 
 /// A number as a format rounds it.
 struct RoundedNumber {
-  /// What stands behind ±, and in parentheses what it is, if that has to be said.
+  /// What stands behind ± or another sign, and in parentheses what it is, if that has to be said.
   struct Beside {
     Decimal digits;
-    std::string what;
+    std::string what = {};
+    std::string sign = "±";
   };
 
   Decimal digits;

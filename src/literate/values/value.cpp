@@ -29,9 +29,13 @@ Print print_of(const NumberPrint& number, const std::string& unit, const std::st
                                               : fmt::format("\\qty{{{}}}{{{}}}", text, tex_unit)};
   }
   Print print{number.number, fmt::format("\\num{{{}}}", number.number)};
-  for (const auto& [beside, what] : number.beside) {
-    print.plain += " ± " + beside;
-    print.latex += fmt::format("\\pm\\num{{{}}}", beside);
+  for (const auto& [beside, what, sign] : number.beside) {
+    const bool is_to_both = sign == "±";
+    print.plain += (is_to_both ? " ± " : " " + sign) + beside;
+    print.latex += fmt::format(fmt::runtime(is_to_both    ? "\\pm\\num{{{}}}"
+                                            : sign == "+" ? "^{{+\\num{{{}}}}}"
+                                                          : "_{{-\\num{{{}}}}}"),
+                               beside);
     if (what.empty()) continue;
     print.plain += fmt::format(" ({})", what);
     print.latex += fmt::format("\\mbox{{ ({})}}", escape_latex(what));

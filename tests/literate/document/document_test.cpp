@@ -83,6 +83,7 @@ BOOST_AUTO_TEST_CASE(what_is_known_of_an_error_is_told_of_no_more_than_that) {
       numerics::Measured(994, 20, "statistics") + numerics::Measured(0, 9, "calibration");
   document.value("load", Value(load, uncertain(), "psi"));
   document.value("load-of-both", Value(load + numerics::Measured::bounded({0, 3}), uncertain()));
+  document.value("sides", Value(994, Uncertainty::to_sides(18, 21), uncertain(), "psi"));
   const numerics::Measured ratio = load / numerics::Measured(100, 20, "width");
   document.value("ratio", Value(ratio, uncertain()));
 
@@ -98,6 +99,7 @@ BOOST_AUTO_TEST_CASE(what_is_known_of_an_error_is_told_of_no_more_than_that) {
                  "{standard uncertainty \\qty{22}{psi} (calibration \\qty{9.0}{psi}, statistics "
                  "\\qty{20}{psi})}"));
   BOOST_TEST(has("index.tex", "statistics \\num{20}), error $\\le$ \\num{3.0}}"));
+  BOOST_TEST(has("index.tex", "error $\\le$ \\qty{1.8e1}{psi} below, \\qty{2.1e1}{psi} above"));
   BOOST_TEST(has("index.tex", ", of which the second order may take or add \\num{0.4"));
   BOOST_TEST(has("page/index.html", "<tex>standard uncertainty \\qty{22}{psi}"));
   BOOST_TEST(has("values.csv", "load,994(22) psi,994,0,21.9317"));

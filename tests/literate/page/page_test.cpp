@@ -40,6 +40,7 @@ void register_apples(Document& document) {
       numerics::Measured(993.63, 21.9, "scale") + numerics::Measured::bounded({0, 2.1});
   document.value("load", Value(load, uncertain(), "um.s-2"));
   document.value("kinds", Value(load, uncertain().by_kind()));
+  document.value("sides", Value(993.5, Uncertainty::to_sides(18.2, 21.4), uncertain(), "um"));
   document.value("tiny", Value(numerics::Estimate{4.73e-5, 1.7e-6}, uncertain(), "m2"));
   document.value("signs", Value::text("\"µ\" „x” • † © | ~ ^ < > § ½ – — & # \\ ° Å × ≤ é"));
   document.claim("apples",
@@ -121,10 +122,12 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_and_powers) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_known_of_a_number_stands_behind_it) {
-  const Page page = page_of("\\val{load} \\val{kinds} \\val{tiny} \\valueindex\n", "\\relax\n");
+  const Page page =
+      page_of("\\val{load} \\val{kinds} \\val{tiny} \\val{sides} \\valueindex\n", "\\relax\n");
   BOOST_TEST(page.errors == std::vector<std::string>{}, per_element());
   for (const char* part :
        {">(994(22)\u00A0±\u00A03)\u00A0µm s<sup>−2</sup></a>",
+        ">(994\u00A0+21\u00A0−19)\u00A0µm</a>",
         ">994\u00A0±\u00A022 (scale)\u00A0±\u00A03 (at most)</a>",
         ">(4.73\u00A0±\u00A00.17)\u00A0×\u00A010<sup>−5</sup>\u00A0m<sup>2</sup></a>"}) {
     BOOST_TEST(holds(page.html, part), part << " in " << page.html);

@@ -48,6 +48,7 @@ const Names& names() {
     const numerics::Measured load =
         numerics::Measured(993.63, 20.04, "statistics") + numerics::Measured(0, 8.8, "calibration");
     document.value("load", Value(load, uncertain(), "psi"));
+    document.value("sides", Value(994, Uncertainty::to_sides(18, 21), uncertain(), "psi"));
     document.value("load-by-kind", Value(load, uncertain().by_kind(), "psi"));
     document.value("word", Value::text("none"));
     const TemporaryFolder folder;
@@ -118,6 +119,7 @@ BOOST_AUTO_TEST_CASE(an_error_stays_beside_its_number) {
 BOOST_AUTO_TEST_CASE(a_standard_uncertainty_stays_beside_its_number) {
   // 1 psi are 6.894757 kPa
   BOOST_TEST(styled("load", "unit=kPa").printed() == "6.85(15)e3 kPa");
+  BOOST_TEST(styled("sides", "unit=MPa").printed() == "(6.85 +0.15 −0.13) MPa");
   BOOST_TEST(styled("load", "digits=1").printed() == "1e3 psi");
   BOOST_TEST(styled("load-by-kind", "unit=MPa").printed() ==
              "(6.851 ± 0.061 (calibration) ± 0.138 (statistics)) MPa");

@@ -229,6 +229,14 @@ BOOST_AUTO_TEST_CASE(percentages_and_uncertainties_stand_in_columns) {
   BOOST_TEST(has(latex, "{2.5}{2.5\\hphantom{0000000}\\,\\,\\hphantom{\\pm 0.000\\,000\\,12}}"));
 }
 
+BOOST_AUTO_TEST_CASE(bounds_to_either_side_stand_above_and_below_in_a_column) {
+  Table table("t", {Column("load", uncertain(), "psi")});
+  table.add_row({Cell(994, literate::Uncertainty::to_sides(18, 21))});
+
+  BOOST_TEST(has(table.latex(), "{994+21−18}{994^{+21}_{-18}}"));
+  BOOST_TEST(has(table.html(), ">994 +21 −18</td>"));
+}
+
 BOOST_AUTO_TEST_CASE(a_heading_spans_the_columns_that_share_it) {
   Table table(
       "t", {Column::text("error of"), Column("$r$", fixed(1)).under("triangles"),

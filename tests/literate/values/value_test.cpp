@@ -285,6 +285,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_always_contains_the_computed_value) {
   }
 }
 
+using literate::Uncertainty;
 using numerics::Measured;
 
 BOOST_AUTO_TEST_CASE(
@@ -328,6 +329,21 @@ BOOST_AUTO_TEST_CASE(kinds_of_uncertainty_are_told_apart_where_this_is_asked_for
              "\\ensuremath{(\\num{9.936}\\pm\\num{0.088}\\mbox{ (calibration)}"
              "\\pm\\num{0.200}\\mbox{ (statistics)})\\times\\num{e5}}");
   BOOST_CHECK_THROW(fixed(1).by_kind(), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_to_either_side_stands_behind_plus_and_minus) {
+  const auto printed = [](double number, double below, double above) {
+    return Value(number, Uncertainty::to_sides(below, above), uncertain(), "psi").printed();
+  };
+  BOOST_TEST(printed(993.5, 18.2, 21.4) == "(994 +21 −19) psi");  // 975.3 to 1014.9
+  BOOST_TEST(printed(9.935e5, 1.82e4, 2.14e4) == "(9.94 +0.21 −0.19)e5 psi");
+  BOOST_TEST(printed(12, 0.5, 123) == "(12 +123 −1) psi");
+  BOOST_TEST(printed(12, 0, 3) == "(12.0 +3.0 −0.0) psi");
+  BOOST_TEST(printed(12, 3, 3) == "(12.0 ± 3.0) psi");
+  BOOST_TEST(Value(993.5, Uncertainty::to_sides(18.2, 21.4), uncertain(), "").latex() ==
+             "\\ensuremath{\\num{994}^{+\\num{21}}_{-\\num{19}}}");
+  BOOST_TEST(Value(993.5, Uncertainty::to_sides(18.2, 21.4), fixed(1), "").printed() == "1.0e3");
+  BOOST_CHECK_THROW(Uncertainty::to_sides(-1, 1), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(digits_count_a_standard_uncertainty_with_its_bound) {
