@@ -85,7 +85,7 @@ void fft_exponent(benchmark::State& state) {
       seconds.push_back(best);
     }
   }
-  state.counters["exponent"] = -numerics::fit_power(n, seconds).order;
+  state.counters["exponent"] = -numerics::fit_power(n, seconds).order.value;
 }
 
 BENCHMARK(matrix_inversion)->Arg(41)->Arg(91)->Arg(361)->Unit(benchmark::kMillisecond);
