@@ -97,7 +97,7 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return parts;
 }
 
-// Authors as the page prints them, between commas; those of a CITATION.cff are told one by one.
+// Authors as the page prints them, unless a CITATION.cff names them.
 PageCitation citation_of(const Settings& settings, const Site& site) {
   const nlohmann::json page =
       nlohmann::json::parse(sys::read_file(settings.page_folder() / "page.json"));
@@ -112,7 +112,7 @@ PageCitation citation_of(const Settings& settings, const Site& site) {
     for (const Author& author : file.authors) citation.authors.push_back(author.name);
     citation.doi = file.doi;
   } else {
-    citation.authors = parts_of(page.at("authors").get<std::string>(), ',');
+    citation.authors = page.at("authors");
   }
   return citation;
 }

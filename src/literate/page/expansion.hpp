@@ -72,6 +72,10 @@ class Expander {
   struct Use {
     std::string id, section;
   };
+  /// Authors who stand together in the title, and the lines below them.
+  struct AuthorGroup {
+    std::vector<std::string> authors = {}, lines = {};  ///< LaTeX
+  };
   using Handler = void (Expander::*)(TexScanner& in, const TexToken& token);
   static const std::map<std::string_view, Handler>& commands();
   static const std::map<std::string_view, Handler>& environments();
@@ -115,9 +119,6 @@ class Expander {
   void define_operator(TexScanner&, const TexToken&);
   void set_picture(TexScanner&, const TexToken&);
   void document_class(TexScanner&, const TexToken&);
-  void metadata(TexScanner&, const TexToken&);
-  void title_line(TexScanner&, const TexToken&);
-  std::string title_marks(std::string_view labels) const;
   void package(TexScanner&, const TexToken&);
   void condition(TexScanner&, const TexToken&);
   void letter_region(TexScanner&, const TexToken&);
@@ -151,14 +152,24 @@ class Expander {
   std::string claim_mark(const std::string& id);
   void ledger_part(bool is_cited);
 
-  // What LaTeX numbers, and what cites it.
+  // The title.
+  void metadata(TexScanner&, const TexToken&);
+  void title_line(TexScanner&, const TexToken&);
+  std::string title_marks(std::string_view labels) const;
+  void add_author(std::string_view text, const std::string& marks);
+  void author_name(TexScanner&, const TexToken&);
+  std::string author_lines() const;
   void title(TexScanner&, const TexToken&);
+  void abstract(TexScanner&, const TexToken&);
+  bool is_revtex() const { return class_.starts_with("revtex"); }
+
+  // What LaTeX numbers, and what cites it.
   void heading(TexScanner&, const TexToken&);
   void bookmark_setup(TexScanner&, const TexToken&);
   void appendix(TexScanner&, const TexToken&);
   std::string appendix_word(std::string_view heading) const;
   /// REVTeX prints neither «Abstract» nor «References».
-  bool has_heads() const { return !class_.starts_with("revtex"); }
+  bool has_heads() const { return !is_revtex(); }
   void label(TexScanner&, const TexToken&);
   void reference(TexScanner&, const TexToken&);
   void clever_reference(TexScanner&, const TexToken&);
@@ -178,7 +189,6 @@ class Expander {
   void float_environment(TexScanner&, const TexToken&);
   void theorem(TexScanner&, const TexToken&);
   void proof(TexScanner&, const TexToken&);
-  void abstract(TexScanner&, const TexToken&);
   void transparent(TexScanner&, const TexToken&);
   void tabular(TexScanner&, const TexToken&);
   void rows_of_tabular(std::string_view body, const std::vector<std::string>& between);
@@ -211,6 +221,7 @@ class Expander {
   std::map<std::string, Theorem, std::less<>> theorems_;
   std::set<std::string, std::less<>> picture_environments_;
   std::map<std::string, std::string> metadata_, findings_, limits_;
+  std::vector<AuthorGroup> author_groups_;
   std::map<std::pair<std::string, std::string>, std::vector<Use>> uses_;
   std::set<std::string> ids_;
   std::vector<std::string> notes_;
@@ -224,8 +235,8 @@ class Expander {
   std::string section_;
   std::string class_;
   bool is_math_ = false, is_modified_ = false, is_appendix_ = false, is_author_year_ = false,
-       sorts_citations_ = false, compresses_citations_ = false, has_parts_ = false,
-       has_chapters_ = false;
+       has_round_citations_ = false, sorts_citations_ = false, compresses_citations_ = false,
+       has_parts_ = false, has_chapters_ = false, has_title_ = false;
   int depth_ = 0, n_notes_among_sources_ = 0;
 };
 

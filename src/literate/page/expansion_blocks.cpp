@@ -82,6 +82,7 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::document_class, {"documentclass"});
     add(&E::metadata, {"title", "author", "date"});
     add(&E::title_line, {"affiliation", "address", "email", "cortext"});
+    add(&E::author_name, {"LiterateAuthor"});
     add(&E::package, {"usepackage", "RequirePackage"});
     add(&E::condition, {"ifdim", "ifnum", "iftrue", "iffalse"});
     add(&E::letter_region, {"makeatletter"});
@@ -163,15 +164,6 @@ const std::map<std::string_view, Expander::Handler>& Expander::environments() {
     return table;
   }();
   return all;
-}
-
-void Expander::title(TexScanner&, const TexToken&) {
-  std::string html = "<header class=\"lit-title\"><h1><tex>" + metadata_["title"] + "</tex></h1>";
-  for (const auto& [name, kind] : {std::pair("author", "authors"), std::pair("date", "date")}) {
-    if (metadata_[name].empty()) continue;
-    html += fmt::format("<p class=\"lit-{}\"><tex>{}</tex></p>", kind, metadata_[name]);
-  }
-  fragment(html + "<!--lit:cite-->\n</header>");
 }
 
 // \bookmarksetup{startatroot}: what follows is in no part.
@@ -337,7 +329,9 @@ void Expander::citation(TexScanner& in, const TexToken& token) {
   const std::string before(second ? *first : ""), behind(second ? *second : first.value_or(""));
   const bool is_bare = token.name == "cite" && is_author_year_ && !first;
   const bool is_textual = token.name == "citet" || is_bare;
-  const std::string between = is_author_year_ && !is_textual        ? "; "
+  const std::string open = has_round_citations_ ? "(" : "{[}";
+  const std::string close = has_round_citations_ ? ")" : "{]}";
+  const std::string between = is_author_year_                       ? "; "
                               : class_ == "IEEEtran" && !is_textual ? "{]}, {[}"
                                                                     : ", ";
   const std::string range = class_ == "IEEEtran" ? "{]}–{[}" : "–";
@@ -351,7 +345,7 @@ void Expander::citation(TexScanner& in, const TexToken& token) {
     const std::vector<std::string> cited = numbers_.citation(key);
     const std::string& number = is_author_year_ ? cited.at(1) : cited[0];
     std::string shown = number;
-    if (is_textual) shown = (cited.size() > 2 ? cited[2] + " " : "") + "{[}" + number + "{]}";
+    if (is_textual) shown = (cited.size() > 2 ? cited[2] + " " : "") + open + number + close;
     if (!is_textual && is_author_year_) shown = cited[2] + ", " + number;
     text += (text.empty()                     ? ""
              : std::exchange(is_range, false) ? range
@@ -361,7 +355,7 @@ void Expander::citation(TexScanner& in, const TexToken& token) {
   }
   if (!before.empty()) text = expanded(before) + " " + text;
   if (!behind.empty()) text += ", " + expanded(behind);
-  emit(is_textual || token.name == "citealp" ? text : "{[}" + text + "{]}");
+  emit(is_textual || token.name == "citealp" ? text : open + text + close);
 }
 
 // What BibTeX or MakeIndex wrote for the PDF.
@@ -563,13 +557,6 @@ void Expander::proof(TexScanner& in, const TexToken& token) {
   read_all(fmt::format("\\emph{{{}.}} ", name ? std::string(*name) : "Proof"));
   ends_.emplace_back(token.name, "~\\(\\square\\)\\end{lit-block}");
   ends_.insert(ends_.end() - 1, {"lit-block", "block"});
-}
-
-void Expander::abstract(TexScanner& in, const TexToken& token) {
-  if (class_ == "elsarticle") title(in, token);  // which has no \\maketitle
-  const char* head = has_heads() ? "><h2>Abstract</h2>" : " aria-label=\"Abstract\">";
-  begin_block(std::string("<section class=\"lit-abstract\"") + head, "</section>", false);
-  ends_.emplace_back(token.name, "block");
 }
 
 // An environment that is nothing but its content here, with the arguments that it takes.

@@ -124,41 +124,7 @@ void Expander::document_class(TexScanner& in, const TexToken&) {
   // Without a \\date these classes print today's.
   if (class_ == "article" || class_ == "report") metadata_["date"] = "\\today";
   if (class_ == "report" || class_ == "book") macros_["refname"] = {.body = "\\bibname"};
-}
-
-void Expander::metadata(TexScanner& in, const TexToken& token) {
-  const std::string marks(option(in).value_or(""));
-  const std::string text(argument(in));
-  std::string& known = metadata_[std::string(token.name)];
-  if (token.name == "author" && !known.empty()) {
-    known += (known.ends_with("\\\\") ? "" : ", ") + text + title_marks(marks);
-  } else {
-    const bool is_dated = token.name == "date" && class_.starts_with("revtex") && !text.empty();
-    known = is_dated ? "(Dated: " + text + ")" : text + title_marks(marks);
-  }
-}
-
-// What a class for journals says below an author.
-void Expander::title_line(TexScanner& in, const TexToken& token) {
-  const std::string marks(option(in).value_or(""));
-  const std::string text(argument(in));
-  std::string& authors = metadata_["author"];
-  if (token.name == "email") {
-    authors += "\\thanks{" + text + "}";
-  } else {
-    authors += (authors.ends_with("\\\\") ? "" : "\\\\") +
-               (token.name == "cortext" ? "\\textsuperscript{∗}" : title_marks(marks)) + text +
-               "\\\\";
-  }
-}
-
-std::string Expander::title_marks(std::string_view labels) const {
-  if (labels.empty() || class_ != "elsarticle") return {};
-  std::string text;
-  for (const std::string& label : names_in(labels)) {
-    text += (text.empty() ? "" : ",") + numbers_.label(label).number;
-  }
-  return "\\textsuperscript{" + text + "}";
+  sorts_citations_ = compresses_citations_ = class_.starts_with("revtex");
 }
 
 // A package of the document's own folder is part of the document.
@@ -167,7 +133,12 @@ void Expander::package(TexScanner& in, const TexToken&) {
   const std::string name(argument(in));
   const auto has = [&](const char* wanted) { return options.find(wanted) != options.npos; };
   for (const std::string& one : names_in(name)) {
-    if (one == "natbib") is_author_year_ = !has("numbers");
+    if (one == "natbib") {
+      is_author_year_ = !has("numbers") && !has("super");
+      has_round_citations_ = has("round") || (is_author_year_ && !has("square"));
+      sorts_citations_ = has("sort");
+      compresses_citations_ = has("compress") && !is_author_year_;
+    }
     if (one == "cite") {
       sorts_citations_ = !has("nosort");
       compresses_citations_ = !has("nocompress");

@@ -284,9 +284,13 @@ Page write_page(const PageSources& sources) {
                                  "<pre class=", "<pre tabindex=\"0\" class=");
   page.title = text_of_html(
       boost::replace_all_copy(std::string(between(body, "<h1>", "</h1>")), "<br />", " "));
-  page.authors = text_of_html(between(body, "<p class=\"lit-authors\">", "</p>"));
+  constexpr std::string_view author = "<span class=\"lit-author\">";
+  for (auto at = body.find(author); at != body.npos; at = body.find(author, at + 1)) {
+    page.authors.push_back(
+        text_of_html(between(std::string_view(body).substr(at), author, "</span>")));
+  }
   page.date = text_of_html(between(body, "<p class=\"lit-date\">", "</p>"));
-  const std::string_view abstract = between(body, "<section class=\"lit-abstract\">", "</section>");
+  const std::string_view abstract = between(body, "<section class=\"lit-abstract\"", "</section>");
   page.description = text_of_html(between(abstract, "<p>", "</p>"));
   page.html = fmt::format(head, escape_html(page.title), escape_html(page.description), body);
   page.figures = document.figures;

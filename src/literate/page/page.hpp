@@ -10,10 +10,11 @@ namespace literate {
 
 struct Page {
   std::string html;
-  std::string title, authors, date, description;  ///< plain text, as the page shows them
-  std::vector<std::string> figures;   ///< registered ones that it shows, as figures/NAME.svg
-  std::vector<std::string> pictures;  ///< others, as the document names them
-  std::vector<std::string> typeset;   ///< LaTeX of those that become figures/typeset-N.svg
+  std::string title, date, description;  ///< plain text, as the page shows them
+  std::vector<std::string> authors;      ///< their names alone
+  std::vector<std::string> figures;      ///< registered ones that it shows, as figures/NAME.svg
+  std::vector<std::string> pictures;     ///< others, as the document names them
+  std::vector<std::string> typeset;      ///< LaTeX of those that become figures/typeset-N.svg
   /// «file:line:column: what the page cannot show», in the order of the text.
   std::vector<std::string> errors;
 };

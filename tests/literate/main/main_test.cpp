@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(a_page_whose_check_failed_is_made_and_ends_with_one) {
   sys::write_file_atomically(place.path("paper/toy.tex"), "Text.\n");
   sys::write_file_atomically(place.path("html/page.html"), "<p>Text.</p>\n");
   sys::write_file_atomically(place.path("html/page.json"),
-                             R"({"title": "A toy", "authors": "", "date": "", "description": ""})");
+                             R"({"title": "A toy", "authors": [], "date": "", "description": ""})");
   sys::write_file_atomically(place.path("engine/page/page.css"), "");
 
   const Answer answer = place.stage("embed", compute);

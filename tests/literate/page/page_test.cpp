@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <regex>
 #include <vector>
 
 #include "literate/document/document.hpp"
@@ -56,14 +57,13 @@ void register_apples(Document& document) {
   document.table(std::move(notes));
 }
 
-Page page_of(const std::string& text, const std::string& numbers = aux) {
+Page page_of_document(const std::string& latex, const std::string& numbers) {
   need_tool("pandoc", "pages");
   const TemporaryFolder scratch;
   Document document;
   register_apples(document);
   document.write(scratch / "generated");
-  scratch.write("text/main.tex",
-                "\\documentclass{article}\n\\begin{document}\n" + text + "\\end{document}\n");
+  scratch.write("text/main.tex", latex);
   scratch.write("main.aux", numbers);
   const std::filesystem::path engine = LITERATE_PAGE_DIR;
   return write_page({.document = scratch / "text",
@@ -73,6 +73,11 @@ Page page_of(const std::string& text, const std::string& numbers = aux) {
                      .engine = engine,
                      .build = scratch.path(),
                      .known = sys::read_file(engine / "known.tex")});
+}
+
+Page page_of(const std::string& text, const std::string& numbers = aux) {
+  return page_of_document(
+      "\\documentclass{article}\n\\begin{document}\n" + text + "\\end{document}\n", numbers);
 }
 
 // Errors, from the place in the file on.
@@ -135,6 +140,70 @@ BOOST_AUTO_TEST_CASE(what_is_not_known_of_a_number_stands_behind_it) {
   const std::string formula = page_of("\\(\\val{tiny}\\)\n", "\\relax\n").html;
   BOOST_TEST(holds(formula, "<mo>×</mo>"), formula);
   BOOST_TEST(holds(formula, "<mo>±</mo>"), formula);
+}
+
+BOOST_AUTO_TEST_CASE(each_class_has_its_authors_one_by_one_without_what_stands_beside_them) {
+  const std::vector<std::string> both{"Ada Lovelace", "Marie Curie"};
+  const std::string labels = "\\newlabel{a}{{a}{1}{}{}{}}\n\\newlabel{b}{{b}{1}{}{}{}}\n";
+  const auto authors_of = [&](const std::string& latex) {
+    const Page page = page_of_document(latex + "Text.\n\\end{document}\n", labels);
+    BOOST_TEST(page.errors == std::vector<std::string>{}, per_element());
+    return page.authors;
+  };
+  BOOST_TEST(authors_of("\\documentclass{article}\n\\author{Ada Lovelace\\thanks{Of London, too.} "
+                        "\\and Marie Curie}\n\\begin{document}\\maketitle\n") == both,
+             per_element());
+  BOOST_TEST(authors_of("\\documentclass{IEEEtran}\n\\author{\\IEEEauthorblockN{Ada Lovelace}"
+                        "\\IEEEauthorblockA{Dept, City} \\and \\IEEEauthorblockN{Marie Curie}"
+                        "\\IEEEauthorblockA{Lab}}\n\\begin{document}\\maketitle\n") == both,
+             per_element());
+  BOOST_TEST(authors_of("\\documentclass{elsarticle}\n\\begin{document}\n\\begin{frontmatter}\n"
+                        "\\title{T}\\author[a]{Ada Lovelace}\\author[b]{Marie Curie}\n"
+                        "\\affiliation[a]{organization={Dept},city={X}}\\affiliation[b]{Lab}\n"
+                        "\\begin{abstract}We weigh.\\end{abstract}\\end{frontmatter}\n") == both,
+             per_element());
+  BOOST_TEST(authors_of("\\documentclass{revtex4-2}\n\\begin{document}\n\\title{T}\n"
+                        "\\author{Ada Lovelace}\\affiliation{Dept, City}\\author{Marie Curie}\n"
+                        "\\affiliation{Lab}\\maketitle\n") == both,
+             per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_affiliation_in_keys_reads_as_in_the_pdf) {
+  const Page page = page_of_document(
+      "\\documentclass{elsarticle}\n\\begin{document}\n\\begin{frontmatter}\n\\title{T}"
+      "\\author[a]{Ada}\\affiliation[a]{organization={Dept},city={X},country={Y}}\n"
+      "\\begin{abstract}We weigh.\\end{abstract}\\end{frontmatter}\n\\end{document}\n",
+      "\\newlabel{a}{{a}{1}{}{}{}}\n");
+  BOOST_TEST(holds(page.html, "</sup>Dept, X, Y"), page.html);
+  BOOST_TEST(!holds(page.html, "organization"));
+}
+
+BOOST_AUTO_TEST_CASE(the_abstract_of_revtex_stands_below_the_title_and_describes_the_page) {
+  const Page page = page_of_document(
+      "\\documentclass{revtex4-2}\n\\begin{document}\n\\title{Title}\n\\author{Ada}\n"
+      "\\begin{abstract}We weigh.\\end{abstract}\n\\maketitle\nText.\n\\end{document}\n",
+      "\\relax\n");
+  BOOST_TEST(page.html.find("<h1>") < page.html.find("class=\"lit-abstract\""));
+  BOOST_TEST(page.html.find("<h1>", page.html.find("lit-abstract")) == std::string::npos);
+  BOOST_TEST(page.description == "We weigh.");
+}
+
+BOOST_AUTO_TEST_CASE(natbib_sorts_and_compresses_where_its_options_say_so) {
+  const auto cited = [](const std::string& options) {
+    return page_of_document("\\documentclass{article}\n\\usepackage[" + options +
+                                "]{natbib}\n\\begin{document}\n\\cite{c,a,b}\n\\end{document}\n",
+                            "\\bibcite{a}{{1}{2001}{{A}}{{}}}\n\\bibcite{b}{{2}{2002}{{B}}{{}}}\n"
+                            "\\bibcite{c}{{3}{2003}{{C}}{{}}}\n")
+        .html;
+  };
+  const auto text_of = [](std::string html) {
+    static const std::regex tag("<[^>]*>");
+    return std::regex_replace(html.substr(html.find("<body")), tag, "");
+  };
+  BOOST_TEST(holds(text_of(cited("numbers")), "[3, 1, 2]"), cited("numbers"));
+  BOOST_TEST(holds(text_of(cited("numbers,sort")), "[1, 2, 3]"), cited("numbers,sort"));
+  BOOST_TEST(holds(text_of(cited("numbers,sort&compress")), "[1–3]"),
+             cited("numbers,sort&compress"));
 }
 
 BOOST_AUTO_TEST_CASE(every_sign_that_the_engine_writes_stands_on_the_page) {
@@ -241,7 +310,7 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
            {"\\begin{enumerate}\\item[*] a\\end{enumerate}", "", "lit-item\">*<"},
            {"\\begin{enumerate}\\item a\\end{enumerate}", number("enumi", "(a)", 1),
             "lit-item\">(a)<"},
-           {"\\author{A \\and B}\\maketitle", "", "A, B"}}) {
+           {"\\author{A \\and B}\\maketitle", "", "A</span>, <span class=\"lit-author\">B"}}) {
     const Page page = page_of(latex + "\n", numbers + "\\relax\n");
     BOOST_TEST_CONTEXT(latex) {
       BOOST_TEST(page.errors.empty());
