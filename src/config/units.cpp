@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <regex>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ struct Deleter {
 using System = std::unique_ptr<ut_system, Deleter>;
 using Unit = std::unique_ptr<ut_unit, Deleter>;
 using Converter = std::unique_ptr<cv_converter, Deleter>;
+
+/// UDUNITS reads units in memory that all threads share.
+std::mutex udunits;
 
 ut_system* database() {
   static const System system = [] {
@@ -167,11 +171,13 @@ const UnitSystem& unit_system(std::string_view name) {
 }
 
 bool is_unit(const std::string& name) {
+  const std::lock_guard lock(udunits);
   return Unit(ut_parse(database(), spelt_for_udunits(name).c_str(), UT_UTF8)) != nullptr;
 }
 
 double conversion_factor(const std::string& from, const std::string& to) {
   if (from == to) return 1;
+  const std::lock_guard lock(udunits);
   const Unit from_unit = parse(from);
   const Unit to_unit = parse(to);
   if (!ut_are_convertible(from_unit.get(), to_unit.get())) {

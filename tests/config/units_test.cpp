@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "config/units.hpp"
 
+#include <atomic>
 #include <boost/test/unit_test.hpp>
+#include <thread>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(units_test)
 
@@ -76,6 +79,22 @@ BOOST_AUTO_TEST_CASE(an_unknown_unit_or_system_is_refused_by_its_name) {
     return std::string(e.what()).find("\"pis\"") != std::string::npos;
   });
   BOOST_CHECK_THROW(unit_system("cgs"), UnitError);
+}
+
+BOOST_AUTO_TEST_CASE(threads_may_ask_for_units_at_once) {
+  std::vector<std::thread> threads;
+  std::atomic<int> n_wrong = 0;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([&n_wrong] {
+      for (int k = 0; k < 500; ++k) {
+        const bool right = config::is_unit("lbf/in") && !config::is_unit("furlonk") &&
+                           config::converted(39.4, "in", "m") == 1.00076;
+        if (!right) ++n_wrong;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  BOOST_TEST(n_wrong == 0);
 }
 
 BOOST_AUTO_TEST_CASE(each_dimension_has_its_unit) {

@@ -86,7 +86,7 @@ void require_typesets(const DocumentClass& chosen, const std::string& engine = "
           .output;
   // The sign of an ohm and the Greek letter are one sign to Unicode.
   const std::string words = boost::replace_all_copy(without_blanks(text), "\u2126", "\u03a9");
-  for (const char* wanted : {"drift−0.0047(17),theresistance2×10−7Ω", "bold−0.0047(17),2×10−7Ω"}) {
+  for (const char* wanted : {"drift−0.0047±0.0018,theresistance2×10−7Ω", "bold−0.0047±0.0018,2×10−7Ω"}) {
     BOOST_TEST(words.find(wanted) != words.npos, wanted << " in " << text);
   }
 }
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(revtex) {
 BOOST_AUTO_TEST_CASE(beamer) {
   require_typesets({"beamer.cls", "\\documentclass{beamer}", "\\begin{frame}{A sum}\n",
                     "\\end{frame}\n\\begin{frame}[fragile]\n\\excerpt{loop}\n\\end{frame}\n",
-                    "0.4\\columnwidth"});
+                    "0.35\\columnwidth"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
