@@ -67,6 +67,20 @@ MatrixXd pseudo_inverse(const MatrixXd& matrix, const VectorXd& weights) {
   return right * singular.cwiseInverse().asDiagonal() * left.transpose() * weights.asDiagonal();
 }
 
+// What the rounding of A⁺ does to each coefficient. The singular values found are those of a matrix
+// that is wrong by δ = m ε ‖W A‖. With X = (W A)⁺ and the residuals r = y − A c, the coefficient cⱼ
+// is then wrong by ‖Xⱼ‖ ‖c‖ δ + ‖(X Xᵀ)ⱼ‖ ‖W r‖ δ to first order (Wedin; Björck, Numerical Methods
+// for Least Squares Problems, 1996, 1.4.3).
+VectorXd rounding_of(const MatrixXd& matrix, const MatrixXd& inverse, const VectorXd& weights,
+                     const VectorXd& y) {
+  const MatrixXd x = inverse * weights.cwiseInverse().asDiagonal();
+  const VectorXd c = inverse * y;
+  const double delta = static_cast<double>(y.size()) * std::numeric_limits<double>::epsilon() *
+                       (weights.asDiagonal() * matrix).norm();
+  const double residuals = weights.cwiseProduct(y - matrix * c).norm();
+  return delta * (c.norm() * x.rowwise().norm() + residuals * (x * x.transpose()).rowwise().norm());
+}
+
 }  // namespace
 
 LinearLeastSquares fit_linear(const MatrixXd& matrix, const std::vector<Measured>& observed) {
@@ -78,12 +92,16 @@ LinearLeastSquares fit_linear(const MatrixXd& matrix, const std::vector<Measured
   require_finite("entry of the matrix of a fit", matrix);
   const VectorXd weights = weights_of(observed);
   const MatrixXd inverse = pseudo_inverse(matrix, weights);
+  VectorXd y(n_observed);
+  std::transform(observed.begin(), observed.end(), y.begin(),
+                 [](const Measured& number) { return number.value(); });
+  const VectorXd rounding = rounding_of(matrix, inverse, weights, y);
 
   LinearLeastSquares fit;
   fit.degrees_of_freedom = static_cast<int>(matrix.rows() - matrix.cols());
   VectorXd values(matrix.cols());
   for (Index j = 0; j < matrix.cols(); ++j) {
-    Measured coefficient = 0;
+    Measured coefficient = Measured::bounded({0, rounding[j]});
     for (Index i = 0; i < matrix.rows(); ++i) {
       coefficient = coefficient + inverse(j, i) * observed[static_cast<std::size_t>(i)];
     }
@@ -93,7 +111,7 @@ LinearLeastSquares fit_linear(const MatrixXd& matrix, const std::vector<Measured
   const VectorXd fitted = matrix * values;
   const bool is_weighted = observed.front().standard() > 0;
   for (Index i = 0; i < matrix.rows(); ++i) {
-    const double residual = observed[static_cast<std::size_t>(i)].value() - fitted[i];
+    const double residual = y[i] - fitted[i];
     fit.residuals.push_back(residual);
     if (is_weighted) fit.chi_squared += std::pow(residual * weights[i], 2);
   }

@@ -28,7 +28,7 @@ struct LinearLeastSquares {
 /// common: for independent ones the covariance is (Aᵀ diag(u⁻²) A)⁻¹ (Björck, Numerical Methods for
 /// Least Squares Problems, 1996, 1.1.4), and a bound on y leaves cⱼ the range Σᵢ |A⁺ⱼᵢ| boundᵢ. A⁺
 /// comes from the singular values of the weighted matrix. Accuracy: rounding times the condition
-/// number of that matrix.
+/// number of that matrix, which the bounds of the coefficients include.
 ///
 /// A has a row for each observation and a column for each coefficient. Throws InvalidQuantity for
 /// fewer rows than columns, no column, another number of observations than rows, numbers that are
