@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,8 +21,10 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Prints a line on standard error for every second that a solve takes.
+// Prints a line on standard error for every second that a solve takes, if somebody sees it on a
+// terminal: what is written to a file does not depend on the speed of the machine.
 line_contact::ProgressReport progress_line() {
+  if (::isatty(STDERR_FILENO) == 0) return {};
   return [start = Clock::now(), shown = 0.0](const line_contact::Progress& progress) mutable {
     const double seconds = seconds_since(start);
     if (seconds < shown + 1) return;
