@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pressure between two cylinders, over p₀ and against x/a of Hertz: above it, and below its
-# difference from Hertz at the nodes.
-stats nodes using (abs(column("difference"))) nooutput
-largest = STATS_max
-factor = factor_of(largest)
+# The pressure between two cylinders, over p₀ and against x/a of Hertz: above it, and below the magnitude
+# of its difference from Hertz at the nodes.
 set xrange [-1.2:1.2]
 set xtics 0.4
 set multiplot
@@ -24,11 +21,11 @@ set tmargin at screen 0.43
 set bmargin at screen 0.19
 set format x '$%g$'
 set xlabel '$x/a$'
+set logscale y
 set yrange [*:*]
-set ytics tick_step(largest * factor)
-set mytics 1
-set ylabel '$\Delta p/p_0$' . (factor == 1 ? '' : sprintf(' (%s)', unit_of(largest, '')))
+set ytics autofreq 100
+set format y '$10^{%T}$'
+set ylabel '$|\Delta p|/p_0$'
 unset key
-plot nodes using "x":(factor * column("difference")) with impulses ls 1 lw 1.2, \
-     nodes using "x":(factor * column("difference")) with points ls 11
+plot nodes using "x":(abs(column("difference"))) with points ls 11
 unset multiplot

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# u_z of the half-space, of the block under the stated and the fitted load, and as printed.
+# Left u_z of the half-space and of the block under the stated and the inferred load, and as printed;
+# right the difference of half-space and block, taken apart into the parts of datum and load.
 stats curves using (column("x")) nooutput
 x_unit = unit_of(STATS_max, unit)
 x_factor = factor_of(STATS_max)
@@ -7,24 +8,48 @@ end = x_factor * STATS_max
 stats curves using (abs(column("half_space"))) nooutput
 u_unit = unit_of(STATS_max, unit)
 u_factor = factor_of(STATS_max)
-
-set xlabel sprintf('$x$ (%s)', x_unit)
-set ylabel sprintf('$u_z$ (%s)', u_unit)
-set xrange [0:end]
-set yrange [0:*]
-set ytics tick_step(u_factor * STATS_max)
-set key outside right center reverse Left
+highest = u_factor * STATS_max
 x_of(x) = x_factor * x
 u_of(u) = u_factor * u
-plot curves using (x_of(column("x"))):(u_of(column("half_space"))) with lines ls 1 \
-       title 'half-space, triangle', \
-     curves using (x_of(column("x"))):(u_of(column("block_stated"))) with lines ls 4 \
-       title 'block, triangle', \
-     curves using (x_of(column("x"))):(u_of(column("block_fitted"))) with lines ls 2 \
-       title 'block, fitted load', \
-     printed using (x_of(column("x"))):(u_of(column("u_z"))) with points ls 11 \
-       title 'printed, FEA $z$', \
-     printed using (x_of(column("x"))):(u_of(column("magnitude"))) with points ls 12 \
-       title 'printed, FEA magnitude', \
-     printed using (x_of(column("x"))):(u_of(column("analytical"))) with points ls 13 \
-       title 'printed, analytical'
+of(name) = u_of(column(name))
+difference(one, other) = of(one) - of(other)
+stats curves using (difference("half_space", "block_stated")) nooutput
+datum = STATS_mean
+stats curves using (column(0) == 120 ? of("half_space") : NaN) name 'MIDDLE_HALF_SPACE' nooutput
+stats curves using (column(0) == 120 ? of("block_fitted") : NaN) name 'MIDDLE_FITTED' nooutput
+stats curves using (column(0) == 120 ? of("block_stated") : NaN) name 'MIDDLE_STATED' nooutput
+
+set xlabel sprintf('$x$ (%s)', x_unit)
+set xrange [0:end]
+unset key
+set arrow from x_of(half_width),graph 0 to x_of(half_width),graph 1 nohead lc rgb grey lw 0.8 dt (1,2) back
+set multiplot
+
+set lmargin at screen 0.09
+set rmargin at screen 0.48
+set yrange [0:1.12 * highest]
+set ytics tick_step(highest)
+set ylabel sprintf('$u_z$ (%s)', u_unit)
+set label 1 'half-space' at 0.52 * end,MIDDLE_HALF_SPACE_mean + 0.10 * highest
+set label 2 'block, inferred load' at 0.22 * end,MIDDLE_FITTED_mean - 0.13 * highest
+set label 3 'block, stated load' at 0.42 * end,MIDDLE_STATED_mean - 0.14 * highest
+plot curves using (x_of(column("x"))):(of("half_space")) with lines ls 1, \
+     curves using (x_of(column("x"))):(of("block_stated")) with lines ls 3, \
+     curves using (x_of(column("x"))):(of("block_fitted")) with lines ls 2, \
+     printed using (x_of(column("x"))):(of("u_z")) with points ls 11, \
+     printed using (x_of(column("x"))):(of("analytical")) with points ls 13
+
+set lmargin at screen 0.59
+set rmargin at screen 0.99
+set yrange [-1.2 * datum:1.3 * datum]
+set ytics tick_step(datum)
+set ylabel sprintf('difference (%s)', u_unit)
+set label 1 'datum' at 0.5 * end,1.14 * datum
+set label 2 'sum' at 0.62 * end,0.62 * datum
+set label 3 'load' at 0.62 * end,-0.86 * datum
+plot 0 with lines lc rgb grey lw 0.8, \
+     curves using (x_of(column("x"))):(difference("half_space", "block_stated")) with lines ls 3, \
+     curves using (x_of(column("x"))):(difference("block_stated", "block_fitted")) with lines ls 2, \
+     curves using (x_of(column("x"))):(difference("half_space", "block_fitted")) with lines ls 1, \
+     printed using (x_of(column("x"))):(difference("analytical", "u_z")) with points lc rgb ink pt 7 ps 0.5
+unset multiplot

@@ -45,8 +45,8 @@ void claim_block(Document& document, const HalfSpaceCase& half_space, const Bloc
                  const std::vector<block::MeasureEstimate>& fitted,
                  const SharesOnBothMeshes& shares);
 
-/// The deformed block with contours of u_z (Fig. 3), its mesh, the convergence of its measures, and
-/// for printed data the displacements of half-space and block beside the printed ones.
+/// The deformed block with contours of u_z, or for printed data the displacements of half-space and
+/// block beside the printed ones.
 void register_block_figures(Document& document, const HalfSpaceCase& half_space,
                             const BlockCase& block_case, const UnitSystem& units,
                             const BlockStudy& study, const std::optional<PrintedData>& printed);

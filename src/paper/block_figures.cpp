@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "paper/prelude.hpp"
-#include "system/parallel.hpp"
 
 namespace paper {
 namespace {
-
-// What the convergence of the lower orders is measured against.
-constexpr int highest_order = 8;
 
 // Samples a window of the block evenly and moves each point by its displacement, enlarged.
 // Each cell of the samples is a closed polygon with the mean u_z of its corners, and a gap after
@@ -67,8 +63,7 @@ Enlargements enlargements_of(double a, double height, double largest) {
 
 Figure contours(Document& document, const HalfSpaceCase& half_space, const BlockCase& block_case,
                 const UnitSystem& units, const BlockStudy& study) {
-  const block::Solution& solution =
-      study.fit() ? study.fit()->fit.solution.fine() : study.under_triangle().fine();
+  const block::Solution& solution = study.under_triangle().fine();
   const block::Rectangle& r = block_case.rectangle;
   const double a = half_space.load.half_width();
   const double largest = solution.displacement(0, 0).y();
@@ -88,71 +83,6 @@ Figure contours(Document& document, const HalfSpaceCase& half_space, const Block
           .texts = {{"unit", units.length}}};
 }
 
-// What each order of the elements leaves, on one mesh that is graded for this load alone.
-Figure convergence(const HalfSpaceCase& half_space, const BlockCase& block_case,
-                   const BlockStudy& study) {
-  const auto options = study.measure_options();
-  const auto measures_of = [&](int order) {
-    const block::Analysis analysis(block_case.rectangle, half_space.material, {half_space.load},
-                                   {.order = order, .refine = block_case.discretization.refine});
-    const block::Factorization factorization(analysis.fine(), block::with_sides(block_case.sides));
-    return block::measures(factorization.solve(half_space.load), options);
-  };
-  constexpr int lowest_order = 2;
-  std::vector<std::vector<block::Measure>> measures(highest_order - lowest_order + 1);
-  sys::for_each_parallel(measures.size(), 0, [&](std::size_t i) {
-    // The highest order, which takes longest, is begun first.
-    const std::size_t k = measures.size() - 1 - i;
-    measures[k] = measures_of(lowest_order + static_cast<int>(k));
-  });
-  const auto& exact = measures.back();
-  const auto value = [](const std::vector<block::Measure>& list, const std::string& name) {
-    for (const block::Measure& m : list) {
-      if (m.name == name) return m.value;
-    }
-    return std::nan("");
-  };
-  std::vector<double> orders, displacement, energy, von_mises;
-  for (int order = lowest_order; order < highest_order; ++order) {
-    const auto& measured = measures[static_cast<std::size_t>(order - lowest_order)];
-    const auto error = [&](const char* name) {
-      return std::abs(value(measured, name) / value(exact, name) - 1);
-    };
-    orders.push_back(order);
-    displacement.push_back(error("measure1"));
-    energy.push_back(error("strain_energy"));
-    von_mises.push_back(error("max_stress_vm"));
-  }
-  return {.width_cm = 6.4,
-          .height_cm = 4.8,
-          .data = {{"orders",
-                    {{"order", orders},
-                     {"displacement", displacement},
-                     {"energy", energy},
-                     {"von_mises", von_mises}}}}};
-}
-
-// The boundaries of the elements, each a line with a gap after it.
-Figure mesh(const HalfSpaceCase& half_space, const BlockCase& block_case, const UnitSystem& units,
-            const BlockStudy& study) {
-  const block::Mesh& m = study.on(block_case.sides).fine().model()->mesh();
-  const auto& x_lines = m.x_lines();
-  const auto& z_lines = m.z_lines();
-  std::vector<double> x, y;
-  const auto line = [&](double x0, double y0, double x1, double y1) {
-    x.insert(x.end(), {x0, x1, literate::gap});
-    y.insert(y.end(), {y0, y1, literate::gap});
-  };
-  // 0 − z, so that the surface is at 0 and not at −0.
-  for (const double at : x_lines) line(at, 0 - z_lines.front(), at, 0 - z_lines.back());
-  for (const double at : z_lines) line(x_lines.front(), 0 - at, x_lines.back(), 0 - at);
-  return {.width_cm = 8.8,
-          .height_cm = 4.8,
-          .data = {{"lines", {{"x", x}, {"y", y}}}},
-          .numbers = {{"half_width", half_space.load.half_width()}, {"right", x_lines.back()}},
-          .texts = {{"unit", units.length}}};
-}
-
 // The curves of the half-space and of the block, and the three printed columns of Fig. 5.
 Figure like_with_like(const HalfSpaceCase& h, const UnitSystem& units, const BlockStudy& study,
                       const PrintedFigure5& printed) {
@@ -169,8 +99,8 @@ Figure like_with_like(const HalfSpaceCase& h, const UnitSystem& units, const Blo
     for (const PrintedNumber& number : column) values.push_back(number.value());
     return values;
   };
-  return {.width_cm = 14,
-          .height_cm = 5,
+  return {.width_cm = 15.4,
+          .height_cm = 5.6,
           .data = {{"curves",
                     {{"x", x},
                      {"half_space", half_space},
@@ -181,6 +111,7 @@ Figure like_with_like(const HalfSpaceCase& h, const UnitSystem& units, const Blo
                      {"analytical", values_of_column(printed.analytical)},
                      {"u_z", values_of_column(printed.fea_z)},
                      {"magnitude", values_of_column(printed.fea_magnitude)}}}},
+          .numbers = {{"half_width", h.load.half_width()}},
           .texts = {{"unit", units.length}}};
 }
 
@@ -189,11 +120,10 @@ Figure like_with_like(const HalfSpaceCase& h, const UnitSystem& units, const Blo
 void register_block_figures(Document& document, const HalfSpaceCase& half_space,
                             const BlockCase& block_case, const UnitSystem& units,
                             const BlockStudy& study, const std::optional<PrintedData>& printed) {
-  document.value("block.highest-order", Value(highest_order, integer()));
-  document.figure("block-contours", contours(document, half_space, block_case, units, study));
-  document.figure("block-mesh", mesh(half_space, block_case, units, study));
-  document.figure("block-convergence", convergence(half_space, block_case, study));
-  if (!printed) return;
+  if (!printed) {
+    document.figure("block-contours", contours(document, half_space, block_case, units, study));
+    return;
+  }
   document.figure("like-with-like", like_with_like(half_space, units, study, printed->figure5));
 }
 

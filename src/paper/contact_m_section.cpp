@@ -213,7 +213,6 @@ void describe_listing(Document& document, const ContactCase& c, const UnitSystem
   const double load = c.line_load;
   const auto weight = static_cast<double>(input.zero_node - 2);
   document.value("contact-m.spacing", Value(input.spacing, exact(), units.length));
-  document.value("contact-m.step", Value(input.step, exact(), units.length));
   document.value("contact-m.zero-node", Value(input.zero_node, integer()));
   document.value("contact-m.weight", Value(weight, exact()));
   const double share = edge(program) / hertz.half_width();
@@ -222,6 +221,11 @@ void describe_listing(Document& document, const ContactCase& c, const UnitSystem
   document.value("contact-m.edge", Value(closed_form(edge(program)), significant(2), units.length));
   document.value("contact-m.edge-share", Value(share, fixed(2)).within(rounded(c, share)));
   document.value("contact-m.load", Value(carried, significant(4), units.line_load));
+  // each triangle but the one in the middle has a mirror image
+  const double both_sides = 2 * program.line_load - input.spacing * program.pressure[0];
+  document.value("contact-m.symmetric-load",
+                 Value({both_sides, 3 * of_system * program.line_load}, significant(4),
+                       units.line_load));
   document.value("contact-m.hertz-half-width",
                  Value(program.hertz_half_width, significant(4), units.length)
                      .within(rounded(c, program.hertz_half_width)));

@@ -18,10 +18,6 @@ inline Limit nearly_identical() {
   return {literate::LimitKind::convention, 3e-2, "about what can be read off the axes of a plot"};
 }
 
-/// To how much a fitted pressure has to reproduce the printed displacements, relatively. The run
-/// tells no bound on its error.
-constexpr double small_misfit = 1e-3;
-
 /// The square of the element width over the half-width of the contact, for errors of linear
 /// elements.
 inline Limit of_second_order(double square) {

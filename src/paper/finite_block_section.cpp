@@ -8,12 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "elasticity/load_shapes.hpp"
 #include "paper/block_claims.hpp"
 #include "paper/block_study.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
-#include "paper/load_contest.hpp"
+#include "paper/inferred_load.hpp"
 #include "paper/printed_data.hpp"
 #include "paper/sections.hpp"
 
@@ -21,6 +20,8 @@ namespace paper {
 namespace {
 
 using block::MeasureEstimate;
+
+constexpr int budget_exponent = -7;  // of the unit of the budget of the printed errors
 
 // Names of measures hold underscores, which LaTeX would take for subscripts.
 std::string escaped(const std::string& name) {
@@ -38,7 +39,6 @@ void register_block(Document& document, const HalfSpaceCase& half_space, const B
   document.flag("block.sides-clamped", b.sides == block::Support::clamped);
   const block::Factorization& fine = study.on(b.sides).fine();
   document.value("block.unknowns", Value(fine.n_unknowns(), integer()));
-  document.value("block.condensed", Value(fine.n_condensed_unknowns(), integer()));
   document.value("block.elements", Value(fine.model()->mesh().n_elements(), integer()));
   double largest_error = 0;
   const double middle = study.under_triangle().displacement_z(0, 0).value;
@@ -174,7 +174,6 @@ void tabulate_measures(Document& document, const PrintedData& printed_data, cons
   for (const auto& [measure, key] : predicted) {
     document.value("fit.predicts." + key, Value(abs(off(measure)), percent(2)));
   }
-  document.value("fit.shear-below", Value(abs(off("max_stress_xy")), percent(1)));
   // σ_zz = ν(σ_xx + σ_yy) in plane strain; the printed maxima are all taken under the load's
   // middle.
   const Estimate in_plane =
@@ -188,190 +187,6 @@ void tabulate_measures(Document& document, const PrintedData& printed_data, cons
   };
   document.check("fit-predicts", {predicts("max_disp_x", 6e-3), predicts("max_stress_vm", 1.2e-2)},
                  "the fit predicts the largest tangential displacement and the von Mises stress");
-}
-
-constexpr double of_resultant = 1e-12;  // relative, as elasticity::normal_resultant states
-
-void register_fit(Document& document, const HalfSpaceCase& half_space, block::Support sides,
-                  const UnitSystem& units, const PrintedData& printed_data,
-                  const BlockStudy& study) {
-  const block::LinearFit& fit = *study.fit();
-  document.value("fit.peak", Value(fit.peak, uncertain(), units.stress));
-  document.value("fit.edge", Value(fit.edge, uncertain(), units.stress));
-  document.value("fit.correlation",
-                 Value(numerics::correlation(fit.peak, fit.edge), fixed(4)).as_is());
-  // ∫(p_m (1 − |x|/a) + p_e |x|/a) dx = a (p_m + p_e)
-  const Measured sum = fit.peak + fit.edge;
-  document.value("fit.resultant",
-                 Value(half_space.load.half_width() * sum, significant(4), units.line_load));
-  const double printed_resultant =
-      std::abs(printed_data.appendix2.measures.at("resultant_load_y").value());
-  const Measured held =
-      numerics::given(fit.peak, sum, printed_resultant / half_space.load.half_width());
-  document.value("fit.peak-of-resultant", Value(held, uncertain(), units.stress));
-  const double a = half_space.load.half_width();
-  constexpr double six_tenths = 0.6;
-  const auto round = elasticity::linear_fall(half_space.load.peak_pressure(), six_tenths, a);
-  const double round_resultant = elasticity::normal_resultant(round);
-  document.value("fit.round-resultant", Value(round_resultant, significant(4), units.line_load)
-                                            .within(of_resultant * round_resultant));
-  document.value("fit.round-misfit", Value(misfit_of(study, round, sides), percent(1)));
-  document.value("fit.round-edge", Value(closed_form(six_tenths * half_space.load.peak_pressure()),
-                                         significant(3), units.stress));
-  Estimate least{HUGE_VAL, 0}, most;
-  for (std::size_t i = 0; i < study.observed().size(); ++i) {
-    const Estimate computed = study.under_triangle().displacement_z(study.observed()[i].x, 0);
-    const Estimate below = 1 - computed / as_estimate(printed_data.figure5.fea_z[i]);
-    if (below.value < least.value) least = below;
-    if (below.value > most.value) most = below;
-  }
-  document.value("fit.triangle.least", Value(least, percent(0)));
-  document.value("fit.triangle.most", Value(most, percent(0)));
-  document.value("fit.misfit",
-                 Value(Estimate{fit.fit.max_misfit, study.misfit_error()}, percent(2)));
-}
-
-// A number of a fitted load's solution, as wrong as the fit on the coarser mesh has it otherwise.
-template <typename Number>
-Estimate of_refitted(const Contestant& contestant, Number&& number) {
-  const double fine = number(contestant.refitted.fine());
-  const double coarse = number(contestant.refitted.coarse());
-  return {fine, std::abs(fine - coarse) + of_resultant * std::abs(fine)};
-}
-
-// What the displacements leave open, and what they decide, on the supports of the case.
-struct ContestOutcome {
-  std::vector<Contestant> about_half;  // with two numbers, the linear fall first
-  Estimate least_misfit_of_others;     // largest misfits, of any other shape
-};
-
-ContestOutcome outcome_of(const std::vector<Contestant>& contestants) {
-  ContestOutcome outcome{{}, {HUGE_VAL, 0}};
-  const block::Supports own = contestants.front().supports;
-  for (const Contestant& c : contestants) {
-    if (c.supports != own) continue;
-    if (c.falls_about_half && c.n_free == 2) {
-      outcome.about_half.push_back(c);
-    } else if (c.largest_misfit.value < outcome.least_misfit_of_others.value) {
-      outcome.least_misfit_of_others = c.largest_misfit;
-    }
-  }
-  return outcome;
-}
-
-// The shape without the uniform part: triangle, cosine, step, …
-std::string name_of_shape(const Contestant& c) {
-  return c.shape.substr(c.shape.rfind(' ') + 1);
-}
-
-// All contestants.
-void tabulate_contest(Document& document, const PrintedData& printed_data, const UnitSystem& units,
-                      const std::vector<Contestant>& contestants) {
-  const auto& printed = printed_data.appendix2.measures;
-  const char* const deviation = "deviation, \\%";
-  literate::Table table("load-contest", {Column::text("pressure"), Column("misfit, \\%", fixed(2)),
-                                         Column("peak", uncertain(), units.stress),
-                                         Column("resultant", fixed(2)).under(deviation),
-                                         Column("energy", fixed(2)).under(deviation)});
-  const block::Supports own = contestants.front().supports;
-  const auto described = [](const block::Supports& supports) {
-    return name_of(supports.left) + " / " + name_of(supports.bottom);
-  };
-  bool is_first_on_others = true;
-  Estimate farthest_resultant;
-  Estimate farthest_energy;
-  for (const Contestant& c : contestants) {
-    const Estimate force =
-        percent_off(of_refitted(c, [](const block::Solution& s) { return -s.applied().force.y(); }),
-                    printed.at("resultant_load_y"));
-    const Estimate energy =
-        percent_off(of_refitted(c, [](const block::Solution& s) { return s.strain_energy(); }),
-                    printed.at("strain_energy"));
-    const bool is_on_own = c.supports == own;
-    if (!is_on_own && std::exchange(is_first_on_others, false)) {
-      table.add_row({"sides / bottom:", "", "", "", ""});
-    }
-    table.add_row({is_on_own ? c.shape : described(c.supports), 100 * c.largest_misfit, c.peak,
-                   force, energy});
-    if (c.shape == "uniform + triangle" && c.supports.bottom == own.bottom) {
-      document.value("fit.sides." + name_of(c.supports.left), Value(c.largest_misfit, percent(2)));
-    }
-    if (!is_on_own || c.n_free != 2) continue;
-    const auto farther = [](Estimate known, Estimate other) {
-      return std::abs(other.value) > known.value ? abs(other) : known;
-    };
-    farthest_resultant = farther(farthest_resultant, 0.01 * force);
-    farthest_energy = farther(farthest_energy, 0.01 * energy);
-  }
-  document.table(table);
-  document.value("fit.any-resultant", Value(farthest_resultant, percent(2)));
-  document.value("fit.any-energy", Value(farthest_energy, percent(2)));
-}
-
-// How the pressure falls from the middle to the ends of the load: what the displacements tell of
-// it, and what the largest stress of the run adds.
-void claim_fall(Document& document, const UnitSystem& units, const PrintedData& printed_data,
-                const ContestOutcome& outcome, const ExponentFit& fit) {
-  const PrintedNumber& largest = printed_data.appendix2.measures.at("max_stress_yy");
-  const Estimate stress = abs(as_estimate(largest));
-  document.value("appendix2.largest-pressure", Value(stress, significant(4), units.stress));
-  document.value(
-      "appendix2.largest-pressure.convergence",
-      Value(printed_data.appendix2.convergence.at("max_stress_yy").value() / 100, percent(1))
-          .as_is());
-  document.value("fit.best-other", Value(outcome.least_misfit_of_others, percent(2)));
-  document.value("fit.exponent", Value(fit.best, fixed(2)));
-  document.value("fit.exponent.least", Value(fit.least, fixed(2)));
-  document.value("fit.exponent.most", Value(fit.most, fixed(2)));
-  document.value("fit.allowed", Value(small_misfit, exact().in_percent()));
-
-  std::vector<Criterion> met;
-  std::map<std::string, Estimate> off;  // peak and printed stress, in standard uncertainties
-  for (const Contestant& c : outcome.about_half) {
-    met.push_back(Criterion::at_most("misfit", Value(c.largest_misfit, percent(2).rounded_up()),
-                                     {LimitKind::convention, small_misfit,
-                                      "a tenth of a per cent, as for the linear decrease alone"}));
-    const std::string name = name_of_shape(c);
-    off[name] = 1 / c.peak.standard() * abs(c.peak.bounded() - stress);
-    document.value("fit." + name + ".off", Value(off[name], fixed(1)));
-    if (name == "triangle") continue;  // what register_fit() has told
-    document.value("fit." + name + ".misfit", Value(c.largest_misfit, percent(2)));
-    document.value("fit." + name + ".peak", Value(c.peak, uncertain(), units.stress));
-  }
-  constexpr double of_root = 0.5, of_parabola = 2;
-  const Limit likely(LimitKind::convention, 2, "about 95 % of a normal distribution lie within");
-  document.claim(
-      "fall-about-half",
-      {.route = "two numbers fitted for each shape and for each exponent of the decrease, on the "
-                "supports assumed; the largest pressures against the largest printed vertical "
-                "stress",
-       .expected = Verdict::confirmed,
-       .criteria = {
-           Criterion::in_each("largest misfit of the three antisymmetric shapes", "shapes", met),
-           Criterion::at_least("least misfit of another shape",
-                               Value(outcome.least_misfit_of_others, percent(2)),
-                               {LimitKind::convention, small_misfit, "the same"}),
-           Criterion::at_least(
-               "least exponent that meets all displacements to a tenth of a per cent",
-               Value(fit.least, fixed(2)),
-               {LimitKind::convention, of_root + 0.01, "a hundredth above that of a root"}),
-           Criterion::at_most(
-               "largest such exponent", Value(fit.most, fixed(2)),
-               {LimitKind::convention, of_parabola - 0.01, "a hundredth below that of a parabola"}),
-           Criterion::at_most("peak of the linear decrease, off the printed stress by so many of "
-                              "its standard uncertainties",
-                              Value(off.at("triangle"), fixed(2)), likely),
-           Criterion::at_most("peak of the cosine, the same", Value(off.at("cosine"), fixed(2)),
-                              likely),
-           Criterion::at_least("peak of the step, the same", Value(off.at("step"), fixed(2)),
-                               likely)}});
-}
-
-Figure exponent_figure(const ExponentFit& fit, double allowed) {
-  return {.width_cm = 6.2,
-          .height_cm = 5,
-          .data = {{"fits", {{"exponent", fit.exponents}, {"misfit", fit.misfits}}}},
-          .numbers = {{"allowed", allowed}}};
 }
 
 // On one of the two meshes.
@@ -404,6 +219,36 @@ Estimate equivalent_datum(const HalfSpaceCase& h, Estimate part_of_datum) {
   return {datum, datum * std::expm1(part_of_datum.abs_error / per_e) + rounded(datum)};
 }
 
+// The parts at every other point and their sum, beside the difference of the printed columns.
+void tabulate_budget(Document& document, const HalfSpaceCase& half_space, const UnitSystem& units,
+                     const PrintedData& printed_data, const SharesOnBothMeshes& shares) {
+  const auto part = [&](const char* heading) {
+    return Column(heading, fixed(2), units.length).scaled(budget_exponent);
+  };
+  literate::Table table(
+      "budget", {Column("$x$", fixed(decimals_of(half_space.points)), units.length).exact(),
+                 part("datum"), part("load"), part("datum + load"), part("printed difference")});
+  for (std::size_t i = 0; i < shares.size(); i += 2) {
+    const Estimate datum = shares.part(&Share::datum, i) + shares.part(&Share::body, i);
+    const Estimate load = shares.part(&Share::load, i);
+    const Estimate difference = as_estimate(printed_data.figure5.analytical[i]) -
+                                as_estimate(printed_data.figure5.fea_z[i]);
+    table.add_row({shares.x(i), datum, load, datum + load, difference});
+  }
+  document.table(table);
+}
+
+// The part of the datum depends on how the block is held: in the middle, for each kind of sides.
+void register_datum_of_sides(Document& document, const HalfSpaceCase& half_space,
+                             const UnitSystem& units, const BlockStudy& study) {
+  for (const block::Support sides :
+       {block::Support::clamped, block::Support::roller, block::Support::free}) {
+    const Estimate middle = study.on(sides).solve(half_space.load).displacement_z(0, 0);
+    document.value("shares.datum." + name_of(sides),
+                   Value(displacement(half_space, 0) - middle, scientific(3), units.length));
+  }
+}
+
 void register_shares(Document& document, const HalfSpaceCase& half_space,
                      const BlockCase& block_case, const UnitSystem& units,
                      const SharesOnBothMeshes& shares) {
@@ -423,6 +268,12 @@ void register_shares(Document& document, const HalfSpaceCase& half_space,
                  Value(equivalent_datum(half_space, datum), significant(2), unit));
   document.value("block.half-size", Value(block_case.rectangle.right(), exact(), unit));
   document.flag("block.holds-datum", half_space.datum <= block_case.rectangle.right());
+  const Estimate first_sum = datum + first_load + shares.part(&Share::body, 0);
+  const Estimate last_sum = datum + last_load + last_body;
+  document.value("last-point", Value(closed_form(half_space.farthest_point()),
+                                     fixed(decimals_of(half_space.points)), unit));
+  document.value("shares.first.sum", Value(first_sum, scientific(2), unit));
+  document.value("shares.last.sum", Value(last_sum, scientific(3), unit));
   document.value("shares.first.load", Value(abs(first_load), scientific(3), unit));
   document.value("shares.last.load", Value(abs(last_load), scientific(3), unit));
   document.value("shares.last.body", Value(abs(last_body), scientific(2), unit));
@@ -449,22 +300,17 @@ void compute_finite_block(Document& document, const Case& from) {
   register_block_figures(document, half_space, block_case, units, study, printed_data);
   if (!printed_data) return;
 
-  register_fit(document, half_space, block_case.sides, units, *printed_data, study);
   const std::vector<MeasureEstimate> fitted = study.under_fit().measures(study.measure_options());
   tabulate_measures(document, *printed_data, study, fitted);
-  const std::vector<Contestant> contestants = contest(study, half_space, block_case.sides);
-  tabulate_contest(document, *printed_data, units, contestants);
-  const ExponentFit exponent =
-      fit_exponent(study, half_space.load.half_width(), block_case.sides, small_misfit);
-  const ContestOutcome outcome = outcome_of(contestants);
-  claim_fall(document, units, *printed_data, outcome, exponent);
-  document.figure("fit-misfit", exponent_figure(exponent, small_misfit));
+  infer_load(document, half_space, block_case.sides, units, *printed_data, study);
   // The half-space's error is there twice, in differences of points.
   const SharesOnBothMeshes shares(
       like_with_like(half_space, study, &block::RefinedSolution::fine),
       like_with_like(half_space, study, &block::RefinedSolution::coarse),
       2 * displacement(half_space, 0).abs_error);
   register_shares(document, half_space, block_case, units, shares);
+  tabulate_budget(document, half_space, units, *printed_data, shares);
+  register_datum_of_sides(document, half_space, units, study);
   claim_block(document, half_space, block_case, units, *printed_data, study, fitted, shares);
 }
 

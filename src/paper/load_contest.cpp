@@ -26,15 +26,41 @@ Measured largest_pressure(const std::vector<Measured>& factors) {
   return middle.value() > factors.front().value() ? middle : factors.front();
 }
 
-Contestant fitted(const BlockStudy& study, std::string shape, bool falls_about_half,
-                  const Supports& supports, const std::vector<RefinedSolution>& solutions) {
+// The misfit on one mesh.
+struct MisfitOnOneMesh {
+  double largest = 0;
+  double largest_share = 0;
+  double sum_of_squares = 0;
+
+  MisfitOnOneMesh(const std::vector<double>& residuals, const std::vector<Measured>& ones) {
+    for (std::size_t i = 0; i < ones.size(); ++i) {
+      const double residual = std::abs(residuals[i]);
+      const double standard = ones[i].standard();
+      const double share = standard > 0 ? residual / standard : residual;
+      largest = std::max(largest, residual);
+      largest_share = std::max(largest_share, share);
+      sum_of_squares += share * share;
+    }
+  }
+};
+
+Misfit on_both(const MisfitOnOneMesh& fine, const MisfitOnOneMesh& coarse) {
+  const auto estimate = [&](double MisfitOnOneMesh::*which) {
+    return Estimate{fine.*which, std::abs(fine.*which - coarse.*which)};
+  };
+  return {estimate(&MisfitOnOneMesh::largest), estimate(&MisfitOnOneMesh::largest_share),
+          estimate(&MisfitOnOneMesh::sum_of_squares)};
+}
+
+Contestant fitted(const BlockStudy& study, std::string shape, const Supports& supports,
+                  const std::vector<RefinedSolution>& solutions) {
   const block::Fit fine = block::fit_loads(solutions, study.observed());
   const block::Fit coarse = block::fit_coarse_loads(solutions, study.observed());
+  const std::vector<Measured> ones = block::relative(study.observed());
   return {std::move(shape),
           static_cast<int>(solutions.size()),
-          falls_about_half,
           supports,
-          {fine.max_misfit, std::abs(fine.max_misfit - coarse.max_misfit)},
+          on_both({fine.residuals, ones}, {coarse.residuals, ones}),
           largest_pressure(fine.factors),
           {fine.solution.fine(), coarse.solution.fine()}};
 }
@@ -51,25 +77,13 @@ Ratios ratios_of(const block::Solution& solution,
   return ratios;
 }
 
-struct Misfit {
-  double sum_of_squares;  // of residuals over their uncertainties, if they have any
-  double largest;         // residual
-};
-
 // The misfit of the combination of two loads that fits the displacements, `ones`, best.
-Misfit best_misfit(const Ratios& u, const Ratios& v, const std::vector<Measured>& ones) {
+MisfitOnOneMesh best_misfit(const Ratios& u, const Ratios& v, const std::vector<Measured>& ones) {
   Eigen::MatrixXd ratios(static_cast<Eigen::Index>(u.size()), 2);
   ratios << Eigen::Map<const Eigen::VectorXd>(u.data(), ratios.rows()),
       Eigen::Map<const Eigen::VectorXd>(v.data(), ratios.rows());
   const numerics::LinearLeastSquares fit = numerics::fit_linear(ratios, ones);
-  Misfit misfit{};
-  for (std::size_t i = 0; i < ones.size(); ++i) {
-    const double residual = std::abs(fit.residuals[i]);
-    const double standard = ones[i].standard();
-    misfit.sum_of_squares += std::pow(standard > 0 ? residual / standard : residual, 2);
-    misfit.largest = std::max(misfit.largest, residual);
-  }
-  return misfit;
+  return {fit.residuals, ones};
 }
 
 // The displacements of one mesh under 1 − |x/a|ᵐ for any m: a polynomial in ln m through their
@@ -103,6 +117,7 @@ class FallsByExponent {
   std::vector<Ratios> ratios_;
 };
 
+constexpr double narrower = 0.9;  // the half-width of a triangle over that of the load
 constexpr int n_exponents = 14;
 constexpr double of_exponent = 1e-6;  // to which searches find their exponents
 
@@ -153,7 +168,7 @@ ExponentOnOneMesh fit_exponent(const FallsByExponent& falls, const Ratios& unifo
   const auto misfit = [&](double m) { return best_misfit(falls.at(m), uniform, ones); };
   const double best =
       least_of([&](double m) { return misfit(m).sum_of_squares; }, least_exponent, most_exponent);
-  const auto is_met = [&](double m) { return misfit(m).largest <= allowed; };
+  const auto is_met = [&](double m) { return misfit(m).largest_share <= allowed; };
   return {best, end_of_range(is_met, best, least_exponent),
           end_of_range(is_met, best, most_exponent), misfit(best).largest};
 }
@@ -169,32 +184,31 @@ std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& ha
   struct Shape {
     std::string name;
     elasticity::Load load;
-    bool falls_about_half;
   };
-  const Shape shapes[] = {{"triangle", elasticity::linear_fall(1, 0, a), true},
-                          {"cosine", elasticity::cosine_fall(1, a), true},
-                          {"step", elasticity::linear_fall(1, 1, a / 2), true},
-                          {"root", elasticity::power_fall(1, 0.5, a), false},
-                          {"ellipse", elasticity::EllipticLoad(1, a), false},
-                          {"parabola", elasticity::power_fall(1, 2, a), false},
-                          {"quartic", elasticity::power_fall(1, 4, a), false}};
+  const Shape shapes[] = {{"triangle", elasticity::linear_fall(1, 0, a)},
+                          {"cosine", elasticity::cosine_fall(1, a)},
+                          {"narrower triangle", elasticity::linear_fall(1, 0, narrower * a)},
+                          {"step", elasticity::linear_fall(1, 1, a / 2)},
+                          {"root", elasticity::power_fall(1, 0.5, a)},
+                          {"ellipse", elasticity::EllipticLoad(1, a)},
+                          {"parabola", elasticity::power_fall(1, 2, a)},
+                          {"quartic", elasticity::power_fall(1, 4, a)}};
 
   std::vector<Contestant> contestants;
   for (const Shape& shape : shapes) {
     const RefinedSolution solution = own.solve(shape.load);
     if (contestants.empty()) {
-      contestants.push_back(
-          fitted(study, shape.name + " alone", shape.falls_about_half, own_supports, {solution}));
-      contestants.push_back(fitted(study, "uniform alone", false, own_supports, {uniform}));
+      contestants.push_back(fitted(study, shape.name + " alone", own_supports, {solution}));
+      contestants.push_back(fitted(study, "uniform alone", own_supports, {uniform}));
     }
-    contestants.push_back(fitted(study, "uniform + " + shape.name, shape.falls_about_half,
-                                 own_supports, {uniform, solution}));
+    contestants.push_back(
+        fitted(study, "uniform + " + shape.name, own_supports, {uniform, solution}));
   }
 
   const auto add = [&](const Supports& supports) {
     if (supports == own_supports) return;
     const block::SupportedBlock block = study.on(supports);
-    contestants.push_back(fitted(study, "uniform + triangle", true, supports,
+    contestants.push_back(fitted(study, "uniform + triangle", supports,
                                  {block.solve(elasticity::linear_fall(1, 1, a)),
                                   block.solve(elasticity::linear_fall(1, 0, a))}));
   };
@@ -226,32 +240,25 @@ ExponentFit fit_exponent(const BlockStudy& study, double half_width, Support sid
   const auto estimate = [&](double ExponentOnOneMesh::*which) {
     return Estimate{on_fine.*which, std::abs(on_fine.*which - on_coarse.*which) + of_exponent};
   };
-  ExponentFit fit{estimate(&ExponentOnOneMesh::best),
-                  estimate(&ExponentOnOneMesh::least),
-                  estimate(&ExponentOnOneMesh::most),
-                  estimate(&ExponentOnOneMesh::misfit),
-                  {},
-                  {}};
-  constexpr int n_drawn = 200;
-  for (int i = 0; i <= n_drawn; ++i) {
-    const double share = static_cast<double>(i) / n_drawn;
-    fit.exponents.push_back(least_exponent * std::pow(most_exponent / least_exponent, share));
-    fit.misfits.push_back(best_misfit(fine.at(fit.exponents.back()), uniform_ratios, ones).largest);
-  }
-  return fit;
+  return {estimate(&ExponentOnOneMesh::best), estimate(&ExponentOnOneMesh::least),
+          estimate(&ExponentOnOneMesh::most), estimate(&ExponentOnOneMesh::misfit)};
 }
 
-Estimate misfit_of(const BlockStudy& study, const elasticity::Load& load, Support sides) {
+Contestant unfitted(const BlockStudy& study, const std::string& shape, const elasticity::Load& load,
+                    double peak, Support sides) {
   const RefinedSolution solution = study.on(sides).solve(load);
-  const auto largest = [&](const block::Solution& s) {
-    double misfit = 0;
-    for (const double ratio : ratios_of(s, study.observed())) {
-      misfit = std::max(misfit, std::abs(ratio - 1));
-    }
-    return misfit;
+  const std::vector<Measured> ones = block::relative(study.observed());
+  const auto misfit = [&](const block::Solution& s) {
+    Ratios residuals = ratios_of(s, study.observed());
+    for (double& residual : residuals) residual -= 1;
+    return MisfitOnOneMesh(residuals, ones);
   };
-  const double fine = largest(solution.fine());
-  return {fine, std::abs(fine - largest(solution.coarse()))};
+  return {shape,
+          0,
+          block::with_sides(sides),
+          on_both(misfit(solution.fine()), misfit(solution.coarse())),
+          peak,
+          solution};
 }
 
 }  // namespace paper

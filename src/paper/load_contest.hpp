@@ -13,32 +13,37 @@
 
 namespace paper {
 
-/// One shape on some supports, fitted to the printed displacements.
+/// How far a load is from the displacements observed; wrong by its distance from the coarser mesh.
+struct Misfit {
+  Estimate largest;        ///< |computed/observed − 1|
+  Estimate largest_share;  ///< the largest of these over its standard uncertainty, or as it is
+  Estimate chi_squared;    ///< Σ of the squares of these shares
+};
+
+/// One shape on some supports, fitted to the printed displacements or as it is.
 struct Contestant {
   std::string shape;
-  int n_free;  ///< numbers that were fitted, 1 or 2
-  /// Whether what falls does so about half-way: its share at t = |x|/a is 1 less that at 1 − t.
-  bool falls_about_half;
+  int n_free;  ///< numbers that were fitted, 0, 1 or 2
   block::Supports supports;
-  Estimate largest_misfit;  ///< relative; wrong by its distance from the coarser mesh
+  Misfit misfit;
   Measured peak;  ///< the largest pressure, in the middle or at the ends of the load
   block::RefinedSolution refitted;  ///< under the fits made on each of the two meshes
 };
 
-/// All shapes on the supports of the case, each alone or on a uniform pressure, then the linear
-/// fall on other supports.
+/// All shapes on the supports of the case, each alone or on a uniform pressure, among them a
+/// triangle that is narrower than the load, then the linear fall on other supports.
 std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& half_space,
                                 block::Support sides);
 
 /// p = p_e + (p_0 − p_e)(1 − |x/a|ᵐ) with the exponent m fitted besides p_0 and p_e.
 ///
 /// `best` makes the sum of squares least, of residuals over their uncertainties. With each m from
-/// `least` to `most` a choice of p_0 and p_e meets every displacement to `allowed`; both are `best`
-/// if not even that does. Each number is wrong by its distance from the coarser mesh.
+/// `least` to `most` the p_0 and p_e that fit best meet every displacement to `allowed` of its
+/// uncertainty, or relatively if none has one; both are `best` if not even that does. Each number
+/// is wrong by its distance from the coarser mesh.
 struct ExponentFit {
   Estimate best, least, most;
-  Estimate misfit;                         ///< the largest at `best`, relative
-  std::vector<double> exponents, misfits;  ///< the largest misfit for each of many exponents
+  Estimate misfit;  ///< the largest at `best`, relative
 };
 
 /// The exponents that are tried.
@@ -51,7 +56,8 @@ constexpr double most_exponent = 4;
 ExponentFit fit_exponent(const BlockStudy& study, double half_width, block::Support sides,
                          double allowed);
 
-/// The largest relative misfit of a load as it is, without any fit.
-Estimate misfit_of(const BlockStudy& study, const elasticity::Load& load, block::Support sides);
+/// A load as it is, without any fit, with its largest pressure.
+Contestant unfitted(const BlockStudy& study, const std::string& shape, const elasticity::Load& load,
+                    double peak, block::Support sides);
 
 }  // namespace paper

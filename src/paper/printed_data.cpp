@@ -120,9 +120,17 @@ std::map<std::string, PrintedNumber> read_measures(const config::Table& table,
   return measures;
 }
 
+PrintedStressError read_stress_error(const config::Table& table) {
+  PrintedStressError printed{table.printed_number("rms"), table.printed_number("of_largest")};
+  require_in_range(table, "rms", printed.rms, Sign::positive);
+  require_in_range(table, "of_largest", printed.of_largest, Sign::positive);
+  return printed;
+}
+
 PrintedAppendix2 read_appendix2(const config::Table& table, std::size_t n_points) {
   return {
-      table.text("source"), read_measures(table.table("measures"), n_points),
+      table.text("source"), read_stress_error(table.table("stress_error")),
+      read_measures(table.table("measures"), n_points),
       read_numbers(table.table("convergence"), {"max_stress_prin", "max_stress_xy"}),
       read_numbers(table.table("mass_properties"),
                    {"mass", "centre_y", "ixx_about_origin", "iyy_about_origin", "izz_about_origin",

@@ -26,9 +26,16 @@ struct PrintedTriDist {
   PrintedNumber step;  ///< how far the program steps off a singular point
 };
 
+/// The error of the stresses that the run estimates itself, root mean square, in units of stress.
+struct PrintedStressError {
+  PrintedNumber rms;
+  PrintedNumber of_largest;  ///< the largest principal stress, which the run compares it with
+};
+
 /// The summary of the finite-element run.
 struct PrintedAppendix2 {
   std::string source;
+  PrintedStressError stress_error;
   std::map<std::string, PrintedNumber> measures;         ///< by their printed names
   std::map<std::string, PrintedNumber> convergence;      ///< of those, in percent
   std::map<std::string, PrintedNumber> mass_properties;  ///< mass, centre_y, ixx_about_origin, …

@@ -106,26 +106,6 @@ void count_evaluations(Document& document, const HalfSpaceCase& c) {
             fixed(0)));
 }
 
-// How far the quadratures are from the closed forms and how far they say they may be, against x/a.
-// On logarithmic axes a difference of exactly zero is a gap.
-Figure error_figure(const Comparisons& gradients, const Comparisons& displacements,
-                    double half_width, double displacement_unit) {
-  const double gradient_unit = displacement_unit / half_width;
-  const auto errors = [&](const Comparisons& comparisons, double unit) -> FigureData {
-    std::vector<double> x, difference, estimate;
-    for (const Comparison& c : comparisons) {
-      x.push_back(c.x / half_width);
-      difference.push_back(c.difference() == 0 ? literate::gap : std::abs(c.difference()) / unit);
-      estimate.push_back(c.quadrature.abs_error / unit);
-    }
-    return {{"x", x}, {"difference", difference}, {"estimate", estimate}};
-  };
-  return {.width_cm = 15,
-          .height_cm = 5.2,
-          .data = {{"gradient", errors(gradients, gradient_unit)},
-                   {"displacement", errors(displacements, displacement_unit)}}};
-}
-
 // The largest difference from the closed form, over a unit; wrong by what both say of themselves.
 Estimate largest_over(const Comparisons& comparisons, double unit) {
   Estimate largest;
@@ -198,25 +178,24 @@ void compute_quadrature(Document& document, const Case& from) {
   document.value("quadrature.n-points", Value(std::ssize(points), integer()));
   document.value("quadrature.nearest-decade", Value(nearest_decade, integer()));
   document.value("quadrature.farthest-decade", Value(farthest_decade, integer()));
-  document.value(
-      "quadrature.gradient.difference",
-      Value(largest_difference(wide_gradients) * a / unit, scientific(1).rounded_up()).as_is());
-  document.value(
-      "quadrature.gradient.estimate",
-      Value(largest_estimate(wide_gradients) * a / unit, scientific(1).rounded_up()).as_is());
-  document.value(
-      "quadrature.displacement.difference",
-      Value(largest_difference(wide_displacements) / unit, scientific(1).rounded_up()).as_is());
-  document.value(
-      "quadrature.displacement.estimate",
-      Value(largest_estimate(wide_displacements) / unit, scientific(1).rounded_up()).as_is());
-  document.value(
-      "quadrature.from-gradient.difference",
-      Value(largest_difference(from_gradients) / unit, scientific(1).rounded_up()).as_is());
+  literate::Table table(
+      "quadrature", {Column::text("quantity"), Column::text("by"), Column("points", integer()),
+                     Column("difference", scientific(1)), Column("reported error", scientific(1))});
+  const auto add = [&](const char* what, const char* by, const Comparisons& comparisons,
+                       double scale) {
+    const auto bound = [&](double number) {
+      return Cell::latex(Value(number / scale, scientific(1).rounded_up()).as_is().latex());
+    };
+    table.add_row({Cell::latex(what), Cell::latex(by), std::ssize(comparisons),
+                   bound(largest_difference(comparisons)), bound(largest_estimate(comparisons))});
+  };
+  add("displacement", "integrating the gradient", from_gradients, unit);
+  add("displacement", "$\\ln|x - s|$", wide_displacements, unit);
+  add("gradient", "$1/(x - s)$", wide_gradients, unit / a);
+  document.table(table);
   Comparisons all_gradients = wide_gradients;
   all_gradients.insert(all_gradients.end(), gradients.begin(), gradients.end());
   claim_quadrature(document, all_gradients, wide_displacements, from_gradients, unit);
-  document.figure("quadrature-error", error_figure(wide_gradients, wide_displacements, a, unit));
 
   const char* const reason = "ten digits of the scale, for which the quadratures are written";
   const auto reported = [&](const Comparisons& comparisons, double scale) {

@@ -36,12 +36,12 @@ struct Section {
 /// All of them in the order of the report, which numbers the claims.
 const std::vector<Section>& sections();
 
-void compute_provenance(Document& document, const Case& from);
 void compute_formulation(Document& document, const Case& from);
 void compute_quadrature(Document& document, const Case& from);
 void compute_results(Document& document, const Case& from);
-void compute_finite_block(Document& document, const Case& from);
 void compute_error_analysis(Document& document, const Case& from);
+void compute_finite_block(Document& document, const Case& from);
+void compute_tangential(Document& document, const Case& from);
 void compute_cylinders(Document& document, const Case& from);
 void compute_octave(Document& document, const Case& from);
 void compute_contact_m(Document& document, const Case& from);
@@ -52,5 +52,6 @@ void compute_regions(Document& document, const Case& from);
 void compute_friction(Document& document, const Case& from);
 void compute_stresses(Document& document, const Case& from);
 void compute_spheres(Document& document, const Case& from);
+void compute_provenance(Document& document, const Case& from);
 
 }  // namespace paper

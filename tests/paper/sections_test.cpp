@@ -25,6 +25,7 @@ const std::map<std::string, std::string> prose_only = {
     {"nomenclature", "explains the letters"},
     {"discussion", "weighs what the sections found"},
     {"references", "lists sources"},
+    {"transcription", "says how the copy of the paper was restored"},
     {"ledger", "is made of all sections' claims by the engine"}};
 
 // The files of a folder with this ending, without it and with _ for -.

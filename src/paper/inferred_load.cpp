@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/inferred_load.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elasticity/load_shapes.hpp"
+#include "numerics/least_squares.hpp"
+#include "paper/block_claims.hpp"
+#include "paper/bounds.hpp"
+#include "paper/conventions.hpp"
+#include "paper/load_contest.hpp"
+
+namespace paper {
+namespace {
+
+constexpr double of_resultant = 1e-12;  // relative, as elasticity::normal_resultant states
+constexpr double six_tenths = 0.6;      // of the peak, at the ends of the round load
+
+// The largest vertical stress of the run with the error that it estimates of its stresses.
+Measured largest_stress(const PrintedData& printed_data) {
+  const PrintedAppendix2& printed = printed_data.appendix2;
+  return {std::abs(printed.measures.at("max_stress_yy").value()), printed.stress_error.rms.value(),
+          "stress error"};
+}
+
+// How far a peak is from the largest printed stress, in the standard uncertainty of both.
+Estimate off_stress(const Measured& peak, const PrintedData& printed_data) {
+  const Measured difference = peak - largest_stress(printed_data);
+  return 1 / difference.standard() * abs(difference.bounded());
+}
+
+// A number of a fitted load's solution, as wrong as the fit on the coarser mesh has it otherwise.
+template <typename Number>
+Estimate of_refitted(const Contestant& contestant, Number&& number) {
+  const double fine = number(contestant.refitted.fine());
+  const double coarse = number(contestant.refitted.coarse());
+  return {fine, std::abs(fine - coarse) + of_resultant * std::abs(fine)};
+}
+
+Estimate energy_of(const Contestant& contestant) {
+  return of_refitted(contestant, [](const block::Solution& s) { return s.strain_energy(); });
+}
+
+Estimate resultant_of(const Contestant& contestant) {
+  return of_refitted(contestant, [](const block::Solution& s) { return -s.applied().force.y(); });
+}
+
+// The linear fall from the displacements alone, with the resultant held, and with the stress too.
+void register_fit(Document& document, const HalfSpaceCase& half_space, const UnitSystem& units,
+                  const PrintedData& printed_data, const BlockStudy& study) {
+  const block::LinearFit& fit = *study.fit();
+  const auto pressure = [&](const char* key, const Measured& number) {
+    document.value(key, Value(number, uncertain(), units.stress));
+  };
+  double least_convergence = HUGE_VAL, most_convergence = 0;
+  for (const Measured& one : block::relative(study.observed())) {
+    least_convergence = std::min(least_convergence, one.standard());
+    most_convergence = std::max(most_convergence, one.standard());
+  }
+  document.value("fit.least-convergence", Value(least_convergence, percent(1)).as_is());
+  document.value("fit.most-convergence", Value(most_convergence, percent(1)).as_is());
+  pressure("fit.peak", fit.peak);
+  pressure("fit.edge", fit.edge);
+  document.value("fit.correlation",
+                 Value(numerics::correlation(fit.peak, fit.edge), fixed(4)).as_is());
+  const double a = half_space.load.half_width();
+  const Measured sum = fit.peak + fit.edge;
+  pressure("fit.sum", sum);
+  // ∫(p_m (1 − |x|/a) + p_e |x|/a) dx = a (p_m + p_e)
+  document.value("fit.resultant", Value(a * sum, uncertain(), units.line_load));
+  const double printed_sum =
+      std::abs(printed_data.appendix2.measures.at("resultant_load_y").value()) / a;
+  const Measured held = numerics::given(fit.peak, sum, printed_sum);
+  pressure("fit.peak-of-resultant", held);
+  const auto with_stress =
+      numerics::fit_linear(Eigen::MatrixXd::Ones(2, 1), {held, largest_stress(printed_data)});
+  const Measured peak_of_all = with_stress.coefficients.front();
+  pressure("fit.peak-of-all", peak_of_all);
+  pressure("fit.edge-of-all", printed_sum - peak_of_all);
+
+  Estimate least{HUGE_VAL, 0}, most;
+  for (std::size_t i = 0; i < study.observed().size(); ++i) {
+    const Estimate computed = study.under_triangle().displacement_z(study.observed()[i].x, 0);
+    const Estimate below = 1 - computed / as_estimate(printed_data.figure5.fea_z[i]);
+    if (below.value < least.value) least = below;
+    if (below.value > most.value) most = below;
+  }
+  document.value("fit.triangle.least", Value(least, percent(0)));
+  document.value("fit.triangle.most", Value(most, percent(0)));
+  document.value("fit.misfit",
+                 Value(Estimate{fit.fit.max_misfit, study.misfit_error()}, percent(2)));
+}
+
+// How well the fit is fitted, and what its uncertainty would be if the residuals told it.
+void register_quality(Document& document, const UnitSystem& units, const BlockStudy& study,
+                      const Contestant& linear) {
+  const auto n_degrees = static_cast<double>(std::ssize(study.observed()) - 2);
+  const Estimate chi_squared = linear.misfit.chi_squared;
+  document.value("fit.chi-squared", Value(chi_squared, significant(2)));
+  document.value("fit.degrees", Value(std::ssize(study.observed()) - 2, integer()));
+  document.value("fit.scaled",
+                 Value(study.fit()->peak.standard() * sqrt(1 / n_degrees * chi_squared),
+                       significant(1), units.stress));
+}
+
+// What speaks for the load of round numbers, which has nothing fitted, and what against it.
+void register_round(Document& document, const UnitSystem& units, const PrintedData& printed_data,
+                    const Contestant& round) {
+  const auto& printed = printed_data.appendix2;
+  const Measured stress = largest_stress(printed_data);
+  const Estimate energy =
+      abs(energy_of(round) / as_estimate(printed.measures.at("strain_energy")) - 1);
+  document.value("fit.round-edge",
+                 Value(closed_form(six_tenths * round.peak.value()), significant(3), units.stress));
+  document.value("fit.round-resultant",
+                 Value(abs(resultant_of(round)), significant(7), units.line_load));
+  document.value("fit.round-misfit", Value(round.misfit.largest, percent(2)));
+  document.value("fit.round-share", Value(round.misfit.largest_share, significant(2)));
+  document.value("fit.round-chi-squared", Value(round.misfit.chi_squared, significant(2)));
+  document.value("fit.round-energy", Value(energy, percent(2)));
+  document.value("appendix2.largest-pressure",
+                 Value(stress.bounded(), significant(4), units.stress));
+  document.value("appendix2.stress-error",
+                 Value(as_estimate(printed.stress_error.rms), significant(3), units.stress));
+  document.value(
+      "appendix2.stress-error-share",
+      Value(as_estimate(printed.stress_error.rms) / as_estimate(printed.stress_error.of_largest),
+            percent(1)));
+  document.value("fit.round-stress", Value(round.peak.value() / stress.bounded() - 1, percent(2)));
+  document.value("fit.round-off", Value(off_stress(round.peak, printed_data), significant(2)));
+
+  const auto agrees = [&](const char* what, Value computed, const char* name,
+                          const std::string& unit, Limit limit) {
+    const PrintedNumber& number = printed.measures.at(name);
+    return Criterion::agrees_relatively(what, std::move(computed),
+                                        Value(abs(as_estimate(number)), significant(7), unit),
+                                        std::move(limit));
+  };
+  document.claim(
+      "round-load-fits",
+      {.route = "the block by finite elements under the load as it is, on the supports assumed, "
+                "against what the run prints of its displacements, resultant, energy and largest "
+                "vertical stress",
+       .expected = Verdict::confirmed,
+       .criteria = {
+           Criterion::at_most("largest misfit of a displacement, over its printed convergence",
+                              Value(round.misfit.largest_share, significant(2)),
+                              {LimitKind::printed, 1.0, "the convergence that is printed"}),
+           agrees("resultant", Value(abs(resultant_of(round)), significant(7), units.line_load),
+                  "resultant_load_y", units.line_load,
+                  {LimitKind::printed, 1e-6, "the resultant is printed with seven digits"}),
+           agrees("strain energy", Value(energy_of(round), scientific(4), units.force),
+                  "strain_energy", units.force,
+                  {LimitKind::printed, printed.convergence.at("strain_energy").value() / 100,
+                   "the convergence that is printed"}),
+           Criterion::at_most(
+               "largest vertical stress, off the printed one by so many of the run's "
+               "own stress error",
+               Value(off_stress(round.peak, printed_data), significant(2)),
+               {LimitKind::convention, 2, "about 95 % of a normal distribution lie within"})}});
+}
+
+// A load in few words: on other supports than the case's, these.
+std::string label_of(const Contestant& c, const block::Supports& own) {
+  if (c.supports == own) return c.shape;
+  return "on " + name_of(c.supports.left) + " sides, " + name_of(c.supports.bottom) + " bottom";
+}
+
+void tabulate(Document& document, const PrintedData& printed_data, const UnitSystem& units,
+              const std::vector<Contestant>& contestants) {
+  const auto& printed = printed_data.appendix2.measures;
+  const char* const misfit = "misfit of displacements";
+  literate::Table table(
+      "load-contest",
+      {Column::text("load"), Column("largest, \\%", fixed(2)).under(misfit),
+       Column("share", fixed(2)).under(misfit), Column("$\\chi^2$", fixed(1)).under(misfit),
+       Column("peak", uncertain(), units.stress), Column("off", fixed(1)),
+       Column("resultant, \\%", fixed(2)), Column("energy, \\%", fixed(2))});
+  const block::Supports own = contestants.front().supports;
+  for (const Contestant& c : contestants) {
+    const bool is_peaked = c.n_free == 2 || c.n_free == 0;
+    const Cell peak = c.n_free == 0 ? Cell::quoted(c.peak.value(), 0) : Cell(c.peak);
+    table.add_row({label_of(c, own), 100 * c.misfit.largest, c.misfit.largest_share,
+                   c.misfit.chi_squared, peak,
+                   is_peaked ? Cell(off_stress(c.peak, printed_data)) : Cell(),
+                   percent_off(resultant_of(c), printed.at("resultant_load_y")),
+                   percent_off(energy_of(c), printed.at("strain_energy"))});
+  }
+  document.table(table);
+}
+
+// The peak of every load with its standard uncertainty, one below the other, beside the stress.
+Figure peaks_figure(const PrintedData& printed_data, const UnitSystem& units,
+                    const std::vector<Contestant>& contestants) {
+  const Measured stress = largest_stress(printed_data);
+  std::vector<double> rows, peaks, standards, shares;
+  Figure figure{.width_cm = 15,
+                .height_cm = 6.8,
+                .data = {},
+                .numbers = {{"stress", stress.value()}, {"stress_error", stress.standard()}},
+                .texts = {{"unit", units.stress}}};
+  const block::Supports own = contestants.front().supports;
+  for (const Contestant& c : contestants) {
+    if (c.n_free == 1) continue;
+    rows.push_back(static_cast<double>(rows.size()));
+    peaks.push_back(c.peak.value());
+    standards.push_back(c.peak.standard());
+    shares.push_back(c.misfit.largest_share.value);
+    figure.texts[fmt::format("row_{}", rows.size())] = label_of(c, own);
+  }
+  figure.numbers["n_rows"] = static_cast<double>(rows.size());
+  figure.data["loads"] = {
+      {"row", rows}, {"peak", peaks}, {"standard", standards}, {"share", shares}};
+  return figure;
+}
+
+// The largest shear stress, which is inside the body, under each load that meets the displacements.
+void claim_shear(Document& document, const BlockStudy& study, const PrintedData& printed_data,
+                 const UnitSystem& units, const std::vector<const Contestant*>& meets) {
+  const PrintedAppendix2& printed = printed_data.appendix2;
+  const Estimate shear = abs(as_estimate(printed.measures.at("max_stress_xy")));
+  const double convergence = printed.convergence.at("max_stress_xy").value() / 100;
+  const Limit shown(LimitKind::convention, 3 * convergence,
+                    "three times the convergence that is printed: the load is fitted, and the "
+                    "grids on which the maxima are taken differ");
+  std::vector<Criterion> beyond;
+  Estimate least{HUGE_VAL, 0}, most;
+  for (const Contestant* c : meets) {
+    const auto measures = c->refitted.measures(study.measure_options());
+    const auto found = std::ranges::find(measures, "max_stress_xy", &block::MeasureEstimate::name);
+    const Estimate excess = shear / abs(found->value) - 1;
+    if (excess.value < least.value) least = excess;
+    if (excess.value > most.value) most = excess;
+    beyond.push_back(Criterion::at_least("excess", Value(excess, percent(1)), shown));
+  }
+  document.value("appendix2.shear", Value(shear, significant(3), units.stress));
+  document.value("appendix2.shear-convergence", Value(convergence, exact().in_percent()));
+  document.value("contest.least-shear-excess", Value(least, percent(1)));
+  document.value("contest.most-shear-excess", Value(most, percent(1)));
+  document.claim(
+      "convergence-is-no-bound",
+      {.route = "the largest shear stress of the block, which is inside the body, under each load "
+                "tried that meets every displacement to its printed convergence",
+       .expected = Verdict::confirmed,
+       .criteria = {
+           Criterion::in_each("by how much the printed shear exceeds it", "loads", beyond)}});
+}
+
+// What the displacements leave open, and what the largest stress adds.
+void claim_shape(Document& document, const BlockStudy& study, const PrintedData& printed_data,
+                 const UnitSystem& units, const std::vector<Contestant>& contestants,
+                 const ExponentFit& fit) {
+  const block::Supports own = contestants.front().supports;
+  std::vector<const Contestant*> meets;
+  std::vector<Criterion> met;
+  long n_near_stress = 0, n_shapes = 0;
+  double most_chi_squared = 0;
+  const Limit printed(LimitKind::printed, 1.0, "the convergence that is printed");
+  for (const Contestant& c : contestants) {
+    if (c.supports != own || c.n_free != 2) continue;
+    ++n_shapes;
+    most_chi_squared = std::max(most_chi_squared, c.misfit.chi_squared.value);
+    if (off_stress(c.peak, printed_data).value <= 2) ++n_near_stress;
+    if (c.misfit.largest_share.value > 1) continue;
+    meets.push_back(&c);
+    met.push_back(
+        Criterion::at_most("misfit", Value(c.misfit.largest_share, significant(2)), printed));
+  }
+  const auto [least, most] =
+      std::ranges::minmax_element(meets, {}, [](const Contestant* c) { return c->peak.value(); });
+  const Measured lowest = (*least)->peak, highest = (*most)->peak;
+  document.value("contest.n-shapes", Value(n_shapes, integer()));
+  document.value("contest.n-met", Value(std::ssize(meets), integer()));
+  document.value("contest.n-near-stress", Value(n_near_stress, integer()));
+  document.value("contest.most-chi-squared", Value(most_chi_squared, significant(2)).as_is());
+  document.value("contest.lowest-peak", Value(lowest, uncertain(), units.stress));
+  document.value("contest.highest-peak", Value(highest, uncertain(), units.stress));
+  document.value("fit.exponent", Value(fit.best, fixed(2)));
+  document.value("fit.exponent.least", Value(fit.least, fixed(2)));
+  document.value("fit.exponent.most", Value(fit.most, fixed(2)));
+  document.claim(
+      "shape-undecided",
+      {.route = "two numbers fitted for each shape, on the supports assumed; the shapes that meet "
+                "every displacement to its printed convergence",
+       .expected = Verdict::confirmed,
+       .criteria = {Criterion::in_each("largest misfit of these, over the printed convergence",
+                                       "shapes", met),
+                    Criterion::at_least("their number", Value(std::ssize(meets), integer()),
+                                        {LimitKind::derived, 2, "one would be decided"}),
+                    Criterion::at_least(
+                        "the largest of their peaks over the smallest, less 1",
+                        Value(highest.bounded() / lowest.bounded() - 1, percent(0)),
+                        {LimitKind::convention, 0.05, "ten times the run's own stress error"})}});
+  claim_shear(document, study, printed_data, units, meets);
+}
+
+}  // namespace
+
+void infer_load(Document& document, const HalfSpaceCase& half_space, block::Support sides,
+                const UnitSystem& units, const PrintedData& printed_data, const BlockStudy& study) {
+  register_fit(document, half_space, units, printed_data, study);
+  std::vector<Contestant> contestants = contest(study, half_space, sides);
+  const double a = half_space.load.half_width();
+  const double peak = half_space.load.peak_pressure();
+  const Contestant round = unfitted(study, "linear, nothing fitted",
+                                    elasticity::linear_fall(peak, six_tenths, a), peak, sides);
+  register_quality(document, units, study,
+                   *std::ranges::find(contestants, "uniform + triangle", &Contestant::shape));
+  register_round(document, units, printed_data, round);
+  const auto after_own = std::ranges::find_if(
+      contestants, [&](const Contestant& c) { return c.supports != contestants.front().supports; });
+  contestants.insert(after_own, round);
+  tabulate(document, printed_data, units, contestants);
+  document.figure("load-peaks", peaks_figure(printed_data, units, contestants));
+  constexpr double of_convergence = 1;
+  claim_shape(document, study, printed_data, units, contestants,
+              fit_exponent(study, a, sides, of_convergence));
+}
+
+}  // namespace paper
