@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(the_listing_is_read_from_what_is_printed) {
   const paper::PrintedData printed{
       {},
       {"", {}, PrintedNumber("0.0000001")},
-      {},
+      {"", {PrintedNumber("1"), PrintedNumber("1")}, {}, {}, {}},
       {"", PrintedNumber("0.0005"), PrintedNumber("37"), PrintedNumber("9")}};
   const ContactMInput input = paper::as_printed(printed);
 
