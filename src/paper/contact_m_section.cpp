@@ -223,9 +223,8 @@ void describe_listing(Document& document, const ContactCase& c, const UnitSystem
   document.value("contact-m.load", Value(carried, significant(4), units.line_load));
   // each triangle but the one in the middle has a mirror image
   const double both_sides = 2 * program.line_load - input.spacing * program.pressure[0];
-  document.value("contact-m.symmetric-load",
-                 Value({both_sides, 3 * of_system * program.line_load}, significant(4),
-                       units.line_load));
+  document.value("contact-m.symmetric-load", Value({both_sides, 3 * of_system * program.line_load},
+                                                   significant(4), units.line_load));
   document.value("contact-m.hertz-half-width",
                  Value(program.hertz_half_width, significant(4), units.length)
                      .within(rounded(c, program.hertz_half_width)));
