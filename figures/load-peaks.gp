@@ -24,7 +24,7 @@ set lmargin at screen 0.64
 set rmargin at screen 0.98
 set xtics auto
 set xrange [*:*]
-set xtics 50
+set xtics 100
 set xlabel sprintf('peak $\pm\,\sigma$ (%s)', unit)
 set object 1 rectangle from first stress - stress_error,graph 0 to first stress + stress_error,graph 1 \
   fc rgb shade fs solid noborder behind
