@@ -6,7 +6,6 @@
 #   SITE=https://…   site: the address at which it will stand
 #   NAME=name        figures: this one alone, as a picture
 #   PAPER=file       check-report: the text of the paper, against which every quotation is held
-#   TARGET=name      why: another target, or a file that is built
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   KINDS=faults,interruptions,cases ONLY=text   faults: of what kind, and of which name
 #   ONLY=id          mutants: this one alone

@@ -18,10 +18,6 @@ touch -d '1 minute' "$toy/report/sections/a.tex"
 toy_make why
 claim 'changed prose is named, and what is older' \
   "$said" = 'report/sections/a.tex changed after build/report/report.pdf was made'
-toy_make why TARGET=figures
-claim 'the figures do not depend on prose' "$said" = 'nothing to do'
-toy_make why TARGET=build/report/report.pdf
-claim 'a file can be asked about' "$(says 'report/sections/a.tex changed')" = yes
 
 # The first edit after a commit changes the state of the repository as well.
 touch -d '1 minute' "$toy/build/release/repository/repository.json"
@@ -64,10 +60,6 @@ toy_make why
 claim 'a changed CMakeLists.txt is named' "$(says 'CMakeLists.txt changed after')" = yes
 touch "$toy/CMakeLists.txt"
 toy_make report
-
-toy_make why TARGET=nonsense
-claim 'an unknown target ends with 2' "$status" -eq 2
-claim 'an unknown target is named' "$(says 'TARGET: there is no target or file nonsense that is built')" = yes
 
 # Generated files are watched too
 echo forged >"$toy/build/report/generated/tables/t.tex"
