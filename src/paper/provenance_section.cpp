@@ -3,10 +3,9 @@
 #include <utility>
 
 #include "literate/main/paper.hpp"
-#include "literate/main/platform.hpp"
 #include "paper/sections.hpp"
 #include "system/files.hpp"
-#include "system/tool_version.hpp"
+#include "system/process.hpp"
 #include "toolchain/libraries.hpp"
 
 namespace paper {

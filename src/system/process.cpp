@@ -14,7 +14,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <optional>
 #include <system_error>
 
 #include "system/decimal.hpp"
@@ -153,6 +152,11 @@ ProcessResult run(const Command& command) {
         std::chrono::round<std::chrono::seconds>(Clock::now() - begin).count()));
   }
   return result;
+}
+
+std::string tool_version(const std::string& program) {
+  const ProcessResult result = run({.program = program, .arguments = {"--version"}});
+  return result.output.substr(0, result.output.find('\n'));
 }
 
 }  // namespace sys

@@ -48,4 +48,8 @@ std::filesystem::path find_tool(std::string_view program);
 /// it is empty or 0; anything else is an InputError. The caller has to look at the exit status.
 ProcessResult run(const Command& command);
 
+/// Returns the first line that `program --version` prints; throws ToolError if the program is not
+/// installed.
+std::string tool_version(const std::string& program);
+
 }  // namespace sys

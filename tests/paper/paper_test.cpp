@@ -9,7 +9,7 @@
 #include <string>
 
 #include "literate/document/names.hpp"
-#include "literate/excerpts/find_excerpts.hpp"
+#include "literate/excerpts/excerpt.hpp"
 #include "literate/prose/references.hpp"
 #include "system/csv.hpp"
 #include "system/decimal.hpp"

@@ -1,33 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src
 #   [FIGURES figures] [DATA file …] [ROOT folder] [ENGINE pdflatex|lualatex])
-# makes the targets of a paper, none of them part of `all`:
-#
-#   rod            the PDF, and manifest.json beside it
-#   rod-figures    values, tables and figures only
-#   rod-figure     one of them, NAME=name, as a picture to look at
-#   rod-html       the same document as one page
-#   rod-site       a folder for any static host: page, PDF, data, what SITE names
-#   rod-check      unknown and unused names, typed numbers, and what does not hold
-#   rod-verify     makes it again elsewhere and asks for the same bytes; with MANIFEST=file compares with that one's paper
-#   rod-dist       packs the sources as arXiv and journals take them
-#   rod-watch      builds it after each save
-#   rod-reports    the paper of each case in CASES='cases/*.toml', J of them at a time, and a table of them all
-#   rod-why        says why it would be built again
-#
-# NAME       of the targets and of the PDF
-# PROGRAM    the executable whose main() calls literate::main, made before by add_executable; it may serve several papers, and
-#            Inputs::paper tells it the NAME of the one that it computes
-# DOCUMENT   the folder of the LaTeX document, and MAIN its main file
-# CASE       the parameter file; another one is chosen by -Drod_CASE=file
-# SOURCES    folders with the code, from ROOT on: excerpts are looked for there, and the manifest names their files
-# FIGURES    the folder with a gnuplot script for each figure, and style.gp
-# DATA       files that the program imports, and their scripts: a changed one computes the paper again
-# ROOT       the paper's repository, if not the folder of the CMake project
-# ENGINE     the LaTeX that typesets it, pdflatex by default
-#
-# All that is made lies in rod_OUTPUT, by default the folder rod of the build folder. The program is compiled so that
-# names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
+# makes the targets of a paper, none of them part of `all`; README.md has a row for each argument and target. All that is made
+# lies in rod_OUTPUT, by default the folder rod of the build folder; -Drod_CASE=file chooses another case. The program is
+# compiled so that names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
 
 # The names of files in a program and in the paper's own libraries that it links start at `root`: whole names, and those
 # that begin at the build folder, which ccache tells the compiler where it has a base_dir.

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "literate/document/document_tex.hpp"
-#include "literate/document/last_registered.hpp"
-#include "literate/document/literate_sty.hpp"
 #include "literate/document/names.hpp"
 #include "literate/document/page_html.hpp"
+#include "literate/document/registered.hpp"
 #include "literate/text/characters.hpp"
+#include "literate/text/embedded_texts.hpp"
 #include "literate/text/name.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "literate/document/registered.hpp"
-#include "literate/excerpts/listing_language.hpp"
+#include "literate/excerpts/excerpt.hpp"
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

@@ -4,9 +4,66 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <iterator>
+#include <mutex>
 
 namespace literate {
+namespace {
+
+/// Shortens «void paper::{anonymous}::f(literate::Document&)» to «paper::f».
+std::string short_name(std::string_view signature) {
+  const std::size_t end = signature.find('(');
+  std::string name(signature.substr(0, end));
+  for (std::string_view part : {"{anonymous}::", "(anonymous namespace)::"}) {
+    const std::size_t at = name.find(part);
+    if (at != std::string::npos) name.erase(at, part.size());
+  }
+  const std::size_t space = name.rfind(' ');
+  return space == std::string::npos ? name : name.substr(space + 1);
+}
+
+}  // namespace
+
+SourcePlace place_of(const std::source_location& location) {
+  return {location.file_name(), short_name(location.function_name()), location.line(),
+          location.column()};
+}
+
+std::string text_of(const SourcePlace& place) {
+  return fmt::format("{}:{}", place.file, place.line);
+}
+
+namespace {
+
+struct KeptText {
+  std::array<char, 400> characters{};
+  std::size_t size = 0;
+};
+
+// One is read while the other is written.
+std::array<KeptText, 2> kept_texts;
+std::atomic<int> current_text = -1;
+
+}  // namespace
+
+void remember_last_registered(const std::string& what) {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const int next = current_text == 0 ? 1 : 0;
+  KeptText& text = kept_texts.at(static_cast<std::size_t>(next));
+  text.size = std::min(what.size(), text.characters.size());
+  std::copy_n(what.begin(), text.size, text.characters.begin());
+  current_text = next;
+}
+
+std::string_view last_registered() {
+  const int i = current_text;
+  if (i < 0) return "nothing";
+  const KeptText& text = kept_texts[static_cast<std::size_t>(i)];
+  return {text.characters.data(), text.size};
+}
 
 std::vector<Check> failed_checks(const Registered& registered) {
   std::vector<Check> failed;

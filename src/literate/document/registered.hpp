@@ -2,18 +2,41 @@
 #pragma once
 
 #include <map>
+#include <source_location>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "literate/claims/claim.hpp"
 #include "literate/document/attachments.hpp"
-#include "literate/document/source_place.hpp"
 #include "literate/figures/figure.hpp"
 #include "literate/tables/table.hpp"
 #include "literate/values/value.hpp"
 
 namespace literate {
+
+/// A line of code that registered something.
+struct SourcePlace {
+  std::string file;      ///< relative to the checkout
+  std::string function;  ///< with its namespace, without its parameters
+  unsigned line = 0;
+  unsigned column = 0;  ///< 0 where it is not known
+};
+
+/// The place as the compiler knows it.
+SourcePlace place_of(const std::source_location& location);
+
+/// Writes a place as «file:line», for messages.
+std::string text_of(const SourcePlace& place);
+
+/// Remembers what was registered, such as «value 'x' (src/main.cpp:31)». Any thread may call this.
+void remember_last_registered(const std::string& what);
+
+/// What was registered last, by any thread; «nothing» before the first. The text stays as it is
+/// until the next but one call of remember_last_registered, and no memory is asked for, so that a
+/// signal handler may call this.
+std::string_view last_registered();
 
 /// Something that must hold for the computation to be trusted, and whether it did.
 struct Check {

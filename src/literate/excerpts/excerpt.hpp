@@ -3,8 +3,15 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace literate {
+
+/// What LaTeX's package listings calls the language of a source file, by the file's name; empty for
+/// a text whose language is not known, which is printed as it is. literate.sty defines those that
+/// listings lacks: CMake, Julia, JSON and TOML.
+std::string listing_language(std::string_view file);
 
 /// Lines of a source file between two markers, each on a line of its own:
 /// «begin excerpt: name» and «end excerpt: name» after a comment sign: // # % -- ! ; or within
@@ -22,5 +29,33 @@ int last_line(const Excerpt& excerpt);
 /// Writes folder/name.txt, the code with its common indentation removed, and folder/name.tex, the
 /// listing with its language and true line numbers.
 void write_excerpt(const std::filesystem::path& folder, const Excerpt& excerpt);
+
+/// Finds the excerpts of one file's text, in the order of the file. Throws sys::SourceError
+/// «file:line: message» for a marker that is malformed, unclosed, unmatched, nested or doubled,
+/// for an excerpt without text, and for a character that latex_of has no mapping for.
+std::vector<Excerpt> excerpts_of(std::string_view text, const std::string& file);
+
+/// Finds the excerpts of all text files below the given folders of `source_root`, which may be
+/// files themselves, sorted by name. Throws sys::SourceError as excerpts_of does, and for a name
+/// that is marked in two files or a folder that does not exist.
+std::vector<Excerpt> find_excerpts(const std::filesystem::path& source_root,
+                                   const std::vector<std::string>& folders);
+
+/// An excerpt as it was when the program was compiled.
+struct CompiledExcerpt {
+  std::string_view name;
+  std::string_view file;    ///< relative to the source root
+  std::string_view sha256;  ///< of the text between the markers
+};
+
+/// Writes a C++ source that defines `const std::vector<CompiledExcerpt> compiled_excerpts` in the
+/// given namespace. The build compiles it into the program together with the excerpts themselves.
+std::string excerpt_hashes_source(const std::vector<Excerpt>& excerpts, std::string_view space);
+
+/// Throws sys::SourceError naming the first excerpt, and its file, that was changed, moved to
+/// another file, added or removed since the program was compiled: a listing of newer sources would
+/// not belong to the numbers beside it.
+void require_compiled(const std::vector<Excerpt>& excerpts,
+                      const std::vector<CompiledExcerpt>& compiled);
 
 }  // namespace literate

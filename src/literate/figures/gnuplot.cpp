@@ -2,12 +2,16 @@
 #include "literate/figures/gnuplot.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
-#include <string_view>
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/pattern.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -16,8 +20,8 @@ namespace {
 constexpr int figure_seconds = 300;  // the slowest seen took 3
 
 /// Overwrites the creation date of a PDF with a fixed one of the same length, because cairo writes
-/// the present second whatever SOURCE_DATE_EPOCH says. cairo 1.18 hides it in a compressed stream of
-/// objects, which qpdf takes apart.
+/// the present second whatever SOURCE_DATE_EPOCH says. cairo 1.18 hides it in a compressed stream
+/// of objects, which qpdf takes apart.
 void fix_creation_date(const fs::path& file) {
   constexpr std::string_view key = "/CreationDate (D:";
   constexpr std::string_view zero = "19700101000000";
@@ -58,6 +62,122 @@ sys::ProcessResult run_gnuplot(const fs::path& folder, const std::string& name,
   const fs::path pdf = folder / (name + ".pdf");
   if (fs::is_regular_file(pdf)) fix_creation_date(pdf);
   return result;
+}
+
+namespace {
+
+/// What gnuplot says about a line of a script.
+struct Message {
+  std::string place;  ///< «figures/name.gp:12»
+  std::string text;
+};
+
+std::string place_in(const ScriptRun& run, std::string_view file, std::string_view line) {
+  if (file == "script.gp") return fmt::format("{}/{}.gp:{}", run.label, run.name, line);
+  if (file == "../style.gp") return fmt::format("{}/style.gp:{}", run.label, line);
+  return fmt::format("{}:{}", file, line);
+}
+
+/// The first «"script" line N: message».
+std::optional<Message> first_message(const ScriptRun& run, std::string_view output) {
+  static const sys::Pattern told(R"re("([^"\n]+\.gp)" line (\d+): (?:warning: )?([^\n]+))re");
+  const auto found = told.find_in(output);
+  if (!found) return std::nullopt;
+  return Message{place_in(run, found->parts[1], found->parts[2]), std::string(found->parts[3])};
+}
+
+/// The variables that the program set, as name.gp lists them.
+std::vector<std::string> registered_names(const ScriptRun& run) {
+  static const sys::Pattern assignment("([A-Za-z_][A-Za-z0-9_]*) = .*");
+  const std::string prelude = sys::read_file(run.folder / (run.name + ".gp"));
+  std::vector<std::string> names;
+  for (const std::string_view line : sys::lines_of(prelude)) {
+    if (const auto found = assignment.match_all_of(line)) names.emplace_back(found->parts[1]);
+  }
+  return names;
+}
+
+std::string registration(const ScriptRun& run) {
+  return fmt::format("figure '{}' is registered at {}", run.name, run.place);
+}
+
+/// Throws if a message tells of something that the program did not register.
+void require_registered(const ScriptRun& run, const Message& message) {
+  static const sys::Pattern variable(R"(undefined variable: (\S+))");
+  static const sys::Pattern column(R"re(no column with header "([^"]*)")re");
+  static const sys::Pattern file(R"re(annot find or open file "([^"]*)")re");
+  if (const auto found = variable.find_in(message.text)) {
+    const auto names = registered_names(run);
+    throw sys::InputError(fmt::format(
+        "{}: '{}' is neither defined nor registered; {} with {}", message.place, found->parts[1],
+        registration(run), names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "))));
+  }
+  if (const auto found = column.find_in(message.text)) {
+    throw sys::InputError(fmt::format("{}: the data have no column '{}'; {}", message.place,
+                                      found->parts[1], registration(run)));
+  }
+  if (const auto found = file.find_in(message.text)) {
+    throw sys::InputError(fmt::format("{}: there are no data '{}'; {}", message.place,
+                                      found->parts[1], registration(run)));
+  }
+}
+
+/// Refuses half a file, which gnuplot leaves when it is ended or the disk is full, sometimes with
+/// status 0.
+void require_whole(const ScriptRun& run, const std::string& script, const std::string& extension,
+                   std::string_view begins, std::string_view ends) {
+  const std::string text = sys::read_file(run.folder / (run.name + extension));
+  if (text.starts_with(begins) && sys::stripped(text).ends_with(ends)) return;
+  throw sys::ToolError(fmt::format(
+      "{}: gnuplot ended without an error, but {} is not whole: it does not end with {} ({})",
+      script, run.name + extension, ends, registration(run)));
+}
+
+}  // namespace
+
+void require_draws_only(std::string_view script, const std::string& file) {
+  static const sys::Pattern forbidden(
+      R"re((?:^|;)\s*(set\s+ou?t?p?u?t?\b|set\s+term\w*|set\s+print|set\s+table\s+['"]|save\b|system\b|shell\b|load\b|call\b|cd\b|!)|(system\s*\(|`))re");
+  int number = 0;
+  for (const std::string_view line : sys::lines_of(script)) {
+    ++number;
+    if (sys::stripped(line).starts_with("#")) continue;
+    const auto found = forbidden.find_in(line);
+    if (!found) continue;
+    throw sys::InputError(fmt::format(
+        "{}:{}: '{}' has no place in a figure's script: it draws from its data, to its own output",
+        file, number, found->parts[1].empty() ? found->parts[2] : found->parts[1]));
+  }
+}
+
+void require_drawn_well(const ScriptRun& run, const sys::ProcessResult& result) {
+  if (const auto message = first_message(run, result.output)) {
+    require_registered(run, *message);
+    throw sys::ToolError(
+        fmt::format("{}: gnuplot: {} ({})", message->place, message->text, registration(run)));
+  }
+  const std::string script = fmt::format("{}/{}.gp", run.label, run.name);
+  if (result.exit_status != 0) {
+    const std::string said = sys::one_line(result.output);
+    throw sys::ToolError(fmt::format("{}: gnuplot ended with {}{}{} ({})", script,
+                                     sys::end_of(result), said.empty() ? " and said nothing" : ": ",
+                                     said, registration(run)));
+  }
+  for (const std::string extension : {".tex", ".pdf"}) {
+    const fs::path drawing = run.folder / (run.name + extension);
+    if (fs::is_regular_file(drawing) && fs::file_size(drawing) > 0) continue;
+    throw sys::ToolError(fmt::format("{}: gnuplot drew nothing: {} is missing or empty ({})",
+                                     script, drawing.filename().string(), registration(run)));
+  }
+  require_whole(run, script, ".pdf", "%PDF-", "%%EOF");
+  require_whole(run, script, ".tex", "", "\\endgroup");
+  const std::vector<std::string> own = {run.name + ".gp", run.name + ".pdf", run.name + ".tex",
+                                        "script.gp"};
+  for (const std::string& file : sys::files_below(run.folder)) {
+    if (file.ends_with(".csv") || std::ranges::find(own, file) != own.end()) continue;
+    throw sys::InputError(fmt::format("{}: the script wrote a file of its own, '{}'; {}", script,
+                                      file, registration(run)));
+  }
 }
 
 }  // namespace literate

@@ -7,8 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "literate/imports/import_error.hpp"
-#include "literate/imports/source_files.hpp"
+#include "literate/imports/imported_table.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/name.hpp"
 #include "system/csv.hpp"
@@ -38,19 +37,6 @@ struct Fields {
   std::map<std::string, std::size_t> errors = {};  // columns «abs_error» and «standard»
 };
 
-/// Splits «x (in)» into a heading for LaTeX and a unit.
-ImportedColumn column_of(const std::string& field) {
-  ImportedColumn column;
-  const auto parenthesis = field.rfind(" (");
-  if (parenthesis == std::string::npos || !field.ends_with(')')) {
-    column.heading = escape_latex(field);
-  } else {
-    column.heading = escape_latex(field.substr(0, parenthesis));
-    column.unit = field.substr(parenthesis + 2, field.size() - parenthesis - 3);
-  }
-  return column;
-}
-
 /// Declares the columns exact whose headings are named.
 void declare_exact(std::vector<ImportedColumn>& columns, const CsvSource& source,
                    const sys::CsvRow& heading, const std::vector<Fields>& fields,
@@ -65,7 +51,7 @@ void declare_exact(std::vector<ImportedColumn>& columns, const CsvSource& source
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const sys::CsvField& field = heading[fields[i].number];
     const std::string& name = field.text;
-    columns[i].is_exact = columns[i].is_exact || exact.contains(name);
+    columns[i].is_exact = exact.contains(name);
     const std::string suggestion = sys::suggestion(name, {"abs_error", "standard"});
     if (columns[i].is_exact || suggestion.empty()) continue;
     throw ImportError(fmt::format("{}: column '{}'{}", source.at(field), name, suggestion));
@@ -86,26 +72,27 @@ std::vector<Fields> fields_of(const CsvSource& source, const sys::CsvRow& headin
   return columns;
 }
 
-/// Takes headings and units from the file where the caller has given none.
-void complete(std::vector<ImportedColumn>& columns, const CsvSource& source,
-              const sys::CsvRow& heading, const std::vector<Fields>& fields) {
-  const bool are_given = !columns.empty();
-  if (are_given && columns.size() != fields.size()) {
-    throw ImportError(fmt::format("{}: {} columns, where {} are described",
-                                  source.at(heading[0].line), fields.size(), columns.size()));
-  }
-  columns.resize(fields.size());
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const ImportedColumn from_file = column_of(heading[fields[i].number].text);
-    if (columns[i].heading.empty()) columns[i].heading = from_file.heading;
-    if (columns[i].unit.empty()) columns[i].unit = from_file.unit;
-    columns[i].at = source.at(heading[fields[i].number]);
-    const std::string& name = heading[fields[i].number].text;
-    if (name.rfind(" (") != name.npos && name.find(')', name.rfind(" (")) == name.npos) {
-      throw ImportError(fmt::format("{}: column '{}': the parenthesis of its unit is not closed",
-                                    columns[i].at, name));
+/// The columns with heading and unit, which «x (in)» has.
+std::vector<ImportedColumn> columns_of(const CsvSource& source, const sys::CsvRow& heading,
+                                       const std::vector<Fields>& fields) {
+  std::vector<ImportedColumn> columns;
+  for (const Fields& of_column : fields) {
+    const std::string& name = heading[of_column.number].text;
+    const std::string at = source.at(heading[of_column.number]);
+    const auto parenthesis = name.rfind(" (");
+    if (parenthesis == name.npos || !name.ends_with(')')) {
+      if (parenthesis != name.npos && name.find(')', parenthesis) == name.npos) {
+        throw ImportError(
+            fmt::format("{}: column '{}': the parenthesis of its unit is not closed", at, name));
+      }
+      columns.push_back({.heading = escape_latex(name), .at = at});
+    } else {
+      columns.push_back({.heading = escape_latex(name.substr(0, parenthesis)),
+                         .unit = name.substr(parenthesis + 2, name.size() - parenthesis - 3),
+                         .at = at});
     }
   }
+  return columns;
 }
 
 ImportedCell cell_of(const CsvSource& source, const sys::CsvRow& row, const Fields& fields,
@@ -165,8 +152,7 @@ ReadFiles read_files(const fs::path& file, const fs::path& script, const fs::pat
 }  // namespace
 
 void import_csv(Document& document, const std::string& name, const fs::path& file_path,
-                const fs::path& script, std::vector<ImportedColumn> columns,
-                const ImportOptions& options) {
+                const fs::path& script, const ImportOptions& options) {
   const std::string file = file_path.string();
   const std::string key = options.prefix + name;
   if (!is_file_name(key)) {
@@ -184,13 +170,10 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
     throw ImportError(fmt::format("{}: there is no line of headings", source.at(1)));
   }
   const std::vector<Fields> fields = fields_of(source, rows.front());
-  complete(columns, source, rows.front(), fields);
+  std::vector<ImportedColumn> columns = columns_of(source, rows.front(), fields);
   declare_exact(columns, source, rows.front(), fields, options.exact);
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const bool keeps_digits = columns[i].format == NumberFormat::as_written;
-    if (keeps_digits && !holds_a_number(rows, fields[i])) {
-      columns[i].format = NumberFormat::text;
-    }
+    if (!holds_a_number(rows, fields[i])) columns[i].format = NumberFormat::text;
   }
 
   std::vector<std::vector<ImportedCell>> cells;

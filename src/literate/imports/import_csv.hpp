@@ -3,11 +3,9 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "literate/document/document.hpp"
 #include "literate/imports/import_json.hpp"
-#include "literate/imports/imported_table.hpp"
 
 namespace literate {
 
@@ -16,19 +14,15 @@ namespace literate {
 /// The first line holds the headings, each with its unit in parentheses behind it: «x (in)». A
 /// column whose heading is abs_error holds the error bounds of the column to its left and is not
 /// printed itself. Numbers without such a column are refused, unless `options.exact` has its
-/// heading as the file writes it, with its unit, or `columns` says that it is exact or of integers.
-/// `columns` says how the other columns print and what they are called, one for each; an empty
-/// heading or unit there is taken from the file, the heading as plain text. With no `columns` each
-/// number keeps the digits of the file as far as its error supports them, and a column without any
-/// number is one of texts.
+/// heading as the file writes it, with its unit. Each number keeps the digits of the file as far as
+/// its error supports them, a column without any number is one of texts, and headings are plain
+/// text.
 ///
 /// File and script are attached to the document and are the table's source place. Throws
 /// ImportError, «file:line:column: table 'name': what is wrong» where column counts fields: for
 /// what csv_rows and table_of refuse, a name that is malformed or registered already, an abs_error
-/// without a column to its left or misspelt, a heading in `options.exact` that the file has not,
-/// and a count of `columns` that is not the file's.
+/// without a column to its left or misspelt, and a heading in `options.exact` that the file has not.
 void import_csv(Document& document, const std::string& name, const std::filesystem::path& file,
-                const std::filesystem::path& script, std::vector<ImportedColumn> columns = {},
-                const ImportOptions& options = {});
+                const std::filesystem::path& script, const ImportOptions& options = {});
 
 }  // namespace literate

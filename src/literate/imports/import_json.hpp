@@ -18,23 +18,13 @@ struct ImportOptions {
 
 /// Registers the values and tables that another program (Octave, Python, Fortran …) wrote as JSON.
 ///
-/// The file is an object with these fields; results.schema.json beside this header says the same
-/// for machines.
-///
-///   "script"         the program's source, relative to the JSON file; required
-///   "script_sha256"  the SHA-256 of the script when it ran; numbers older than it are refused
-///   "values"         an object; each field is a value, and its name is the key:
-///       {"value": 1.2e-6, "abs_error": 1e-14, "unit": "in", "digits": 8}   or   {"text": "7.3.0"}
-///     abs_error, a bound, is required, 0 for what is exact; or else standard, an uncertainty, or
-///     both. With digits, so many significant ones are printed, and the error has to support them;
-///     without, those are printed that it supports.
-///   "tables"         an object; each field is a table:
-///       {"columns": [{"heading": "$x$", "unit": "in", "decimals": 3}, …], "rows": [[0.005, …], …]}
-///     A column has a heading (LaTeX) and prints by decimals (with exponent: of the number divided
-///     by 10^exponent), digits, integer: true or text: true; without any of them each number keeps
-///     the digits of the file as far as its error supports them. A cell is a text, null or
-///     {"value": …, "abs_error": …, "standard": …}, or a bare number where the column is of
-///     integers or says exact: true.
+/// results.schema.json beside this header says what the file holds: the script, relative to it, and
+/// perhaps the script's SHA-256 when it ran, as numbers older than it are refused; values by their
+/// keys, {"value": 1.2e-6, "abs_error": 1e-14, "unit": "in", "digits": 8} or {"text": "7.3.0"};
+/// tables by their names, {"columns": [{"heading": "$x$", "decimals": 3}, …], "rows": [[…], …]}.
+/// A number has a bound of its error, 0 for what is exact, or a standard uncertainty, or both,
+/// unless its column is of integers or exact. It prints the digits that are asked for, which the
+/// error has to support, and otherwise those that it supports.
 ///
 /// The file and its script are attached to the document, and are the source place of each value and
 /// table. Throws ImportError, «file:line:column: what is wrong», for anything else: bad JSON, a key

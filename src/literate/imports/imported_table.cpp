@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "literate/imports/import_error.hpp"
 #include "literate/text/unit.hpp"
 #include "literate/values/decimal.hpp"
 #include "system/decimal.hpp"
+#include "system/files.hpp"
 
 namespace literate {
 namespace {
@@ -169,6 +170,47 @@ Table table_of(const std::string& name, const std::vector<ImportedColumn>& colum
   } catch (const std::invalid_argument& error) {
     throw ImportError(fmt::format("{}: {}", place, error.what()));
   }
+}
+
+namespace fs = std::filesystem;
+namespace {
+
+std::string name_below(const fs::path& root, const fs::path& file) {
+  const fs::path whole = fs::weakly_canonical(file);
+  const fs::path relative = whole.lexically_relative(fs::weakly_canonical(root));
+  const bool is_inside = !relative.empty() && *relative.begin() != "..";
+  std::string name = (is_inside ? relative : whole.filename()).generic_string();
+  constexpr std::string_view allowed =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+.,=/-";
+  if (name.find_first_not_of(allowed) != name.npos) {
+    throw ImportError(fmt::format(
+        "{}: the name must be letters, digits and _ + . , = / -, to be attached to the document",
+        file.string()));
+  }
+  return name;
+}
+
+}  // namespace
+
+std::string read_numbers(const fs::path& file) {
+  try {
+    return sys::read_file(file);
+  } catch (const sys::OutputError&) {
+    throw ImportError(fmt::format("{}: the file cannot be read", file.string()));
+  }
+}
+
+NumbersAndScript with_script(const fs::path& file, std::string text, const fs::path& script,
+                             const fs::path& root) {
+  std::string script_text;
+  try {
+    script_text = sys::read_file(script);
+  } catch (const sys::OutputError&) {
+    throw ImportError(
+        fmt::format("{}: its script '{}' cannot be read", file.string(), script.string()));
+  }
+  return {{name_below(root, file), std::move(text), "numbers of another program"},
+          {name_below(root, script), std::move(script_text), "script of such numbers"}};
 }
 
 }  // namespace literate

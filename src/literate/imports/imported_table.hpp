@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "literate/document/document.hpp"
 #include "literate/tables/table.hpp"
+#include "system/error.hpp"
 
 namespace literate {
+
+/// A file of another program's numbers cannot be used as it is; what() is
+/// «file:line:column: what is wrong», without line and column if the file as a whole is meant.
+class ImportError : public sys::InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// How the numbers of a column are printed.
 enum class NumberFormat {
@@ -62,5 +72,23 @@ struct ImportedCell {
 /// printed.
 Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,
                const std::vector<std::vector<ImportedCell>>& rows, const std::string& at);
+
+/// A file of numbers and the script that wrote it.
+struct NumbersAndScript {
+  AttachedFile numbers;
+  AttachedFile script;
+};
+
+/// Reads a file as text; throws ImportError naming it if it cannot be read.
+std::string read_numbers(const std::filesystem::path& file);
+
+/// Puts a file of numbers, whose text was read already, together with its script. Both are named
+/// relative to `root`, or by their file name alone if they lie elsewhere.
+///
+/// Throws ImportError if the script cannot be read, or if either name holds characters other than
+/// letters, digits and _ + . , = / -, which LaTeX and arXiv do not all take.
+NumbersAndScript with_script(const std::filesystem::path& file, std::string text,
+                             const std::filesystem::path& script,
+                             const std::filesystem::path& root);
 
 }  // namespace literate

@@ -12,9 +12,7 @@
 #include "literate/document/names.hpp"
 #include "literate/figures/plotted.hpp"
 #include "literate/main/stages.hpp"
-#include "literate/prose/figure_widths.hpp"
-#include "literate/prose/images.hpp"
-#include "literate/prose/inputs.hpp"
+#include "literate/prose/document_files.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/quotations.hpp"
 #include "literate/prose/references.hpp"
@@ -77,10 +75,8 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
 ExitCode run(const Settings& settings, const std::string& quoted_text) {
   const Names names = read_names(settings.generated() / "names.json");
   ReferenceReport references = check_references(settings.document, names);
-  std::ranges::move(images_of(settings.document).errors, std::back_inserter(references.errors));
   std::ranges::move(missing_inputs(settings.document, settings.generated()),
                     std::back_inserter(references.errors));
-  std::ranges::move(figure_width_errors(settings.document), std::back_inserter(references.errors));
   std::vector<std::string> findings = typed_numbers_below(settings.document);
   const auto add = [&](std::vector<std::string> more) {
     std::ranges::move(more, std::back_inserter(findings));

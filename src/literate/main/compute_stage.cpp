@@ -10,8 +10,8 @@
 
 #include "command_line/exit_codes.hpp"
 #include "command_line/stage.hpp"
-#include "literate/excerpts/find_excerpts.hpp"
-#include "literate/main/guarded_computation.hpp"
+#include "literate/excerpts/excerpt.hpp"
+#include "literate/main/computation.hpp"
 #include "literate/main/stage_record.hpp"
 #include "literate/main/stages.hpp"
 #include "system/error.hpp"

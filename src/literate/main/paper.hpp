@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "literate/excerpts/excerpt_hashes.hpp"
+#include "literate/excerpts/excerpt.hpp"
 #include "literate/provenance/repository.hpp"
 
 namespace literate {
@@ -35,5 +35,16 @@ std::string version_text(const Paper& paper, const Repository& repository);
 /// The same, with the commit of the checkout when it was last built. It is unknown if the program
 /// was moved away from there.
 std::string version_text(const Paper& paper);
+
+/// The libraries of the engine by name, and their versions: as compiled in, that of glibc as it
+/// runs.
+std::map<std::string, std::string> engine_libraries();
+
+/// The engine's own version.
+std::string engine_version();
+
+/// The processor's architecture and those of its instruction sets by which numerical libraries and
+/// the C library choose their code, e.g. "x86_64 avx avx2 fma": others may round differently.
+std::string processor();
 
 }  // namespace literate

@@ -14,29 +14,25 @@
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "literate/document/names.hpp"
-#include "literate/excerpts/find_excerpts.hpp"
+#include "literate/excerpts/excerpt.hpp"
 #include "literate/excerpts/paper_sources.hpp"
 #include "literate/figures/draw.hpp"
-#include "literate/main/platform.hpp"
+#include "literate/main/paper.hpp"
 #include "literate/main/stage_record.hpp"
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/figure_widths.hpp"
-#include "literate/prose/images.hpp"
-#include "literate/prose/inputs.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
 #include "literate/provenance/digest.hpp"
 #include "literate/provenance/manifest.hpp"
-#include "literate/provenance/manifest_comparison.hpp"
 #include "literate/provenance/repository.hpp"
 #include "literate/typesetting/latex_run.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
-#include "system/tool_version.hpp"
+#include "system/process.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -93,7 +89,7 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
        sources_below(document, ".", {".bib", ".sty", "quotations.toml"})) {
     files[prefix + file.substr(2)] = digest;
   }
-  files.merge(digests(document, images_of(document).files, prefix));
+  files.merge(digests(document, images_of(document), prefix));
   for (const Excerpt& excerpt : find_excerpts(root, paper.source_folders)) {
     files[excerpt.file] = sys::sha256_of_file(root / excerpt.file);
   }
@@ -182,7 +178,7 @@ FileDigests prose_of(const Settings& settings) {
   const fs::path document = fs::weakly_canonical(settings.document);
   const std::string prefix = document.string() + "/";
   FileDigests files = digests(document, document_files(document), prefix);
-  files.merge(digests(document, images_of(document).files, prefix));
+  files.merge(digests(document, images_of(document), prefix));
   for (const std::string& file : paper_sources(document)) {
     const bool is_read =
         file.find('/') == file.npos &&
@@ -238,8 +234,6 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
                     std::back_inserter(references.errors));
   std::ranges::move(missing_inputs(settings.document, generated),
                     std::back_inserter(references.errors));
-  std::ranges::move(images_of(settings.document).errors, std::back_inserter(references.errors));
-  std::ranges::move(figure_width_errors(settings.document), std::back_inserter(references.errors));
   for (const std::string& error : references.errors) complain(error, ExitCode::bad_input);
   const Restyled restyled = restyled_values(settings.document, names);
   for (const std::string& error : restyled.errors) complain(error, ExitCode::bad_input);

@@ -8,7 +8,7 @@
 
 #include "literate/page/expansion_reading.hpp"
 #include "literate/page/html_text.hpp"
-#include "literate/prose/source_label.hpp"
+#include "literate/prose/document_files.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"

@@ -107,7 +107,7 @@ const std::map<std::string_view, Expander::Handler>& Expander::commands() {
     add(&E::provenance_file, {"LiterateFiles", "LiterateFile"});
     add(&E::table, {"tab"});
     add(&E::figure, {"fig"});
-    add(&E::picture, {"image", "includegraphics"});
+    add(&E::picture, {"includegraphics"});
     add(&E::excerpt, {"excerpt"});
     add(&E::title, {"maketitle"});
     add(&E::heading,

@@ -10,7 +10,7 @@
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
-#include "literate/prose/source_label.hpp"
+#include "literate/prose/document_files.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "command_line/options.hpp"
-#include "config/entries.hpp"
+#include "config/table.hpp"
 #include "literate/program/commands.hpp"
+#include "system/csv.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 
@@ -96,22 +97,6 @@ std::string entry_of(const Case& one, const char* part, const std::string& key,
   return entry.is_string() ? entry.get<std::string>() : entry.dump();
 }
 
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-  std::string text = "\"";
-  for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
-}
-
-std::string csv_of(const std::vector<std::vector<std::string>>& rows) {
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : ",") + quoted(row[i]);
-    text += "\n";
-  }
-  return text;
-}
-
 command_line::ExitCode run(const CasesOptions& options) {
   std::vector<Case> cases;
   for (const std::string& folder : options.folders) cases.push_back(read_case(folder));
@@ -151,7 +136,9 @@ command_line::ExitCode run(const CasesOptions& options) {
     add_column("claim " + id,
                [&](const Case& one) { return entry_of(one, "claims", id, "found"); });
   }
-  sys::write_file_atomically(options.output, csv_of(rows));
+  std::string table;
+  for (const std::vector<std::string>& row : rows) table += sys::csv_line(row);
+  sys::write_file_atomically(options.output, table);
   return command_line::ExitCode::success;
 }
 

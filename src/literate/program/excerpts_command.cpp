@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "command_line/options.hpp"
-#include "literate/excerpts/excerpt_hashes.hpp"
-#include "literate/excerpts/find_excerpts.hpp"
+#include "literate/excerpts/excerpt.hpp"
 #include "literate/program/commands.hpp"
 #include "system/files.hpp"
 

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/prose/document_files.hpp"
 
-#include <algorithm>
+#include <fmt/core.h>
 
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "literate/prose/tex_commands.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
+#include "system/nearest_name.hpp"
+#include "system/process.hpp"
 
 namespace literate {
+namespace fs = std::filesystem;
 namespace {
 
-bool begins_document(const std::filesystem::path& file) {
+bool begins_document(const fs::path& file) {
   return std::ranges::any_of(sys::lines_of(sys::read_file(file)), [](std::string_view line) {
     return sys::stripped(line).starts_with("\\documentclass");
   });
@@ -17,7 +25,7 @@ bool begins_document(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<std::string> document_files(const std::filesystem::path& source_dir) {
+std::vector<std::string> document_files(const fs::path& source_dir) {
   std::vector<std::string> files = sys::files_below(source_dir);
   std::erase_if(files, [](const std::string& file) {
     return !file.ends_with(".tex") || file == page_preamble;
@@ -32,6 +40,118 @@ std::vector<std::string> document_files(const std::filesystem::path& source_dir)
     return std::ranges::any_of(others, [&](const auto& other) { return file.starts_with(other); });
   });
   return files;
+}
+
+std::vector<std::string> images_of(const fs::path& source_dir) {
+  static const std::set<std::string> endings = {".png", ".jpg", ".jpeg", ".pdf"};
+  std::set<std::string> found;
+  for (const std::string& file : document_files(source_dir)) {
+    for (const TexCommand& use :
+         commands_in(sys::read_file(source_dir / file), {"includegraphics"})) {
+      const fs::path image = fs::path(use.argument).lexically_normal();
+      if (image.is_absolute() || *image.begin() == ".." || !endings.contains(image.extension()) ||
+          !fs::is_regular_file(source_dir / image)) {
+        continue;
+      }
+      found.insert(image.generic_string());
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+namespace {
+
+bool is_in(const fs::path& folder, const std::string& name) {
+  return fs::is_regular_file(folder / name) || fs::is_regular_file(folder / (name + ".tex"));
+}
+
+/// Whether TeX has a file of this name, as it has `glyphtounicode`.
+bool is_in_tex(const fs::path& folder, const std::string& name) {
+  return sys::run({"kpsewhich", {name}, folder, {}, {}}).exit_status == 0;
+}
+
+/// The names of the databases in the argument of \bibliography or \addbibresource, as files.
+std::vector<std::string> databases(const TexCommand& use) {
+  std::vector<std::string> files;
+  std::istringstream names(use.argument);
+  for (std::string name; std::getline(names, name, ',');) {
+    name = sys::stripped(name);
+    if (!name.empty()) files.push_back(name.ends_with(".bib") ? name : name + ".bib");
+  }
+  return files;
+}
+
+/// Whether the document brings the references themselves, as BibTeX wrote them.
+bool has_references(const fs::path& folder) {
+  return std::ranges::any_of(sys::files_below(folder),
+                             [](const std::string& file) { return file.ends_with(".bbl"); });
+}
+
+std::vector<std::string> missing_databases(const fs::path& folder, const std::string& file,
+                                           const std::string& text) {
+  std::vector<std::string> errors;
+  for (const TexCommand& use : commands_in(text, {"bibliography", "addbibresource"})) {
+    for (const std::string& name : databases(use)) {
+      if (name.find('\\') != std::string::npos || fs::is_regular_file(folder / name) ||
+          is_in_tex(folder, name)) {
+        continue;
+      }
+      errors.push_back(fmt::format("{}/{}:{}:{}: there is no bibliography '{}'",
+                                   source_label(folder), file, use.line, use.column, name));
+    }
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& generated) {
+  const std::vector<std::string> files = document_files(folder);
+  std::set<std::string> parts;
+  for (const std::string& file : files) {
+    parts.insert(fs::path(file).replace_extension().generic_string());
+  }
+  const bool brings_references = has_references(folder);
+  std::vector<std::string> errors;
+  for (const std::string& file : files) {
+    const std::string text = sys::read_file(folder / file);
+    for (const TexCommand& use : commands_in(text, {"input", "include"})) {
+      const std::string& name = use.argument;
+      if (name.find('\\') != std::string::npos || is_in(folder, name) || is_in(generated, name) ||
+          is_in_tex(folder, name)) {
+        continue;
+      }
+      errors.push_back(fmt::format("{}/{}:{}:{}: there is no file '{}'{}", source_label(folder),
+                                   file, use.line, use.column, name, sys::suggestion(name, parts)));
+    }
+    if (!brings_references) {
+      const std::vector<std::string> missing = missing_databases(folder, file, text);
+      errors.insert(errors.end(), missing.begin(), missing.end());
+    }
+  }
+  return errors;
+}
+
+std::vector<std::string> misplaced_files(const fs::path& folder,
+                                         const std::vector<std::string>& generated) {
+  const std::string label = source_label(folder);
+  std::vector<std::string> errors;
+  for (const std::string& file : generated) {
+    if (!fs::exists(folder / file)) continue;
+    errors.push_back(fmt::format(
+        "{}/{}: has the name of a file that is generated, and would take its place; rename it",
+        label, file));
+  }
+  for (const std::string& file : document_files(folder)) {
+    const std::string text = sys::read_file(folder / file);
+    for (const TexCommand& use : commands_in(text, {"input", "include"})) {
+      const fs::path name = fs::path(use.argument).lexically_normal();
+      if (name != page_preamble && name != fs::path(page_preamble).stem()) continue;
+      errors.push_back(fmt::format("{}/{}:{}:{}: {} is read for the page alone; rename this part",
+                                   label, file, use.line, use.column, page_preamble));
+    }
+  }
+  return errors;
 }
 
 }  // namespace literate

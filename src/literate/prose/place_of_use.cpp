@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
@@ -88,7 +87,7 @@ std::string with_name_of_box(const std::string& message, const std::filesystem::
       paragraph_before(text, told, parts[5].empty() ? told : std::stoi(std::string(parts[5])));
   int line = first;
   std::vector<std::string> names;
-  for (const TexCommand& use : commands_in(text, {"fig", "tab", "image"})) {
+  for (const TexCommand& use : commands_in(text, {"fig", "tab", "includegraphics"})) {
     if (use.line < first || use.line > last) continue;
     if (names.empty()) line = use.line;
     const char* const noun = use.name == "fig" ? "figure" : use.name == "tab" ? "table" : "picture";

@@ -7,7 +7,6 @@
 
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/prose.hpp"
-#include "literate/prose/source_label.hpp"
 #include "literate/text/characters.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

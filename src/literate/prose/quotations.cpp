@@ -8,7 +8,7 @@
 #include <array>
 #include <string_view>
 
-#include "literate/prose/source_label.hpp"
+#include "literate/prose/document_files.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/name.hpp"
 #include "system/error.hpp"

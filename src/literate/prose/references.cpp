@@ -10,7 +10,6 @@
 
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/quotations.hpp"
-#include "literate/prose/source_label.hpp"
 #include "literate/prose/statements.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/prose/tex_scanner.hpp"

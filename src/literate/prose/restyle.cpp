@@ -13,7 +13,6 @@
 
 #include "config/units.hpp"
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/source_label.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"

@@ -54,4 +54,15 @@ std::string manifest_json(const Manifest& manifest);
 /// not JSON or not a manifest, or belongs to another project.
 Manifest read_manifest(const std::filesystem::path& file, const std::string& project);
 
+/// How a document differs from the same one made elsewhere.
+struct ManifestComparison {
+  std::vector<std::string> changed_outputs;  ///< files whose bytes differ or that one of them lacks
+  std::vector<std::string> reasons;          ///< each tool or input that differs, a line each
+  std::vector<std::string> moved;            ///< numbers beyond their errors, and other verdicts
+};
+
+/// Compares the bytes of files, verdicts and numbers: two numbers agree if they differ by no more
+/// than the sum of their error bounds, or, if one has no bound, if they are printed the same.
+ManifestComparison compare(const Manifest& theirs, const Manifest& ours);
+
 }  // namespace literate

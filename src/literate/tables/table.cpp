@@ -213,12 +213,7 @@ std::string head_html(const Columns& columns) {
 }  // namespace
 
 std::string Table::html() const {
-  Columns columns;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    std::vector<const Cell*> cells;
-    for (const auto& row : rows_) cells.push_back(&row[i]);
-    columns.emplace_back(columns_[i].format(), cells);
-  }
+  const Columns columns = written(columns_, rows_);
   std::string text = fmt::format(
       "<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table {0}\">"
       "<table class=\"lit-table\" id=\"@use@\" "

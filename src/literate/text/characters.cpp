@@ -2,322 +2,87 @@
 #include "literate/text/characters.hpp"
 
 #include <algorithm>
-#include <array>
+#include <sstream>
+#include <vector>
 
 namespace literate {
 namespace {
 
+// The one list of characters, each followed by its LaTeX: excerpts are checked against it, and
+// LaTeX is told of it. First the mathematics of comments, which stands in \ensuremath, with the
+// italic letters of symbols.
+constexpr const char* in_formulas = R"(
+α \alpha  β \beta  γ \gamma  δ \delta  ε \varepsilon  ζ \zeta  η \eta  θ \theta  ι \iota
+κ \kappa  λ \lambda  μ \mu  ν \nu  ξ \xi  π \pi  ρ \rho  ς \varsigma  σ \sigma  τ \tau
+υ \upsilon  φ \varphi  χ \chi  ψ \psi  ω \omega  ϕ \phi  ϵ \epsilon  ϑ \vartheta  Γ \Gamma
+Δ \Delta  Θ \Theta  Λ \Lambda  Ξ \Xi  Π \Pi  Σ \Sigma  Υ \Upsilon  Φ \Phi  Ψ \Psi  Ω \Omega  − -
+± \pm  ∓ \mp  × \times  ÷ \div  · \cdot  ⋅ \cdot  ∘ \circ  √ \surd  ∂ \partial  ∇ \nabla
+∫ \smallint  ∮ \oint  ∑ \Sigma  ∏ \Pi  ∞ \infty  ∝ \propto  ≈ \approx  ≃ \simeq  ≅ \cong  ∼ \sim
+≡ \equiv  ≠ \neq  ≤ \leq  ≥ \geq  ≪ \ll  ≫ \gg  ∈ \in  ∉ \notin  ⊂ \subset  ⊆ \subseteq  ∪ \cup
+∩ \cap  ∅ \emptyset  ∀ \forall  ∃ \exists  ∧ \wedge  ∨ \vee  ¬ \neg  ⊗ \otimes  ⊕ \oplus
+→ \rightarrow  ← \leftarrow  ↔ \leftrightarrow  ↑ \uparrow  ↓ \downarrow  ⇒ \Rightarrow
+⇐ \Leftarrow  ⇔ \Leftrightarrow  ↦ \mapsto  ∥ \parallel  ‖ \|  ⟂ \perp  ⊥ \perp  ℓ \ell  ħ \hbar
+⟨ \langle  ⟩ \rangle  ⌊ \lfloor  ⌋ \rfloor  ⌈ \lceil  ⌉ \rceil  ′ ^{\prime}  ″ ^{\prime\prime}
+° ^\circ  … \ldots  ⋯ \cdots  ᵀ ^{T}  ⁿ ^{n}  ⁱ ^{i}  ⁺ ^{+}  ⁻ ^{-}  ᵢ _{i}  ⱼ _{j}  ₖ _{k}
+ₙ _{n}  ₛ _{s}  ₘ _{m}  ₓ _{x}  ₊ _{+}  ₋ _{-}  ⁰ ^{0}  ¹ ^{1}  ² ^{2}  ³ ^{3}  ⁴ ^{4}  ⁵ ^{5}
+⁶ ^{6}  ⁷ ^{7}  ⁸ ^{8}  ⁹ ^{9}  ₀ _{0}  ₁ _{1}  ₂ _{2}  ₃ _{3}  ₄ _{4}  ₅ _{5}  ₆ _{6}  ₇ _{7}
+₈ _{8}  ₉ _{9}  𝑎 a  𝑏 b  𝑐 c  𝑑 d  𝑒 e  𝑓 f  𝑔 g  ℎ h  𝑖 i  𝑗 j  𝑘 k  𝑙 l  𝑚 m  𝑛 n  𝑜 o  𝑝 p
+𝑞 q  𝑟 r  𝑠 s  𝑡 t  𝑢 u  𝑣 v  𝑤 w  𝑥 x  𝑦 y  𝑧 z  𝐴 A  𝐵 B  𝐶 C  𝐷 D  𝐸 E  𝐹 F  𝐺 G  𝐻 H  𝐼 I
+𝐽 J  𝐾 K  𝐿 L  𝑀 M  𝑁 N  𝑂 O  𝑃 P  𝑄 Q  𝑅 R  𝑆 S  𝑇 T  𝑈 U  𝑉 V  𝑊 W  𝑋 X  𝑌 Y  𝑍 Z
+½ \frac{1}{2}  ¼ \frac{1}{4}  ¾ \frac{3}{4}
+)";
+
+// Typographic signs and accented letters.
+constexpr const char* in_texts = R"(
+– \textendash{}  — \textemdash{}  ‐ -  ‑ -  “ \textquotedblleft{}  ” \textquotedblright{}
+„ \quotedblbase{}  ‘ \textquoteleft{}  ’ \textquoteright{}  § \S{}  ¶ \P{}  † \dag{}
+© \textcopyright{}  µ \textmu{}  • \textbullet{}  ß \ss{}  å \aa{}  Å \AA{}  æ \ae{}  Æ \AE{}
+ø \o{}  Ø \O{}  à \`{a}  á \'{a}  â \^{a}  ã \~{a}  ä \"{a}  ç \c{c}  è \`{e}  é \'{e}  ê \^{e}
+ë \"{e}  ì \`{\i}  í \'{\i}  î \^{\i}  ï \"{\i}  ñ \~{n}  ò \`{o}  ó \'{o}  ô \^{o}  õ \~{o}
+ö \"{o}  ù \`{u}  ú \'{u}  û \^{u}  ü \"{u}  ý \'{y}  ÿ \"{y}  č \v{c}  š \v{s}  ž \v{z}
+À \`{A}  Á \'{A}  Â \^{A}  Ã \~{A}  Ä \"{A}  Ç \c{C}  È \`{E}  É \'{E}  Ê \^{E}  Ë \"{E}
+Ì \`{I}  Í \'{I}  Î \^{I}  Ï \"{I}  Ñ \~{N}  Ò \`{O}  Ó \'{O}  Ô \^{O}  Õ \~{O}  Ö \"{O}
+Ù \`{U}  Ú \'{U}  Û \^{U}  Ü \"{U}  Ý \'{Y}  Č \v{C}  Š \v{S}  Ž \v{Z}
+)";
+
 struct Mapping {
-  std::string_view character;
-  std::string_view latex;
+  std::string character;
+  std::string latex;
 };
 
-// The one list of characters: excerpts are checked against it, and LaTeX is told of it. It holds
-// the mathematics of comments, with the italic letters of symbols, then typographic signs, then
-// accented letters.
-constexpr auto mappings = std::to_array<Mapping>({
-    // clang-format off
-    {"α", R"(\ensuremath{\alpha})"},
-    {"β", R"(\ensuremath{\beta})"},
-    {"γ", R"(\ensuremath{\gamma})"},
-    {"δ", R"(\ensuremath{\delta})"},
-    {"ε", R"(\ensuremath{\varepsilon})"},
-    {"ζ", R"(\ensuremath{\zeta})"},
-    {"η", R"(\ensuremath{\eta})"},
-    {"θ", R"(\ensuremath{\theta})"},
-    {"ι", R"(\ensuremath{\iota})"},
-    {"κ", R"(\ensuremath{\kappa})"},
-    {"λ", R"(\ensuremath{\lambda})"},
-    {"μ", R"(\ensuremath{\mu})"},
-    {"ν", R"(\ensuremath{\nu})"},
-    {"ξ", R"(\ensuremath{\xi})"},
-    {"ο", R"(o)"},
-    {"π", R"(\ensuremath{\pi})"},
-    {"ρ", R"(\ensuremath{\rho})"},
-    {"ς", R"(\ensuremath{\varsigma})"},
-    {"σ", R"(\ensuremath{\sigma})"},
-    {"τ", R"(\ensuremath{\tau})"},
-    {"υ", R"(\ensuremath{\upsilon})"},
-    {"φ", R"(\ensuremath{\varphi})"},
-    {"χ", R"(\ensuremath{\chi})"},
-    {"ψ", R"(\ensuremath{\psi})"},
-    {"ω", R"(\ensuremath{\omega})"},
-    {"ϕ", R"(\ensuremath{\phi})"},
-    {"ϵ", R"(\ensuremath{\epsilon})"},
-    {"ϑ", R"(\ensuremath{\vartheta})"},
-    {"Γ", R"(\ensuremath{\Gamma})"},
-    {"Δ", R"(\ensuremath{\Delta})"},
-    {"Θ", R"(\ensuremath{\Theta})"},
-    {"Λ", R"(\ensuremath{\Lambda})"},
-    {"Ξ", R"(\ensuremath{\Xi})"},
-    {"Π", R"(\ensuremath{\Pi})"},
-    {"Σ", R"(\ensuremath{\Sigma})"},
-    {"Υ", R"(\ensuremath{\Upsilon})"},
-    {"Φ", R"(\ensuremath{\Phi})"},
-    {"Ψ", R"(\ensuremath{\Psi})"},
-    {"Ω", R"(\ensuremath{\Omega})"},
-    {"−", R"(\ensuremath{-})"},
-    {"±", R"(\ensuremath{\pm})"},
-    {"∓", R"(\ensuremath{\mp})"},
-    {"×", R"(\ensuremath{\times})"},
-    {"÷", R"(\ensuremath{\div})"},
-    {"·", R"(\ensuremath{\cdot})"},
-    {"⋅", R"(\ensuremath{\cdot})"},
-    {"∘", R"(\ensuremath{\circ})"},
-    {"√", R"(\ensuremath{\surd})"},
-    {"∂", R"(\ensuremath{\partial})"},
-    {"∇", R"(\ensuremath{\nabla})"},
-    {"∫", R"(\ensuremath{\smallint})"},
-    {"∮", R"(\ensuremath{\oint})"},
-    {"∑", R"(\ensuremath{\Sigma})"},
-    {"∏", R"(\ensuremath{\Pi})"},
-    {"∞", R"(\ensuremath{\infty})"},
-    {"∝", R"(\ensuremath{\propto})"},
-    {"≈", R"(\ensuremath{\approx})"},
-    {"≃", R"(\ensuremath{\simeq})"},
-    {"≅", R"(\ensuremath{\cong})"},
-    {"∼", R"(\ensuremath{\sim})"},
-    {"≡", R"(\ensuremath{\equiv})"},
-    {"≠", R"(\ensuremath{\neq})"},
-    {"≤", R"(\ensuremath{\leq})"},
-    {"≥", R"(\ensuremath{\geq})"},
-    {"≪", R"(\ensuremath{\ll})"},
-    {"≫", R"(\ensuremath{\gg})"},
-    {"∈", R"(\ensuremath{\in})"},
-    {"∉", R"(\ensuremath{\notin})"},
-    {"⊂", R"(\ensuremath{\subset})"},
-    {"⊆", R"(\ensuremath{\subseteq})"},
-    {"∪", R"(\ensuremath{\cup})"},
-    {"∩", R"(\ensuremath{\cap})"},
-    {"∅", R"(\ensuremath{\emptyset})"},
-    {"∀", R"(\ensuremath{\forall})"},
-    {"∃", R"(\ensuremath{\exists})"},
-    {"∧", R"(\ensuremath{\wedge})"},
-    {"∨", R"(\ensuremath{\vee})"},
-    {"¬", R"(\ensuremath{\neg})"},
-    {"⊗", R"(\ensuremath{\otimes})"},
-    {"⊕", R"(\ensuremath{\oplus})"},
-    {"→", R"(\ensuremath{\rightarrow})"},
-    {"←", R"(\ensuremath{\leftarrow})"},
-    {"↔", R"(\ensuremath{\leftrightarrow})"},
-    {"↑", R"(\ensuremath{\uparrow})"},
-    {"↓", R"(\ensuremath{\downarrow})"},
-    {"⇒", R"(\ensuremath{\Rightarrow})"},
-    {"⇐", R"(\ensuremath{\Leftarrow})"},
-    {"⇔", R"(\ensuremath{\Leftrightarrow})"},
-    {"↦", R"(\ensuremath{\mapsto})"},
-    {"∥", R"(\ensuremath{\parallel})"},
-    {"‖", R"(\ensuremath{\|})"},
-    {"⟂", R"(\ensuremath{\perp})"},
-    {"⊥", R"(\ensuremath{\perp})"},
-    {"ℓ", R"(\ensuremath{\ell})"},
-    {"ħ", R"(\ensuremath{\hbar})"},
-    {"⟨", R"(\ensuremath{\langle})"},
-    {"⟩", R"(\ensuremath{\rangle})"},
-    {"⌊", R"(\ensuremath{\lfloor})"},
-    {"⌋", R"(\ensuremath{\rfloor})"},
-    {"⌈", R"(\ensuremath{\lceil})"},
-    {"⌉", R"(\ensuremath{\rceil})"},
-    {"′", R"(\ensuremath{^{\prime}})"},
-    {"″", R"(\ensuremath{^{\prime\prime}})"},
-    {"°", R"(\ensuremath{^\circ})"},
-    {"…", R"(\ensuremath{\ldots})"},
-    {"⋯", R"(\ensuremath{\cdots})"},
-    {"ᵀ", R"(\ensuremath{^{T}})"},
-    {"ⁿ", R"(\ensuremath{^{n}})"},
-    {"ⁱ", R"(\ensuremath{^{i}})"},
-    {"⁺", R"(\ensuremath{^{+}})"},
-    {"⁻", R"(\ensuremath{^{-}})"},
-    {"ᵢ", R"(\ensuremath{_{i}})"},
-    {"ⱼ", R"(\ensuremath{_{j}})"},
-    {"ₖ", R"(\ensuremath{_{k}})"},
-    {"ₙ", R"(\ensuremath{_{n}})"},
-    {"ₛ", R"(\ensuremath{_{s}})"},
-    {"ₘ", R"(\ensuremath{_{m}})"},
-    {"ₓ", R"(\ensuremath{_{x}})"},
-    {"₊", R"(\ensuremath{_{+}})"},
-    {"₋", R"(\ensuremath{_{-}})"},
-    {"⁰", R"(\ensuremath{^{0}})"},
-    {"¹", R"(\ensuremath{^{1}})"},
-    {"²", R"(\ensuremath{^{2}})"},
-    {"³", R"(\ensuremath{^{3}})"},
-    {"⁴", R"(\ensuremath{^{4}})"},
-    {"⁵", R"(\ensuremath{^{5}})"},
-    {"⁶", R"(\ensuremath{^{6}})"},
-    {"⁷", R"(\ensuremath{^{7}})"},
-    {"⁸", R"(\ensuremath{^{8}})"},
-    {"⁹", R"(\ensuremath{^{9}})"},
-    {"₀", R"(\ensuremath{_{0}})"},
-    {"₁", R"(\ensuremath{_{1}})"},
-    {"₂", R"(\ensuremath{_{2}})"},
-    {"₃", R"(\ensuremath{_{3}})"},
-    {"₄", R"(\ensuremath{_{4}})"},
-    {"₅", R"(\ensuremath{_{5}})"},
-    {"₆", R"(\ensuremath{_{6}})"},
-    {"₇", R"(\ensuremath{_{7}})"},
-    {"₈", R"(\ensuremath{_{8}})"},
-    {"₉", R"(\ensuremath{_{9}})"},
-    {"𝑎", R"(\ensuremath{a})"},
-    {"𝑏", R"(\ensuremath{b})"},
-    {"𝑐", R"(\ensuremath{c})"},
-    {"𝑑", R"(\ensuremath{d})"},
-    {"𝑒", R"(\ensuremath{e})"},
-    {"𝑓", R"(\ensuremath{f})"},
-    {"𝑔", R"(\ensuremath{g})"},
-    {"ℎ", R"(\ensuremath{h})"},
-    {"𝑖", R"(\ensuremath{i})"},
-    {"𝑗", R"(\ensuremath{j})"},
-    {"𝑘", R"(\ensuremath{k})"},
-    {"𝑙", R"(\ensuremath{l})"},
-    {"𝑚", R"(\ensuremath{m})"},
-    {"𝑛", R"(\ensuremath{n})"},
-    {"𝑜", R"(\ensuremath{o})"},
-    {"𝑝", R"(\ensuremath{p})"},
-    {"𝑞", R"(\ensuremath{q})"},
-    {"𝑟", R"(\ensuremath{r})"},
-    {"𝑠", R"(\ensuremath{s})"},
-    {"𝑡", R"(\ensuremath{t})"},
-    {"𝑢", R"(\ensuremath{u})"},
-    {"𝑣", R"(\ensuremath{v})"},
-    {"𝑤", R"(\ensuremath{w})"},
-    {"𝑥", R"(\ensuremath{x})"},
-    {"𝑦", R"(\ensuremath{y})"},
-    {"𝑧", R"(\ensuremath{z})"},
-    {"𝐴", R"(\ensuremath{A})"},
-    {"𝐵", R"(\ensuremath{B})"},
-    {"𝐶", R"(\ensuremath{C})"},
-    {"𝐷", R"(\ensuremath{D})"},
-    {"𝐸", R"(\ensuremath{E})"},
-    {"𝐹", R"(\ensuremath{F})"},
-    {"𝐺", R"(\ensuremath{G})"},
-    {"𝐻", R"(\ensuremath{H})"},
-    {"𝐼", R"(\ensuremath{I})"},
-    {"𝐽", R"(\ensuremath{J})"},
-    {"𝐾", R"(\ensuremath{K})"},
-    {"𝐿", R"(\ensuremath{L})"},
-    {"𝑀", R"(\ensuremath{M})"},
-    {"𝑁", R"(\ensuremath{N})"},
-    {"𝑂", R"(\ensuremath{O})"},
-    {"𝑃", R"(\ensuremath{P})"},
-    {"𝑄", R"(\ensuremath{Q})"},
-    {"𝑅", R"(\ensuremath{R})"},
-    {"𝑆", R"(\ensuremath{S})"},
-    {"𝑇", R"(\ensuremath{T})"},
-    {"𝑈", R"(\ensuremath{U})"},
-    {"𝑉", R"(\ensuremath{V})"},
-    {"𝑊", R"(\ensuremath{W})"},
-    {"𝑋", R"(\ensuremath{X})"},
-    {"𝑌", R"(\ensuremath{Y})"},
-    {"𝑍", R"(\ensuremath{Z})"},
-    {"½", R"(\ensuremath{\frac{1}{2}})"},
-    {"¼", R"(\ensuremath{\frac{1}{4}})"},
-    {"¾", R"(\ensuremath{\frac{3}{4}})"},
-    {"–", R"(\textendash{})"},
-    {"—", R"(\textemdash{})"},
-    {"‐", R"(-)"},
-    {"‑", R"(-)"},
-    {"“", R"(\textquotedblleft{})"},
-    {"”", R"(\textquotedblright{})"},
-    {"„", R"(\quotedblbase{})"},
-    {"‘", R"(\textquoteleft{})"},
-    {"’", R"(\textquoteright{})"},
-    {"§", R"(\S{})"},
-    {"¶", R"(\P{})"},
-    {"†", R"(\dag{})"},
-    {"©", R"(\textcopyright{})"},
-    {"µ", R"(\textmu{})"},
-    {"•", R"(\textbullet{})"},
-    {"\u00a0", R"(\ )"},
-    {"ß", R"(\ss{})"},
-    {"å", R"(\aa{})"},
-    {"Å", R"(\AA{})"},
-    {"æ", R"(\ae{})"},
-    {"Æ", R"(\AE{})"},
-    {"ø", R"(\o{})"},
-    {"Ø", R"(\O{})"},
-    {"à", R"(\`{a})"},
-    {"á", R"(\'{a})"},
-    {"â", R"(\^{a})"},
-    {"ã", R"(\~{a})"},
-    {"ä", R"(\"{a})"},
-    {"ç", R"(\c{c})"},
-    {"è", R"(\`{e})"},
-    {"é", R"(\'{e})"},
-    {"ê", R"(\^{e})"},
-    {"ë", R"(\"{e})"},
-    {"ì", R"(\`{\i})"},
-    {"í", R"(\'{\i})"},
-    {"î", R"(\^{\i})"},
-    {"ï", R"(\"{\i})"},
-    {"ñ", R"(\~{n})"},
-    {"ò", R"(\`{o})"},
-    {"ó", R"(\'{o})"},
-    {"ô", R"(\^{o})"},
-    {"õ", R"(\~{o})"},
-    {"ö", R"(\"{o})"},
-    {"ù", R"(\`{u})"},
-    {"ú", R"(\'{u})"},
-    {"û", R"(\^{u})"},
-    {"ü", R"(\"{u})"},
-    {"ý", R"(\'{y})"},
-    {"ÿ", R"(\"{y})"},
-    {"č", R"(\v{c})"},
-    {"š", R"(\v{s})"},
-    {"ž", R"(\v{z})"},
-    {"À", R"(\`{A})"},
-    {"Á", R"(\'{A})"},
-    {"Â", R"(\^{A})"},
-    {"Ã", R"(\~{A})"},
-    {"Ä", R"(\"{A})"},
-    {"Ç", R"(\c{C})"},
-    {"È", R"(\`{E})"},
-    {"É", R"(\'{E})"},
-    {"Ê", R"(\^{E})"},
-    {"Ë", R"(\"{E})"},
-    {"Ì", R"(\`{I})"},
-    {"Í", R"(\'{I})"},
-    {"Î", R"(\^{I})"},
-    {"Ï", R"(\"{I})"},
-    {"Ñ", R"(\~{N})"},
-    {"Ò", R"(\`{O})"},
-    {"Ó", R"(\'{O})"},
-    {"Ô", R"(\^{O})"},
-    {"Õ", R"(\~{O})"},
-    {"Ö", R"(\"{O})"},
-    {"Ù", R"(\`{U})"},
-    {"Ú", R"(\'{U})"},
-    {"Û", R"(\^{U})"},
-    {"Ü", R"(\"{U})"},
-    {"Ý", R"(\'{Y})"},
-    {"Č", R"(\v{C})"},
-    {"Š", R"(\v{S})"},
-    {"Ž", R"(\v{Z})"},
-    // clang-format on
-});
+const std::vector<Mapping>& mappings() {
+  static const std::vector<Mapping> all = [] {
+    std::vector<Mapping> mappings{{"\u00a0", "\\ "}, {"ο", "o"}};
+    std::string character, latex;
+    for (std::istringstream words(in_formulas); words >> character >> latex;) {
+      mappings.push_back({character, "\\ensuremath{" + latex + "}"});
+    }
+    for (std::istringstream words(in_texts); words >> character >> latex;) {
+      mappings.push_back({character, latex});
+    }
+    return mappings;
+  }();
+  return all;
+}
 
 }  // namespace
 
 std::string_view character_of(std::string_view command) {
-  constexpr std::string_view before = R"(\ensuremath{)";
-  const auto* const found = std::ranges::find_if(mappings, [&](const Mapping& mapping) {
-    std::string_view latex = mapping.latex;
-    if (latex.starts_with(before)) {
-      latex.remove_prefix(before.size());
-      latex.remove_suffix(1);
-    }
-    return latex == command;
+  const std::string in_formula = "\\ensuremath{" + std::string(command) + "}";
+  const auto found = std::ranges::find_if(mappings(), [&](const Mapping& mapping) {
+    return mapping.latex == command || mapping.latex == in_formula;
   });
-  return found == mappings.end() ? std::string_view() : found->character;
+  return found == mappings().end() ? std::string_view() : found->character;
 }
 
 std::string_view latex_of(std::string_view character) {
-  const auto found = std::ranges::find(mappings, character, &Mapping::character);
-  return found == mappings.end() ? std::string_view{} : found->latex;
+  const auto found = std::ranges::find(mappings(), character, &Mapping::character);
+  return found == mappings().end() ? std::string_view() : found->latex;
 }
 
 std::string listings_characters() {
   std::string setting = "\\lstset{literate=%\n";
-  for (const auto& [character, latex] : mappings) {
+  for (const auto& [character, latex] : mappings()) {
     setting.append("  {").append(character).append("}{{").append(latex).append("}}1\n");
   }
   return setting + "}\n";

@@ -41,10 +41,6 @@ std::string escape_ascii(char c) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::string_view raised_group = "\\ensuremath{^{", lowered_group = "\\ensuremath{_{";
 
 bool is_shifted_alike(std::string_view a, std::string_view b) {

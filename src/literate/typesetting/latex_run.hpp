@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How LaTeX is run on a document, whatever it is run for.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 
-#include "literate/typesetting/typeset_options.hpp"
+#include "literate/figures/draw.hpp"
 
 namespace literate {
+
+/// A LaTeX document and the folders of its parts.
+struct TypesetOptions {
+  std::filesystem::path source_dir;           ///< the folder in which LaTeX runs
+  std::string main_file;                      ///< relative to source_dir, such as "report.tex"
+  std::filesystem::path generated_dir;        ///< the folder that Document::write made
+  std::filesystem::path repository_dir = {};  ///< of repository.tex; empty if nothing is known
+  std::filesystem::path build_dir;            ///< for LaTeX's own files; made if it is missing
+  std::filesystem::path output_pdf;           ///< the finished document
+  std::int64_t source_date_epoch = 0;         ///< the date that \today prints, in seconds
+  std::string engine = "pdflatex";            ///< or "lualatex"
+  FigurePlaces figures = {};                  ///< which may be drawn at other widths
+  std::string scripts_label = "figures";      ///< what messages call the folder of their scripts
+  bool tolerates_overfull = false;            ///< whether overfull boxes are warnings only
+};
+
+/// The folder of the figures that are drawn at a width of the document.
+inline std::filesystem::path at_width_dir(const TypesetOptions& options) {
+  return options.build_dir / "at-width";
+}
 
 /// The path relative to the folder in which LaTeX runs, so that its output names no folder of this
 /// machine.

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "literate/typesetting/keep_preamble_tex.hpp"
+#include "literate/text/embedded_texts.hpp"
 #include "literate/typesetting/latex_run.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "literate/typesetting/typeset_options.hpp"
+#include "literate/typesetting/latex_run.hpp"
 
 namespace literate {
 

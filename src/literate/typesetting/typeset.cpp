@@ -4,30 +4,77 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <set>
 #include <system_error>
-#include <vector>
 
-#include "literate/figures/draw_at_width.hpp"
+#include "literate/figures/draw.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/place_of_use.hpp"
-#include "literate/prose/source_label.hpp"
-#include "literate/typesetting/contents_decide_pl.hpp"
-#include "literate/typesetting/latex_folder.hpp"
+#include "literate/text/embedded_texts.hpp"
 #include "literate/typesetting/latex_log.hpp"
-#include "literate/typesetting/latex_run.hpp"
 #include "literate/typesetting/preamble_format.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/pattern.hpp"
 #include "system/process.hpp"
+#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
+
+/// The files that LaTeX and latexmk wrote for themselves and read in the next run: .aux, .toc,
+/// .fdb_latexmk, the log and the PDF.
+///
+/// A run that was interrupted or failed leaves them broken in ways that neither tool recovers from,
+/// so they are kept only as a run that ended well left them. «as-left.sha256» tells: it is written
+/// by keep() and removed by begin().
+class LatexFolder {
+ public:
+  explicit LatexFolder(const TypesetOptions& options)
+      : folder_(options.build_dir),
+        stem_(fs::path(options.main_file).filename().replace_extension().string()),
+        record_(folder_ / "as-left.sha256") {}
+
+  /// Whether there are such files, and they are as the last run that ended well left them.
+  bool is_as_left() const {
+    return fs::is_regular_file(record_) && sys::read_file(record_) == digests();
+  }
+
+  /// Removes all of them, so that LaTeX begins from nothing. Throws sys::OutputError.
+  void clear() const {
+    begin();
+    for (const std::string& file : files()) sys::remove_file(folder_ / file);
+  }
+
+  /// From now on until keep() the files are not to be trusted.
+  void begin() const { sys::remove_file(record_); }
+  void keep() const { sys::write_file_atomically(record_, digests()); }
+
+ private:
+  // Those that bear the document's name, and the .aux files of its parts. A folder that is the
+  // author's own may hold sources of the same name.
+  std::vector<std::string> files() const {
+    static const std::set<std::string> sources = {".tex", ".bib", ".sty", ".cls", ".bst"};
+    std::vector<std::string> files = sys::files_below(folder_);
+    std::erase_if(files, [&](const std::string& file) {
+      const bool is_made_for_it = file.starts_with(stem_ + ".") || file.ends_with(".aux");
+      return !is_made_for_it || sources.contains(fs::path(file).extension().string()) ||
+             file.starts_with("preamble/") || file.starts_with("at-width/");
+    });
+    return files;
+  }
+
+  std::string digests() const { return sys::record_text(sys::record_entries(folder_, files())); }
+
+  fs::path folder_;
+  std::string stem_;  // of the main file, which begins the names
+  fs::path record_;
+};
 
 constexpr int latex_seconds = 600;  // for all passes; the slowest seen took 20
 

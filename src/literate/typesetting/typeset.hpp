@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "literate/typesetting/typeset_options.hpp"
+#include "literate/typesetting/latex_run.hpp"
 
 namespace literate {
 

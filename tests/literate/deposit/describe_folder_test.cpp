@@ -5,8 +5,6 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
-#include "literate/deposit/codecheck.hpp"
-#include "literate/deposit/ro_crate.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"

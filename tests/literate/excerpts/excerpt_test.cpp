@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "message_of.hpp"
+#include "system/error.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
 
@@ -18,6 +20,140 @@ BOOST_AUTO_TEST_CASE(the_listing_has_true_line_numbers_and_no_common_indentation
   BOOST_TEST(sys::read_file(scratch / "x.txt") == "if (a) {\n\n  b();\n}\n");
   BOOST_TEST(sys::read_file(scratch / "x.tex") ==
              "\\LiterateListing{x}{src/\\allowbreak{}a\\_b.cpp}{7}{10}{[20]C++}\n");
+}
+
+BOOST_AUTO_TEST_CASE(the_name_of_a_file_tells_its_language) {
+  BOOST_TEST(listing_language("src/a.cpp") == "[20]C++");
+  BOOST_TEST(listing_language("octave/Tri_dist.m") == "Octave");
+  BOOST_TEST(listing_language("case.toml") == "TOML");
+  BOOST_TEST(listing_language("Makefile") == "[gnu]make");
+  BOOST_TEST(listing_language("src/CMakeLists.txt") == "CMake");
+}
+
+BOOST_AUTO_TEST_CASE(a_text_of_no_known_language_is_printed_as_it_is) {
+  BOOST_TEST(listing_language("notes.txt") == "");
+  BOOST_TEST(listing_language("cpp") == "");
+}
+
+namespace {
+
+std::string error_in(const std::string& text) {
+  return message_of<sys::SourceError>([&] { excerpts_of(text, "a.cpp"); });
+}
+
+// The markers are put together here so that they are none of this file's own.
+const std::string begin = "// begin excerpt: ";
+const std::string end = "// end excerpt: ";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_excerpt_knows_its_true_lines) {
+  const auto found =
+      excerpts_of("x\n  " + begin + "one\n\n  a\n\n  b\n\n" + end + "one\ny\n", "a.cpp");
+
+  BOOST_REQUIRE(found.size() == 1U);
+  BOOST_TEST(found[0].name == "one");
+  BOOST_TEST(found[0].text == "  a\n\n  b\n");
+  BOOST_TEST(found[0].first_line == 4);
+  BOOST_TEST(last_line(found[0]) == 6);
+}
+
+BOOST_AUTO_TEST_CASE(hash_and_percent_lead_markers_too) {
+  const auto found = excerpts_of(
+      "# begin excerpt: h\na\n# end excerpt: h\r\n% begin excerpt: p\r\nb\r\n% end excerpt: p",
+      "f");
+
+  BOOST_REQUIRE(found.size() == 2U);
+  BOOST_TEST(found[1].text == "b\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_broken_marker_is_an_error_with_its_line) {
+  BOOST_TEST(error_in("\n" + begin + "x\na\n") == "a.cpp:2: excerpt 'x' has no end marker");
+  BOOST_TEST(error_in(end + "x\n") == "a.cpp:1: excerpt 'x' ends but has no begin marker");
+  BOOST_TEST(error_in(begin + "x\n \n" + end + "x\n") == "a.cpp:1: excerpt 'x' is empty");
+  BOOST_TEST(error_in(begin + "x\na\n" + begin + "y\n") ==
+             "a.cpp:3: excerpt 'y' begins inside 'x' of line 1");
+  BOOST_TEST(error_in(begin + "x\na\n" + end + "y\n") ==
+             "a.cpp:3: excerpt 'y' ends inside 'x' of line 1");
+  BOOST_TEST(error_in(begin + "\n").starts_with("a.cpp:1: a marker reads 'begin excerpt: name'"));
+  BOOST_TEST(error_in("// begin excerpt x\n").starts_with("a.cpp:1: a marker reads"));
+}
+
+BOOST_AUTO_TEST_CASE(a_doubled_marker_is_an_error_with_both_lines) {
+  const std::string once = begin + "x\na\n" + end + "x\n";
+
+  BOOST_TEST(error_in(once + once) == "a.cpp:4: excerpt 'x' is marked at a.cpp:1 already");
+}
+
+BOOST_AUTO_TEST_CASE(a_name_in_two_files_is_an_error_with_both_files) {
+  const TemporaryFolder scratch;
+  const std::string once = begin + "x\na\n" + end + "x\n";
+  sys::write_file_atomically(scratch / "src/a.cpp", once);
+  sys::write_file_atomically(scratch / "src/b.hpp", "\n" + once);
+  sys::write_file_atomically(scratch / "src/c.txt", once);
+
+  BOOST_TEST(message_of<sys::SourceError>([&] { find_excerpts(scratch.path(), {"src"}); }) ==
+             "src/b.hpp:2: excerpt 'x' is marked at src/a.cpp:1 already");
+  BOOST_TEST(message_of<sys::SourceError>([&] { find_excerpts(scratch.path(), {"none"}); }) ==
+             (scratch / "none").string() + ": there is no such folder to take excerpts from");
+}
+
+BOOST_AUTO_TEST_CASE(a_character_without_mapping_is_an_error_and_mathematics_is_not) {
+  BOOST_TEST(error_in(begin + "x\n// ν, π, −, ², ∂, ∫, ≤, ξ, ·, –, →, √, …\n" + end + "x\n") ==
+             "(no error)");
+  BOOST_TEST(error_in(begin + "x\na\n// 語\n" + end + "x\n") ==
+             "a.cpp:3: LaTeX has no mapping for '語' in excerpt 'x'");
+  BOOST_TEST(error_in(begin + "x\n\xff\n" + end + "x\n") ==
+             "a.cpp:2: byte 0xff in excerpt 'x' is not UTF-8 text");
+}
+
+namespace {
+
+const Excerpt hertz{"hertz", "src/contact/hertz.cpp", 7, "return p0;\n"};
+const std::string hash = sys::sha256_of_text(hertz.text);
+const std::vector<CompiledExcerpt> compiled = {{"hertz", "src/contact/hertz.cpp", hash}};
+
+std::string error_for(const std::vector<Excerpt>& excerpts) {
+  return message_of<sys::SourceError>([&] { require_compiled(excerpts, compiled); });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_hash_is_the_sha256_of_the_text) {
+  // printf abc | sha256sum
+  BOOST_TEST(sys::sha256_of_text("abc") ==
+             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+BOOST_AUTO_TEST_CASE(an_excerpt_as_compiled_is_accepted_wherever_its_lines_are_now) {
+  Excerpt lower = hertz;
+  lower.first_line = 70;
+
+  BOOST_TEST(error_for({hertz}) == "(no error)");
+  BOOST_TEST(error_for({lower}) == "(no error)");
+}
+
+BOOST_AUTO_TEST_CASE(an_excerpt_that_changed_moved_came_or_went_is_refused) {
+  const std::string refused =
+      "src/contact/hertz.cpp: excerpt 'hertz' is not what this program was compiled from: rebuild";
+  Excerpt changed = hertz;
+  changed.text = "return 2 * p0;\n";
+  Excerpt moved = hertz;
+  moved.file = "src/contact/other.cpp";
+  const Excerpt added{"new", "src/new.cpp", 1, "a\n"};
+
+  BOOST_TEST(error_for({changed}) == refused);
+  BOOST_TEST(error_for({moved}).starts_with("src/contact/other.cpp: excerpt 'hertz'"));
+  BOOST_TEST(error_for({hertz, added}).starts_with("src/new.cpp: excerpt 'new'"));
+  BOOST_TEST(error_for({}) == refused);
+}
+
+BOOST_AUTO_TEST_CASE(the_source_that_a_build_compiles_holds_name_file_and_hash) {
+  const std::string source = excerpt_hashes_source({hertz}, "app");
+
+  for (const std::string& part : {hertz.name, hertz.file, hash, std::string("namespace app {")}) {
+    BOOST_TEST(source.find(part) != std::string::npos, part);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

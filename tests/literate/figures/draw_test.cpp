@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::vector<double> x{0, 0.1, 1.0 / 3};
+const std::string curve_script = "plot curve using \"x\":\"y\" with lines\n";
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -30,7 +31,14 @@ bool has(const std::string& text, const std::string& part) {
 // A document of figures, with their scripts beside it.
 class Workplace {
  public:
-  Workplace() { script("style", "set border 3\n"); }
+  /// With these figures, each of which shows the curve.
+  explicit Workplace(const std::vector<std::string>& names = {}) {
+    script("style", "set border 3\n");
+    for (const std::string& name : names) {
+      figure(name);
+      script(name, curve_script);
+    }
+  }
 
   fs::path file(const std::string& name) const { return scratch_ / name; }
   fs::path generated() const { return scratch_ / "out"; }
@@ -68,14 +76,10 @@ class Workplace {
   std::map<std::string, Figure> figures_;
 };
 
-const std::string curve_script = "plot curve using \"x\":\"y\" with lines\n";
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_figure_names_its_graphic_without_a_folder) {
-  Workplace workplace;
-  workplace.figure("f");
-  workplace.script("f", curve_script);
+  Workplace workplace({"f"});
 
   workplace.draw();
 
@@ -85,9 +89,7 @@ BOOST_AUTO_TEST_CASE(a_figure_names_its_graphic_without_a_folder) {
 }
 
 BOOST_AUTO_TEST_CASE(a_figure_has_the_same_bytes_at_another_time) {
-  Workplace workplace;
-  workplace.figure("f");
-  workplace.script("f", curve_script);
+  Workplace workplace({"f"});
   workplace.draw();
   const std::string first = sys::sha256_of_file(workplace.drawn("f/f.pdf"));
   fs::remove(workplace.drawn("f/f.pdf"));
@@ -100,9 +102,7 @@ BOOST_AUTO_TEST_CASE(a_figure_has_the_same_bytes_at_another_time) {
 }
 
 BOOST_AUTO_TEST_CASE(gnuplot_draws_the_same_figure_again_in_the_generated_folder) {
-  Workplace workplace;
-  workplace.figure("f");
-  workplace.script("f", curve_script);
+  Workplace workplace({"f"});
   workplace.draw();
   const std::string tex = sys::read_file(workplace.drawn("f/f.tex"));
   fs::remove(workplace.drawn("f/f.tex"));
@@ -115,11 +115,7 @@ BOOST_AUTO_TEST_CASE(gnuplot_draws_the_same_figure_again_in_the_generated_folder
 }
 
 BOOST_AUTO_TEST_CASE(only_figures_whose_data_script_or_style_changed_are_drawn_again) {
-  Workplace workplace;
-  for (const char* name : {"f", "g"}) {
-    workplace.figure(name);
-    workplace.script(name, curve_script);
-  }
+  Workplace workplace({"f", "g"});
   BOOST_TEST(workplace.draw() == 2U);
   BOOST_TEST(workplace.draw() == 0U);
 
@@ -135,11 +131,7 @@ BOOST_AUTO_TEST_CASE(only_figures_whose_data_script_or_style_changed_are_drawn_a
 }
 
 BOOST_AUTO_TEST_CASE(the_drawing_of_a_figure_that_is_no_longer_registered_is_removed) {
-  Workplace workplace;
-  for (const char* name : {"f", "g"}) {
-    workplace.figure(name);
-    workplace.script(name, curve_script);
-  }
+  Workplace workplace({"f", "g"});
   workplace.draw();
 
   workplace.without_figure("g");
@@ -157,11 +149,7 @@ BOOST_AUTO_TEST_CASE(the_drawing_of_a_figure_that_is_no_longer_registered_is_rem
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_was_killed_between_two_figures_costs_neither) {
-  Workplace workplace;
-  for (const char* name : {"a", "b"}) {
-    workplace.figure(name);
-    workplace.script(name, curve_script);
-  }
+  Workplace workplace({"a", "b"});
   workplace.draw();
   const FigurePlaces places = workplace.write();
   // It had moved all files of a into place and none of b, and its list of both was still there.
@@ -180,9 +168,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_killed_between_two_figures_costs_neither) {
 }
 
 BOOST_AUTO_TEST_CASE(all_files_of_a_drawing_are_told) {
-  Workplace workplace;
-  workplace.figure("f");
-  workplace.script("f", curve_script);
+  Workplace workplace({"f"});
   const FigurePlaces places = workplace.write();
   const auto before = sys::files_below(workplace.generated());
 
@@ -195,9 +181,7 @@ BOOST_AUTO_TEST_CASE(all_files_of_a_drawing_are_told) {
 }
 
 BOOST_AUTO_TEST_CASE(a_drawing_that_is_older_than_its_data_is_refused) {
-  Workplace workplace;
-  workplace.figure("f");
-  workplace.script("f", curve_script);
+  Workplace workplace({"f"});
   const auto refusal = [&] {
     const FigurePlaces places = workplace.write();
     return message_of<sys::OutputError>([&] { require_drawn(workplace.generated(), places); });
@@ -211,9 +195,7 @@ BOOST_AUTO_TEST_CASE(a_drawing_that_is_older_than_its_data_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(the_documents_list_of_files_names_script_style_and_data_with_their_digests) {
-  Workplace workplace;
-  workplace.figure("f");
-  workplace.script("f", curve_script);
+  Workplace workplace({"f"});
 
   workplace.draw();
 
@@ -314,11 +296,7 @@ BOOST_AUTO_TEST_CASE(a_script_that_writes_another_file_is_bad_input) {
 }
 
 BOOST_AUTO_TEST_CASE(a_broken_figure_leaves_all_drawings_untouched) {
-  Workplace workplace;
-  for (const char* name : {"f", "g"}) {
-    workplace.figure(name);
-    workplace.script(name, curve_script);
-  }
+  Workplace workplace({"f", "g"});
   workplace.draw();
   const std::string before = sys::read_file(workplace.drawn("f/script.gp"));
   workplace.script("f", "set grid\n" + curve_script);
@@ -331,9 +309,7 @@ BOOST_AUTO_TEST_CASE(a_broken_figure_leaves_all_drawings_untouched) {
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_a_tool_error) {
-  Workplace workplace;
-  workplace.figure("f");
-  workplace.script("f", curve_script);
+  Workplace workplace({"f"});
   const std::string path = std::getenv("PATH");
   setenv("PATH", workplace.file("figures").c_str(), 1);
 

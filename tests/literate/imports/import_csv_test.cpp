@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "literate/imports/import_error.hpp"
+#include "literate/imports/imported_table.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
@@ -22,23 +22,20 @@ class Checkout {
 
   std::string path() const { return (folder_ / "points.csv").string(); }
 
-  Document import(const std::string& csv, std::vector<ImportedColumn> columns = {},
-                  const std::set<std::string>& exact = {"x"}) const {
+  Document import(const std::string& csv, const std::set<std::string>& exact = {"x"}) const {
     Document document;
-    import_into(document, csv, std::move(columns), "points", exact);
+    import_into(document, csv, "points", exact);
     return document;
   }
-  void import_into(Document& document, const std::string& csv,
-                   std::vector<ImportedColumn> columns = {}, const std::string& name = "points",
+  void import_into(Document& document, const std::string& csv, const std::string& name = "points",
                    const std::set<std::string>& exact = {"x"}) const {
     sys::write_file_atomically(path(), csv);
-    import_csv(document, name, path(), folder_ / "run.py", std::move(columns),
+    import_csv(document, name, path(), folder_ / "run.py",
                {.root = folder_.path(), .exact = exact});
   }
 
-  std::string error(const std::string& csv, std::vector<ImportedColumn> columns = {},
-                    const std::set<std::string>& exact = {}) const {
-    std::string message = message_of<ImportError>([&] { import(csv, std::move(columns), exact); });
+  std::string error(const std::string& csv, const std::set<std::string>& exact = {}) const {
+    std::string message = message_of<ImportError>([&] { import(csv, exact); });
     // Every message names the table, behind the place.
     const std::string table = "table 'points': ";
     const auto at = message.find(table);
@@ -64,7 +61,7 @@ BOOST_AUTO_TEST_CASE(each_number_keeps_the_digits_of_the_file) {
   const std::string latex =
       latex_of_points(Checkout().import("x (in),u (in),note\r\n0.000,1.6236048e-006,\"the "
                                         "\"\"centre\"\", 100 %\"\r\n\r\n0.005,,\r\n",
-                                        {}, {"x (in)", "u (in)"}));
+                                        {"x (in)", "u (in)"}));
 
   for (const char* part : {"{0.000}", "{1.6236048e-6}", "(\\unit{in})", "{0.005}",
                            "the \\textquotedbl{}centre\\textquotedbl{}, 100 \\%"}) {
@@ -72,26 +69,14 @@ BOOST_AUTO_TEST_CASE(each_number_keeps_the_digits_of_the_file) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_caller_may_say_how_columns_print_and_what_they_are_called) {
-  const std::string latex = latex_of_points(
-      Checkout().import("u_z (in),abs_error\n1.62360478123e-06,1e-14\n",
-                        {{.heading = "$u_z$", .format = NumberFormat::digits, .digits = 8}}, {}));
-
-  BOOST_TEST(holds(latex, "$u_z$"));
-  BOOST_TEST(holds(latex, "(\\unit{in})"));
-  BOOST_TEST(holds(latex, "{1.6236048e-6}"));
-  BOOST_TEST(!holds(latex, "abs"));
-}
-
 BOOST_AUTO_TEST_CASE(headings_of_the_file_are_plain_text) {
-  BOOST_TEST(holds(latex_of_points(Checkout().import("u_z\n1\n", {}, {"u_z"})), "u\\_z"));
+  BOOST_TEST(holds(latex_of_points(Checkout().import("u_z\n1\n", {"u_z"})), "u\\_z"));
 }
 
 BOOST_AUTO_TEST_CASE(
     a_unit_that_is_none_and_a_parenthesis_that_is_open_are_refused_at_their_heading) {
   const auto refused = [](const std::string& heading) {
-    return message_of<ImportError>(
-        [&] { (void)Checkout().import(heading + "\n1\n", {}, {heading}); });
+    return message_of<ImportError>([&] { (void)Checkout().import(heading + "\n1\n", {heading}); });
   };
   BOOST_TEST(refused("k (furlongz)").find("points.csv:1:1: ") != std::string::npos,
              refused("k (furlongz)"));
@@ -105,7 +90,7 @@ BOOST_AUTO_TEST_CASE(
 
 BOOST_AUTO_TEST_CASE(a_standard_uncertainty_stands_to_the_right_of_its_column) {
   const Document document =
-      Checkout().import("load (psi),standard,abs_error\n994.1,0.08,0.01\n605,1,\n", {}, {});
+      Checkout().import("load (psi),standard,abs_error\n994.1,0.08,0.01\n605,1,\n", {});
   const auto& rows = document.tables().at("points").rows();
   BOOST_TEST(rows[0][0].uncertainty()->standard == 0.08);
   BOOST_TEST(rows[0][0].uncertainty()->bound == 0.01);
@@ -125,11 +110,8 @@ BOOST_AUTO_TEST_CASE(file_and_script_are_the_source_of_the_table) {
 BOOST_AUTO_TEST_CASE(digits_have_to_be_earned_by_the_error_beside_them) {
   const Checkout checkout;
 
-  BOOST_TEST(checkout.error("x,abs_error\n1.5,0.1\n1.25,0.02\n",
-                            {{.format = NumberFormat::decimals, .digits = 2}}) ==
-             "2:1: 1.5 is printed to the place 1e-2, more digits than its error of 0.1 supports");
   const std::string latex =
-      latex_of_points(checkout.import("x,abs_error\n1.5,0.1\n1.25,0.02\n1234,40\n", {}, {}));
+      latex_of_points(checkout.import("x,abs_error\n1.5,0.1\n1.25,0.02\n1234,40\n", {}));
   for (const char* part : {"{1.5}", "{1.2}", "{1.2e3}"}) {
     BOOST_TEST(holds(latex, part), part << " in " << latex);
   }
@@ -144,13 +126,10 @@ BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_unless_its_column_is_
 
   BOOST_TEST(checkout.error(csv) ==
              "2:1: 1.5 comes without its error: give column 'x' an abs_error, or declare it exact");
-  BOOST_TEST(checkout.error(csv, {}, {"x (m)"}) ==
+  BOOST_TEST(checkout.error(csv, {"x (m)"}) ==
              "2:5: 2 comes without its error: give column 'u' an abs_error, or declare it exact");
-  BOOST_CHECK_NO_THROW(checkout.import(csv, {}, {"x (m)", "u"}));
-  BOOST_CHECK_NO_THROW(
-      checkout.import(csv, {{.is_exact = true}, {.format = NumberFormat::integer}}, {}));
-  BOOST_TEST(checkout.error(csv, {}, {"x", "u"}) ==
-             "1: there is no column 'x', which is to be exact");
+  BOOST_CHECK_NO_THROW(checkout.import(csv, {"x (m)", "u"}));
+  BOOST_TEST(checkout.error(csv, {"x", "u"}) == "1: there is no column 'x', which is to be exact");
   BOOST_TEST(checkout.error("u,abs_eror\n1.5,0.1\n") ==
              "1:3: column 'abs_eror', did you mean 'abs_error'?");
   BOOST_TEST(checkout.error("u,abs_error\n1.5,\n") ==
@@ -160,7 +139,7 @@ BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_unless_its_column_is_
 BOOST_AUTO_TEST_CASE(a_number_with_more_digits_than_a_double_holds_is_refused) {
   const Checkout checkout;
   const auto error = [&](const std::string& number) {
-    return checkout.error("x\n" + number + "\n", {}, {"x"});
+    return checkout.error("x\n" + number + "\n", {"x"});
   };
 
   for (const char* number : {"11400714819323198485", "0.12345678901234567"}) {
@@ -186,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_csv_file_of_a_table_comes_back) {
   BOOST_TEST(csv.find('\\') == std::string::npos, csv);
   BOOST_TEST(csv.find('$') == std::string::npos, csv);
 
-  const Document document = Checkout().import(csv, {}, {"θ (°)"});
+  const Document document = Checkout().import(csv, {"θ (°)"});
 
   const Table& again = document.tables().at("points");
   BOOST_TEST(again.csv() == csv);
@@ -209,10 +188,10 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_among_numbers_is_refused) {
 
   for (const char* text : {"NaN", "nan", "inf", "-inf", "1.2x", "1,2", "0x10", "--1", "1e", "e5"}) {
     const std::string cell = "\"" + std::string(text) + "\"";
-    BOOST_TEST(checkout.error("x\n1\n" + cell + "\n", {}, {"x"}) ==
+    BOOST_TEST(checkout.error("x\n1\n" + cell + "\n", {"x"}) ==
                "3:1: '" + std::string(text) + "' is not a number, as column 'x' holds");
   }
-  BOOST_TEST(checkout.error("x\n1e999\n", {}, {"x"}) == "2:1: the number is not finite");
+  BOOST_TEST(checkout.error("x\n1e999\n", {"x"}) == "2:1: the number is not finite");
 }
 
 BOOST_AUTO_TEST_CASE(a_column_of_nothing_but_nan_is_refused_and_is_none_of_texts) {
@@ -220,10 +199,10 @@ BOOST_AUTO_TEST_CASE(a_column_of_nothing_but_nan_is_refused_and_is_none_of_texts
 
   for (const char* text : {"nan", "-inf", "NaN", "Infinity"}) {
     const std::string cell(text);
-    BOOST_TEST(checkout.error("x\n" + cell + "\n" + cell + "\n", {}, {"x"}) ==
+    BOOST_TEST(checkout.error("x\n" + cell + "\n" + cell + "\n", {"x"}) ==
                "2:1: '" + cell + "' is not a number, as column 'x' holds");
   }
-  BOOST_TEST(checkout.error("x,abs_error\nnone,0.1\n", {}, {}) ==
+  BOOST_TEST(checkout.error("x,abs_error\nnone,0.1\n", {}) ==
              "2:1: 'none' is not a number, as column 'x' holds");
 }
 
@@ -247,8 +226,6 @@ BOOST_AUTO_TEST_CASE(lines_that_do_not_fit_are_told) {
              "1:1: abs_error has no column of numbers to its left");
   BOOST_TEST(checkout.error("x,abs_error,abs_error\n1,2,3\n") ==
              "1:13: abs_error has no column of numbers to its left");
-  BOOST_TEST(checkout.error("x,y\n1,2\n", {{.heading = "x"}}) ==
-             "1: 2 columns, where 1 are described");
   BOOST_TEST(checkout.error("x (\\mm)\n1\n") ==
              "1:1: unit '\\mm': '\\' has no place there; a unit is spelt as m s-1, m.s^-1, m/s2, "
              "W/(m2.K), um, degC or %");
@@ -261,7 +238,7 @@ BOOST_AUTO_TEST_CASE(a_message_names_file_line_column_and_the_table_that_was_reg
   const Checkout checkout;
 
   const std::string message = message_of<ImportError>([&] {
-    checkout.import("x (in),y\n1,2\n3,four\n5,6\n", {}, {"x (in)", "y"});
+    checkout.import("x (in),y\n1,2\n3,four\n5,6\n", {"x (in)", "y"});
   });
 
   BOOST_TEST(message ==
@@ -273,7 +250,7 @@ BOOST_AUTO_TEST_CASE(names_are_checked_as_everywhere) {
   Document document = checkout.import("x\n1\n");
 
   const auto error = [&](const std::string& name) {
-    return message_of<ImportError>([&] { checkout.import_into(document, "x\n1\n", {}, name); });
+    return message_of<ImportError>([&] { checkout.import_into(document, "x\n1\n", name); });
   };
   BOOST_TEST(error("points") ==
              checkout.path() + ": table 'points' is registered already, at points.csv:1");

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "literate/imports/import_error.hpp"
+#include "literate/imports/imported_table.hpp"
 #include "literate/provenance/manifest.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"

@@ -39,7 +39,8 @@ BOOST_AUTO_TEST_CASE(arguments_that_are_not_printed_are_taken_out) {
              "{a} {c} d e");
   BOOST_TEST(words_of("\\begin{tabular}[t]{lp{1cm}}a & b\\end{tabular}\\begin{figure}[ht]c") ==
              "a & b c");
-  BOOST_TEST(words_of("\\image[width=3cm]{pictures/rig.png}a\\fig[width=9cm]{b}c") == "a c");
+  BOOST_TEST(words_of("\\includegraphics[width=3cm]{pictures/rig.png}a\\fig[width=9cm]{b}c") ==
+             "a c");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_the_document_is_taken_out) {

@@ -161,7 +161,7 @@ void register_all(Document& document, const Inputs& inputs, const Sample& sample
   register_figures(document, sample);
   register_claims(document, sample);
   import_csv(document, "measured", inputs.source / "data/measured.csv",
-             inputs.source / "data/measure.py", {}, {.root = inputs.source, .exact = {"t (s)"}});
+             inputs.source / "data/measure.py", {.root = inputs.source, .exact = {"t (s)"}});
   import_json(document, inputs.source / "data/results.json",
               {.root = inputs.source, .prefix = "fit-"});
 }

@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/prose/inputs.hpp"
+#include "literate/prose/document_files.hpp"
 
 #include <boost/test/unit_test.hpp>
 
-#include "literate/prose/document_files.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(inputs_test)
+BOOST_AUTO_TEST_SUITE(document_files_test)
 
 using namespace literate;
+
+BOOST_AUTO_TEST_CASE(each_picture_of_the_document_is_listed_once) {
+  const TemporaryFolder scratch;
+  const auto folder = scratch / "report";
+  sys::write_file_atomically(folder / "pictures/rig.png", "picture");
+  sys::write_file_atomically(scratch / "elsewhere.png", "picture");
+  sys::write_file_atomically(
+      folder / "main.tex",
+      "\\includegraphics[width=3cm]{pictures/rig.png}\\includegraphics{./pictures/rig.png}\n"
+      "\\includegraphics{logo}\\includegraphics{none.png}\\includegraphics{../elsewhere.png}\n"
+      "\\includegraphics{main.tex} % \\includegraphics{other.png}\n");
+
+  BOOST_TEST(images_of(folder) == std::vector<std::string>{"pictures/rig.png"},
+             boost::test_tools::per_element());
+}
 
 BOOST_AUTO_TEST_CASE(a_part_that_is_not_there_is_told_with_its_place_and_the_nearest_name) {
   const TemporaryFolder scratch;

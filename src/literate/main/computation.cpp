@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/main/guarded_computation.hpp"
+#include "literate/main/computation.hpp"
 
 #include <cxxabi.h>
 #include <fmt/core.h>
@@ -19,7 +19,7 @@
 #include <typeinfo>
 
 #include "command_line/exit_codes.hpp"
-#include "literate/document/last_registered.hpp"
+#include "literate/document/registered.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
 #include "system/require.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/figures/script_check.hpp"
+#include "literate/figures/gnuplot.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <string>
@@ -9,7 +9,7 @@
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(script_check_test)
+BOOST_AUTO_TEST_SUITE(gnuplot_test)
 
 using namespace literate;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/tables/number_cell.hpp"
+#include "literate/tables/column_writer.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(number_cell_test)
+BOOST_AUTO_TEST_SUITE(column_writer_test)
 
 using literate::aligned_number;
 using literate::NumberWidth;
