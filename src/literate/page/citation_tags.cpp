@@ -3,7 +3,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <cctype>
+#include <regex>
 
 #include "literate/page/html_text.hpp"
 #include "literate/text/characters.hpp"
@@ -14,26 +15,23 @@ namespace {
 
 // The first four digits in a row; empty if there are none.
 std::string year_of(const std::string& date) {
-  for (std::size_t i = 0; i + 4 <= date.size(); ++i) {
-    if (std::all_of(date.begin() + static_cast<std::ptrdiff_t>(i),
-                    date.begin() + static_cast<std::ptrdiff_t>(i) + 4, is_digit)) {
-      return date.substr(i, 4);
-    }
-  }
-  return {};
+  static const std::regex year(R"(\d{4})");
+  std::smatch found;
+  return std::regex_search(date, found, year) ? found.str() : "";
 }
 
 // 2026/11/22 of an ISO date, as Highwire's tags have it; the year of another text.
 std::string publication_date(const std::string& date) {
-  const bool is_iso = date.size() >= 10 && date[4] == '-' && date[7] == '-' && is_digit(date[0]);
-  return is_iso ? date.substr(0, 4) + "/" + date.substr(5, 2) + "/" + date.substr(8, 2)
-                : year_of(date);
+  static const std::regex day(R"(^(\d{4})-(\d\d)-(\d\d))");
+  std::smatch found;
+  const bool is_iso = std::regex_search(date, found, day);
+  return is_iso ? found.str(1) + "/" + found.str(2) + "/" + found.str(3) : year_of(date);
 }
 
 std::string key_word(const std::string& text) {
   std::string word;
   for (const char c : text) {
-    if (is_letter(c)) word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_letter(c)) word += static_cast<char>(std::tolower(c));
   }
   return word;
 }

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 
-#include "literate/page/expansion_reading.hpp"
 #include "literate/page/html_text.hpp"
 #include "literate/prose/document_files.hpp"
+#include "literate/prose/quotations.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
@@ -72,16 +72,29 @@ Expander::Expander(const PageSources& sources)
       names_(read_names(sources.generated / "names.json")),
       numbers_(sources.aux),
       out_(&result_.latex) {
+  const auto say = [&](const char* kind, const std::string& name, std::string latex) {
+    macros_[fmt::format("{}:{}", kind, name)] = {.body = std::move(latex)};
+  };
   for (const auto& statement : numbered_statements(statements_below(sources.document), names_)) {
-    claim_order_.push_back(statement.statement.id);
-    statements_.emplace(statement.statement.id, statement);
+    const auto& [id, source] = std::tie(statement.statement.id, statement.statement.source);
+    claim_order_.push_back(id);
+    say("claim", id, statement.number);
+    say("sentence", id, statement.statement.sentence);
+    say("source", id, source.empty() ? "" : "(" + source + ")");
+    statements_.emplace(id, statement);
   }
   for (const Quotation& quotation : read_quotations(sources.document)) {
-    quotations_.emplace(quotation.id, quotation);
+    say("quotation", quotation.id, words_latex(quotation));
+    say("page", quotation.id, "p.~" + escape_latex(quotation.page));
   }
-  for (const char* kind :
-       {"derived", "from printed digits", "rounding", "stated", "convention", "regression band"}) {
-    limits_[kind] = std::string(kind) + ":";
+  know_definitions();
+  know_registered();
+  know_title();
+  know_numbered();
+  know_references();
+  know_quantities();
+  for (const auto& [flag, is_set] : names_.flags) {
+    macros_["flag:" + flag] = {.n_arguments = 2, .body = is_set ? "#1" : "#2"};
   }
 }
 
@@ -133,23 +146,25 @@ void Expander::read_file(const fs::path& file) {
 
 // Of the preamble only definitions count: pandoc is told nothing of it.
 void Expander::read_preamble(std::string_view text) {
-  static const std::vector<Handler> definitions{
-      &Expander::define,         &Expander::define_by_pattern, &Expander::define_environment,
-      &Expander::define_theorem, &Expander::define_operator,   &Expander::set_picture,
-      &Expander::metadata,       &Expander::title_line,        &Expander::package,
-      &Expander::document_class, &Expander::letter_region};
   TexScanner in(text);
   while (const auto token = in.next()) {
     if (token->kind != TexKind::command) continue;
-    const auto handler = commands().find(token->name);
-    if (handler != commands().end() && handler->second == &Expander::input) {
+    const auto macro = macros_.find(token->name);
+    if (macro != macros_.end() && macro->second.body.starts_with("\\PageDefine")) {
+      read_preamble(filled(in, macro->second));
+    } else if (token->name == "input") {
       const fs::path file = file_of(argument(in));
       if (fs::is_regular_file(file)) read_preamble(sys::read_file(file));
-    } else if (handler != commands().end() &&
-               std::ranges::find(definitions, handler->second) != definitions.end()) {
-      (this->*handler->second)(in, *token);
+    } else if (definitions_.contains(token->name)) {
+      commands_.at(token->name)(in, *token);
     }
   }
+}
+
+fs::path Expander::file_of(std::string_view name) const {
+  fs::path file = sources_.document / std::string(name);
+  if (!fs::is_regular_file(file)) file += ".tex";
+  return file;
 }
 
 void Expander::read_all(std::string_view text) {
@@ -178,7 +193,7 @@ void Expander::read(TexScanner& in, const TexToken& token) {
     case TexKind::begin:
       return read_begin(in, token);
     case TexKind::end:
-      return read_end(in, token);
+      return read_end(token);
     case TexKind::dollar:
       if (is_math_) return emit(token.text);  // within \text
       return formula(in, token.text);
@@ -225,10 +240,14 @@ void Expander::verbatim(const TexToken& token) {
 
 void Expander::read_command(TexScanner& in, const TexToken& token) {
   if (const auto macro = macros_.find(token.name); macro != macros_.end()) {
-    return use_macro(in, macro->second);
+    if (macro->second.n_arguments == 0) {
+      const auto n = std::min(in.rest().find_first_not_of(" \t"), in.rest().size());
+      if (!in.rest().substr(n).starts_with('\n')) in.skip(n);
+    }
+    return read_all(filled(in, macro->second));
   }
-  if (const auto handler = commands().find(token.name); handler != commands().end()) {
-    return (this->*handler->second)(in, token);
+  if (const auto handler = commands_.find(token.name); handler != commands_.end()) {
+    return handler->second(in, token);
   }
   // An assignment to a length or a number of LaTeX, such as \hangindent=1em.
   if (!is_math_ && in.rest().starts_with('=')) {
@@ -239,22 +258,19 @@ void Expander::read_command(TexScanner& in, const TexToken& token) {
 }
 
 void Expander::read_begin(TexScanner& in, const TexToken& token) {
-  if (picture_environments_.contains(token.name)) {
-    return picture_environment(in, token);
-  }
+  if (picture_environments_.contains(token.name)) return picture_environment(in, token);
   if (const auto own = own_environments_.find(token.name); own != own_environments_.end()) {
     const Macro macro = own->second;
     ends_.emplace_back(token.name, macro.end);
     return read_all(filled(in, macro));
   }
-  if (theorems_.contains(token.name)) return theorem(in, token);
-  if (const auto handler = environments().find(token.name); handler != environments().end()) {
-    return (this->*handler->second)(in, token);
+  if (const auto handler = environments_.find(token.name); handler != environments_.end()) {
+    return handler->second(in, token);
   }
   emit(token.text);
 }
 
-void Expander::read_end(TexScanner&, const TexToken& token) {
+void Expander::read_end(const TexToken& token) {
   // An environment of the document's own may end others, which it began.
   const auto open = std::find_if(ends_.rbegin(), ends_.rend(),
                                  [&](const auto& begun) { return begun.first == token.name; });
@@ -278,14 +294,6 @@ void Expander::read_end(TexScanner&, const TexToken& token) {
   } else {
     read_all(end);
   }
-}
-
-void Expander::use_macro(TexScanner& in, const Macro& macro) {
-  if (macro.n_arguments == 0) {
-    const auto n = std::min(in.rest().find_first_not_of(" \t"), in.rest().size());
-    if (!in.rest().substr(n).starts_with('\n')) in.skip(n);
-  }
-  read_all(filled(in, macro));
 }
 
 std::string Expander::filled(TexScanner& in, const Macro& macro) const {
@@ -437,136 +445,13 @@ void Expander::finish() {
       const auto colon = name.find(':');
       mark.open.replace(at, end + 1 - at, uses(name.substr(0, colon), name.substr(colon + 1)));
     }
-    for (const char* target : {"claim-", "val-"}) {
-      const std::string link = fmt::format(" href=\"#{}", target);
-      const auto at = mark.open.find(link);
-      if (at == std::string::npos) continue;
-      const auto end = mark.open.find('"', at + 8);
-      if (ids_.contains(mark.open.substr(at + 8, end - at - 8))) continue;
-      mark.open.replace(at, end + 1 - at, "");
+    for (const std::string kind : {"claim-", "val-"}) {
+      const auto link = mark.open.find(" href=\"#" + kind);
+      if (link == std::string::npos || listed_.contains(kind)) continue;
+      mark.open.erase(link, mark.open.find('"', link + 8) + 1 - link);
     }
-    mark.open = boost::replace_all_copy(std::move(mark.open), "@id@", "");
+    for (const char* place : {"@id@", "@name@"}) boost::replace_all(mark.open, place, "");
   }
-}
-
-void Expander::formula(TexScanner& in, std::string_view end) {
-  const std::string_view text = in.rest();
-  while (const auto token = in.next()) {
-    const bool is_end =
-        token->text == end && (token->kind == TexKind::dollar || token->kind == TexKind::symbol);
-    if (!is_end) continue;
-    const std::string_view body =
-        text.substr(0, static_cast<std::size_t>(token->text.data() - text.data()));
-    if (end == "\\]" || end == "$$") {
-      std::vector<Row> rows = rows_of_display(body);
-      for (Row& row : rows) row.is_numbered = false;
-      return show_display("equation", std::move(rows));
-    }
-    is_math_ = true;
-    const std::string latex = expanded(body);
-    is_math_ = false;
-    result_.formulas.emplace(without_blanks(latex), place());
-    return emit("$" + latex + "$");
-  }
-  throw sys::InputError(fmt::format("{}: a formula has no end", place()));
-}
-
-std::vector<Expander::Row> Expander::rows_of_display(std::string_view body) {
-  std::vector<Row> rows(1);
-  const bool outer = std::exchange(is_math_, true);
-  std::string* const out = out_;
-  out_ = &rows.back().latex;
-  TexScanner in(body);
-  for (int depth = 0; auto token = in.next();) {
-    Row& row = rows.back();
-    if (token->kind == TexKind::begin) ++depth;
-    if (token->kind == TexKind::end) --depth;
-    if (token->text == "\\\\" && depth == 0) {
-      option(in);
-      rows.emplace_back();
-      // The vector may have moved its rows.
-      out_ = &rows.back().latex;
-    } else if (token->name == "label") {
-      row.label = argument(in);
-    } else if (token->name == "tag") {
-      const bool is_bare = token->text.ends_with('*');
-      const std::string tag(argument(in));
-      row.tag = is_bare ? tag : "(" + tag + ")";
-    } else if (token->name == "nonumber" || token->name == "notag") {
-      row.is_numbered = false;
-    } else {
-      read(in, *token);
-    }
-  }
-  out_ = out;
-  is_math_ = outer;
-  if (rows.size() > 1 && sys::stripped(rows.back().latex).empty()) rows.pop_back();
-  return rows;
-}
-
-void Expander::display(TexScanner& in, const TexToken& token) {
-  const std::string name(token.name);
-  std::string_view body = body_of(in, name);
-  std::string bare = name.ends_with('*') ? name.substr(0, name.size() - 1) : name;
-  if (bare == "alignat") body = body.substr(group_at(body).size());
-  std::vector<Row> rows = rows_of_display(body);
-  // An equation of its own counts although its \\tag is printed instead.
-  const bool is_counted = name == "equation";
-  const std::string counted = is_counted ? numbers_.take("equation").number : "";
-  const bool has_one_number = bare == "equation" || bare == "multline" || bare == "displaymath";
-  if (has_one_number) {
-    Row whole = rows.front();
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      whole.latex += "\\\\" + rows[i].latex;
-      if (!rows[i].tag.empty()) whole.tag = rows[i].tag;
-      if (!rows[i].label.empty()) whole.label = rows[i].label;
-    }
-    rows = {whole};
-  }
-  for (Row& row : rows) {
-    // Its relation has a column of its own.
-    if (bare == "eqnarray") {
-      const auto behind = row.latex.find('&', row.latex.find('&') + 1);
-      if (behind != row.latex.npos) row.latex.erase(behind, 1);
-    }
-    if (is_counted && row.tag.empty()) row.tag = "(" + counted + ")";
-    if (bare != name || bare == "displaymath") row.is_numbered = false;
-  }
-  if (bare == "displaymath") bare = "equation";
-  if (bare == "flalign" || bare == "alignat" || bare == "eqnarray") bare = "align";
-  show_display(bare, std::move(rows));
-  // It steps its counter once more than it prints it, and back again.
-  if (name.starts_with("eqnarray")) numbers_.take("equation");
-}
-
-void Expander::show_display(const std::string& environment, std::vector<Row> rows) {
-  std::string latex, numbers;
-  bool has_numbers = false;
-  for (Row& row : rows) {
-    latex += (latex.empty() ? "" : "\\\\\n") + row.latex;
-    if (row.tag.empty() && row.is_numbered) {
-      row.tag = "(" + numbers_.take("equation").number + ")";
-    }
-    if (!row.label.empty()) {
-      const std::string& known = numbers_.label(row.label).number;
-      if (row.tag != "(" + known + ")") hold_against(row.label, row.tag, "equation ");
-    }
-    has_numbers = has_numbers || !row.tag.empty();
-    const std::string id =
-        row.label.empty() ? "" : fmt::format(" id=\"{}\"", escape_html(row.label));
-    const char* kind = row.tag.empty() ? "" : " class=\"lit-equation-number\"";
-    numbers += marked(fmt::format("<span{}{}>", kind, id), row.tag, "</span>");
-  }
-  result_.formulas.emplace(without_blanks(latex), place());
-  const bool is_plain = environment == "equation" && rows.size() == 1;
-  const std::string formula =
-      is_plain ? "\\[" + latex + "\\]"
-               : fmt::format("\\begin{{{0}*}}{1}\\end{{{0}*}}", environment, latex);
-  begin_block("<div class=\"lit-equation\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">",
-              "</div>");
-  emit(formula);
-  if (has_numbers) emit(marked("<span class=\"lit-equation-numbers\">", numbers, "</span>"));
-  end_block();
 }
 
 }  // namespace literate

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,7 +16,6 @@
 #include "literate/document/names.hpp"
 #include "literate/page/latex_numbers.hpp"
 #include "literate/page/page_sources.hpp"
-#include "literate/prose/quotations.hpp"
 #include "literate/prose/statements.hpp"
 #include "literate/prose/tex_scanner.hpp"
 
@@ -42,8 +43,17 @@ struct Expanded {
   std::map<std::string, std::string, std::less<>> commands;  ///< where each was first met
 };
 
-/// Reads a document with the scanner of the lint. Throws sys::InputError if the PDF, of which it
-/// takes all numbers, is of another state.
+/// Reads a document with the scanner of the lint. Most of what it knows is defined in known.tex, by
+/// the commands that this class adds to TeX's own:
+///
+/// - \PageMark{open}{close}{LaTeX}, and the environment PageBlock{open}{close}, are HTML around
+///   LaTeX; paragraphs in PageBlock* have elements of their own;
+/// - \PageDefine{name}{LaTeX} and \PageUse[otherwise]{name} are a macro with any letters in its
+///   name;
+/// - \PageIf{text}{LaTeX} is the LaTeX unless the text is empty;
+/// - \PageNumber{counter} is the next number of the PDF.
+///
+/// Throws sys::InputError if the PDF, of which it takes all numbers, is of another state.
 class Expander {
  public:
   explicit Expander(const PageSources& sources);
@@ -54,10 +64,6 @@ class Expander {
     std::size_t n_arguments = 0;
     bool has_default = false;
     std::string first_default = {}, body = {}, end = {};  ///< `end` of an environment
-  };
-  struct Theorem {
-    std::string name, counter;
-    bool is_numbered = true;
   };
   struct Float {
     std::string counter;
@@ -76,11 +82,10 @@ class Expander {
   struct AuthorGroup {
     std::vector<std::string> authors = {}, lines = {};  ///< LaTeX
   };
-  using Handler = void (Expander::*)(TexScanner& in, const TexToken& token);
-  static const std::map<std::string_view, Handler>& commands();
-  static const std::map<std::string_view, Handler>& environments();
+  using Handler = std::function<void(TexScanner& in, const TexToken& token)>;
+  using Handlers = std::map<std::string_view, Handler>;
 
-  // The scanner's tokens, and arguments behind them.
+  // The scanner's tokens.
   void read_file(const std::filesystem::path& file);
   void read_preamble(std::string_view text);
   std::filesystem::path file_of(std::string_view name) const;
@@ -89,8 +94,7 @@ class Expander {
   void verbatim(const TexToken& token);
   void read_command(TexScanner& in, const TexToken& token);
   void read_begin(TexScanner& in, const TexToken& token);
-  void read_end(TexScanner& in, const TexToken& token);
-  void use_macro(TexScanner& in, const Macro& macro);
+  void read_end(const TexToken& token);
   std::string filled(TexScanner& in, const Macro& macro) const;
   std::string_view body_of(TexScanner& in, std::string_view name) const;
   std::string expanded(std::string_view text);
@@ -110,120 +114,52 @@ class Expander {
   std::string uses(const std::string& kind, const std::string& name) const;
   void finish();
 
-  // Definitions and conditions.
+  // Each adds what it knows of to the commands and environments.
+  void know_definitions();
+  void know_registered();
+  void know_title();
+  void know_numbered();
+  void know_references();
+  void know_quantities();
+  void know(std::initializer_list<std::string_view> names, const Handler& handler) {
+    for (const std::string_view name : names) commands_[name] = handler;
+  }
+  void know_in_preamble(std::initializer_list<std::string_view> names, const Handler& handler) {
+    know(names, handler);
+    definitions_.insert(names);
+  }
+  void know_environments(std::initializer_list<std::string_view> names, const Handler& handler) {
+    for (const std::string_view name : names) environments_[name] = handler;
+  }
+
   Macro macro_at(TexScanner& in) const;
-  void define(TexScanner&, const TexToken&);
-  void define_by_pattern(TexScanner&, const TexToken&);
-  void define_environment(TexScanner&, const TexToken&);
-  void define_theorem(TexScanner&, const TexToken&);
-  void define_operator(TexScanner&, const TexToken&);
-  void set_picture(TexScanner&, const TexToken&);
-  void document_class(TexScanner&, const TexToken&);
-  void package(TexScanner&, const TexToken&);
-  void condition(TexScanner&, const TexToken&);
-  void letter_region(TexScanner&, const TexToken&);
-
-  // What the engine defines.
-  void value(TexScanner&, const TexToken&);
-  void raw_value(TexScanner&, const TexToken&);
-  void flag(TexScanner&, const TexToken&);
-  void modified(TexScanner&, const TexToken&);
-  void repository(TexScanner&, const TexToken&);
-  void quoted(TexScanner&, const TexToken&);
-  void statement(TexScanner&, const TexToken&);
-  void claim(TexScanner&, const TexToken&);
-  void verdict_sign(TexScanner&, const TexToken&);
-  void claim_count(TexScanner&, const TexToken&);
-  void finding_says(TexScanner&, const TexToken&);
-  void finding(TexScanner&, const TexToken&);
-  void findings(TexScanner&, const TexToken&);
-  void limit_kind(TexScanner&, const TexToken&);
-  void limit(TexScanner&, const TexToken&);
-  void sentence(TexScanner&, const TexToken&);
-  void ledger(TexScanner&, const TexToken&);
-  void index(TexScanner&, const TexToken&);
-  void provenance(TexScanner&, const TexToken&);
-  void provenance_file(TexScanner&, const TexToken&);
-  void table(TexScanner&, const TexToken&);
-  void figure(TexScanner&, const TexToken&);
-  void picture(TexScanner&, const TexToken&);
-  void picture_environment(TexScanner&, const TexToken&);
-  void excerpt(TexScanner&, const TexToken&);
-  std::string claim_mark(const std::string& id);
-  void ledger_part(bool is_cited);
-
-  // The title.
-  void metadata(TexScanner&, const TexToken&);
-  void title_line(TexScanner&, const TexToken&);
+  std::optional<bool> compared(TexScanner& in, std::string_view kind);
+  std::vector<std::string> claims_of(bool is_cited) const;
+  void picture_environment(TexScanner& in, const TexToken& token);
   std::string title_marks(std::string_view labels) const;
-  void add_author(std::string_view text, const std::string& marks);
-  void author_name(TexScanner&, const TexToken&);
   std::string author_lines() const;
-  void title(TexScanner&, const TexToken&);
-  void abstract(TexScanner&, const TexToken&);
   bool is_revtex() const { return class_.starts_with("revtex"); }
-
-  // What LaTeX numbers, and what cites it.
-  void heading(TexScanner&, const TexToken&);
-  void bookmark_setup(TexScanner&, const TexToken&);
-  void appendix(TexScanner&, const TexToken&);
-  std::string appendix_word(std::string_view heading) const;
-  /// REVTeX prints neither «Abstract» nor «References».
-  bool has_heads() const { return !is_revtex(); }
-  void label(TexScanner&, const TexToken&);
-  void reference(TexScanner&, const TexToken&);
-  void clever_reference(TexScanner&, const TexToken&);
-  void clever_range(TexScanner&, const TexToken&);
+  void formula(TexScanner& in, std::string_view end);
+  std::vector<Row> rows_of_display(std::string_view body);
+  void show_display(const std::string& environment, std::vector<Row> rows);
   std::string link_to(const std::string& key, const std::string& latex);
   std::string number_of(const std::string& key) const;
   std::vector<std::pair<std::string, bool>> cited_in_order(std::vector<std::string> keys) const;
-  void citation(TexScanner&, const TexToken&);
-  void bibliography(TexScanner&, const TexToken&);
-  void bibliography_items(TexScanner&, const TexToken&);
-  void footnote(TexScanner&, const TexToken&);
-  void caption(TexScanner&, const TexToken&);
-  void subfloat(TexScanner&, const TexToken&);
-  void caption_setup(TexScanner&, const TexToken&);
-  void item(TexScanner&, const TexToken&);
-  void list(TexScanner&, const TexToken&);
-  void float_environment(TexScanner&, const TexToken&);
-  void theorem(TexScanner&, const TexToken&);
-  void proof(TexScanner&, const TexToken&);
-  void transparent(TexScanner&, const TexToken&);
-  void tabular(TexScanner&, const TexToken&);
-  void rows_of_tabular(std::string_view body, const std::vector<std::string>& between);
-  void input(TexScanner&, const TexToken&);
-
-  // Formulas and numbers.
-  void formula(TexScanner& in, std::string_view end);
-  void display(TexScanner&, const TexToken&);
-  std::vector<Row> rows_of_display(std::string_view body);
-  void show_display(const std::string& environment, std::vector<Row> rows);
-  void number(TexScanner&, const TexToken&);
-  void ensure_math(TexScanner&, const TexToken&);
-  void unit(TexScanner&, const TexToken&);
-  void unbroken(const std::string& latex);
-  void boxed(TexScanner&, const TexToken&);
-  void skip_length(TexScanner&, const TexToken&);
-  void rule(TexScanner&, const TexToken&);
-  void step_counter(TexScanner&, const TexToken&);
-  void set_counter(TexScanner&, const TexToken&);
-  void remove_blanks(TexScanner&, const TexToken&);
 
   const PageSources& sources_;
-  nlohmann::json registered_;  ///< names.json
+  Handlers commands_, environments_;
+  std::set<std::string_view> definitions_;  ///< commands that count in the preamble
+  std::set<std::string> listed_;            ///< whether ledger and index are shown: claim-, val-
+  nlohmann::json registered_;               ///< names.json
   Names names_;
   LatexNumbers numbers_;
   std::map<std::string, NumberedStatement> statements_;
   std::vector<std::string> claim_order_;
-  std::map<std::string, Quotation> quotations_;
   std::map<std::string, Macro, std::less<>> macros_, own_environments_;
-  std::map<std::string, Theorem, std::less<>> theorems_;
   std::set<std::string, std::less<>> picture_environments_;
-  std::map<std::string, std::string> metadata_, findings_, limits_;
   std::vector<AuthorGroup> author_groups_;
+  std::vector<std::string> authors_;  ///< their names alone, LaTeX
   std::map<std::pair<std::string, std::string>, std::vector<Use>> uses_;
-  std::set<std::string> ids_;
   std::vector<std::string> notes_;
   Expanded result_;
   std::string* out_;
@@ -234,13 +170,28 @@ class Expander {
   std::vector<std::pair<std::string, std::string>> ends_;  ///< what ends the open environments
   std::string section_;
   std::string class_;
-  bool is_math_ = false, is_modified_ = false, is_appendix_ = false, is_author_year_ = false,
-       has_round_citations_ = false, sorts_citations_ = false, compresses_citations_ = false,
-       has_parts_ = false, has_chapters_ = false, has_title_ = false;
+  bool is_math_ = false, is_author_year_ = false, sorts_citations_ = false,
+       compresses_citations_ = false, has_parts_ = false, has_chapters_ = false;
   int depth_ = 0, n_notes_among_sources_ = 0;
 };
 
 /// A printed quantity, such as «-1.2e-6 lbf/in», as LaTeX for text or for mathematics.
 std::string quantity_latex(std::string_view printed, bool is_math);
 
+namespace page_reading {
+
+/// Goes past blanks, line ends and comments.
+void skip_blanks(TexScanner& in);
+
+/// The next argument without its braces; of an argument without braces its one character or
+/// command.
+std::string_view argument(TexScanner& in);
+
+/// An argument in brackets; none if there is no bracket, over at most one line end.
+std::optional<std::string_view> option(TexScanner& in);
+
+/// The names between commas, without blanks.
+std::vector<std::string> names_in(std::string_view text);
+
+}  // namespace page_reading
 }  // namespace literate

@@ -138,6 +138,107 @@ local function contents(doc)
   return items
 end
 
+-- Where the element ends that begins at a place with <name>.
+local function end_of_element(text, at, name)
+  local depth = 0
+  repeat
+    local first, last, closes = text:find("<(/?)" .. name .. ">", at)
+    if not first then return #text end
+    depth = depth + (closes == "/" and -1 or 1)
+    at = last + 1
+  until depth == 0
+  return at - 1
+end
+
+-- The name of an operator, such as ln, has a thin space beside letters, numbers and bars, and none beside signs and parentheses,
+-- as in TeX; pandoc leaves it the spaces of a relation.
+local function with_operator_spaces(text)
+  local first, last = text:find("<mo>[%a ]*</mo>")
+  while first do
+    -- With its limits or its exponent.
+    local outer = text:sub(1, first - 1):match("<(m[suo][unv]%a*)>$")
+    local begin = outer and first - #outer - 2 or first
+    local before = text:sub(1, begin - 1)
+    local behind = text:sub((outer and end_of_element(text, begin, outer) or last) + 1)
+    local closed = before:match("</m(%a+)>$")
+    local is_behind_letter = closed and closed ~= "o" or before:find('form="postfix">[^<]*</mo>$')
+    local is_before_sign = behind == "" or behind:find("^</")
+    while behind:find("^<mspace[^>]*></mspace>") do behind = behind:gsub("^<mspace[^>]*></mspace>", "") end
+    while behind:find("^<m%a+>") and not behind:find("^<mo>") do behind = behind:gsub("^<m%a+>", "") end
+    -- All large operators, bars and the minus begin with the same byte.
+    is_before_sign = is_before_sign or behind:find("^<mo[^>]*>[^|%a<\xe2]")
+    local spaced = string.format('<mo lspace="%s" rspace="%s"', is_behind_letter and "0.167em" or "0em",
+                                 is_before_sign and "0em" or "0.167em")
+    text = text:sub(1, first - 1) .. spaced .. text:sub(first + 3)
+    first, last = text:find("<mo>[%a ]*</mo>", first + #spaced)
+  end
+  return text
+end
+
+-- Pandoc stretches every parenthesis, and browsers set one that may stretch twice as wide. Around what is no higher than a letter
+-- with its exponent it need not. Rows are told apart by control characters, between which Lua matches pairs.
+local function with_plain_fences(text)
+  local function plain(row)
+    local is_tall = row:find("<mfrac") or row:find("<mtable") or row:find("<mun") or row:find("<mover") or row:find("<msqrt")
+    if not is_tall and row:find('^\1<mo stretchy="true" form="prefix">') then return (row:gsub('stretchy="true"', 'stretchy="false"')) end
+    return "\1" .. row:sub(2):gsub("%b\1\2", plain)
+  end
+  text = text:gsub("<mrow>", "\1"):gsub("</mrow>", "\2"):gsub("%b\1\2", plain)
+  return (text:gsub("\1", "<mrow>"):gsub("\2", "</mrow>"))
+end
+
+-- Sizes of \big and its like, which browsers take with a unit alone, and not below an exponent, which then stands at a space of the
+-- same height.
+local heights = {["1.2"] = "0.8em", ["1.8"] = "1.1em", ["2.4"] = "1.4em", ["3.0"] = "1.7em"}
+local function with_sizes(text)
+  text = text:gsub('<msup>(<mo minsize="([%d.]+)".-</mo>)', function(sign, size)
+    return sign .. '<msup><mspace height="' .. heights[size] .. '" />'
+  end)
+  return (text:gsub('minsize="([%d.]+)" maxsize="[%d.]+" stretchy="false"', 'minsize="%1em" maxsize="%1em" stretchy="true"'))
+end
+
+-- A minus behind a relation, a comma or a parenthesis is that of a number, and stands close to it.
+local function with_signs(text)
+  local minus = '<mo form="prefix">−</mo>'
+  text = text:gsub("(<mo>([^<]*)</mo>)<mo>−</mo>", function(before, sign)
+    return ("= , : &lt; &gt; ≤ ≥ ≈ ≡ ≠ ∼ →"):find(sign, 1, true) and before .. minus
+  end)
+  return (text:gsub('(form="prefix">[^<]*</mo>)<mo>−</mo>', "%1" .. minus))
+end
+
+-- Letters that TeX sets upright: those of \mathrm, as one word, and capital Greek ones.
+local function with_upright_letters(text)
+  text = text:gsub('<mstyle mathvariant="normal">(.-)</mstyle>', function(letters)
+    return "<mrow>" .. letters:gsub("</mi><mi>", ""):gsub("<mi>", '<mi mathvariant="normal">') .. "</mrow>"
+  end)
+  return (text:gsub("<mi>(\xce[\x93-\xa9])</mi>", '<mi mathvariant="normal">%1</mi>'))
+end
+
+local function written(block)
+  return pandoc.write(pandoc.Pandoc({block}), "html", {html_math_method = "mathml", wrap_text = "none"})
+end
+
+-- Formulas without the names that HTML does not need, and their TeX in an attribute. Rows of a display are as large as a display of
+-- one line.
+local function mathml(math)
+  local body, tex = written(pandoc.Plain({math})):match("<semantics>(.*)<annotation[^>]*>(.*)</annotation>")
+  if not body then
+    io.stderr:write("formula: ", (math.text:gsub("%s+", " ")), "\n")
+    return {}
+  end
+  for _, mend in ipairs({with_plain_fences, with_sizes, with_signs, with_upright_letters, with_operator_spaces}) do body = mend(body) end
+  local is_display = math.mathtype == "DisplayMath"
+  if is_display then body = body:gsub("^<mtable>", '<mtable displaystyle="true">') end
+  return html(string.format('<math%s alttext="%s">%s</math>', is_display and ' display="block"' or "", tex:gsub('"', "&quot;"), body))
+end
+
+-- Lines of code with their numbers, and without links that nobody can name. One that is scrolled sideways can be reached by the
+-- keyboard.
+local function code(block)
+  local text = written(block):gsub('<span id="cb%d+%-(%d+)"><a [^>]*></a>', '<span class="lit-line" data-line="%1">')
+  return pandoc.RawBlock("html", (text:gsub(' id="cb%d+"', ""):gsub("<pre class=", '<pre tabindex="0" class=')))
+end
+
 return {
   {Div = block},
   {Link = inline},
@@ -148,4 +249,5 @@ return {
     blocks:extend(doc.blocks)
     return pandoc.Pandoc(blocks, {})
   end},
+  {Math = mathml, CodeBlock = code},
 }

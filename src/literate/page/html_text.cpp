@@ -1,32 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/page/html_text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <regex>
 #include <utility>
 
+#include "system/lines.hpp"
+
 namespace literate {
 
 std::string escape_html(std::string_view text) {
-  std::string escaped;
-  escaped.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
+  std::string escaped(text);
+  for (const auto& [character, entity] :
+       {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}}) {
+    boost::replace_all(escaped, character, entity);
   }
   return escaped;
 }
@@ -72,27 +60,10 @@ std::string with_plain_numbers(std::string html) {
 
 }  // namespace
 
-std::string text_of_html(std::string_view tagged) {
-  const std::string plain = with_plain_numbers(std::string(tagged));
-  std::string_view html = plain;
-  constexpr std::string_view annotation = "<annotation", annotation_end = "</annotation>";
-  std::string text;
-  while (!html.empty()) {
-    const char c = html.front();
-    if (c == '<') {
-      const bool is_annotation = html.starts_with(annotation);
-      const auto end = is_annotation ? html.find(annotation_end) : html.find('>');
-      if (end == html.npos) break;
-      html.remove_prefix(end + (is_annotation ? annotation_end.size() : 1));
-      continue;
-    }
-    const bool is_blank = c == ' ' || c == '\n' || c == '\t';
-    if (!is_blank) text += c;
-    if (is_blank && !text.empty() && text.back() != ' ') text += ' ';
-    html.remove_prefix(1);
-  }
-  if (text.ends_with(' ')) text.pop_back();
-  return text;
+std::string text_of_html(std::string_view html) {
+  static const std::regex tag("<[^>]*>");
+  const std::string plain = std::regex_replace(with_plain_numbers(std::string(html)), tag, "");
+  return sys::one_line(plain);
 }
 
 std::string one_word(const std::string& verdict) {
@@ -100,11 +71,8 @@ std::string one_word(const std::string& verdict) {
 }
 
 std::string without_blanks(std::string_view text) {
-  std::string kept;
-  for (const char c : text) {
-    if (c != ' ' && c != '\t' && c != '\r' && c != '\n') kept += c;
-  }
-  return kept;
+  static const std::regex blank("\\s+");
+  return std::regex_replace(std::string(text), blank, "");
 }
 
 }  // namespace literate

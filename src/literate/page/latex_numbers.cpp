@@ -67,14 +67,8 @@ LatexNumbers::LatexNumbers(const std::filesystem::path& aux) {
 void LatexNumbers::read(const std::filesystem::path& aux) {
   const std::string text = sys::read_file(aux);
   for (const std::string_view line : sys::lines_of(text)) {
-    const auto open = line.find('{');
-    if (open == line.npos) continue;
+    const auto open = std::min(line.find('{'), line.size());
     const std::string_view command = line.substr(0, open);
-    if (command != "\\newlabel" && command != "\\bibcite" && command != "\\LiterateNumber" &&
-        command != "\\LiterateName" && command != "\\LiterateAutoName" && command != "\\Newlabel" &&
-        command != "\\@input" && command != "\\@writefile") {
-      continue;
-    }
     const std::vector<std::string> arguments = groups_at(line.substr(open));
     const std::size_t n = arguments.size();
     if (command == "\\@input" && n == 1) read(aux.parent_path() / arguments[0]);
@@ -122,17 +116,13 @@ void LatexNumbers::read_label(const std::vector<std::string>& arguments) {
   if (parts.size() > 3) label.link = parts[3].substr(0, parts[3].find('.'));
 }
 
-bool LatexNumbers::has(const std::string& counter) const {
+const PrintedNumber* LatexNumbers::next(const std::string& counter) const {
   const auto found = numbers_.find(counter);
-  return found != numbers_.end() && !found->second.empty();
-}
-
-bool LatexNumbers::next_is(const std::string& counter, std::string_view environment) const {
-  return has(counter) && numbers_.at(counter).front().environment == environment;
+  return found == numbers_.end() || found->second.empty() ? nullptr : &found->second.front();
 }
 
 PrintedNumber LatexNumbers::take(const std::string& counter) {
-  if (!has(counter)) fail_of_state("further number of a " + counter);
+  if (!next(counter)) fail_of_state("further number of a " + counter);
   std::deque<PrintedNumber>& queue = numbers_[counter];
   const PrintedNumber number = queue.front();
   queue.pop_front();
@@ -142,9 +132,9 @@ PrintedNumber LatexNumbers::take(const std::string& counter) {
 
 // A float of a package need not bear the name of its counter.
 std::string LatexNumbers::captioned(const std::string& environment) const {
-  if (has(environment)) return environment;
+  if (next(environment)) return environment;
   const auto counter =
-      std::ranges::find_if(captioned_, [&](const std::string& name) { return has(name); });
+      std::ranges::find_if(captioned_, [&](const std::string& name) { return next(name); });
   if (counter == captioned_.end()) {
     fail_of_state(fmt::format("further number for a caption of '{}'", environment));
   }

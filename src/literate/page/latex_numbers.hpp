@@ -38,20 +38,12 @@ class LatexNumbers {
   /// Reads the file and those that it names (\include). Throws sys::OutputError.
   explicit LatexNumbers(const std::filesystem::path& aux);
 
-  /// Whether the PDF prints numbers of this counter that were not taken yet.
-  bool has(const std::string& counter) const;
-
-  /// Whether the counter's next number stands in this environment.
-  bool next_is(const std::string& counter, std::string_view environment) const;
+  /// The counter's next number that was not taken yet; null if the PDF prints no more.
+  const PrintedNumber* next(const std::string& counter) const;
 
   /// The counter of the next caption in an environment of a package. Throws sys::InputError if the
   /// PDF has no more.
   std::string captioned(const std::string& environment) const;
-
-  /// The counter's next number, of which there is one.
-  const PrintedNumber& peek(const std::string& counter) const {
-    return numbers_.at(counter).front();
-  }
 
   /// Takes the counter's next number. Throws sys::InputError if the PDF has no more.
   PrintedNumber take(const std::string& counter);

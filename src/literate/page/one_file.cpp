@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <vector>
 
 #include "literate/page/html_text.hpp"
@@ -21,31 +22,25 @@ std::string_view type_of(const fs::path& file) {
   return "font/woff2";
 }
 
-// Replaces «before NAME after» by «before address-of-NAME after», for every name in the text.
-std::string with_files(std::string text, std::string_view before, std::string_view after,
+// Puts the bytes of each file into the text that names it behind `before`, up to `after`.
+std::string with_files(const std::string& text, std::string_view before, char after,
                        const fs::path& folder) {
   std::string whole;
-  std::string_view rest = text;
-  while (true) {
-    const std::size_t begin = rest.find(before);
-    if (begin == std::string_view::npos) return whole + std::string(rest);
-    const std::size_t name_begin = begin + before.size();
-    const std::size_t end = rest.find(after, name_begin);
-    const std::string name(rest.substr(name_begin, end - name_begin));
-    whole += rest.substr(0, name_begin);
+  std::size_t from = 0;
+  for (auto at = text.find(before); at != text.npos; at = text.find(before, from)) {
+    at += before.size();
+    const auto end = text.find(after, at);
+    const std::string name = text.substr(at, end - at);
     // A picture of PDF was made one of SVG.
     fs::path file = folder / name;
     if (file.extension() == ".pdf") file.replace_extension(".svg");
-    const bool is_address = name.starts_with("data:") || name.starts_with("#");
-    if (is_address) {
-      whole += name;
-    } else if (file.extension() == ".svg") {
-      whole += svg_address(sys::read_file(file));
-    } else {
-      whole += data_address(type_of(file), sys::read_file(file));
-    }
-    rest.remove_prefix(end);
+    whole += text.substr(from, at - from);
+    whole += name.starts_with("data:") || name.starts_with("#") ? name
+             : file.extension() == ".svg"                       ? svg_address(sys::read_file(file))
+                                          : data_address(type_of(file), sys::read_file(file));
+    from = end;
   }
+  return whole + text.substr(from);
 }
 
 // The texts of all files in a folder with this ending, in the order of their names.
@@ -72,38 +67,18 @@ std::string links_to(const std::vector<std::string>& files) {
   return html + "</p>\n";
 }
 
-std::string in_place(const std::string& html, std::string_view placeholder,
-                     const std::string& element) {
-  const std::size_t at = html.find(placeholder);
-  if (at == std::string::npos) return html;
-  return html.substr(0, at) + element + html.substr(at + placeholder.size());
-}
-
 }  // namespace
 
 std::string svg_address(std::string_view svg) {
   std::string address = "data:image/svg+xml,";
   address.reserve(svg.size() + svg.size() / 8);
-  for (const char c : svg) {
-    switch (c) {
-      case '"':
-        address += '\'';
-        break;
-      case '#':
-        address += "%23";
-        break;
-      case '%':
-        address += "%25";
-        break;
-      case '&':
-        address += "%26";
-        break;
-      case '\n':
-        address += ' ';
-        break;
-      default:
-        address += c;
-    }
+  for (const char& c : svg) {
+    address += c == '"'    ? "'"
+               : c == '#'  ? "%23"
+               : c == '%'  ? "%25"
+               : c == '&'  ? "%26"
+               : c == '\n' ? " "
+                           : std::string_view(&c, 1);
   }
   return address;
 }
@@ -120,25 +95,27 @@ std::string data_address(std::string_view type, std::string_view bytes) {
 }
 
 std::string one_file(std::string html, const PageParts& parts) {
-  html = with_files(std::move(html), " src=\"", "\"", parts.build);
-  const std::string style =
-      with_files(joined_files(parts.look, ".css"), "url(\"", "\")", parts.build);
+  html = with_files(html, " src=\"", '"', parts.build);
   const std::string script = joined_files(parts.look, ".js");
-  html = in_place(html, "<!--lit:style-->", "<style>\n" + style + "</style>");
-  html = in_place(html, "<!--lit:script-->\n",
-                  script.empty() ? "" : "<script>\n" + script + "</script>\n");
-  html = in_place(html, "<!--lit:meta-->\n", parts.meta);
-  html = in_place(html, "<!--lit:cite-->\n",
-                  links_to(parts.beside) +
-                      (parts.bibtex.empty()
-                           ? ""
-                           : "<details class=\"lit-cite-page\">\n<summary>Cite</summary>\n<pre "
-                             "tabindex=\"0\"><code>" +
-                                 escape_html(parts.bibtex) + "</code></pre>\n</details>\n"));
-  return in_place(html, "<!--lit:data-->\n",
-                  parts.data.empty() ? ""
-                                     : "<script type=\"application/json\" id=\"lit-data\">" +
-                                           parts.data + "</script>\n");
+  const std::string cite = parts.bibtex.empty()
+                               ? ""
+                               : "<details class=\"lit-cite-page\">\n<summary>Cite</summary>\n<pre "
+                                 "tabindex=\"0\"><code>" +
+                                     escape_html(parts.bibtex) + "</code></pre>\n</details>\n";
+  const auto put = [&](const char* place, const std::string& element) {
+    boost::replace_first(html, place, element);
+  };
+  put("<!--lit:style-->",
+      "<style>\n" + with_files(joined_files(parts.look, ".css"), "url(\"", '"', parts.build) +
+          "</style>");
+  put("<!--lit:script-->\n", script.empty() ? "" : "<script>\n" + script + "</script>\n");
+  put("<!--lit:meta-->\n", parts.meta);
+  put("<!--lit:cite-->\n", links_to(parts.beside) + cite);
+  put("<!--lit:data-->\n",
+      parts.data.empty()
+          ? ""
+          : "<script type=\"application/json\" id=\"lit-data\">" + parts.data + "</script>\n");
+  return html;
 }
 
 }  // namespace literate

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
@@ -64,28 +63,18 @@ std::string place_of(const Expanded& document, const fs::path& folder, const std
   return known == document.commands.end() ? source_label(folder) : known->second;
 }
 
-// What pandoc and the filter said.
+// What the filter said.
 std::vector<std::string> complaints(const std::string& said, const Expanded& document,
                                     const fs::path& folder) {
-  constexpr std::string_view unknown = "unknown: ",
-                             formula = "[WARNING] Could not convert TeX math ";
+  constexpr std::string_view unknown = "unknown: ", formula = "formula: ";
   std::vector<std::string> errors;
-  const std::vector<std::string_view> lines = sys::lines_of(said);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string_view line = lines[i];
+  for (const std::string_view line : sys::lines_of(said)) {
     if (line.starts_with(unknown)) {
       const std::string latex(line.substr(unknown.size()));
       errors.push_back(fmt::format("{}: {} is not known to the page",
                                    place_of(document, folder, latex), command_of(latex)));
     } else if (line.starts_with(formula)) {
-      std::string text(line.substr(formula.size()));
-      while (text.find(", rendering as TeX") == text.npos && i + 1 < lines.size()) {
-        text += lines[++i];
-      }
-      text = text.substr(0, text.rfind(", rendering as TeX"));
-      std::string reason;
-      while (i + 1 < lines.size() && lines[i + 1].starts_with("  ")) reason = lines[++i];
-      std::string bare = without_blanks(text);
+      const std::string text(line.substr(formula.size())), bare = without_blanks(text);
       std::string place = source_label(folder);
       for (const auto& [latex, known] : document.formulas) {
         if (bare.find(latex) != bare.npos && !latex.empty()) place = known;
@@ -140,136 +129,16 @@ std::string with_captions(std::string html) {
   return html;
 }
 
-// Where an element without attributes ends that begins at a place.
-std::size_t end_of_element(std::string_view html, std::size_t at, const std::string& name) {
-  const std::string open_tag = "<" + name + ">", close_tag = "</" + name + ">";
-  for (int depth = 0;;) {
-    const auto open = html.find(open_tag, at), close = html.find(close_tag, at);
-    if (close == html.npos) return html.size();
-    depth += open < close ? 1 : -1;
-    at = open < close ? open + open_tag.size() : close + close_tag.size();
-    if (depth == 0) return at;
+// A head of nothing but a formula has no name for a screen reader.
+std::string with_named_heads(std::string html) {
+  constexpr std::string_view math = "\"><math ";
+  for (auto at = html.find(math); at != html.npos; at = html.find(math, at + 1)) {
+    if (html.rfind("<th", at) != html.rfind('<', at)) continue;
+    const std::string name =
+        text_of_html(std::string_view(html).substr(at + 2, html.find("</math>", at) - at - 2));
+    html.insert(at + math.size(), "aria-label=\"" + name + "\" ");
   }
-}
-
-// Letters that TeX sets upright: those of \mathrm, as one word, and capital Greek ones.
-std::string with_upright_letters(std::string html) {
-  static const std::regex upright("<mstyle mathvariant=\"normal\">(.*?)</mstyle>"),
-      greek("<mi>(Γ|Δ|Θ|Λ|Ξ|Π|Σ|Υ|Φ|Ψ|Ω)</mi>");
-  std::string text;
-  for (std::smatch found; std::regex_search(html, found, upright); html = found.suffix()) {
-    const std::string one_word = boost::replace_all_copy(found[1].str(), "</mi><mi>", "");
-    text += found.prefix().str() + "<mrow>" +
-            boost::replace_all_copy(one_word, "<mi>", "<mi mathvariant=\"normal\">") + "</mrow>";
-  }
-  return std::regex_replace(text + html, greek, "<mi mathvariant=\"normal\">$1</mi>");
-}
-
-// The name of an operator, such as ln, has a thin space beside letters, numbers and bars, and none
-// beside signs and parentheses, as in TeX; pandoc leaves it the spaces of a relation.
-std::string with_operator_spaces(std::string html) {
-  static const std::regex operator_name("<mo>[A-Za-z ]*</mo>"), scripts("<(m(?:su|un|ov)[a-z]*)>$"),
-      letter_before("</m(?!o>)[a-z]+>$|form=\"postfix\">[^<]*</mo>$"),
-      sign_behind("^(?:<mspace[^>]*></mspace>)*(?:<m[a-z]+>)*<mo[^>]*>(?![|∥A-Za-z<])|^</|^$");
-  std::string text;
-  for (std::smatch found; std::regex_search(html, found, operator_name);) {
-    std::string before = text + found.prefix().str();
-    std::string element = found[0].str(), behind = found.suffix().str();
-    // With its limits or its exponent.
-    if (std::smatch outer; std::regex_search(before, outer, scripts)) {
-      const std::string tag = outer[0].str(), whole = tag + element + behind;
-      const auto end = end_of_element(whole, 0, outer[1].str());
-      behind = whole.substr(end);
-      element = whole.substr(0, end);
-      before.resize(before.size() - tag.size());
-    }
-    const auto space = [](bool is_thin) { return is_thin ? "0.167em" : "0em"; };
-    const auto at = element.find("<mo>") + 3;
-    element.insert(at, fmt::format(" lspace=\"{}\" rspace=\"{}\"",
-                                   space(std::regex_search(before, letter_before)),
-                                   space(!std::regex_search(behind, sign_behind))));
-    const auto done = before.size() + element.find("</mo>", at);
-    html = before + element + behind;
-    text = html.substr(0, done);
-    html.erase(0, done);
-  }
-  return text + html;
-}
-
-// A minus behind a relation, a comma or a parenthesis is that of a number, and stands close to it.
-std::string with_signs(const std::string& html) {
-  static const std::regex sign(
-      "(<mo>(?:[=,:]|&lt;|&gt;|≤|≥|≈|≡|≠|∼|→)</mo>|form=\"prefix\">[^<]*</mo>)<mo>−</mo>");
-  return std::regex_replace(html, sign, "$1<mo form=\"prefix\">−</mo>");
-}
-
-// Pandoc stretches every parenthesis, and browsers set one that may stretch twice as wide. Around
-// what is no higher than a letter with its exponent it need not.
-std::string with_plain_fences(std::string_view html) {
-  constexpr std::string_view row = "<mrow><mo stretchy=\"true\" form=\"prefix\">";
-  std::string text(html);
-  for (auto at = text.find(row); at != text.npos; at = text.find(row, at + 1)) {
-    const std::size_t size = end_of_element(text, at, "mrow") - at;
-    const std::string inside = text.substr(at, size);
-    const auto has = [&](const char* element) { return inside.find(element) != inside.npos; };
-    if (has("<mfrac") || has("<mtable") || has("<mun") || has("<mover") || has("<msqrt")) continue;
-    text.replace(at, size,
-                 boost::replace_all_copy(inside, "stretchy=\"true\"", "stretchy=\"false\""));
-  }
-  // Sizes of \big and its like, which browsers take with a unit alone, and not below an exponent,
-  // which then stands at a space of the same height.
-  for (const auto& [size, height] :
-       {std::pair{"1.2", "0.8"}, {"1.8", "1.1"}, {"2.4", "1.4"}, {"3.0", "1.7"}}) {
-    const std::string mo = "<mo minsize=\"" + std::string(size), raised = "<msup>" + mo;
-    for (auto at = text.find(raised); at != text.npos; at = text.find(raised, at)) {
-      text.erase(at, 6);
-      text.insert(text.find("</mo>", at) + 5,
-                  fmt::format("<msup><mspace height=\"{}em\" />", height));
-    }
-    const auto sizes = [number = size](const char* unit, const char* stretches) {
-      return fmt::format("minsize=\"{0}{1}\" maxsize=\"{0}{1}\" stretchy=\"{2}\"", number, unit,
-                         stretches);
-    };
-    text = boost::replace_all_copy(text, sizes("", "false"), sizes("em", "true"));
-  }
-  return text;
-}
-
-// Formulas without the names that HTML does not need, and their TeX in an attribute; lines of code
-// with their numbers, and without links that nobody can name.
-std::string tidied(std::string_view html) {
-  constexpr std::string_view math = "<math display=\"", line = "<span id=\"cb";
-  constexpr std::string_view annotation = "<annotation encoding=\"application/x-tex\">";
-  std::string text;
-  while (!html.empty()) {
-    const auto at = std::min(html.find(math), html.find(line));
-    text += html.substr(0, at);
-    if (at == html.npos) break;
-    html.remove_prefix(at);
-    if (html.starts_with(math)) {
-      const std::string_view whole = html.substr(0, html.find("</math>"));
-      const std::string fenced = with_plain_fences(between(whole, "<semantics>", annotation));
-      std::string body = with_operator_spaces(with_upright_letters(with_signs(fenced)));
-      // Rows of a display are as large as a display of one line.
-      const bool is_display = whole.starts_with("<math display=\"block");
-      if (is_display && body.starts_with("<mtable>")) body.insert(7, " displaystyle=\"true\"");
-      // A head of nothing but a formula has no name for a screen reader.
-      const bool is_head = text.ends_with("\">") && text.rfind("<th") == text.rfind('<');
-      const std::string name = is_head ? fmt::format(" aria-label=\"{}\"", text_of_html(body)) : "";
-      text +=
-          fmt::format("<math{}{} alttext=\"{}\">{}", is_display ? " display=\"block\"" : "", name,
-                      boost::replace_all_copy(
-                          std::string(between(whole, annotation, "</annotation>")), "\"", "&quot;"),
-                      body);
-      html.remove_prefix(whole.size());
-    } else {
-      const std::string_view id = html.substr(line.size(), html.find("\">") - line.size());
-      text +=
-          fmt::format("<span class=\"lit-line\" data-line=\"{}\">", id.substr(id.find('-') + 1));
-      html.remove_prefix(html.find("</a>") + 4);
-    }
-  }
-  return text;
+  return html;
 }
 
 }  // namespace
@@ -279,15 +148,15 @@ Page write_page(const PageSources& sources) {
   Page page;
   std::string body = run_pandoc(sources, document, page);
   page.errors.insert(page.errors.begin(), document.errors.begin(), document.errors.end());
-  // A listing that is scrolled sideways can be reached by the keyboard.
-  body = boost::replace_all_copy(with_captions(tidied(body)),
-                                 "<pre class=", "<pre tabindex=\"0\" class=");
+  body = with_captions(with_named_heads(std::move(body)));
   page.title = text_of_html(
       boost::replace_all_copy(std::string(between(body, "<h1>", "</h1>")), "<br />", " "));
-  constexpr std::string_view author = "<span class=\"lit-author\">";
-  for (auto at = body.find(author); at != body.npos; at = body.find(author, at + 1)) {
-    page.authors.push_back(
-        text_of_html(between(std::string_view(body).substr(at), author, "</span>")));
+  // Their names stand in comments, for the citation.
+  constexpr std::string_view author = "<!--lit:author ";
+  for (auto at = body.find(author); at != body.npos; at = body.find(author, at)) {
+    const std::string_view name = between(std::string_view(body).substr(at), author, "-->");
+    page.authors.push_back(text_of_html(name));
+    body.erase(at, author.size() + name.size() + 3);
   }
   page.date = text_of_html(between(body, "<p class=\"lit-date\">", "</p>"));
   const std::string_view abstract = between(body, "<section class=\"lit-abstract\"", "</section>");

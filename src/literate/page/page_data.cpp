@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "literate/page/plotted_json.hpp"
+#include "literate/figures/plotted.hpp"
+#include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -24,8 +25,8 @@ json values_of(const json& names) {
   json values = json::object();
   for (const auto& entry : names.at("values").items()) {
     json& value = values[entry.key()];
-    for (const char* part :
-         {"printed", "number", "abs_error", "below", "above", "standard", "unit", "exact", "percent", "place"})
+    for (const char* part : {"printed", "number", "abs_error", "below", "above", "standard", "unit",
+                             "exact", "percent", "place"})
       if (entry.value().contains(part)) value[part] = entry.value().at(part);
     if (value.contains("unit")) value["unit"] = plain_unit(value.at("unit").get<std::string>());
   }
@@ -48,6 +49,61 @@ json figure_of(const fs::path& folder, const std::string& name, const std::strin
   return {{"place", place},
           {"data", std::move(data)},
           {"script", file_of(folder / "script.gp", name + ".gp")}};
+}
+
+constexpr std::size_t most_points = 1000;
+
+json axis_json(const PlottedAxis& axis) {
+  return {{"label", plain_text(axis.label)},
+          {"start", axis.at_start},
+          {"end", axis.at_end},
+          {"log", axis.is_logarithmic}};
+}
+
+json curve_json(const PlottedCurve& curve) {
+  json points = json::array();
+  const std::size_t step = 1 + (curve.points.size() - 1) / most_points;
+  for (std::size_t i = 0; i < curve.points.size(); i += step) {
+    points.push_back(curve.points[i].first);
+    points.push_back(curve.points[i].second);
+  }
+  return {{"title", plain_text(curve.title)}, {"points", std::move(points)}};
+}
+
+json panel_json(const PlottedPanel& panel) {
+  json curves = json::array();
+  for (const PlottedCurve& curve : panel.curves) {
+    if (!curve.points.empty()) curves.push_back(curve_json(curve));
+  }
+  return {{"frame", {panel.left, panel.right, panel.bottom, panel.top}},
+          {"x", axis_json(panel.x)},
+          {"y", axis_json(panel.y)},
+          {"curves", std::move(curves)}};
+}
+
+// What the panels of a drawn figure show, as JSON. It is kept with a digest of all that it was
+// drawn from. A curve of more than a thousand points keeps every second of them, or third, and so
+// on.
+std::string plotted_json(const fs::path& folder, const std::string& name, const fs::path& kept) {
+  // The record of the drawing has the digests of script, style, data and gnuplot; the first line is
+  // another one when this file writes another form.
+  const std::string digest =
+      sys::sha256_of_text("form 2\n" + sys::read_file(folder / "drawn.sha256")) + "\n";
+  const fs::path file = kept / (name + ".json");
+  if (fs::is_regular_file(file)) {
+    const std::string former = sys::read_file(file);
+    if (former.starts_with(digest)) return former.substr(digest.size());
+  }
+  const fs::path scratch = kept / (name + ".part");
+  fs::remove_all(scratch);
+  json panels = json::array();
+  for (const PlottedPanel& panel : plotted_panels(folder, name, scratch)) {
+    panels.push_back(panel_json(panel));
+  }
+  fs::remove_all(scratch);
+  const std::string text = panels.dump();
+  sys::write_file_atomically(file, digest + text);
+  return text;
 }
 
 json figures_of(const json& names, const fs::path& folder, const fs::path& kept) {

@@ -37,7 +37,7 @@ defined = set(re.findall(r"\\(?:newcommand|DeclareRobustCommand|def)\*?\{?\\([A-
 macros = {name for name in defined if not name.startswith("Literate")}
 macros |= {"LiterateCitedName", "LiterateClaimPlacement", "LiterateFindingsHead", "LiterateLedgerPlace", "LiterateLedgerSize",
            "LiterateListingPlacement", "LiterateOwnName", "LiterateSourceUrl"}  # which a document may redefine
-macros |= set(re.findall(r'"(LiteratePicture)"', text_of("src/literate/page/expansion_blocks.cpp")))  # of page.tex
+macros |= set(re.findall(r'"(LiteratePicture)"', text_of("src/literate/page/expansion_definitions.cpp")))  # of page.tex
 of_latex = {"author", "begin", "caption", "cite", "columnwidth", "documentclass", "degree", "emph", "end", "ifdim", "includegraphics",
             "infty", "label", "newcommand", "ref", "renewcommand", "rule", "small", "textbf", "theta", "usepackage"}
 of_latex |= {"foo"}  # which the page does not know

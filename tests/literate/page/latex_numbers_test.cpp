@@ -21,26 +21,27 @@ struct Aux {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(numbers_come_in_the_order_of_the_pdf) {
-  LatexNumbers numbers = Aux("\\relax\n"
-                             "\\LiterateNumber{section}{I}{document}{}{2}\n"
-                             "\\LiterateNumber{figure}{1}{figure}{FIG.}{1}\n"
-                             "\\LiterateNumber{section}{II}{document}{}{3}\n")
-                             .read();
+BOOST_AUTO_TEST_CASE(
+    numbers_come_in_the_order_of_the_pdf_wherever_floats_and_included_files_stand) {
+  const Aux aux(
+      "\\LiterateNumber{section}{I}{document}{}{2}\n"
+      "\\LiterateNumber{figure}{1}{figure}{FIG.}{1}\n"
+      "\\LiterateNumber{section}{II}{document}{}{3}\n"
+      "\\LiterateNumber{table}{2}{longtable}{Table}{9}\n"
+      "\\LiterateNumber{table}{1}{table}{Table}{4}\n"
+      "\\LiterateNumber{equation}{3}{subequations}{}{5}\n"
+      "\\LiterateNumber{equation}{3a}{equation}{}{6}\n\\@input{part.aux}\n");
+  aux.folder.write("part.aux", "\\LiterateNumber{section}{III}{document}{}{7}\n");
+  LatexNumbers numbers = aux.read();
 
-  BOOST_TEST(numbers.take("section").number == "I");
-  BOOST_TEST(numbers.take("section").number == "II");
-  BOOST_TEST(!numbers.has("section"));
-  BOOST_TEST(numbers.left() == "1 figure");
-  BOOST_TEST(numbers.take("figure").shown == "FIG.");
-}
-
-BOOST_AUTO_TEST_CASE(a_float_that_stands_later_keeps_its_number) {
-  LatexNumbers numbers = Aux("\\LiterateNumber{table}{2}{longtable}{Table}{9}\n"
-                             "\\LiterateNumber{table}{1}{table}{Table}{4}\n")
-                             .read();
-
+  for (const char* number : {"I", "II", "III"})
+    BOOST_TEST(numbers.take("section").number == number);
+  BOOST_TEST(!numbers.next("section"));
   BOOST_TEST(numbers.take("table").number == "1");
+  BOOST_TEST(numbers.next("table")->environment == "longtable");
+  BOOST_TEST(numbers.take("equation").number == "3a");  // the whole of its parts is none
+  BOOST_TEST(numbers.left() == "1 figure, 1 table");
+  BOOST_TEST(numbers.take("figure").shown == "FIG.");
 }
 
 BOOST_AUTO_TEST_CASE(the_counter_of_a_packages_float_is_that_of_its_list) {
@@ -61,7 +62,7 @@ BOOST_AUTO_TEST_CASE(the_counter_of_a_packages_float_is_that_of_its_list) {
   BOOST_TEST(numbers.left() == "1 figure");
 }
 
-BOOST_AUTO_TEST_CASE(a_number_that_the_pdf_does_not_have_tells_another_state) {
+BOOST_AUTO_TEST_CASE(what_the_pdf_does_not_have_tells_another_state) {
   LatexNumbers numbers = Aux("\\relax\n").read();
 
   BOOST_TEST(message_of<sys::InputError>([&] { numbers.take("equation"); }) ==
@@ -71,51 +72,26 @@ BOOST_AUTO_TEST_CASE(a_number_that_the_pdf_does_not_have_tells_another_state) {
   BOOST_CHECK_THROW(numbers.citation("x"), sys::InputError);
 }
 
-BOOST_AUTO_TEST_CASE(the_whole_of_numbered_parts_is_no_equation) {
-  LatexNumbers numbers = Aux("\\LiterateNumber{equation}{3}{subequations}{}{1}\n"
-                             "\\LiterateNumber{equation}{3a}{equation}{}{2}\n")
-                             .read();
-
-  BOOST_TEST(numbers.take("equation").number == "3a");
-}
-
-BOOST_AUTO_TEST_CASE(labels_are_those_of_hyperref_and_cleveref) {
-  const LatexNumbers numbers = Aux("\\newlabel{eq:a}{{{3$'$}}{2}{Two}{equation.1}{}}\n"
-                                   "\\newlabel{eq:a@cref}{{[equation][2][1]3$'$}{[1][2][]2}}\n"
-                                   "\\newlabel{eq:b}{{4}{2}}\n"
-                                   "\\newlabel{eq:b@cref}{{[equation][3][1]4}{[1][2][]2}}\n"
-                                   "\\LiterateName{equation}{eq.}{eqs.}{Eq.}{Eqs.}\n")
-                                   .read();
+BOOST_AUTO_TEST_CASE(labels_names_and_citations_are_those_of_hyperref_cleveref_and_natbib) {
+  const LatexNumbers numbers =
+      Aux("\\newlabel{eq:a}{{{3$'$}}{2}{Two}{equation.1}{}}\n"
+          "\\newlabel{eq:a@cref}{{[equation][2][1]3$'$}{[1][2][]2}}\n"
+          "\\newlabel{eq:b}{{4}{2}}\n\\newlabel{eq:b@cref}{{[equation][3][1]4}{[1][2][]2}}\n"
+          "\\LiterateName{equation}{eq.}{eqs.}{\\MakeUppercase    []{e}q.}{Eqs.}\n"
+          "\\LiterateName{table}{table}{tables}{\\MakeUppercase {t}able}{Tables}\n"
+          "\\bibcite{a}{7}\n\\bibcite{b}{{8}{2001}{Curie}{}}\n")
+          .read();
 
   BOOST_TEST(numbers.label("eq:a").number == "3$'$");
   BOOST_TEST(numbers.label("eq:a").title == "Two");
   BOOST_TEST(numbers.label("eq:a").type == "equation");
   BOOST_TEST(numbers.follows("eq:a", "eq:b"));
   BOOST_TEST(!numbers.follows("eq:b", "eq:a"));
-  BOOST_TEST(numbers.names("equation")[3] == "Eqs.");
-}
-
-BOOST_AUTO_TEST_CASE(a_name_begins_with_a_capital_at_the_start_of_a_sentence) {
-  const LatexNumbers numbers =
-      Aux("\\LiterateName{equation}{eq.}{eqs.}{\\MakeUppercase    []{e}q.}{\\MakeUppercase {e}qs.}\n")
-          .read();
-
   BOOST_TEST(numbers.names("equation")[2] == "Eq.");
   BOOST_TEST(numbers.names("equation")[3] == "Eqs.");
-}
-
-BOOST_AUTO_TEST_CASE(citations_are_those_of_plain_latex_and_natbib) {
-  const LatexNumbers numbers = Aux("\\bibcite{a}{7}\n\\bibcite{b}{{8}{2001}{Curie}{}}\n").read();
-
+  BOOST_TEST(numbers.names("table")[2] == "Table");
   BOOST_TEST(numbers.citation("a")[0] == "7");
   BOOST_TEST(numbers.citation("b")[2] == "Curie");
-}
-
-BOOST_AUTO_TEST_CASE(included_files_have_their_own_numbers) {
-  const Aux aux("\\@input{part.aux}\n");
-  aux.folder.write("part.aux", "\\LiterateNumber{section}{2}{document}{}{1}\n");
-
-  BOOST_TEST(aux.read().take("section").number == "2");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers with their units, as siunitx prints them, and the tables and boxes that an author types.
+#include <fmt/core.h>
+
+#include <boost/algorithm/string/replace.hpp>
+#include <regex>
+
+#include "literate/page/expansion.hpp"
+#include "literate/text/latex.hpp"
+#include "literate/text/unit.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+using namespace page_reading;
+namespace {
+
+std::string in_threes(std::string_view digits, bool from_left) {
+  constexpr std::size_t fewest = 5;
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const std::size_t from_point = from_left ? i : digits.size() - i;
+    if (digits.size() >= fewest && i > 0 && from_point % 3 == 0) text += "\\,";
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string power_of(std::string exponent, bool is_math) {
+  return is_math ? "^{" + exponent + "}"
+                 : "\\textsuperscript{" + boost::replace_all_copy(exponent, "-", "−") + "}";
+}
+
+/// A unit as plain_unit() writes it, with raised powers: «m s⁻¹», «m^(1/2)».
+std::string unit_with_powers(std::string unit, bool is_math) {
+  static const std::regex power(R"(((?:⁻|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹)+)|\^\(([^)]*)\))");
+  constexpr std::string_view raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const auto plain = [&](const std::string& text) {
+    const std::string escaped = escape_bookmark(text);
+    return is_math && !escaped.empty() ? "\\text{" + escaped + "}" : escaped;
+  };
+  std::string text;
+  for (std::smatch found; std::regex_search(unit, found, power); unit = found.suffix()) {
+    std::string exponent = found.str(1) + found.str(2);
+    boost::replace_all(exponent, "⁻", "-");
+    for (int digit = 0; digit < 10; ++digit) {
+      boost::replace_all(exponent, raised[digit], std::to_string(digit));
+    }
+    text += plain(found.prefix()) + power_of(exponent, is_math);
+  }
+  return text + plain(unit);
+}
+
+// A unit of siunitx with a solidus, as the PDF has it: \joule\per\mole\per\kelvin is J/(mol K).
+std::string unit_with_solidus(const std::string& unit) {
+  static const std::regex factor(
+      R"(\s*(\\per(?![A-Za-z])\s*)?((?:\\(?:yocto|zepto|atto|femto|pico|nano|micro|milli|centi|deci|)"
+      R"(deca|hecto|kilo|mega|giga|tera|peta|exa|zetta|yotta|square|cubic)(?![A-Za-z])\s*)*)"
+      R"((?:\\[A-Za-z]+|[^\\]+)\s*(?:\\(?:squared|cubed)(?![A-Za-z])|\\tothe\{[^}]*\})?))");
+  std::string above, below;
+  int n_below = 0;
+  for (std::sregex_iterator found(unit.begin(), unit.end(), factor), end; found != end; ++found) {
+    const bool is_below = (*found)[1].matched;
+    n_below += is_below ? 1 : 0;
+    std::string& part = is_below ? below : above;
+    part += (part.empty() ? "" : "\\,") + ("\\si{" + found->str(2) + "}");
+  }
+  if (n_below == 0) return above;
+  return above + (n_below > 1 ? "/(" + below + ")" : "/" + below);
+}
+
+}  // namespace
+
+// The forms are «-1.2e-6 lbf/in», «994(22) ± 3», «994 +22 −18», «(4.7 ± 1.8)e-3 mm»,
+// «994 ± 22 (statistics) ± 5 (calibration)»; from the first blank before something else it is unit.
+std::string quantity_latex(std::string_view printed, bool is_math) {
+  static const std::regex number(R"([-+.\d()e]*\d[-+.\d()e]*( .*)?)"),
+      part(
+          R"( \(([^()]*)\)|( ± )| \+([\de.-]+) −([\de.-]+)| (.*)|e\+?(-?\d+)|(-)|(\d+)(?:\.(\d+))?|.)");
+  std::string rest(printed);
+  if (!std::regex_match(rest, number)) return escape_latex(printed);
+  std::string text;
+  for (std::smatch found; std::regex_search(rest, found, part); rest = found.suffix()) {
+    const auto quantity = [&](std::size_t i) { return quantity_latex(found.str(i), is_math); };
+    if (found[1].matched) {
+      const std::string words = " (" + escape_bookmark(found.str(1)) + ")";
+      text += is_math ? "\\text{" + words + "}" : words;
+    } else if (found[2].matched) {
+      text += is_math ? "\\pm " : "~±~";
+    } else if (found[3].matched) {
+      text += is_math ? "^{+" + quantity(3) + "}_{-" + quantity(4) + "}"
+                      : "~+" + quantity(3) + "~−" + quantity(4);
+    } else if (found[5].matched) {
+      text += (is_math ? "\\," : "~") + unit_with_powers(found.str(5), is_math);
+    } else if (found[6].matched) {
+      if (found.str(6) == "0") continue;  // as siunitx prints it
+      if (!text.empty()) text += is_math ? "\\times" : "~×~";
+      text += "10" + power_of(found.str(6), is_math);
+    } else if (found[7].matched) {
+      text += is_math ? "{-}" : "−";
+    } else if (found[8].matched) {
+      text += in_threes(found.str(8), false);
+      if (found[9].matched) text += "." + in_threes(found.str(9), true);
+    } else {
+      text += found.str();
+    }
+  }
+  return text;
+}
+
+void Expander::know_quantities() {
+  know({"num", "qty", "SI"}, [this](TexScanner& in, const TexToken& token) {
+    option(in);
+    const std::string printed(sys::stripped(argument(in)));
+    if (token.name == "num") return emit(quantity_latex(printed, is_math_));
+    const std::string unit = unit_of_latex(argument(in));
+    std::string text = quantity_latex(printed + " " + unit, is_math_);
+    if (unit.find('\\') != unit.npos) {
+      const std::string bare = unit_with_solidus(unit);
+      text = quantity_latex(printed, is_math_) +
+             (bare.starts_with('/') ? ""
+              : is_math_            ? "\\,"
+                                    : "~") +
+             bare;
+    }
+    // Both stand on one line.
+    emit(is_math_ ? text : marked("<span class=\"lit-nowrap\">", text, "</span>"));
+  });
+  know({"si", "unit"}, [this](TexScanner& in, const TexToken&) {
+    option(in);
+    const std::string bare = unit_with_solidus(std::string(argument(in)));
+    emit(bare.starts_with('/') ? "1" + bare : bare);
+  });
+  // pandoc takes only letters for columns, and shows nothing of what stands between them.
+  know_environments({"tabular", "tabular*", "tabularx", "longtable"}, [this](
+                                                                          TexScanner& in,
+                                                                          const TexToken& token) {
+    static const std::regex joint(R"([@!]\s*\{\s*[^\s\\}])"), filler(R"([@!<>]\s*\{[^{}]*\}|\|)"),
+        paragraph(R"([pmbw]\s*\{[^{}]*\}|X)");
+    option(in);
+    if (token.name == "tabular*" || token.name == "tabularx") argument(in);
+    std::string columns = expanded(argument(in));
+    if (std::regex_search(columns, joint)) {
+      fail("the page cannot join columns by @{…}; \\LiteratePicture{tabular} has LaTeX set them");
+    }
+    columns = std::regex_replace(std::regex_replace(columns, filler, ""), paragraph, "l");
+    begin_block("<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\">",
+                "</div>");
+    emit("\\begin{tabular}{" + columns + "}");
+    read_all(body_of(in, token.name));
+    emit("\\end{tabular}");
+    end_block();
+  });
+  // \cmidrule(lr){2-3}
+  know({"cmidrule", "cline"}, [this](TexScanner& in, const TexToken&) {
+    in.skip(group_at(in.rest(), '(', ')').size());
+    argument(in);
+  });
+  know({"makebox", "framebox"}, [this](TexScanner& in, const TexToken&) {
+    static const std::regex length(R"(\s*[\d.]+(em|ex|pt|pc|mm|cm|in)\s*)");
+    const std::string width(option(in).value_or(""));
+    option(in);
+    if (is_math_ || !std::regex_match(width, length)) {
+      read_all(argument(in));
+      return emit(width.empty() ? "" : " ");
+    }
+    const std::string text = expanded(argument(in));
+    emit(marked(fmt::format("<span class=\"lit-box\" style=\"min-width:{}\">", width), text,
+                "</span> "));
+  });
+}
+
+}  // namespace literate
