@@ -151,7 +151,7 @@ void Expander::know_quantities() {
     end_block();
   });
   // \cmidrule(lr){2-3}
-  know({"cmidrule", "cline"}, [this](TexScanner& in, const TexToken&) {
+  know({"cmidrule", "cline"}, [](TexScanner& in, const TexToken&) {
     in.skip(group_at(in.rest(), '(', ')').size());
     argument(in);
   });

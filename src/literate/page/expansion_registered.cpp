@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program registered: values, claims, tables, figures, excerpts.
-#include <time.h>
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
+#include <ctime>
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
