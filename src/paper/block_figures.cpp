@@ -109,8 +109,7 @@ Figure like_with_like(const HalfSpaceCase& h, const UnitSystem& units, const Blo
                    {"printed",
                     {{"x", values_of_column(printed.x)},
                      {"analytical", values_of_column(printed.analytical)},
-                     {"u_z", values_of_column(printed.fea_z)},
-                     {"magnitude", values_of_column(printed.fea_magnitude)}}}},
+                     {"u_z", values_of_column(printed.fea_z)}}}},
           .numbers = {{"half_width", h.load.half_width()}},
           .texts = {{"unit", units.length}}};
 }
