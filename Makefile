@@ -8,7 +8,7 @@
 #   PAPER=file       check-report: the text of the paper, against which every quotation is held
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   KINDS=faults,interruptions,cases ONLY=text   faults: of what kind, and of which name
-#   ONLY=id          mutants: this one alone
+#   ONLY=id          mutants, severity: this one alone
 #   EDITS=1          bench: what an author's edits cost, here and with knitr
 #   SUITES='bookworm trixie container'   fresh: on which
 #   DO=task          course: which; its variables are told by 'make course'
@@ -26,6 +26,7 @@ halfspace: ## the command line of the mechanics, build/release/halfspace
 watch: ## builds the report after each save, until Ctrl-C
 figures: ## its values, tables and figures only, build/report/generated; with NAME one as a picture, build/figures/NAME.png
 check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
+severity: ## which planted faults turn which claims, report/severity.csv; a run that was stopped goes on
 why: ## why the report would be built again
 
 #@ To prove

@@ -33,7 +33,7 @@ void claim_body(Document& document, const HalfSpaceCase& half_space, const Block
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::agrees(
                       "that ratio", Value(ratio, fixed(6)), Value(nu, exact()),
-                      {LimitKind::printed, 1e-6, "the stresses are printed with seven digits"})}});
+                      {LimitKind::data, 1e-6, "the stresses are printed with seven digits"})}});
   const block::Rectangle& r = block_case.rectangle;
   const Estimate middle = study.under_triangle().displacement_z(0, 0);
   std::vector<Criterion> depths;
@@ -41,7 +41,7 @@ void claim_body(Document& document, const HalfSpaceCase& half_space, const Block
     const Estimate below = study.under_triangle().displacement_z(0, share * r.height());
     depths.push_back(Criterion::at_least(
         "displacement", Value(below / middle, percent(1)),
-        {LimitKind::convention, 0.1, "a tenth, which a plot of contours would show"}));
+        {LimitKind::choice, 0.1, "a tenth, which a plot of contours would show"}));
   }
   document.claim("felt-throughout",
                  {.route = "the block by finite elements of high order under the triangle, on the "
@@ -63,7 +63,7 @@ void claim_mass(Document& document, const BlockCase& block_case, const UnitSyste
     const double apart = std::abs(value - number.value()) / number.last_place();
     properties.push_back(Criterion::at_most(
         "difference", Value({apart, rounded(value) / number.last_place()}, significant(2)),
-        {LimitKind::printed, 1.0,
+        {LimitKind::data, 1.0,
          "the density is computed from the printed mass and has no more digits"}));
   }
   document.value("mass.n", Value(std::ssize(properties), integer()));
@@ -95,7 +95,7 @@ void claim_size(Document& document, const HalfSpaceCase& half_space, const Block
     shape.value = std::max(shape.value, of_shape.value);
     shape.abs_error = std::max(shape.abs_error, of_shape.abs_error);
   }
-  const Limit unaffected(LimitKind::convention, 1e-2,
+  const Limit unaffected(LimitKind::choice, 1e-2,
                          "a tenth of the convergence that the run asks for");
   document.value("block.larger.level", Value(level, scientific(3), units.length));
   document.value("block.larger.shape", Value(shape, scientific(2), units.length));
@@ -128,7 +128,7 @@ void claim_comparison(Document& document, const HalfSpaceCase& half_space,
       const Estimate step = as_estimate(printed.error[i]) - as_estimate(printed.error[i - 1]);
       growth.push_back(Criterion::at_least(
           "step", Value(1 / printed.error[i].last_place() * step, significant(2)),
-          {LimitKind::printed, 1.0, "an increase that the print shows"}));
+          {LimitKind::data, 1.0, "an increase that the print shows"}));
     }
   }
   document.claim(
@@ -202,10 +202,10 @@ void claim_maxima(Document& document, const HalfSpaceCase& half_space, const Uni
       "largest-in-the-middle",
       {Criterion::at_most("relative difference of the largest from that of the middle",
                           Value(Estimate{excess, rounded(1)}, scientific(1).rounded_up()),
-                          {LimitKind::rounding, 1e-9, "the same solution at the same point"}),
+                          {LimitKind::choice, 1e-9, "the same solution at the same point"}),
        Criterion::at_most("difference in print, in units of the last place",
                           Value(apart, fixed(0)).as_is(),
-                          {LimitKind::printed, 0.0, "the same digits"})},
+                          {LimitKind::data, 0.0, "the same digits"})},
       "the largest normal displacement is that of the middle, in print and under the fitted load");
   const PrintedNumber& tension = printed.measures.at("max_stress_prin");
   document.value("appendix2.tension", Value(as_estimate(tension), significant(3), units.stress));
@@ -215,7 +215,7 @@ void claim_maxima(Document& document, const HalfSpaceCase& half_space, const Uni
           "largest principal stress of a half-space beside the ends of "
           "the fitted load, over its peak",
           Value(largest_tension_beside_ends(fit, half_width), scientific(1)).within(1e-14),
-          {LimitKind::rounding, 1e-9, "a pressure makes no tension"})},
+          {LimitKind::choice, 1e-9, "a pressure makes no tension"})},
       "a half-space has no tension beside the ends of the fitted load");
 }
 

@@ -72,8 +72,8 @@ class BlockStudy {
 };
 
 /// The printed z-displacements of Fig. 5 at the points of the half-space, the convergence that
-/// Appendix 2 prints of each taken as its standard uncertainty. Throws for points of which it prints
-/// none.
+/// Appendix 2 prints of each taken as its standard uncertainty. Throws for points of which it
+/// prints none.
 std::vector<block::SurfaceDisplacement> observed_in(const HalfSpaceCase& half_space,
                                                     const PrintedData& printed);
 

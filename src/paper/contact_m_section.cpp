@@ -237,7 +237,7 @@ void describe_listing(Document& document, const ContactCase& c, const UnitSystem
       {Criterion::agrees_relatively(
           "load that the triangles carry", Value(carried, significant(4), units.line_load),
           Value(closed_form(load / weight), significant(4), units.line_load),
-          {LimitKind::rounding, 1e-9, "the last equation is solved as the others are"})},
+          {LimitKind::choice, 1e-9, "the last equation is solved as the others are"})},
       "Contact.m as printed carries P/(aa - 2)");
 }
 
@@ -251,7 +251,7 @@ void find_edges(Document& document, const ContactCase& contact, const ContactMIn
   document.check("contact-m-finds-its-edge",
                  {Criterion::agrees("node where p becomes zero", Value(own.zero_node, integer()),
                                     Value(input.zero_node, integer()),
-                                    {LimitKind::derived, 0.0, "it is a count"})},
+                                    {LimitKind::data, 0.0, "it is a count"})},
                  "looking for its edge by p >= 0, Contact.m as printed finds the node typed in");
   document.check("contact-m-grid-holds-the-contact",
                  mended.zero_node < input.n_nodes && wider.zero_node == input.n_nodes,
@@ -278,7 +278,7 @@ void compare_mended(Document& document, const ContactCase& contact, const Contac
       "contact-m-is-matrix-inversion",
       {Criterion::at_most("largest difference of the pressures, over p₀",
                           Value(rounding, scientific(1).rounded_up()).as_is(),
-                          {LimitKind::rounding, of_system, "the same equations in another order"})},
+                          {LimitKind::choice, of_system, "the same equations in another order"})},
       "Contact.m with every correction is the matrix inversion on a one-sided grid");
 }
 
@@ -292,7 +292,7 @@ void check_rows(Document& document, const std::vector<Row>& rows, double p0) {
       "contact-m-step-is-harmless",
       {Criterion::at_most("largest change of a pressure, over p₀",
                           Value(Estimate{step_effect, 2 * of_system}, scientific(1).rounded_up()),
-                          {LimitKind::convention, 1e-3, "less than a plot shows"})},
+                          {LimitKind::choice, 1e-3, "less than a plot shows"})},
       "the step off 0 and c changes no pressure of Contact.m");
   document.check("contact-m-falls-to-its-edge",
                  std::ranges::is_sorted(before, std::ranges::greater()),
@@ -301,7 +301,7 @@ void check_rows(Document& document, const std::vector<Row>& rows, double p0) {
     const double ratio = pressure_beside_edge(rows[i].program) / rows[i].program.pressure[0];
     return Criterion::at_least("row " + std::to_string(i),
                                Value({ratio, 2 * of_system * ratio}, significant(2)),
-                               {LimitKind::convention, 1.5, "a rise that a plot shows"});
+                               {LimitKind::choice, 1.5, "a rise that a plot shows"});
   };
   document.check("contact-m-rises-to-a-typed-edge", {rises(both_bodies), rises(weight)},
                  "with both bodies the pressure beside the typed edge is above that of the middle");
@@ -309,7 +309,7 @@ void check_rows(Document& document, const std::vector<Row>& rows, double p0) {
     const double ratio = rows[i].misfit / rows[i - 1].misfit;
     return Criterion::at_least("misfit of row " + std::to_string(i) + " over that before",
                                Value({ratio, 4 * of_system * ratio}, significant(2)),
-                               {LimitKind::stated, 1.0, "a repair that makes it worse"});
+                               {LimitKind::data, 1.0, "a repair that makes it worse"});
   };
   document.check("contact-m-order-matters",
                  {grows(both_bodies), grows(weight),
@@ -333,11 +333,11 @@ void claim_program(Document& document, const ContactCase& c, const UnitSystem& u
                "load that its triangles carry",
                Value({carried, of_system * carried}, significant(4), units.line_load),
                Value(c.line_load, exact(), units.line_load),
-               {LimitKind::convention, 1e-2, "less than a plot shows"}),
+               {LimitKind::choice, 1e-2, "less than a plot shows"}),
            Criterion::agrees("half-width of the contact over Hertz's",
                              Value(share, fixed(2)).within(rounded(c, share)), Value(1, exact()),
-                             {LimitKind::derived, input.spacing / hertz.half_width(),
-                              "one element: an edge is only known to a node"}),
+                             Limit::theory("c/a", {{"c", input.spacing}, {"a", hertz.half_width()}},
+                                           "one element: an edge is only known to a node")),
            Criterion::at_most("misfit of the pressure to Hertz's, as a share of the load",
                               Value({row.misfit, 4 * of_system}, percent(0)),
                               less_than_a_plot_shows())}});
@@ -370,7 +370,7 @@ void claim_mended(Document& document, const ContactCase& contact, const ContactM
            Criterion::at_least(
                "mean misfit of the pressures over that on the finer grids",
                Value({ratio, 4 * of_system / fine.misfit * ratio}, significant(2)),
-               {LimitKind::derived, 4.0, "a fourth of the element width: order 1 or more"})}});
+               Limit::theory("4", {}, "a fourth of the element width: order 1 or more"))}});
 }
 
 }  // namespace

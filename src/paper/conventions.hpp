@@ -10,18 +10,18 @@ namespace paper {
 
 /// What one would not see in a plot: a hundredth of what it shows.
 inline Limit less_than_a_plot_shows() {
-  return {literate::LimitKind::convention, 1e-2, "less than a plot shows"};
+  return {literate::LimitKind::choice, 1e-2, "less than a plot shows"};
 }
 
 /// What the paper calls nearly identical, or negligible, of curves that a plot compares.
 inline Limit nearly_identical() {
-  return {literate::LimitKind::convention, 3e-2, "about what can be read off the axes of a plot"};
+  return {literate::LimitKind::choice, 3e-2, "about what can be read off the axes of a plot"};
 }
 
 /// The square of the element width over the half-width of the contact, for errors of linear
 /// elements.
 inline Limit of_second_order(double square) {
-  return {literate::LimitKind::convention, square,
+  return {literate::LimitKind::choice, square,
           "(𝑐/𝑎)²; at the peak linear interpolation has an eighth of it"};
 }
 

@@ -101,7 +101,7 @@ void register_residuals(Document& document, const Solution& solution, const Hert
   document.value("cylinders.indentation",
                  Value(against(c, indentation, exact), scientific(2), units.length));
   // That eq. (1a) holds in the contact is a claim.
-  const Limit rounding(LimitKind::rounding, 1e-11, "sums of hundreds of rounded terms");
+  const Limit rounding(LimitKind::choice, 1e-11, "sums of hundreds of rounded terms");
   document.check(
       "contact-conditions",
       {Criterion::at_most("deepest penetration, over the gap at the edge",
@@ -113,7 +113,7 @@ void register_residuals(Document& document, const Solution& solution, const Hert
        Criterion::at_least(
            "least pressure, over the peak",
            Value(solution.pressure.minCoeff() / solution.peak_pressure(), scientific(1)).as_is(),
-           {LimitKind::stated, 0.0, "no tension"})},
+           {LimitKind::data, 0.0, "no tension"})},
       "eq. (1b) and equilibrium hold to rounding, and no pressure is a tension");
 }
 
@@ -133,7 +133,7 @@ void claim_cylinders(Document& document, const ContactCase& c,
                     .criteria = {Criterion::at_most(
                         "half-width over the smaller radius",
                         Value(1 / smaller_radius(c) * half_width, percent(1)),
-                        {LimitKind::convention, 0.1,
+                        {LimitKind::choice, 0.1,
                          "the half-space approximation requires it to be well below one"})}});
   }
   const double indentation = c.cylinders.profile().gap(solution.half_width());
@@ -144,7 +144,7 @@ void claim_cylinders(Document& document, const ContactCase& c,
       "exact-at-matching-points",
       {Criterion::at_most("largest residual, over the gap at the edge before deformation",
                           Value(Estimate{gap, of_gap}, scientific(1).rounded_up()),
-                          {LimitKind::rounding, 1e-11, "sums of hundreds of rounded terms"})},
+                          {LimitKind::choice, 1e-11, "sums of hundreds of rounded terms"})},
       "eq. (1a) holds at every node in contact to rounding error");
 }
 

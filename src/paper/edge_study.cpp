@@ -88,14 +88,14 @@ Estimate order_of(const EdgeErrors& errors) {
 Criterion of_order(const char* what, const EdgeErrors& errors, double expected,
                    const char* reason) {
   return Criterion::agrees(what, Value(order_of(errors), fixed(2)), Value(expected, exact()),
-                           {LimitKind::convention, 0.25, reason});
+                           {LimitKind::choice, 0.25, reason});
 }
 
 void check_graded(Document& document, const Graded& graded) {
   const auto small = [&](const char* what, double error, double limit) {
     return Criterion::at_most(
         what, Value({error, of_graded_pressure}, scientific(1).rounded_up()),
-        {LimitKind::regression, limit, "what was found on the finest grid, with a margin"});
+        {LimitKind::choice, limit, "what was found on the finest grid, with a margin"});
   };
   document.check(
       "graded-grid-removes-the-edge-error",
@@ -176,15 +176,15 @@ EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& her
     return fit_power(graded.pressure.elements, errors, bounds).order;
   };
   document.value("graded.width-order", Value(order(graded.half_width), fixed(1)));
+  const char* const nearer = "nearer to it than to any other half order";
   document.claim("graded-order",
                  {.route = "powers fitted to the largest errors of the pressure against Hertz, on "
                            "grids of a dozen to a hundred elements over the half-width",
                   .expected = Verdict::confirmed,
-                  .criteria = {of_order("order, uniform grid of triangles", even, 0.5,
-                                        "nearer to it than to any other half order"),
-                               of_order("graded grid of triangles", sine, 1, "the same"),
+                  .criteria = {of_order("order, uniform grid of triangles", even, 0.5, nearer),
+                               of_order("graded grid of triangles", sine, 1, nearer),
                                of_order("the same with parabolas and the edge as an unknown",
-                                        graded.pressure, 2, "the same")}});
+                                        graded.pressure, 2, nearer)}});
   check_graded(document, graded);
   return graded.pressure;
 }

@@ -57,9 +57,8 @@ Figure element_figure() {
 }
 
 Criterion of_order(const char* what, Estimate order, double expected) {
-  return Criterion::agrees(
-      what, Value(order, fixed(2)), Value(expected, exact()),
-      {LimitKind::convention, 0.25, "nearer to it than to any other half order"});
+  return Criterion::agrees(what, Value(order, fixed(2)), Value(expected, exact()),
+                           {LimitKind::choice, 0.25, "nearer to it than to any other half order"});
 }
 
 // The mean errors of one kind of element between and beneath the nodes, on grids between whose
@@ -115,12 +114,12 @@ void register_quality(Document& document, const ContactCase& c, const Hertz& her
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least(
                         "order of triangles", Value(triangular.slope_order(), fixed(2)),
-                        {LimitKind::convention, 1.75, "nearer to 2 than to any lower half order"}),
+                        {LimitKind::choice, 1.75, "nearer to 2 than to any lower half order"}),
                     of_order("of uniform elements", uniform.slope_order(), 1)}});
   document.value("elements.slope-order", Value(triangular.slope_order(), fixed(1)));
   const auto better = [&](const char* what, Estimate worse, Estimate best) {
     return Criterion::at_least(what, Value(worse / best, significant(2)),
-                               {LimitKind::convention, 10.0, "an order of magnitude"});
+                               {LimitKind::choice, 10.0, "an order of magnitude"});
   };
   document.check(
       "triangles-gain-in-slopes-and-stresses",
@@ -182,7 +181,7 @@ Estimate finest_over_fit(Document& document, const ContactCase& c, const Hertz& 
 }
 
 void claim_orders(Document& document, PowerFit inside, double ratio, Estimate finest) {
-  const Limit eighth(LimitKind::convention, 2.0,
+  const Limit eighth(LimitKind::choice, 2.0,
                      "an eighth of an order, from the middle of the 80 grids to these");
   document.claim(
       "pressure-at-the-nodes",
@@ -197,7 +196,7 @@ void claim_orders(Document& document, PowerFit inside, double ratio, Estimate fi
                               Value(finest, fixed(1)), eighth),
            Criterion::at_least("factor 𝐵 of triangles over that of uniform elements",
                                Value({ratio, of_factors * ratio}, significant(2)),
-                               {LimitKind::convention, 0.8, "less would be a gain of a fifth"})}});
+                               {LimitKind::choice, 0.8, "less would be a gain of a fifth"})}});
 }
 
 // Neighbouring grids whose errors are shown together.

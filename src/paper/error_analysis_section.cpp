@@ -45,18 +45,20 @@ void measure_datum(Document& document, const HalfSpaceCase& c, const UnitSystem&
                  Value(at_datum / gradient(c, c.load.half_width()), scientific(2)));
   // Far from the load the shift is that of a concentrated force; (a/datum)² is what is left.
   // But the datum may be so far that rounding leaves more.
-  const double left_over =
-      2 * std::pow(c.load.half_width() / nearer, 2) + 2 * shift.abs_error / shift_of_doubling(c);
   document.check(
       "datum-shifts-all-alike",
       {Criterion::at_most("largest less smallest shift, over the largest",
                           Value((largest - smallest) / largest, scientific(1).rounded_up()).as_is(),
-                          {LimitKind::rounding, 1e-12, "all are differences from the same datum"}),
+                          {LimitKind::choice, 1e-12, "all are differences from the same datum"}),
        Criterion::agrees_relatively(
            "shift", Value(shift, scientific(3), units.length),
            Value(closed_form(shift_of_doubling(c)), scientific(3), units.length),
-           {LimitKind::derived, left_over,
-            "twice the square of a over the nearer datum, and the rounding of displacements"})},
+           Limit::theory("2(a/d)² + 2δ/s",
+                         {{"a", c.load.half_width()},
+                          {"d", nearer},
+                          {"δ", shift.abs_error},
+                          {"s", shift_of_doubling(c)}},
+                         "d the nearer datum, and δ/s the rounding of displacements"))},
       "half the datum shifts every displacement by 2(1-nu^2)P/(pi E) ln 2");
 }
 
@@ -98,7 +100,7 @@ void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSyste
       pairs.push_back(Criterion::agrees_relatively(
           "load", Value(stated.value * ratio, significant(3), unit),
           Value(with, significant(3), unit),
-          {LimitKind::convention, 2e-2,
+          {LimitKind::choice, 2e-2,
            "far from the load the influence of its shape is (𝑎/𝑥)²/6; the rest is for the mesh of "
            "the run, which is coarse there"}));
     }
@@ -165,7 +167,7 @@ void compare_error(Document& document, const HalfSpaceCase& c, const UnitSystem&
     const double unsure = error.last_place() / error.value();
     of_order.push_back(Criterion::at_most(
         "decades", Value({decades, unsure + rounded(decades)}, significant(2)),
-        {LimitKind::convention, 0.5,
+        {LimitKind::choice, 0.5,
          "half a decade to either side of 10⁻⁷, as 10E-7 is read here; literally it is 10⁻⁶, which "
          "is more than any printed error"}));
   }

@@ -52,7 +52,7 @@ void register_block(Document& document, const HalfSpaceCase& half_space, const B
       "block-discretisation",
       {Criterion::at_most("largest change, over the displacement in the middle",
                           Value(largest_error, scientific(1).rounded_up()).as_is(),
-                          {LimitKind::convention, 2e-4, "far less than what is read from them"})},
+                          {LimitKind::choice, 2e-4, "far less than what is read from them"})},
       "refinement changes the displacements of the block by little; a higher block.order or "
       "block.refine leaves less");
 }
@@ -183,7 +183,7 @@ void tabulate_measures(Document& document, const PrintedData& printed_data, cons
   // The resultant and the energy are claims.
   const auto predicts = [&](const std::string& name, double limit) {
     return Criterion::at_most(name + ", off by", Value(abs(off(name)), percent(2).rounded_up()),
-                              {LimitKind::regression, limit, "what was found, with a margin"});
+                              {LimitKind::choice, limit, "what was found, with a margin"});
   };
   document.check("fit-predicts", {predicts("max_disp_x", 6e-3), predicts("max_stress_vm", 1.2e-2)},
                  "the fit predicts the largest tangential displacement and the von Mises stress");
@@ -281,7 +281,7 @@ void register_shares(Document& document, const HalfSpaceCase& half_space,
                  {Criterion::at_most(
                      "largest gap, over the part of the datum",
                      Value(largest_gap / std::abs(datum.value), scientific(1).rounded_up()).as_is(),
-                     {LimitKind::rounding, 1e-12, "the parts are differences of one another"})},
+                     {LimitKind::choice, 1e-12, "the parts are differences of one another"})},
                  "the parts of the difference add up to the whole");
 }
 

@@ -115,7 +115,7 @@ void check_force(Document& document, const HalfSpaceCase& c, const UnitSystem& u
                           surface.normal_displacement_from_gradient(from);
     return Criterion::agrees_relatively(
         "one step", Value(gain, scientific(3), units.length), expected,
-        {LimitKind::convention, 1e-9,
+        {LimitKind::choice, 1e-9,
          "nine digits: beside a force the gradient is proportional to "
          "1/𝑥, so that each step adds 𝐾 ln(1000), and the "
          "quadrature reports much smaller errors"});
@@ -141,8 +141,8 @@ void check_uniform(Document& document, const HalfSpaceCase& c) {
       {Criterion::at_most(
           "change of the displacement from the end to ε = 10⁻⁹ half-widths beside it, over 𝐾",
           Value(abs(1 / unit * difference), scientific(2).rounded_up()),
-          {LimitKind::derived, beside * (1 + std::log(2 / beside)),
-           "ε[1 + ln(2/ε)], twice what a gradient adds that grows logarithmically"})},
+          Limit::theory("ε[1 + ln(2/ε)]", {{"ε", beside}},
+                        "twice what a gradient adds that grows logarithmically"))},
       "the displacement under a uniform pressure is finite at its ends");
 
   const Value expected =
@@ -152,9 +152,11 @@ void check_uniform(Document& document, const HalfSpaceCase& c) {
     const Estimate gain = abs(surface.normal_gradient(a + to) - surface.normal_gradient(a + from));
     return Criterion::agrees_relatively(
         "one step", Value(gain, scientific(3)), expected,
-        {LimitKind::derived, 1e-3,
-         "beside the end the gradient is logarithmic, and each step adds 𝐾𝑝/𝑃 ln(1000); what else "
-         "changes is smooth and of the order 𝑑/𝑎, 𝑑 the distance at which the steps begin"});
+        Limit::theory(
+            "𝑑/𝑎", {{"𝑑", 1e-3 * a}, {"𝑎", a}},
+            "beside the end the gradient is logarithmic, and each step adds 𝐾𝑝/𝑃 ln(1000); what "
+            "else "
+            "changes is smooth and of this order, 𝑑 the distance at which the steps begin"));
   };
   document.check("uniform-gradient-infinite",
                  {Criterion::in_each("what a step to a thousandth of the distance adds", "steps",
@@ -177,13 +179,15 @@ void check_smooth(Document& document, const HalfSpaceCase& c) {
       continuous.push_back(Criterion::at_most(
           "change of the slope",
           Value(1 / (d * (1 + std::log(1 / d))) * jump(kink, d), significant(2)),
-          {LimitKind::derived, 8.0,
-           "twice that of eq. (3) at the peak, 4𝑑[1 + ln(1/𝑑)]𝐾/𝑎, which vanishes with 𝑑"}));
+          Limit::theory("2·4", {},
+                        "twice that of eq. (3) at the peak, 4𝑑[1 + ln(1/𝑑)]𝐾/𝑎, which vanishes "
+                        "with 𝑑")));
     }
     sharp.push_back(Criterion::at_least(
         "growth", Value(1e6 * jump(kink, 1e-6) - 1e3 * jump(kink, 1e-3), significant(3)),
-        {LimitKind::derived, 1.9 * std::log(steps_ratio),
-         "95 % of 2 ln(1000), which eq. (3) has at the ends; at the peak it has twice that"}));
+        Limit::theory("0.95·2 ln(𝑟)", {{"𝑟", steps_ratio}},
+                      "95 % of what eq. (3) has at the ends, 𝑟 the ratio of the distances; at the "
+                      "peak it has twice that")));
   }
   document.check(
       "triangles-smooth",

@@ -81,7 +81,7 @@ Cell near_zero_or(Estimate value, int n_decimals) {
 }
 
 Limit small_loss() {
-  return {LimitKind::convention, 0.1, "a tenth, which a plot would show"};
+  return {LimitKind::choice, 0.1, "a tenth, which a plot would show"};
 }
 
 // The friction above which the largest shear beneath rises by more than a tenth: just above 0.25.
@@ -173,21 +173,23 @@ void compare_pairs(Document& document, const ContactCase& c, const FrictionCase&
   document.value("friction.ratio-error",
                  Value(Estimate{departure_of_ratio, bound}, scientific(1).rounded_up()));
   // Half-width and peak, from which the ratio is taken, are of second order in c/a.
-  const double square = std::pow(own.solution.grid.spacing / own.hertz.half_width(), 2);
   document.check(
       "friction-ratio-is-beta-mu",
-      {Criterion::at_most("largest difference of the ratio from βμ",
-                          Value(Estimate{departure_of_ratio, bound}, scientific(1).rounded_up()),
-                          {LimitKind::derived, mu * square, "μ(c/a)², the order of the elements"})},
+      {Criterion::at_most(
+          "largest difference of the ratio from βμ",
+          Value(Estimate{departure_of_ratio, bound}, scientific(1).rounded_up()),
+          Limit::theory(
+              "μ(c/a)²",
+              {{"μ", mu}, {"c", own.solution.grid.spacing}, {"a", own.hertz.half_width()}},
+              "the order of the elements"))},
       "the largest slope of the shear over that of the pressure is beta mu");
-  document.claim(
-      "sliding-in-closed-form",
-      {.route = "eq. (2) for both bodies by quadrature, for all pairs of materials",
-       .expected = Verdict::confirmed,
-       .criteria = {Criterion::at_most(
-           "largest departure of the slope from −𝑥/𝑅, over 𝑎/𝑅",
-           Value(departure_of_exact, scientific(1).rounded_up()),
-           {LimitKind::rounding, 1e-11, "what the quadrature loses at singular ends"})}});
+  document.claim("sliding-in-closed-form",
+                 {.route = "eq. (2) for both bodies by quadrature, for all pairs of materials",
+                  .expected = Verdict::confirmed,
+                  .criteria = {Criterion::at_most(
+                      "largest departure of the slope from −𝑥/𝑅, over 𝑎/𝑅",
+                      Value(departure_of_exact, scientific(1).rounded_up()),
+                      {LimitKind::choice, 1e-11, "what the quadrature loses at singular ends"})}});
 }
 
 bool are_alike(const ContactCase& c) {
@@ -235,7 +237,7 @@ void compare_bodies(Document& document, const ContactCase& c, const Pair& own, d
       {Criterion::at_most(
           "slope of both less the difference, over the larger",
           Value(std::abs(sum - (slope1 - slope2)) / larger, scientific(1).rounded_up()).as_is(),
-          {LimitKind::rounding, 1e-14, "a difference of two"})},
+          {LimitKind::choice, 1e-14, "a difference of two"})},
       "the shear's slopes of the two bodies are subtracted");
   document.check("slopes-of-like-bodies-cancel", !like || sum == 0,
                  "the shear's slopes of two bodies alike cancel");

@@ -151,19 +151,19 @@ void register_round(Document& document, const UnitSystem& units, const PrintedDa
        .criteria = {
            Criterion::at_most("largest misfit of a displacement, over its printed convergence",
                               Value(round.misfit.largest_share, significant(2)),
-                              {LimitKind::printed, 1.0, "the convergence that is printed"}),
+                              {LimitKind::data, 1.0, "the convergence that is printed"}),
            agrees("resultant", Value(abs(resultant_of(round)), significant(7), units.line_load),
                   "resultant_load_y", units.line_load,
-                  {LimitKind::printed, 1e-6, "the resultant is printed with seven digits"}),
+                  {LimitKind::data, 1e-6, "the resultant is printed with seven digits"}),
            agrees("strain energy", Value(energy_of(round), scientific(4), units.force),
                   "strain_energy", units.force,
-                  {LimitKind::printed, printed.convergence.at("strain_energy").value() / 100,
+                  {LimitKind::data, printed.convergence.at("strain_energy").value() / 100,
                    "the convergence that is printed"}),
            Criterion::at_most(
                "largest vertical stress, off the printed one by so many of the run's "
                "own stress error",
                Value(off_stress(round.peak, printed_data), significant(2)),
-               {LimitKind::convention, 2, "about 95 % of a normal distribution lie within"})}});
+               {LimitKind::choice, 2, "about 95 % of a normal distribution lie within"})}});
 }
 
 // A load in few words: on other supports than the case's, these.
@@ -226,7 +226,7 @@ void claim_shear(Document& document, const BlockStudy& study, const PrintedData&
   const PrintedAppendix2& printed = printed_data.appendix2;
   const Estimate shear = abs(as_estimate(printed.measures.at("max_stress_xy")));
   const double convergence = printed.convergence.at("max_stress_xy").value() / 100;
-  const Limit shown(LimitKind::convention, 3 * convergence,
+  const Limit shown(LimitKind::choice, 3 * convergence,
                     "three times the convergence that is printed: the load is fitted, and the "
                     "grids on which the maxima are taken differ");
   std::vector<Criterion> beyond;
@@ -261,7 +261,7 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
   std::vector<Criterion> met;
   long n_near_stress = 0, n_shapes = 0;
   double most_chi_squared = 0;
-  const Limit printed(LimitKind::printed, 1.0, "the convergence that is printed");
+  const Limit printed(LimitKind::data, 1.0, "the convergence that is printed");
   for (const Contestant& c : contestants) {
     if (c.supports != own || c.n_free != 2) continue;
     ++n_shapes;
@@ -292,11 +292,11 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
        .criteria = {Criterion::in_each("largest misfit of these, over the printed convergence",
                                        "shapes", met),
                     Criterion::at_least("their number", Value(std::ssize(meets), integer()),
-                                        {LimitKind::derived, 2, "one would be decided"}),
+                                        {LimitKind::data, 2, "one would be decided"}),
                     Criterion::at_least(
                         "the largest of their peaks over the smallest, less 1",
                         Value(highest.bounded() / lowest.bounded() - 1, percent(0)),
-                        {LimitKind::convention, 0.05, "ten times the run's own stress error"})}});
+                        {LimitKind::choice, 0.05, "ten times the run's own stress error"})}});
   claim_shear(document, study, printed_data, units, meets);
 }
 

@@ -52,15 +52,14 @@ void register_methods(Document& document, const ContactCase& c, const Hertz& her
                   .criteria = {Criterion::at_most(
                       "largest difference of the pressures, over 𝑝₀",
                       Value(Estimate{pressure, of_pressures}, scientific(1).rounded_up()),
-                      {LimitKind::convention, 1e-9,
+                      {LimitKind::choice, 1e-9,
                        "ten times the tolerance of the iterations; all three solve the same "
                        "discrete problem"})}});
-  document.check(
-      "three-methods-agree",
-      {Criterion::at_most("largest difference of the approach, relative",
-                          Value(approach, scientific(1).rounded_up()).as_is(),
-                          {LimitKind::regression, 1e-12, "what was found, with a margin"})},
-      "three methods give the same approach");
+  document.check("three-methods-agree",
+                 {Criterion::at_most("largest difference of the approach, relative",
+                                     Value(approach, scientific(1).rounded_up()).as_is(),
+                                     {LimitKind::choice, 1e-12, "what was found, with a margin"})},
+                 "three methods give the same approach");
 }
 
 // What the rounding of displacements would do to the pressure, over its peak: the gap from them,
@@ -129,19 +128,18 @@ void register_large_grids(Document& document, const ContactCase& c, const Hertz&
       "work-does-not-grow",
       {Criterion::at_most(
            "products on the finest grid", Value(products.back(), integer()),
-           {LimitKind::stated, static_cast<double>(products.front()), "those on the coarsest"}),
+           {LimitKind::method, static_cast<double>(products.front()), "those on the coarsest"}),
        Criterion::at_most("products, at most", Value(*most, integer()),
-                          {LimitKind::regression, 30.0, "what was found, with a margin"})},
+                          {LimitKind::choice, 30.0, "what was found, with a margin"})},
       "products on the finest grid do not grow with the number of nodes");
   document.check("large-grids-keep-order",
                  {Criterion::agrees("order", Value(fit_power(n, inside, bounds).order, fixed(2)),
                                     Value(2, integer()),
-                                    {LimitKind::regression, 0.25, "the scatter of four grids"})},
+                                    {LimitKind::choice, 0.25, "the scatter of four grids"})},
                  "the interior error on large grids is of order two");
   const auto ratio = [&](const char* what, double other, double limit) {
-    return Criterion::at_least(
-        what, Value(rounding.back() / other, significant(1)).as_is(),
-        {LimitKind::convention, limit, "so much more that it is no scatter"});
+    return Criterion::at_least(what, Value(rounding.back() / other, significant(1)).as_is(),
+                               {LimitKind::choice, limit, "so much more that it is no scatter"});
   };
   document.check("differences-keep-the-digits",
                  {ratio("rounding of displacements over what the differences leave", left_over, 5),

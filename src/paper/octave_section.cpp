@@ -46,7 +46,7 @@ void compare(Document& document, const Document& octave, const ContactM& ours) {
                  {Criterion::at_most("largest difference of a pressure, over the bound of its "
                                      "rounding in Octave",
                                      Value(difference / error, scientific(1).rounded_up()).as_is(),
-                                     {LimitKind::stated, 1.0, "the bound that the run reports"})},
+                                     {LimitKind::method, 1.0, "the bound that the run reports"})},
                  "Contact.m in Octave and its transcription compute the same pressures");
 }
 

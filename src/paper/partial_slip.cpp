@@ -147,16 +147,15 @@ void fit_slip_orders(Document& document, ContactCase c, double mu) {
   document.value("slip.fit.largest", Value(of_largest.order, fixed(1)));
   document.value("slip.fit.mean", Value(of_mean.order, fixed(1)));
   const char* const scatter = "the scatter of where the edges fall between the nodes";
-  document.check(
-      "slip-orders",
-      {Criterion::agrees("order of the largest error", Value(of_largest.order, fixed(2)),
-                         Value(0.5, exact()), {LimitKind::regression, 0.25, scatter}),
-       Criterion::agrees("order of the mean error", Value(of_mean.order, fixed(2)),
-                         Value(1.5, exact()), {LimitKind::regression, 0.3, scatter}),
-       Criterion::at_most("largest error times the root of the elements over a",
-                          Value({root_factor, 1e-6 * root_factor}, significant(2)),
-                          {LimitKind::regression, 0.25, "what was found, with a margin"})},
-      "the shear's largest error is of order 1/2, its mean error of order 3/2");
+  document.check("slip-orders",
+                 {Criterion::agrees("order of the largest error", Value(of_largest.order, fixed(2)),
+                                    Value(0.5, exact()), {LimitKind::choice, 0.25, scatter}),
+                  Criterion::agrees("order of the mean error", Value(of_mean.order, fixed(2)),
+                                    Value(1.5, exact()), {LimitKind::choice, 0.3, scatter}),
+                  Criterion::at_most("largest error times the root of the elements over a",
+                                     Value({root_factor, 1e-6 * root_factor}, significant(2)),
+                                     {LimitKind::choice, 0.25, "what was found, with a margin"})},
+                 "the shear's largest error is of order 1/2, its mean error of order 3/2");
 }
 
 // What Cattaneo's and Mindlin's traction does to the surfaces, by eq. (2a) for both bodies, of the
@@ -247,7 +246,7 @@ void compute_partial_slip(Document& document, const ContactCase& c, const Pair& 
   const char* const what = "largest relative error of the strip's half-width, over its (𝑐/𝑎ₛ)²";
   document.check("strip-of-cattaneo-and-mindlin",
                  {Criterion::at_most(what, Value(worst_stick, fixed(2)),
-                                     {LimitKind::convention, 1.0,
+                                     {LimitKind::choice, 1.0,
                                       "the elements have this order, and errors no larger"})},
                  "the strip that sticks is that of Cattaneo and Mindlin");
   Estimate in_strip;
@@ -275,17 +274,16 @@ void compute_partial_slip(Document& document, const ContactCase& c, const Pair& 
              Criterion::at_least(
                  "largest relative strain of the surfaces where they are to stick, over μ𝑎/𝑅",
                  Value(in_strip, scientific(1).rounded_up()),
-                 {LimitKind::rounding, 1e-9, "more than the quadrature loses at singular ends"}),
+                 {LimitKind::choice, 1e-9, "more than the quadrature loses at singular ends"}),
              Criterion::at_least("points of slip at which the friction does not oppose it",
                                  Value(n_ahead, exact()),
-                                 {LimitKind::derived, 1.0, "one would be enough"})}});
+                                 {LimitKind::data, 1.0, "one would be enough"})}});
   }
-  document.check(
-      "slip-errors-at-edges",
-      {Criterion::at_most("distance of the largest error from an edge, in elements",
-                          Value(from_edge, significant(2)).as_is(),
-                          {LimitKind::regression, 2.0, "what was found, with a margin"})},
-      "the shear's largest error is beside an edge of slip");
+  document.check("slip-errors-at-edges",
+                 {Criterion::at_most("distance of the largest error from an edge, in elements",
+                                     Value(from_edge, significant(2)).as_is(),
+                                     {LimitKind::choice, 2.0, "what was found, with a margin"})},
+                 "the shear's largest error is beside an edge of slip");
   fit_slip_orders(document, c, mu);
 }
 

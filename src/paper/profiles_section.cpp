@@ -204,7 +204,7 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
                            double order) {
     return Criterion::agrees(
         "order", Value(fit_power(elements, errors).order.value, fixed(2)).as_is(),
-        Value(order, exact()), {LimitKind::regression, 0.1, "what was found, with a margin"});
+        Value(order, exact()), {LimitKind::choice, 0.1, "what was found, with a margin"});
   };
   std::vector<Criterion> orders, orders_away, edges;
   Estimate worst_edge;
@@ -216,7 +216,7 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
       // The edge is extrapolated from p²; errors δp₀ of p move it by less than δa.
       edges.push_back(
           Criterion::at_most("edge", Value(edge, significant(2)),
-                             {LimitKind::convention, 0.5, "what counting nodes would have"}));
+                             {LimitKind::choice, 0.5, "what counting nodes would have"}));
       worst_edge = std::max(worst_edge, edge, [](const Estimate& one, const Estimate& other) {
         return one.value < other.value;
       });
@@ -233,12 +233,11 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
   document.check("singularities-stay-local",
                  {Criterion::in_each("order away from the singularity", "profiles", orders_away)},
                  "a tenth of a from a singularity the error is of second order");
-  document.check(
-      "wedge-apex-error-stays",
-      {Criterion::at_most("largest over smallest error on the grids",
-                          Value(*most / *least, significant(3)).as_is(),
-                          {LimitKind::regression, 1.02, "what was found, with a margin"})},
-      "beside the wedge's apex the error is the same on all grids");
+  document.check("wedge-apex-error-stays",
+                 {Criterion::at_most("largest over smallest error on the grids",
+                                     Value(*most / *least, significant(3)).as_is(),
+                                     {LimitKind::choice, 1.02, "what was found, with a margin"})},
+                 "beside the wedge's apex the error is the same on all grids");
 }
 
 void add_panel(Figure& figure, std::size_t number, const Panel& panel) {
@@ -265,7 +264,7 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
   for (const KnownContact& known : known_contacts(c, hertz)) {
     half_widths.push_back(Criterion::at_most(
         "difference", Value(std::abs(known.half_width / a - 1), scientific(1).rounded_up()).as_is(),
-        {LimitKind::rounding, 1e-12, "each is a root of the load, found to rounding"}));
+        {LimitKind::choice, 1e-12, "each is a root of the load, found to rounding"}));
     studies.push_back(study_of(known, c, hertz));
     const ProfileStudy& study = studies.back();
     const ProfileErrors& e = study.printed;

@@ -119,7 +119,7 @@ Estimate largest_over(const Comparisons& comparisons, double unit) {
 
 // What the quadratures are written for, and held to at random points by their tests.
 Limit promised(const char* reason) {
-  return {LimitKind::convention, 1e-10, reason};
+  return {LimitKind::choice, 1e-10, reason};
 }
 
 // At each point the difference from the closed form, over the errors of both.
@@ -130,7 +130,7 @@ Criterion within_errors(const std::vector<const Comparisons*>& all) {
       const double allowed = c.quadrature.abs_error + c.closed_form_error;
       shares.push_back(Criterion::at_most(
           "share", Value(std::abs(c.difference()) / allowed, significant(1)).as_is(),
-          {LimitKind::derived, 1.0,
+          {LimitKind::method, 1.0,
            "the error that the quadrature reports at the same point, and the rounding of the "
            "closed form"}));
     }

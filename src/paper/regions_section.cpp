@@ -126,7 +126,7 @@ void register_regions(Document& document, const ContactCase& c, const Hertz& her
     counts.push_back(regions.size());
     loads_with_valleys_as_expected.push_back(
         Criterion::agrees("difference", Value(closed - expected, integer()), Value(0, integer()),
-                          {LimitKind::derived, 0.0, "it is a count"}));
+                          {LimitKind::data, 0.0, "it is a count"}));
     // Every edge is wrong by so much, with either sign.
     const double of_edge = edge_error(solution);
     const double of_touching = 2 * static_cast<double>(regions.size()) * of_edge;
@@ -160,16 +160,16 @@ void register_regions(Document& document, const ContactCase& c, const Hertz& her
                         const char* reason) {
     return Criterion::agrees(what, Value(static_cast<long>(found), integer()),
                              Value(static_cast<long>(asked), integer()),
-                             {LimitKind::regression, 0.0, reason});
+                             {LimitKind::choice, 0.0, reason});
   };
   document.check(
       "regions-form-and-join",
       {count("regions under the lightest load", counts.front(), 1, "the middle crest"),
        Criterion::at_least("regions at most", Value(static_cast<long>(most), integer()),
-                           {LimitKind::stated, 3.0, "the middle crest and one on either side"}),
+                           {LimitKind::data, 3.0, "the middle crest and one on either side"}),
        Criterion::at_most(
            "regions under the heaviest load", Value(static_cast<long>(counts.back()), integer()),
-           {LimitKind::stated, static_cast<double>(most - 1), "fewer than at most"})},
+           {LimitKind::method, static_cast<double>(most - 1), "fewer than at most"})},
       "regions appear, and join, as the load grows");
 }
 
@@ -183,15 +183,15 @@ void check_round_trip(Document& document, const ContactCase& c, const WavyCylind
   const double approach = solution.approach(c.datum);
   const Solution again = line_contact::solve_for_approach(wavy.problem, approach, c.datum, method);
   const double difference = std::abs(again.line_load() / solution.line_load() - 1);
-  document.check("approach-gives-the-load-back",
-                 {Criterion::at_most(
-                      "relative difference of the loads",
-                      Value(difference, scientific(1).rounded_up()).as_is(),
-                      {LimitKind::rounding, 1e-11, "the tolerance of both solutions, and more"}),
-                  Criterion::agrees("nodes in contact", Value(again.n_in_contact(), integer()),
-                                    Value(solution.n_in_contact(), integer()),
-                                    {LimitKind::stated, 0.0, "the same nodes"})},
-                 "the approach that a load makes gives the same load back");
+  document.check(
+      "approach-gives-the-load-back",
+      {Criterion::at_most("relative difference of the loads",
+                          Value(difference, scientific(1).rounded_up()).as_is(),
+                          {LimitKind::choice, 1e-11, "the tolerance of both solutions, and more"}),
+       Criterion::agrees("nodes in contact", Value(again.n_in_contact(), integer()),
+                         Value(solution.n_in_contact(), integer()),
+                         {LimitKind::data, 0.0, "the same nodes"})},
+      "the approach that a load makes gives the same load back");
 }
 
 }  // namespace

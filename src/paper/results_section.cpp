@@ -66,7 +66,7 @@ void check_symmetry(Document& document, const HalfSpaceCase& c) {
       "symmetric",
       {Criterion::at_most("largest difference between left and right, over K",
                           Value(largest, scientific(1).rounded_up()),
-                          {LimitKind::convention, 1e-10,
+                          {LimitKind::choice, 1e-10,
                            "ten digits of the scale K, for which the quadrature is written"})},
       "the displacement by quadrature is the same at x and at -x");
 }
@@ -104,8 +104,7 @@ Criterion from_print(const PrintedNumber& printed, Estimate computed) {
   return Criterion::at_most(
       "distance",
       Value(1 / printed.last_place() * Estimate{distance, computed.abs_error}, significant(2)),
-      {LimitKind::printed, 0.5,
-       "every printed digit: the computed value rounds to the printed one"});
+      {LimitKind::data, 0.5, "every printed digit: the computed value rounds to the printed one"});
 }
 
 Criterion rounds_to_print(const std::string& what, const std::vector<Criterion>& points) {
@@ -122,7 +121,7 @@ void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& un
   constexpr double stated = 1000;
   const auto& run = printed_data.appendix2.measures;
   const Value in_words = Value(stated, exact(), units.line_load);
-  const Limit apart(LimitKind::convention, 1e-2,
+  const Limit apart(LimitKind::choice, 1e-2,
                     "the printed digits leave much less open, and the two readings differ by much "
                     "more");
   document.claim(
@@ -201,7 +200,7 @@ void check_measures(Document& document, const PrintedData& printed_data) {
     const double unit = std::min(fea_z[i].last_place(), measure.last_place());
     const double apart = std::round(std::abs(fea_z[i].value() + measure.value()) / unit);
     same.push_back(Criterion::at_most("difference", Value(apart, fixed(0)).as_is(),
-                                      {LimitKind::printed, 0.0, "the same digits"}));
+                                      {LimitKind::data, 0.0, "the same digits"}));
   }
   document.check("fea-z-are-measures",
                  {Criterion::in_each("difference in units of the last place", "points", same)},
@@ -253,7 +252,7 @@ Criterion compare_figure5(Document& document, const HalfSpaceCase& c, const Unit
       const double difference = std::abs(printed.analytical[i].value() - fea.value());
       const double off = std::abs(difference - printed.error[i].value()) / unit_of_place;
       return Criterion::at_most("difference", Value({off, rounding_of_print}, significant(2)),
-                                {LimitKind::printed, 1.0,
+                                {LimitKind::data, 1.0,
                                  "the error column has more digits than the columns, of which each "
                                  "is known to half a unit"});
     };

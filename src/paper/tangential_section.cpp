@@ -30,7 +30,7 @@ void measure_tangential(Document& document, const HalfSpaceCase& c, const UnitSy
     const double allowed = by_quadrature.abs_error + exact.abs_error;
     shares.push_back(Criterion::at_most(
         "share", Value(allowed == 0 ? 0 : off / allowed, significant(1)).as_is(),
-        {LimitKind::stated, 1.0, "the error that the quadrature reports, and rounding"}));
+        {LimitKind::data, 1.0, "the error that the quadrature reports, and rounding"}));
   }
   document.check("tangential-within-error",
                  {Criterion::in_each("difference over the errors of both", "points", shares)},

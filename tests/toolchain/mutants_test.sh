@@ -15,8 +15,9 @@ runs python3 "$source_dir/src/toolchain/mutants" --check
 claim 'every fault of the list has its text once in the checkout' "$status" -eq 0
 
 checkout=$scratch/check\ out
-mkdir -p "$checkout/src/toolchain" "$checkout/src/a" "$checkout/tests/mutants" "$checkout/report"
+mkdir -p "$checkout/src/toolchain" "$checkout/src/literate/scripts" "$checkout/src/a" "$checkout/tests/mutants" "$checkout/report"
 cp "$source_dir/src/toolchain/mutants" "$checkout/src/toolchain"
+cp "$source_dir/src/literate/scripts/planted.py" "$checkout/src/literate/scripts"
 printf 'one = 1\ntwo = 2\ntwo = 2\nsix = 6\n' >"$checkout/src/a/data.txt"
 : >"$checkout/report/ruggiero2001.toml"
 # The test notices a change of «one», the report a change of «two», and nothing a change of «six».

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "literate/claims/formula.hpp"
 #include "literate/claims/found.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
@@ -96,20 +97,67 @@ Value difference_of(const Value& computed, const Measured& difference) {
 
 std::string_view name_of(LimitKind kind) {
   switch (kind) {
-    case LimitKind::derived:
-      return "derived";
-    case LimitKind::printed:
-      return "from printed digits";
-    case LimitKind::rounding:
-      return "rounding";
-    case LimitKind::stated:
-      return "stated";
-    case LimitKind::convention:
-      return "convention";
-    case LimitKind::regression:
-      return "regression band";
+    case LimitKind::theory:
+      return "theory";
+    case LimitKind::data:
+      return "data";
+    case LimitKind::method:
+      return "method";
+    case LimitKind::choice:
+      return "choice";
   }
   throw std::invalid_argument("a limit needs one of the kinds of limits");
+}
+
+namespace {
+
+/// One decimal below ten, and nothing that nobody would compare above a thousand.
+std::string rough(double ratio, const char* unit) {
+  constexpr double most = 1000;
+  if (ratio > most) return fmt::format("over {} {}", most, unit);
+  return fmt::format("{:.{}f} {}", ratio, ratio < 10 ? 1 : 0, unit);
+}
+
+/// Throws std::invalid_argument for a number that cannot be of this kind.
+void require_of_kind(LimitKind kind, double number) {
+  constexpr int printed_digits = 2;
+  constexpr double rounding = 1e-12;  // a percentage is divided by 100
+  const double rounded = number_of(rounded_to_digits(number, printed_digits));
+  const bool is_short =
+      number == std::trunc(number) || std::abs(number - rounded) <= rounding * std::abs(number);
+  const std::string told = round_trip(number);
+  if (kind == LimitKind::theory) {
+    throw std::invalid_argument(fmt::format(
+        "a limit of theory is a formula that is evaluated, by Limit::theory, not the number {}",
+        told));
+  }
+  if (kind == LimitKind::data && !is_short) {
+    throw std::invalid_argument(
+        fmt::format("a limit of data is printed with one or two digits, or an integer: {} is of "
+                    "another kind",
+                    told));
+  }
+  if (kind == LimitKind::method && is_short && number != std::trunc(number)) {
+    throw std::invalid_argument(fmt::format(
+        "a limit of method is what the run itself estimates: the round number {} is a choice",
+        told));
+  }
+}
+
+}  // namespace
+
+std::string Margin::text() const {
+  if (!factor && !errors) return "exact";
+  if (!factor) return rough(*errors, "errors");
+  const std::string times = rough(*factor, "times");
+  return errors ? fmt::format("{}; {}", times, rough(*errors, "errors")) : times;
+}
+
+Limit Limit::theory(const std::string& formula, const std::map<std::string, double>& terms,
+                    const std::string& reason) {
+  Limit limit(LimitKind::choice, evaluated(formula, terms), formula + ", " + reason);
+  limit.kind_ = LimitKind::theory;
+  return limit;
 }
 
 Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int n_digits)
@@ -125,6 +173,7 @@ Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int 
   }
   if (n_digits > 17) throw std::invalid_argument("a limit has at most 17 digits");
   number_ = number_of(rounded_to_digits(number.value, n_digits));
+  require_of_kind(kind_, unrounded_);
 }
 
 Limit Limit::counting(double k) const {
@@ -186,6 +235,11 @@ void Criterion::decide(const Estimate& tested, bool is_upper_limit, const Value&
   excess_ = sign * (tested.value - limit_.number());
   const double unsure = tested.abs_error + limit_.abs_error();
   outcome_ = outcome_of(excess_, unsure);
+  if (unsure > 0) margin_.errors = std::abs(excess_) / unsure;
+  if (tested.value > 0 && limit_.number() > 0) {
+    const double ratio = tested.value / limit_.number();
+    margin_.factor = std::max(ratio, 1 / ratio);
+  }
   const Outcome of_unrounded = outcome_of(sign * (tested.value - limit_.unrounded()), unsure);
   if (of_unrounded != outcome_) {
     throw std::invalid_argument(fmt::format(
@@ -280,6 +334,32 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   return criterion;
 }
 
+Criterion Criterion::differs(std::string name, Value computed, Value stated, Limit limit,
+                             Location location) {
+  const std::string place = caller_of(location, name);
+  const Measured apart =
+      magnitude(require_measured(place, computed) - require_measured(place, stated));
+  const Estimate tested = counted(place, apart, limit);
+  const Value difference = difference_of(computed, apart);
+  Criterion criterion(std::move(name), std::move(computed), std::move(limit));
+  const Value& quantity = criterion.quantity_;
+  const Value least = limit_like(criterion.limit_.number(), quantity);
+  const bool is_any = criterion.limit_.number() == 0;
+  criterion.condition_ =
+      is_any ? phrase("another than {}", stated) : phrase("at least {} from {}", least, stated);
+  criterion.limit_phrase_ = is_any ? in_signs("≠", "\\ne", stated) : in_signs("≥", "\\ge", least);
+  criterion.decide(tested, false, quantity, place);
+  // Two equal numbers without an error do not differ, although their difference is at least 0.
+  if (is_any && tested.value == 0 && tested.abs_error == 0) criterion.outcome_ = Outcome::fails;
+  const Phrase by = criterion.outcome_ == Outcome::undecided
+                        ? undecided_phrase(difference, criterion.limit_.number(), Side::at_least,
+                                           k_of(criterion.limit_))
+                        : found_phrase(difference, criterion.limit_.number(), Side::at_least,
+                                       k_of(criterion.limit_));
+  criterion.found_ = phrase("{}, {} from {}", quantity, by, stated);
+  return criterion;
+}
+
 Criterion Criterion::in_each(std::string name, std::string cases,
                              const std::vector<Criterion>& each) {
   if (each.empty()) throw std::invalid_argument(name + ": there is no case to try");
@@ -303,6 +383,13 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   criterion.condition_ = first.condition_;
   criterion.limit_phrase_ = first.limit_phrase_;
   criterion.excess_ = worst.excess_;
+  for (const Criterion& c : each) {
+    const auto take_least = [](std::optional<double>& least, const std::optional<double>& one) {
+      if (one && (!least || *one < *least)) least = one;
+    };
+    take_least(criterion.margin_.errors, c.margin_.errors);
+    take_least(criterion.margin_.factor, c.margin_.factor);
+  }
   if (n_undecided > 0) {
     criterion.missing_ = fmt::format("{} of {} {} are undecided", n_undecided, n, cases);
   } else if (n_holding == n) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <source_location>
 #include <string>
@@ -13,18 +14,29 @@
 
 namespace literate {
 
-/// Why a limit is what it is. The ledger prints the kind beside the limit.
+/// Why a limit is what it is. Each kind has a test, so that the reason can be wrong.
 enum class LimitKind {
-  derived,     ///< it follows from theory; the reason holds the formula
-  printed,     ///< it follows from the digits that a source prints
-  rounding,    ///< it is the rounding error of a computation that is otherwise exact
-  stated,      ///< the statement itself gives it
-  convention,  ///< a reader could choose another one; the reason says why this one was chosen
-  regression,  ///< it is a previous result with a margin, to catch regressions
+  theory,  ///< it follows from a formula: Limit::theory evaluates the one that is printed
+  data,    ///< a source, or the statement, prints it: an integer, or two significant digits at most
+  method,  ///< the same run estimates it: an integer, or more than two significant digits
+  choice,  ///< a reader could choose another one: `check` names it if half or double would decide
 };
 
-/// derived, from printed digits, rounding, stated, convention or regression band.
+/// theory, data, method or choice.
 std::string_view name_of(LimitKind kind);
+
+/// How far a criterion is from another outcome. One that is far in both ways decides clearly.
+struct Margin {
+  /// Distance of the quantity from its limit over the error of both; none if both are exact. Where
+  /// it is below 1 the outcome is open.
+  std::optional<double> errors;
+  /// The factor ≥ 1 from the quantity to its limit, or back; of an agreement that of the difference
+  /// to the tolerance. None where one of the two is not positive.
+  std::optional<double> factor;
+
+  /// «4.1 times; 97 errors»; «exact» if there is neither.
+  std::string text() const;
+};
 
 /// The number that decides a criterion, with the reason for it.
 ///
@@ -32,12 +44,18 @@ std::string_view name_of(LimitKind kind);
 /// significant digits; a criterion that this rounding would decide is refused. `number.abs_error`
 /// is how wrong the unrounded limit may be; the criterion is undecided where that matters. Throws
 /// std::invalid_argument for a number or error that is not finite, for a negative error, for
-/// n_digits outside 1 to 17, and for an empty reason.
+/// n_digits outside 1 to 17, for an empty reason, and for a number that is none of its kind.
 class Limit {
  public:
   Limit(LimitKind kind, numerics::Estimate number, std::string reason, int n_digits = 3);
   Limit(LimitKind kind, double number, std::string reason, int n_digits = 3)
       : Limit(kind, numerics::Estimate{number, 0}, std::move(reason), n_digits) {}
+
+  /// A limit of theory: the formula is evaluated and stands first in the reason, so that neither
+  /// can be another one: theory("μ(c/a)²", {{"μ", mu}, {"c", c}, {"a", a}}, "the elements' order").
+  /// evaluated() says what a formula may hold, and what it throws.
+  static Limit theory(const std::string& formula, const std::map<std::string, double>& terms,
+                      const std::string& reason);
 
   /// The same limit for a quantity with a standard uncertainty, of which `k` > 0 count: k = 2 are
   /// about 95 % of a normal distribution. The reason says so. Throws std::invalid_argument for
@@ -105,6 +123,11 @@ class Criterion {
   static Criterion agrees_relatively(std::string name, Value computed, Value stated,
                                      Limit tolerance, Location location = Location::current());
 
+  /// |computed − stated| ≥ limit: the two differ, by no less than the limit; 0 asks that they
+  /// differ at all, by more than what is not known of both.
+  static Criterion differs(std::string name, Value computed, Value stated, Limit limit,
+                           Location location = Location::current());
+
   /// One criterion a case, where `cases` names them, such as «points». Holds if all do, fails if
   /// none does, and else holds in part. All must have the same condition and reason; what is
   /// printed is how many hold, and the worst case.
@@ -134,6 +157,10 @@ class Criterion {
   std::string reason() const;
   LimitKind limit_kind() const { return limit_.kind(); }
   const std::string& limit_reason() const { return limit_.reason(); }
+  double limit_number() const { return limit_.number(); }
+
+  /// How far it is from another outcome; of several cases how far the nearest is.
+  const Margin& margin() const { return margin_; }
 
   /// What is missing for a decision; empty unless undecided.
   const std::string& missing() const { return missing_; }
@@ -153,6 +180,7 @@ class Criterion {
   Phrase condition_;     // relation and limit
   Phrase limit_phrase_;  // the same in short
   std::string missing_;
+  Margin margin_;
   double excess_ = 0;  // how far the quantity is beyond the limit; negative within it
   Outcome outcome_ = Outcome::undecided;
 };

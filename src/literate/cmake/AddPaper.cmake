@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # literate_add_paper(NAME rod PROGRAM rod_program DOCUMENT paper MAIN rod.tex CASE case.toml SOURCES src
-#   [FIGURES figures] [DATA file …] [ROOT folder] [ENGINE pdflatex|lualatex])
+#   [FIGURES figures] [DATA file …] [ROOT folder] [ENGINE pdflatex|lualatex] [FAULTS faults.toml])
 # makes the targets of a paper, none of them part of `all`; README.md has a row for each argument and target. All that is made
 # lies in rod_OUTPUT, by default the folder rod of the build folder; -Drod_CASE=file chooses another case. The program is
 # compiled so that names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
@@ -138,7 +138,7 @@ function(literate_list_of name kind files result)
 endfunction()
 
 function(literate_add_paper)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT;ENGINE" "SOURCES;DATA")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT;ENGINE;FAULTS" "SOURCES;DATA")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "literate_add_paper: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -180,6 +180,10 @@ function(literate_add_paper)
     cmake_path(ABSOLUTE_PATH file NORMALIZE)
     list(APPEND data "${file}")
   endforeach()
+  set(faults "")
+  if(arg_FAULTS)
+    cmake_path(ABSOLUTE_PATH arg_FAULTS NORMALIZE OUTPUT_VARIABLE faults)
+  endif()
   set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
   set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
     "Where ${name} and what it is made from are written")
@@ -212,6 +216,7 @@ case=${case}
 sources=${sources}
 figures=${figures}
 data=${joined_data}
+faults=${faults}
 output=${output}
 repository=${repository}
 engine=${engine}
@@ -229,12 +234,15 @@ latex=${arg_ENGINE}
     VERBATIM)
   add_custom_target(${name}_linked DEPENDS "${linked}")
 
+  # What `severity` found of the claims stands in the ledger.
+  file(GLOB severity_record CONFIGURE_DEPENDS "${document}/severity.csv")
+
   # The program leaves a file alone that would not change: whatever was computed or drawn anew, the document is typeset
   # again only if something it reads is different. (Ninja's `restat` remembers the run.)
   add_custom_command(
     OUTPUT "${generated}/names.json" "${state}/compute"
     COMMAND ${arg_PROGRAM} compute "${settings}"
-    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data}
+    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} ${severity_record}
     COMMENT "compute"
     USES_TERMINAL
     VERBATIM)
@@ -308,6 +316,7 @@ latex=${arg_ENGINE}
   add_custom_target(${name}-reports
     COMMAND bash "${scripts}/reports" "${settings}"
     DEPENDS ${arg_PROGRAM} USES_TERMINAL VERBATIM)
+  add_custom_target(${name}-severity COMMAND python3 "${scripts}/severity" "${settings}" USES_TERMINAL VERBATIM)
   foreach(stage IN ITEMS watch why)
     add_custom_target(${name}-${stage} COMMAND bash "${scripts}/${stage}" "${settings}" USES_TERMINAL VERBATIM)
   endforeach()

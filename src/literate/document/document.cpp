@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "literate/document/document_tex.hpp"
+#include "literate/document/ledger.hpp"
 #include "literate/document/names.hpp"
 #include "literate/document/page_html.hpp"
 #include "literate/document/registered.hpp"
@@ -127,6 +128,7 @@ void Document::write(const fs::path& output_dir, const std::vector<Excerpt>& exc
   sys::write_file_atomically(staging.path() / "literate.sty", literate_sty);
   sys::write_file_atomically(staging.path() / "values.tex", values_tex(registered_));
   sys::write_file_atomically(staging.path() / "claims.tex", claims_tex(registered_));
+  sys::write_file_atomically(staging.path() / "claims.csv", claims_csv(registered_));
   sys::write_file_atomically(staging.path() / "index.tex", index_tex(registered_));
   sys::write_file_atomically(staging.path() / "values.csv", values_csv(registered_));
   sys::write_file_atomically(staging.path() / "sources.csv", sources_csv(registered_));

@@ -65,6 +65,9 @@ class Document {
     registered_.case_sha256 = case_sha256;
   }
 
+  /// Tells which planted faults turn the claims, for the ledger.
+  void severity(std::optional<Severity> severity) { registered_.severity = std::move(severity); }
+
   /// Adds all that another document registered, after what this one has, so that parts of a
   /// document can be computed at the same time. Throws std::logic_error if both registered the same
   /// key.
@@ -90,7 +93,7 @@ class Document {
     return literate::figure_places(registered_);
   }
 
-  /// Writes literate.sty, values.tex, claims.tex, index.tex, values.csv, sources.csv,
+  /// Writes literate.sty, values.tex, claims.tex, claims.csv, index.tex, values.csv, sources.csv,
   /// provenance.tex, tables/, excerpts/, imports/, names.json, and into figures/ what draw_figures
   /// draws from.
   ///

@@ -44,35 +44,6 @@ std::string values_tex(const Registered& registered) {
 
 namespace {
 
-/// «\LiterateCriterion{name}{found}{limit}{kind of limit}{reason}{outcome}{why it is undecided}»,
-/// one a line.
-std::string criteria_tex(const Claim& claim) {
-  std::string text;
-  for (const Criterion& criterion : claim.criteria) {
-    text += fmt::format("    \\LiterateCriterion{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}%\n",
-                        escape_latex(criterion.name()), criterion.found().latex,
-                        criterion.limit().latex, name_of(criterion.limit_kind()),
-                        escape_latex(criterion.limit_reason()), name_of(criterion.outcome()),
-                        escape_latex(criterion.missing()));
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string claims_tex(const Registered& registered) {
-  std::string text;
-  for (const auto& [id, claim] : registered.claims) {
-    text += fmt::format(
-        "\\LiterateLedgerEntry{{{}}}\n  {{{}}}\n  {{{}}}{{{}}}{{{}}}{{%\n{}  }}\n", id,
-        escape_latex(claim.route), name_of(claim.expected), name_of(claim.found()),
-        escape_latex_path(text_of(registered.places.at({"claim", id}))), criteria_tex(claim));
-  }
-  return text;
-}
-
-namespace {
-
 /// Lets LaTeX break a name after a dot, a hyphen, an underscore or a colon.
 std::string breakable(const std::string& name) {
   std::string text;

@@ -13,9 +13,6 @@ namespace literate {
 /// for every page of a document that is not to be trusted.
 std::string values_tex(const Registered& registered);
 
-/// Writes the ledger: how many claims have which verdict, and an entry for each claim.
-std::string claims_tex(const Registered& registered);
-
 /// What is not known of a value, as LaTeX in the unit in which it is printed: «error $\le$ …»,
 /// «standard uncertainty …», «exact»; empty if nobody told it.
 std::string error_tex(const Value& value);

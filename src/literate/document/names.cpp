@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "literate/document/ledger.hpp"
 #include "literate/document/registered.hpp"
 #include "literate/excerpts/excerpt.hpp"
 #include "literate/text/latex.hpp"
@@ -114,6 +115,7 @@ json criteria_json(const std::vector<Criterion>& criteria) {
                {"found", criterion.found().plain},
                {"condition", criterion.condition().plain},
                {"reason", criterion.reason()},
+               {"margin", criterion.margin().text()},
                {"outcome", name_of(criterion.outcome())}};
     if (!criterion.missing().empty()) entry["missing"] = criterion.missing();
     entries.push_back(entry);
@@ -129,6 +131,7 @@ json claims_json(const Registered& registered) {
                    {"place", fmt::format("{}:{}", text_of(place), place.column)},
                    {"route", claim.route},
                    {"criteria", criteria_json(claim.criteria)},
+                   {"severity", severity_text(registered, id)},
                    {"expected", name_of(claim.expected)},
                    {"found", name_of(claim.found())}};
   }
@@ -249,6 +252,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["imports"] = registered.attachments.digests();
   names["texts"] = texts_json(registered);
   names["faults"] = faults(registered);
+  names["claim_notes"] = claim_notes(registered);
   names["files"] = files;
   if (!registered.case_name.empty()) names["case_name"] = registered.case_name;
   if (!registered.case_sha256.empty()) names["case_sha256"] = registered.case_sha256;
@@ -271,6 +275,7 @@ Names read_names(const std::filesystem::path& file) {
             .table_places = names.at("places").at("tables").get<Places>(),
             .texts = texts_in(names.at("texts")),
             .faults = names.at("faults").get<std::vector<std::string>>(),
+            .claim_notes = names.value("claim_notes", std::vector<std::string>{}),
             .files = names.at("files").get<std::vector<std::string>>(),
             .case_sha256 = names.value("case_sha256", "")};
   } catch (const std::exception& error) {

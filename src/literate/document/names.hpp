@@ -56,8 +56,9 @@ struct Names {
   std::map<std::string, std::string> value_places, flag_places, table_places;  ///< the same
   std::vector<NamedText> texts;     ///< of the program that reach the document
   std::vector<std::string> faults;  ///< a line each; empty if the document is to be trusted
-  std::vector<std::string> files;   ///< all files written, sorted, relative to names.json
-  std::string case_sha256 = {};     ///< of the case as the computation read it; empty if not told
+  std::vector<std::string> claim_notes = {};  ///< what an author should know of the claims
+  std::vector<std::string> files;             ///< all files written, sorted, relative to names.json
+  std::string case_sha256 = {};  ///< of the case as the computation read it; empty if not told
 };
 
 /// Writes names.json: all names, sorted; for each value its printed text and its place, and its

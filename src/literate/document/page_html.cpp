@@ -23,20 +23,20 @@ std::string code(const std::string& text) {
   return "<code>" + tex(escape_latex(text)) + "</code>";
 }
 
-std::string criterion_html(const Criterion& criterion, Verdict verdict) {
+std::string criterion_html(const Criterion& criterion, const std::string& letter, Verdict verdict) {
   const std::string outcome(name_of(criterion.outcome()));
   std::string html = fmt::format(
-      "<li data-outcome=\"{}\">{}: <strong>{}</strong> [{}, {} {}]", outcome,
-      plain(criterion.name()), tex(criterion.found().latex), tex(criterion.limit().latex),
-      tex(fmt::format("\\LedgerLimit{{{}}}", name_of(criterion.limit_kind()))),
-      plain(criterion.limit_reason()));
+      "<li data-outcome=\"{}\"><span>{}: <strong>{}</strong></span> "
+      "<span>{} <a class=\"lit-limit\" href=\"#limit-{}\">[{}]</a></span> <span>{}",
+      outcome, plain(criterion.name()), tex(criterion.found().latex), tex(criterion.limit().latex),
+      letter, letter, plain(criterion.margin().text()));
   const bool all_alike = verdict == Verdict::confirmed || verdict == Verdict::refuted;
   if (outcome == "undecided") {
     html += ", undecided: " + plain(criterion.missing());
   } else if (!all_alike) {
     html += ", " + outcome;
   }
-  return html + "</li>\n";
+  return html + "</span></li>\n";
 }
 
 std::string error_of(const Value& value) {
@@ -46,7 +46,9 @@ std::string error_of(const Value& value) {
 
 }  // namespace
 
-std::string claim_html(const std::string& id, const Claim& claim, const SourcePlace& place) {
+std::string claim_html(const Registered& registered, const LimitNotes& notes, const std::string& id,
+                       const Claim& claim) {
+  const SourcePlace& place = registered.places.at({"claim", id});
   const std::string found(name_of(claim.found()));
   const std::string expected(name_of(claim.expected));
   std::string html = fmt::format(
@@ -63,8 +65,18 @@ std::string claim_html(const std::string& id, const Claim& claim, const SourcePl
       "@uses:claim:{}@</span></p>\n<ul class=\"lit-criteria\">\n",
       plain(claim.route), code(id), code(text_of(place)), id);
   for (const Criterion& criterion : claim.criteria)
-    html += criterion_html(criterion, claim.found());
-  return html + "</ul>\n</article>\n";
+    html += criterion_html(criterion, notes.letter_of(criterion), claim.found());
+  return html + "</ul>\n<p class=\"lit-severity\">" + severity_text(registered, id) +
+         "</p>\n</article>\n";
+}
+
+std::string limits_html(const LimitNotes& notes) {
+  std::string html = "<ul class=\"lit-limits\">\n";
+  for (const LimitNotes::Note& note : notes.notes()) {
+    html += fmt::format("<li id=\"limit-{0}\"><strong>[{0}]</strong> <em>{1}:</em> {2}</li>\n",
+                        note.letter, name_of(note.kind), plain(note.reason));
+  }
+  return html + "</ul>\n";
 }
 
 std::string index_html(const Registered& registered) {
@@ -101,10 +113,12 @@ void write_page_parts(const Registered& registered, const fs::path& folder) {
   for (const auto& [name, table] : registered.tables) {
     sys::write_file_atomically(page / "tables" / (name + ".html"), table.html());
   }
+  const LimitNotes notes(registered);
   for (const auto& [id, claim] : registered.claims) {
     sys::write_file_atomically(page / "claims" / (id + ".html"),
-                               claim_html(id, claim, registered.places.at({"claim", id})));
+                               claim_html(registered, notes, id, claim));
   }
+  sys::write_file_atomically(page / "limits.html", limits_html(notes));
   sys::write_file_atomically(page / "index.html", index_html(registered));
   sys::write_file_atomically(page / "provenance.html", provenance_html(registered, folder));
 }

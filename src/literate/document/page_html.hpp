@@ -6,13 +6,18 @@
 #include <filesystem>
 #include <string>
 
+#include "literate/document/ledger.hpp"
 #include "literate/document/registered.hpp"
 
 namespace literate {
 
 /// An entry of the ledger. \LedgerNumber, \LedgerSentence and \LedgerSource are what the document
-/// says of the claim, and \LedgerLimit how it calls a kind of limit; @origin@ is who states it.
-std::string claim_html(const std::string& id, const Claim& claim, const SourcePlace& place);
+/// says of the claim; @origin@ is who states it.
+std::string claim_html(const Registered& registered, const LimitNotes& notes, const std::string& id,
+                       const Claim& claim);
+
+/// The notes of the limits, to which the entries lead.
+std::string limits_html(const LimitNotes& notes);
 
 /// The index of values, as index_tex.
 std::string index_html(const Registered& registered);

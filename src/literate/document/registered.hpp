@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <source_location>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "literate/claims/claim.hpp"
+#include "literate/claims/severity.hpp"
 #include "literate/document/attachments.hpp"
 #include "literate/figures/figure.hpp"
 #include "literate/tables/table.hpp"
@@ -57,6 +59,7 @@ struct Registered {
   Attachments attachments;                            ///< files that values came from
   std::string case_name;                              ///< of its file; may be empty
   std::string case_sha256;                            ///< of the case as it was read; may be empty
+  std::optional<Severity> severity;  ///< which planted faults turn the claims, if it is known
   std::map<std::pair<std::string, std::string>, SourcePlace> places;  ///< by kind and name
 };
 

@@ -94,6 +94,9 @@ ExitCode run(const Settings& settings, const std::string& quoted_text) {
     complain(name + " is registered and not used", ExitCode::failed);
   }
   print(findings);
+  for (const std::string& note : names.claim_notes) {
+    complain("note: " + note, ExitCode::success);
+  }
   const ExitCode of_faults = command_line::answer_faults(names.faults);
   if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
   if (!references.unused.empty() || !findings.empty()) return ExitCode::failed;

@@ -77,6 +77,8 @@ FileDigests files_read(const Settings& settings, const Document& document) {
   for (const auto& [name, digest] : document.attachments().digests()) {
     if (fs::is_regular_file(root / name)) files[(root / name).string()] = digest;
   }
+  const fs::path severity = settings.severity_record();
+  if (fs::exists(severity)) files[severity.string()] = sys::sha256_of_file(severity);
   return files;
 }
 
@@ -100,7 +102,8 @@ ExitCode run(Settings settings, const Paper& paper, const Compute& compute) {
   require_compiled(inputs.excerpts, paper.excerpts);
   require_writable(settings.generated());
   StageRecord record(settings.record("compute"));
-  const Document document = computed(inputs, compute);
+  Document document = computed(inputs, compute);
+  document.severity(read_severity(settings.severity_record(), settings.root, settings.case_file));
   document.write(settings.generated(), inputs.excerpts);
   record.done(files_read(settings, document));
   computing.done(fmt::format("{} values, {} tables, {} figures, {} checks, {} claims",

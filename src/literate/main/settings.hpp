@@ -25,6 +25,8 @@ struct Settings {
   std::filesystem::path generated() const { return output / "generated"; }
   /// The list of the generated files with their SHA-256.
   std::filesystem::path digest() const { return output / "generated.sha256"; }
+  /// Which planted faults turn which claims, as `severity` found it; part of the document.
+  std::filesystem::path severity_record() const { return document / "severity.csv"; }
   /// LaTeX's own files.
   std::filesystem::path latex_folder() const { return output / "latex"; }
   std::filesystem::path pdf() const { return output / (name + ".pdf"); }

@@ -13,7 +13,7 @@ namespace {
 const std::set<std::string_view> one_silent = {
     "bibitem", "bibliography", "bibliographystyle", "captionsetup", "cite", "claim", "color",
     "Cref", "cref", "documentclass", "eqref", "fig", "finding", "findingsays", "hspace", "hypertarget",
-    "ifflag", "include", "includegraphics", "input", "label", "limitkind", "pageref", "parbox", "phantom",
+    "ifflag", "include", "includegraphics", "input", "label", "pageref", "parbox", "phantom",
     "quoted", "quotedpage", "raisebox", "rawval", "ref", "statement", "tag", "textcolor", "usepackage",
     "val", "verdictsign", "vspace"};
 const std::set<std::string_view> two_silent = {

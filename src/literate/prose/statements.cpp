@@ -47,26 +47,60 @@ std::string text_of_place(const Statement& statement) {
 
 }  // namespace
 
-std::vector<Statement> statements_below(const std::filesystem::path& folder) {
+namespace {
+
+/// Reads the files of a document as LaTeX does, each once.
+class InReadingOrder {
+ public:
+  explicit InReadingOrder(const std::filesystem::path& folder) : folder_(folder) {
+    for (const std::string& file : document_files(folder)) {
+      texts_[file] = sys::read_file(folder / file);
+    }
+    for (const auto& [file, text] : texts_) {
+      if (text.find("\\documentclass") != std::string::npos) read(file);
+    }
+    for (const auto& [file, text] : texts_) read(file);
+  }
+
   std::vector<Statement> statements;
-  for (const std::string& file : document_files(folder)) {
-    const std::string text = sys::read_file(folder / file);
-    for (const TexCommand& command : commands_in(text, {"statement"})) {
-      std::string_view rest = std::string_view(text).substr(command.end);
-      Statement statement{.id = "",
-                          .source = "",
-                          .sentence = "",
-                          .file = fmt::format("{}/{}", source_label(folder), file),
-                          .line = command.line,
-                          .column = command.column,
-                          .branches = command.branches};
-      statement.source = sys::one_line(without_comments(take_group(rest, '[', ']')));
-      statement.id = take_group(rest, '{', '}');
-      statement.sentence = sys::one_line(without_comments(take_group(rest, '{', '}')));
-      statements.push_back(std::move(statement));
+
+ private:
+  void read(const std::string& file) {
+    const auto found = texts_.find(file);
+    if (found == texts_.end() || !seen_.insert(file).second) return;
+    const std::string& text = found->second;
+    for (const TexCommand& command : commands_in(text, {"statement", "input", "include"})) {
+      if (command.name == "statement") {
+        add(file, command, std::string_view(text).substr(command.end));
+      } else {
+        read(command.argument.ends_with(".tex") ? command.argument : command.argument + ".tex");
+      }
     }
   }
-  return statements;
+
+  void add(const std::string& file, const TexCommand& command, std::string_view rest) {
+    Statement statement{.id = "",
+                        .source = "",
+                        .sentence = "",
+                        .file = fmt::format("{}/{}", source_label(folder_), file),
+                        .line = command.line,
+                        .column = command.column,
+                        .branches = command.branches};
+    statement.source = sys::one_line(without_comments(take_group(rest, '[', ']')));
+    statement.id = take_group(rest, '{', '}');
+    statement.sentence = sys::one_line(without_comments(take_group(rest, '{', '}')));
+    statements.push_back(std::move(statement));
+  }
+
+  std::filesystem::path folder_;
+  std::map<std::string, std::string> texts_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+std::vector<Statement> statements_below(const std::filesystem::path& folder) {
+  return InReadingOrder(folder).statements;
 }
 
 std::vector<std::string> statement_errors(const std::vector<Statement>& statements,
@@ -118,20 +152,11 @@ std::vector<std::string> unquoted_statements(const std::vector<Statement>& state
 
 std::vector<NumberedStatement> numbered_statements(const std::vector<Statement>& statements,
                                                    const Names& names) {
-  std::map<std::string, const Statement*> by_id;
-  for (const Statement& statement : statements) {
-    if (!is_left_out(statement.branches, names.flags)) by_id[statement.id] = &statement;
-  }
-  std::vector<std::pair<int, std::string>> in_order;
-  for (const auto& [id, claim] : names.claims) in_order.emplace_back(claim.number, id);
-  std::ranges::sort(in_order);
-
   std::vector<NumberedStatement> numbered;
   int n_cited = 0, n_own = 0;
-  for (const auto& [number, id] : in_order) {
-    const auto found = by_id.find(id);
-    if (found == by_id.end()) continue;
-    const Statement& statement = *found->second;
+  for (const Statement& statement : statements) {
+    if (is_left_out(statement.branches, names.flags)) continue;
+    if (!names.claims.contains(statement.id)) continue;
     numbered.push_back(
         {statement.source.empty() ? fmt::format("R{}", ++n_own) : fmt::format("C{}", ++n_cited),
          statement});

@@ -22,8 +22,9 @@ struct Statement {
   std::vector<Branch> branches;  ///< of \ifflag around it, outermost first
 };
 
-/// All statements of the *.tex files below a folder, in the order of the text. Throws
-/// sys::OutputError if the folder or a file cannot be read.
+/// All statements of the *.tex files below a folder, in the order of reading: each \input stands
+/// where it is asked for, and files that nothing asks for come last. Throws sys::OutputError if the
+/// folder or a file cannot be read.
 std::vector<Statement> statements_below(const std::filesystem::path& folder);
 
 /// «file:line:column: message» for each statement that is made twice, has no claim of its id or no
@@ -42,7 +43,7 @@ struct NumberedStatement {
   Statement statement;
 };
 
-/// The statements of the claims, numbered in the order of registration. Those in a branch of
+/// The statements of the claims, numbered in their order. Those in a branch of
 /// \ifflag that is not taken and ids without a claim are passed over.
 std::vector<NumberedStatement> numbered_statements(const std::vector<Statement>& statements,
                                                    const Names& names);

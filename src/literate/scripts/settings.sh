@@ -2,10 +2,11 @@
 # Sourced with the file that literate_add_paper wrote for a paper: a line «name=value» for each variable that its
 # stages and scripts read. They are the name of the paper's targets, its project, the folders root, build, document, figures,
 # output, repository (its state) and engine, the LaTeX that typesets it, the files program, literate and case, the
-# document's main file, and with colons between the folders of sources, from the root on, and the data that are imported.
+# document's main file, and with colons between the folders of sources, from the root on, the data that are imported, and the list of
+# planted faults.
 # shellcheck disable=SC2034  # read by the scripts
 name='' project='' root='' build='' program='' literate='' document='' main='' case='' sources='' figures='' output='' \
-  data='' repository='' engine='' latex=''
+  data='' faults='' repository='' engine='' latex=''
 while IFS= read -r setting; do
   printf -v "${setting%%=*}" '%s' "${setting#*=}"
 done <"$1"

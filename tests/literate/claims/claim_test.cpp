@@ -18,7 +18,7 @@ namespace {
 
 Criterion share_at_most(double share, double limit, double abs_error = 0) {
   return Criterion::at_most("share", Value({share, abs_error}, percent(1)),
-                            {LimitKind::derived, limit, "a formula"});
+                            {LimitKind::choice, limit, "a formula"});
 }
 
 const Criterion held = share_at_most(0.1, 0.2);

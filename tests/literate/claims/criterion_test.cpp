@@ -24,7 +24,7 @@ using literate::Value;
 namespace {
 
 Limit limit_of(double number, double abs_error = 0) {
-  return {LimitKind::derived, numerics::Estimate{number, abs_error}, "(c/a)²(a/z)⁴"};
+  return {LimitKind::choice, numerics::Estimate{number, abs_error}, "(c/a)²(a/z)⁴"};
 }
 
 Criterion misfit_at_most(double found, double abs_error, Limit limit) {
@@ -34,6 +34,14 @@ Criterion misfit_at_most(double found, double abs_error, Limit limit) {
 
 bool is(const Criterion& criterion, Outcome outcome) {
   return criterion.outcome() == outcome;
+}
+
+Value load(double number, double standard, const char* source) {
+  return {numerics::Measured(number, standard, source), literate::uncertain(), "psi"};
+}
+
+Limit counting(double number, double k) {
+  return Limit(LimitKind::data, number, "the paper's load").counting(k);
 }
 
 }  // namespace
@@ -77,7 +85,7 @@ BOOST_AUTO_TEST_CASE(an_error_that_reaches_across_the_limit_leaves_the_verdict_o
 
 BOOST_AUTO_TEST_CASE(the_limit_that_is_tested_is_the_one_that_is_printed) {
   // 0.0012345 is printed as 0.12 % when two digits are asked for.
-  const Limit rounded(LimitKind::derived, 0.0012345, "a formula", 2);
+  const Limit rounded(LimitKind::choice, 0.0012345, "a formula", 2);
   const Criterion criterion = misfit_at_most(0.0013, 0, rounded);
   BOOST_TEST(criterion.condition().plain == "at most 0.12 %");
   BOOST_TEST(is(criterion, Outcome::fails));
@@ -93,7 +101,7 @@ BOOST_AUTO_TEST_CASE(where_rounding_a_limit_would_decide_it_is_refused) {
     return message.substr(message.find(": ") + 2);
   };
   const auto limit = [](double number, int n_digits) {
-    return Limit(LimitKind::derived, number, "a formula", n_digits);
+    return Limit(LimitKind::choice, number, "a formula", n_digits);
   };
 
   BOOST_TEST(refusal(0.59284, 0, limit(0.592746, 3)) ==
@@ -127,7 +135,7 @@ BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
   BOOST_TEST(criterion.reason() == "derived: (c/a)²(a/z)⁴");
   const Criterion with_unit =
       Criterion::at_least("load", Value({15.99, 0.001}, significant(4), "lbf/in"),
-                          {LimitKind::convention, 10.0, "the load of eq. (4)"});
+                          {LimitKind::choice, 10.0, "the load of eq. (4)"});
   BOOST_TEST(with_unit.condition().plain == "at least 10 lbf/in");
   BOOST_TEST(with_unit.limit().plain == "≥ 10 lbf/in");
   BOOST_TEST(with_unit.reason() == "convention: the load of eq. (4)");
@@ -137,7 +145,7 @@ BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
   const auto agrees = [](double computed, double error_of_stated) {
     return Criterion::agrees("ratio", Value({computed, 1e-7}, fixed(6)),
                              Value({0.3, error_of_stated}, fixed(1)),
-                             {LimitKind::printed, 1e-6, "seven printed digits"});
+                             {LimitKind::data, 1e-6, "seven printed digits"});
   };
   BOOST_TEST(is(agrees(0.3000005, 0), Outcome::holds));
   BOOST_TEST(is(agrees(0.2999995, 0), Outcome::holds));
@@ -155,7 +163,7 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
     return Criterion::agrees_relatively(
         "resultant", Value({computed, abs_error}, significant(4), "lbf/in"),
         Value(16, exact(), "lbf/in"),
-        {LimitKind::stated, 0.002, "twice the misfit of the displacements"});
+        {LimitKind::data, 0.002, "twice the misfit of the displacements"});
   };
   BOOST_TEST(is(agrees(15.99, 0.001), Outcome::holds));
   BOOST_TEST(is(agrees(15.9, 0.001), Outcome::fails));
@@ -173,7 +181,7 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
 BOOST_AUTO_TEST_CASE(the_sentence_of_an_agreement_is_consistent_with_its_own_numbers) {
   const auto agrees = [](const Value& computed, double tolerance) {
     return Criterion::agrees("x", computed, Value(0.75, exact()),
-                             {LimitKind::stated, tolerance, "the statement"})
+                             {LimitKind::data, tolerance, "the statement"})
         .computed();
   };
   BOOST_TEST(agrees(Value({0.6, 0.04}, significant(2)), 0.05) ==
@@ -205,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_i
   const auto step = [](double computed, double limit) {
     return Criterion::agrees_relatively("step", Value({computed, 1e-12}, significant(3), "in"),
                                         Value(2, exact(), "in"),
-                                        {LimitKind::rounding, limit, "theory"});
+                                        {LimitKind::choice, limit, "theory"});
   };
   BOOST_TEST(step(2, 1e-9).computed() == "step: 2.00 in, at most 5.0e-13 from 2 in");
   BOOST_TEST(step(2, 1e-9).condition().plain == "within 1e-9 of 2 in");
@@ -215,7 +223,7 @@ BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_i
 BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
   const auto node = [](int found) {
     return Criterion::agrees("node", Value(found, integer()), Value(9, integer()),
-                             {LimitKind::stated, 0.0, "it is a count"});
+                             {LimitKind::data, 0.0, "it is a count"});
   };
   BOOST_TEST(is(node(9), Outcome::holds));
   BOOST_TEST(is(node(26), Outcome::fails));
@@ -224,9 +232,82 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
   BOOST_TEST(node(26).computed() == "node: 26");
   const Criterion share =
       Criterion::agrees("share", Value(0.50001, fixed(2)).as_is(), Value(0.5, fixed(2)).as_is(),
-                        {LimitKind::printed, 0.0, "the same digits"});
+                        {LimitKind::data, 0.0, "the same digits"});
   BOOST_TEST(is(share, Outcome::fails));
   BOOST_TEST(share.computed() == "share: 0.50001, 1.0e-5 from 0.50");
+}
+
+BOOST_AUTO_TEST_CASE(numbers_differ_if_what_is_not_known_of_them_leaves_them_apart) {
+  const auto differ = [](double computed, double abs_error, double limit) {
+    return Criterion::differs("load", Value({computed, abs_error}, significant(3), "N"),
+                              Value(64, exact(), "N"), {LimitKind::data, limit, "the statement"});
+  };
+  BOOST_TEST(is(differ(67, 1, 0), Outcome::holds));
+  BOOST_TEST(is(differ(67, 5, 0), Outcome::undecided));
+  BOOST_TEST(is(differ(64, 0, 0), Outcome::fails));
+  BOOST_TEST(is(differ(67, 0.5, 2), Outcome::holds));
+  BOOST_TEST(is(differ(65, 0.5, 2), Outcome::fails));
+  BOOST_TEST(is(differ(65.8, 0.5, 2), Outcome::undecided));
+  BOOST_TEST(differ(67, 0.5, 2).condition().plain == "at least 2 N from 64 N");
+  BOOST_TEST(differ(67, 0.5, 2).limit().plain == "≥ 2 N");
+  BOOST_TEST(differ(67, 1, 0).condition().plain == "another than 64 N");
+  BOOST_TEST(differ(67, 1, 0).limit().latex == "$\\ne$~\\qty{64}{N}");
+  BOOST_TEST(differ(67, 0.02, 2).computed() == "load: 67.0 N, 3.0 N from 64 N");
+}
+
+BOOST_AUTO_TEST_CASE(what_two_numbers_share_cancels_where_they_are_to_differ) {
+  const auto apart = [](const char* source_of_second) {
+    return Criterion::differs("load", load(100, 5, "balance"), load(103, 5, source_of_second),
+                              counting(1, 2));
+  };
+  BOOST_TEST(is(apart("balance"), Outcome::holds));
+  BOOST_TEST(is(apart("another"), Outcome::undecided));
+}
+
+BOOST_AUTO_TEST_CASE(a_margin_is_the_distance_from_the_limit_in_errors_and_as_a_factor) {
+  const literate::Margin margin = misfit_at_most(0.002, 0.0005, limit_of(0.01, 0.0015)).margin();
+  BOOST_TEST(*margin.errors == 4, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(*margin.factor == 5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(margin.text() == "5.0 times; 4.0 errors");
+
+  BOOST_TEST(misfit_at_most(0.02, 0, limit_of(0.01)).margin().text() == "2.0 times");
+  BOOST_TEST(misfit_at_most(-0.02, 0.001, limit_of(0.01)).margin().text() == "30 errors");
+  BOOST_TEST(misfit_at_most(1e-9, 0, limit_of(0.01)).margin().text() == "over 1000 times");
+  BOOST_TEST(Criterion::agrees("node", Value(9, integer()), Value(9, integer()),
+                               {LimitKind::data, 0.0, "it is a count"})
+                 .margin()
+                 .text() == "exact");
+}
+
+BOOST_AUTO_TEST_CASE(an_outcome_is_open_exactly_where_its_margin_is_less_than_an_error) {
+  for (const double found : {0.0085, 0.0091, 0.0099, 0.0105, 0.0115}) {
+    const Criterion criterion = misfit_at_most(found, 0.001, limit_of(0.01));
+    BOOST_TEST(is(criterion, Outcome::undecided) == (*criterion.margin().errors < 1), found);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_several_cases_the_least_margin_counts) {
+  const Limit limit = limit_of(1);
+  const Criterion all = Criterion::in_each(
+      "misfit", "points", {misfit_at_most(0.25, 0.01, limit), misfit_at_most(0.5, 0.25, limit)});
+  BOOST_TEST(all.margin().text() == "2.0 times; 2.0 errors");
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_of_theory_is_evaluated_from_the_formula_that_is_printed) {
+  const Limit limit = Limit::theory("μ(c/a)²", {{"μ", 0.3}, {"c", 1}, {"a", 10}}, "the order");
+  BOOST_TEST(limit.number() == 0.003);
+  BOOST_TEST((limit.kind() == LimitKind::theory));
+  BOOST_TEST(limit.reason() == "μ(c/a)², the order");
+  BOOST_CHECK_THROW(Limit(LimitKind::theory, 0.003, "μ(c/a)²"), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_that_is_none_of_its_kind_is_refused) {
+  BOOST_CHECK_THROW(Limit(LimitKind::data, 0.123, "printed"), std::invalid_argument);
+  BOOST_CHECK_THROW(Limit(LimitKind::method, 1e-11, "rounding"), std::invalid_argument);
+  BOOST_TEST(Limit(LimitKind::data, 0.12, "printed").number() == 0.12);
+  BOOST_TEST(Limit(LimitKind::data, 117, "a count").number() == 117);
+  BOOST_TEST(Limit(LimitKind::method, 1.234e-11, "this run's").number() == 1.23e-11);
+  BOOST_TEST(Limit(LimitKind::method, 3, "of the coarsest grid").number() == 3);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_printed_as_latex_has_the_same_numbers) {
@@ -254,24 +335,12 @@ BOOST_AUTO_TEST_CASE(what_cannot_decide_is_refused) {
       Criterion::in_each("x", "points",
                          {misfit_at_most(1, 0, limit_of(1)), misfit_at_most(1, 0, limit_of(2))}),
       std::invalid_argument);
-  BOOST_CHECK_THROW(Limit(LimitKind::derived, 1.0, ""), std::invalid_argument);
-  BOOST_CHECK_THROW(Limit(LimitKind::derived, std::nan(""), "why"), std::invalid_argument);
+  BOOST_CHECK_THROW(Limit(LimitKind::choice, 1.0, ""), std::invalid_argument);
+  BOOST_CHECK_THROW(Limit(LimitKind::choice, std::nan(""), "why"), std::invalid_argument);
   BOOST_CHECK_THROW(Limit(static_cast<LimitKind>(17), 1.0, "why"), std::invalid_argument);
   BOOST_CHECK_THROW(misfit_at_most(std::nan(""), 0, limit), std::invalid_argument);
   BOOST_CHECK_THROW(limit_of(1, -1e-3), std::invalid_argument);
 }
-
-namespace {
-
-Value load(double number, double standard, const char* source) {
-  return {numerics::Measured(number, standard, source), literate::uncertain(), "psi"};
-}
-
-Limit counting(double number, double k) {
-  return Limit(LimitKind::stated, number, "the paper's load").counting(k);
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(as_many_standard_uncertainties_count_as_the_limit_says) {
   const auto at_most = [](double limit, double k) {
@@ -283,8 +352,7 @@ BOOST_AUTO_TEST_CASE(as_many_standard_uncertainties_count_as_the_limit_says) {
   BOOST_TEST(is(at_most(900, 3), Outcome::fails));
   BOOST_TEST(at_most(1020, 2).computed() == "load: 994(22) psi");
   BOOST_TEST(at_most(1020, 2).missing() == "an error of 44 psi reaches across the limit");
-  BOOST_TEST(at_most(1020, 2).reason() ==
-             "stated: the paper's load; 2 standard uncertainties count");
+  BOOST_TEST(at_most(1020, 2).reason() == "data: the paper's load; 2 standard uncertainties count");
 }
 
 BOOST_AUTO_TEST_CASE(a_bound_counts_beside_them) {
@@ -315,7 +383,7 @@ BOOST_AUTO_TEST_CASE(what_two_numbers_are_uncertain_by_from_one_source_cancels_i
 BOOST_AUTO_TEST_CASE(a_standard_uncertainty_is_refused_where_nobody_says_how_many_count) {
   const auto decide = [] {
     (void)Criterion::at_most("load", load(993.63, 21.9, "fit"),
-                             Limit(LimitKind::stated, 1020, "the paper's load"));
+                             Limit(LimitKind::data, 1020, "the paper's load"));
   };
   const std::string message = message_of<std::invalid_argument>(decide);
   BOOST_TEST(message.find("criterion_test.cpp:") != message.npos, message);

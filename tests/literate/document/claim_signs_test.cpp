@@ -55,10 +55,11 @@ std::map<std::string, Word> words_in(const std::string& document_class, const st
   std::string statements;
   for (int i = 1; i <= n_claims; ++i) {
     const std::string id = "c" + std::to_string(i);
-    document.claim(id, {.route = "counting",
-                        .expected = Verdict::confirmed,
-                        .criteria = {Criterion::at_most("n", Value(1, integer()),
-                                                        {LimitKind::stated, 2, "two"})}});
+    document.claim(
+        id,
+        {.route = "counting",
+         .expected = Verdict::confirmed,
+         .criteria = {Criterion::at_most("n", Value(1, integer()), {LimitKind::data, 2, "two"})}});
     statements += "\\statement[a book]{" + id + "}{It is so.}%\n";
   }
   document.write(scratch / "generated");

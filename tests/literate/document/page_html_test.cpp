@@ -19,22 +19,28 @@ Claim claim_of_apples(double limit) {
   return {.route = "weighing & adding up",
           .expected = Verdict::confirmed,
           .criteria = {Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "{kr}"),
-                                          {LimitKind::stated, limit, "half of the last digit"})}};
+                                          {LimitKind::data, limit, "half of the last digit"})}};
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_ledgers_entry_has_the_verdict_that_was_found) {
-  const SourcePlace place{"src/apples.cpp", "register_apples", 12, 3};
-  const std::string html = claim_html("apples", claim_of_apples(2.5), place);
+  Registered registered;
+  registered.claims.emplace_back("apples", claim_of_apples(2.5));
+  registered.places[{"claim", "apples"}] = {"src/apples.cpp", "register_apples", 12, 3};
+  const LimitNotes notes(registered);
+  const std::string html = claim_html(registered, notes, "apples", claim_of_apples(2.5));
 
-  for (const char* part : {"id=\"claim-apples\"", "data-verdict=\"refuted\">refuted</strong>",
-                           "<strong>not confirmed as expected</strong>", "\\LedgerSentence{apples}",
-                           "weighing \\& adding up", "<strong><tex>\\qty{2.61}{kr}</tex></strong>",
-                           "$\\le$~\\qty{2.5}{kr}", "data-outcome=\"fails\"",
-                           "half of the last digit", "src/apples.cpp:12"}) {
+  for (const char* part :
+       {"id=\"claim-apples\"", "data-verdict=\"refuted\">refuted</strong>",
+        "<strong>not confirmed as expected</strong>", "\\LedgerSentence{apples}",
+        "weighing \\& adding up", "<strong><tex>\\qty{2.61}{kr}</tex></strong>",
+        "$\\le$~\\qty{2.5}{kr}", "data-outcome=\"fails\"", "href=\"#limit-a\">[a]</a>",
+        "1.0 times; 112 errors", "faults not known", "src/apples.cpp:12"}) {
     BOOST_TEST(holds(html, part), part << " in " << html);
   }
+  BOOST_TEST(holds(limits_html(notes), "<li id=\"limit-a\"><strong>[a]</strong> <em>data:</em>"));
+  BOOST_TEST(holds(limits_html(notes), "half of the last digit"));
 }
 
 BOOST_AUTO_TEST_CASE(the_index_has_every_value_with_its_error) {

@@ -49,7 +49,7 @@ void register_apples(Document& document) {
                  {.route = "weighing <twice> & adding up",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_most("mass", Value({2.612, 0.001}, fixed(2), "g"),
-                                                  {LimitKind::stated, 2.65, "half a digit"})}});
+                                                  {LimitKind::data, 2.65, "half a digit"})}});
   Table prices("prices", {Column::text("fruit"), Column("price", fixed(2), "{kr}").exact()});
   prices.add_row({"apple & pear", 1.5}).add_row({"\"plum\" µ", 2.75});
   document.table(std::move(prices));

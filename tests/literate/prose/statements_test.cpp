@@ -100,6 +100,21 @@ BOOST_AUTO_TEST_CASE(statements_of_others_and_own_ones_are_numbered_and_counted_
   }
 }
 
+BOOST_AUTO_TEST_CASE(statements_are_numbered_in_the_order_of_reading) {
+  Text text(
+      "\\documentclass{article}\\input{z}\\statement{plums}{Plums are cheap.}\\include{a.tex}");
+  text.folder.write("market/a.tex", "\\statement{apples}{Apples are cheap.}");
+  text.folder.write("market/z.tex", "\\statement{pears}{Pears are cheap.}\\input{z}");
+
+  std::vector<std::string> numbers;
+  for (const auto& [number, statement] : numbered_statements(text.statements(), names)) {
+    numbers.push_back(number + " " + statement.id);
+  }
+
+  const std::vector<std::string> expected = {"R1 pears", "R2 plums", "R3 apples"};
+  BOOST_TEST(numbers == expected, per_element());
+}
+
 BOOST_AUTO_TEST_CASE(what_others_state_is_quoted_or_called_a_paraphrase) {
   const Text text(
       "\\statement[a book, p.~3]{apples}{Apples are dear.}\n"

@@ -72,17 +72,16 @@ void register_figure(literate::Document& document) {
 void register_claims(literate::Document& document, const Parameters& parameters) {
   const numerics::Estimate relative = relative_period(parameters.angle * degree);
   const numerics::Estimate excess = relative - numerics::Estimate{1, 0};
-  document.claim("longer",
-                 {.route = "the integral for the period",
-                  .expected = literate::Verdict::confirmed,
-                  .criteria = {Criterion::at_least("excess", Value(excess, percent(1)),
-                                                   {LimitKind::stated, 0.1, "a tenth"})}});
+  document.claim("longer", {.route = "the integral for the period",
+                            .expected = literate::Verdict::confirmed,
+                            .criteria = {Criterion::at_least("excess", Value(excess, percent(1)),
+                                                             {LimitKind::data, 0.1, "a tenth"})}});
   const Value series(by_series(parameters.angle * degree), significant(4));
   document.claim("series-suffices", {.route = "the same integral",
                                      .expected = literate::Verdict::refuted,
                                      .criteria = {Criterion::agrees_relatively(
                                          "series", series, Value(relative, significant(4)),
-                                         {LimitKind::stated, 0.01, "one part in a hundred"})}});
+                                         {LimitKind::data, 0.01, "one part in a hundred"})}});
 }
 
 void compute(literate::Document& document, const literate::Inputs& inputs) {
@@ -97,7 +96,7 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
   document.check(
       "longer-than-small",
       {Criterion::at_least("period over that of small swings", Value(relative, significant(4)),
-                           {LimitKind::stated, 1.0, "as long"})},
+                           {LimitKind::data, 1.0, "as long"})},
       "Far swings take longer than small ones.");
   register_table(document);
   register_figure(document);

@@ -111,7 +111,7 @@ void register_figures(Document& document, const Sample& sample) {
                           .data = {{"grid", FigureData({{"x", x}, {"y", y}, {"z", z}}, 21)}}});
 }
 
-// One claim of each verdict, one limit of each kind, each relation.
+// One claim of each verdict.
 void register_claims(Document& document, const Sample& sample) {
   const Estimate left = share_left(600, sample.half_life);
   const Estimate life = mean_life(2000);
@@ -119,20 +119,20 @@ void register_claims(Document& document, const Sample& sample) {
                  {.route = "the share at ten minutes",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_least("share", Value(left, percent(1)),
-                                                   {LimitKind::stated, 0.5, "one half"}),
+                                                   {LimitKind::data, 0.5, "one half"}),
                                Criterion::agrees("halves", Value(1, integer()), Value(1, integer()),
-                                                 {LimitKind::rounding, 0.0, "counts are exact"})}});
+                                                 {LimitKind::data, 0.0, "counts are exact"})}});
   document.claim("mean-life-is-half-life",
                  {.route = "the trapezoidal rule over λ ≥ 0",
                   .expected = Verdict::refuted,
                   .criteria = {Criterion::agrees_relatively(
                       "mean life in half-lives", Value(life, significant(4)), Value(1, exact()),
-                      {LimitKind::convention, 0.01, "one part in a hundred"})}});
+                      {LimitKind::choice, 0.01, "one part in a hundred"})}});
   std::vector<Criterion> each;
   for (const int time : {300, 600, 900}) {
     each.push_back(Criterion::at_most("share",
                                       Value(share_left(time, sample.half_life), significant(3)),
-                                      {LimitKind::printed, 0.6, "one digit is printed"}));
+                                      {LimitKind::data, 0.6, "one digit is printed"}));
   }
   document.claim("soon-gone",
                  {.route = "three times",
@@ -144,11 +144,11 @@ void register_claims(Document& document, const Sample& sample) {
        .expected = Verdict::undecided,
        .criteria = {Criterion::at_most(
            "share after one mean life", Value(Estimate{std::exp(-1), 1e-3}, significant(3)),
-           {LimitKind::derived, sample.printed, "1/e, to four digits"})}});
+           {LimitKind::choice, sample.printed, "1/e, to four digits"})}});
   document.check(
       "rule-converges",
       {Criterion::at_most("error of the rule", Value(life.abs_error, scientific(1)).as_is(),
-                          {LimitKind::regression, 1e-3, "ten times what was found"})},
+                          {LimitKind::choice, 1e-3, "ten times what was found"})},
       "The rule converges.");
   document.check("is-positive", left.value > 0, "Something is left.");
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/claims/severity.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "system/csv.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+std::string without_blanks_and_comments(const std::string& text) {
+  std::string code;
+  for (const std::string_view line : sys::lines_of(text)) {
+    for (const char c : line.substr(0, line.find("//"))) {
+      if (c != ' ' && c != '\t' && c != '\r') code += c;
+    }
+  }
+  return code;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::string Severity::text_of(const std::string& claim) const {
+  const auto found = n_turning.find(claim);
+  if (found == n_turning.end()) return "not known";
+  const int n = found->second;
+  return fmt::format("{} of {} planted faults turn{} it", n == 0 ? "none" : fmt::format("{}", n),
+                     n_faults, n == 1 ? "s" : "");
+}
+
+std::string digest_of_code(const fs::path& root, const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    if (!fs::is_directory(root / name)) {
+      files.push_back(name);
+      continue;
+    }
+    for (const std::string& file : sys::files_below(root / name))
+      files.push_back(name + "/" + file);
+  }
+  std::ranges::sort(files);
+  std::string lines;
+  for (const std::string& file : files) {
+    lines += sys::sha256_of_text(without_blanks_and_comments(sys::read_file(root / file))) + "  " +
+             file + "\n";
+  }
+  return sys::sha256_of_text(lines);
+}
+
+std::optional<Severity> read_severity(const fs::path& file, const fs::path& root,
+                                      const fs::path& case_file) {
+  if (!fs::exists(file)) return std::nullopt;
+  const std::string text = sys::read_file(file);
+  const auto refuse = [&](const char* what) {
+    throw sys::SourceError(
+        fmt::format("{}:1:1: {}; 'make severity' writes it", file.string(), what));
+  };
+  const std::string head(text.substr(0, text.find('\n')));
+  constexpr std::string_view begins = "# ", of = " of ";
+  constexpr std::size_t digest_length = 64;
+  if (!head.starts_with(begins) || head.find(of) != begins.size() + digest_length) {
+    refuse("the first line is not «# SHA-256 of folders»");
+  }
+  const std::vector<std::string> names =
+      split(std::string_view(head).substr(begins.size() + digest_length + of.size()), ':');
+  const std::string this_case = fs::relative(case_file, root).generic_string();
+  if (std::ranges::find(names, this_case) == names.end()) return std::nullopt;
+  if (!std::ranges::all_of(names, [&](const auto& name) { return fs::exists(root / name); }) ||
+      digest_of_code(root, names) != head.substr(begins.size(), digest_length)) {
+    return std::nullopt;
+  }
+  const std::vector<sys::CsvRow> rows =
+      sys::parse_csv(text, file.string(), sys::CsvComments::number_sign);
+  if (rows.empty() || rows.front().front().text != "claim") refuse("there is no row of faults");
+  Severity severity{.n_faults = static_cast<int>(rows.front().size()) - 1, .n_turning = {}};
+  for (const sys::CsvRow& row : rows) {
+    if (&row == &rows.front()) continue;
+    severity.n_turning[row.front().text] = static_cast<int>(std::count_if(
+        row.begin() + 1, row.end(), [](const auto& cell) { return !cell.text.empty(); }));
+  }
+  return severity;
+}
+
+}  // namespace literate
