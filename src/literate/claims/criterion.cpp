@@ -118,26 +118,28 @@ std::string rough(double ratio, const char* unit) {
   return fmt::format("{:.{}f} {}", ratio, ratio < 10 ? 1 : 0, unit);
 }
 
-/// Throws std::invalid_argument for a number that cannot be of this kind.
-void require_of_kind(LimitKind kind, double number) {
-  constexpr int printed_digits = 2;
+bool has_digits(double number, int n_digits) {
   constexpr double rounding = 1e-12;  // a percentage is divided by 100
-  const double rounded = number_of(rounded_to_digits(number, printed_digits));
-  const bool is_short =
-      number == std::trunc(number) || std::abs(number - rounded) <= rounding * std::abs(number);
+  const double rounded = number_of(rounded_to_digits(number, n_digits));
+  return number == std::trunc(number) || std::abs(number - rounded) <= rounding * std::abs(number);
+}
+
+/// Throws std::invalid_argument for a number that cannot be of this kind.
+void require_of_kind(LimitKind kind, double number, int n_digits) {
+  constexpr int round_digits = 2;
   const std::string told = round_trip(number);
   if (kind == LimitKind::theory) {
     throw std::invalid_argument(fmt::format(
         "a limit of theory is a formula that is evaluated, by Limit::theory, not the number {}",
         told));
   }
-  if (kind == LimitKind::data && !is_short) {
-    throw std::invalid_argument(
-        fmt::format("a limit of data is printed with one or two digits, or an integer: {} is of "
-                    "another kind",
-                    told));
+  if (kind == LimitKind::data && !has_digits(number, n_digits)) {
+    throw std::invalid_argument(fmt::format(
+        "a limit of data is a printed number, all of whose digits count: {} has more than {}", told,
+        n_digits));
   }
-  if (kind == LimitKind::method && is_short && number != std::trunc(number)) {
+  if (kind == LimitKind::method && has_digits(number, round_digits) &&
+      number != std::trunc(number)) {
     throw std::invalid_argument(fmt::format(
         "a limit of method is what the run itself estimates: the round number {} is a choice",
         told));
@@ -173,7 +175,7 @@ Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int 
   }
   if (n_digits > 17) throw std::invalid_argument("a limit has at most 17 digits");
   number_ = number_of(rounded_to_digits(number.value, n_digits));
-  require_of_kind(kind_, unrounded_);
+  require_of_kind(kind_, unrounded_, n_digits);
 }
 
 Limit Limit::counting(double k) const {

@@ -17,7 +17,7 @@ namespace literate {
 /// Why a limit is what it is. Each kind has a test, so that the reason can be wrong.
 enum class LimitKind {
   theory,  ///< it follows from a formula: Limit::theory evaluates the one that is printed
-  data,    ///< a source, or the statement, prints it: an integer, or two significant digits at most
+  data,    ///< a source, or the statement, prints it, and all of its digits count
   method,  ///< the same run estimates it: an integer, or more than two significant digits
   choice,  ///< a reader could choose another one: `check` names it if half or double would decide
 };

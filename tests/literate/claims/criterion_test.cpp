@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
                           {LimitKind::choice, 10.0, "the load of eq. (4)"});
   BOOST_TEST(with_unit.condition().plain == "at least 10 lbf/in");
   BOOST_TEST(with_unit.limit().plain == "≥ 10 lbf/in");
-  BOOST_TEST(with_unit.reason() == "convention: the load of eq. (4)");
+  BOOST_TEST(with_unit.reason() == "choice: the load of eq. (4)");
 }
 
 BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
@@ -302,9 +302,9 @@ BOOST_AUTO_TEST_CASE(a_limit_of_theory_is_evaluated_from_the_formula_that_is_pri
 }
 
 BOOST_AUTO_TEST_CASE(a_limit_that_is_none_of_its_kind_is_refused) {
-  BOOST_CHECK_THROW(Limit(LimitKind::data, 0.123, "printed"), std::invalid_argument);
+  BOOST_CHECK_THROW(Limit(LimitKind::data, 0.1234, "printed"), std::invalid_argument);
   BOOST_CHECK_THROW(Limit(LimitKind::method, 1e-11, "rounding"), std::invalid_argument);
-  BOOST_TEST(Limit(LimitKind::data, 0.12, "printed").number() == 0.12);
+  BOOST_TEST(Limit(LimitKind::data, 0.123, "printed").number() == 0.123);
   BOOST_TEST(Limit(LimitKind::data, 117, "a count").number() == 117);
   BOOST_TEST(Limit(LimitKind::method, 1.234e-11, "this run's").number() == 1.23e-11);
   BOOST_TEST(Limit(LimitKind::method, 3, "of the coarsest grid").number() == 3);

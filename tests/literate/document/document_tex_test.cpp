@@ -338,7 +338,9 @@ BOOST_AUTO_TEST_CASE(a_document_with_a_fault_says_so_on_every_page_and_in_the_le
     BOOST_TEST(holds(page, "Not to be trusted: a statement is not as expected"), page);
   }
   BOOST_TEST(holds(pages[2], "1 not as expected"), pages[2]);
-  BOOST_TEST(holds(pages[2], "not confirmed as expected"), pages[2]);
+  for (const char* word : {"refuted,", "not", "confirmed", "as", "expected"}) {
+    BOOST_TEST(holds(pages[2], word), pages[2]);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
