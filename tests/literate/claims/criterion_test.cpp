@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
   BOOST_TEST(criterion.computed() == "largest misfit: 0.074 %");
   BOOST_TEST(criterion.condition().plain == "at most 0.1 %");
   BOOST_TEST(criterion.limit().plain == "≤ 0.1 %");
-  BOOST_TEST(criterion.reason() == "derived: (c/a)²(a/z)⁴");
+  BOOST_TEST(criterion.reason() == "choice: (c/a)²(a/z)⁴");
   const Criterion with_unit =
       Criterion::at_least("load", Value({15.99, 0.001}, significant(4), "lbf/in"),
                           {LimitKind::choice, 10.0, "the load of eq. (4)"});
