@@ -7,6 +7,7 @@
 #   NAME=name        figures: this one alone, as a picture
 #   PAPER=file       check-report: the text of the paper, against which every quotation is held
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
+#   SINCE=tag        changes: a tag, a commit, or the manifest of a report made elsewhere
 #   KINDS=faults,interruptions,cases ONLY=text   faults: of what kind, and of which name
 #   ONLY=id          mutants, severity: this one alone
 #   EDITS=1          bench: what an author's edits cost, here and with knitr
@@ -28,6 +29,7 @@ figures: ## its values, tables and figures only, build/report/generated; with NA
 check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
 severity: ## which planted faults turn which claims, report/severity.csv; a run that was stopped goes on
 why: ## why the report would be built again
+changes: ## what changed since SINCE: values, figures, verdicts with the sentences that print them, and an answer to referees
 
 #@ To prove
 test: ## the everyday tests, which take a few minutes

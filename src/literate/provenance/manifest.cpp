@@ -21,6 +21,7 @@ json numbers_json(const std::map<std::string, ManifestNumber>& numbers) {
   for (const auto& [key, value] : numbers) {
     entries[key] = {{"number", value.number}, {"printed", value.printed}};
     if (value.abs_error) entries[key]["abs_error"] = *value.abs_error;
+    if (value.standard != 0) entries[key]["standard"] = value.standard;
   }
   return entries;
 }
@@ -37,6 +38,7 @@ std::map<std::string, ManifestNumber> numbers_of(const json& values) {
     if (value.contains("abs_error") && value.at("abs_error").is_number()) {
       number.abs_error = value.at("abs_error").get<double>();
     }
+    number.standard = value.value("standard", 0.0);
   }
   return numbers;
 }
@@ -89,6 +91,24 @@ Manifest::Texts verdicts_in(const fs::path& names_json) {
   });
 }
 
+Manifest::Texts limits_in(const fs::path& names_json) {
+  return from_names(names_json, [](const json& names) {
+    Manifest::Texts limits;
+    for (const auto& [id, claim] : names.at("claims").items()) {
+      for (const json& criterion : claim.at("criteria")) {
+        const std::string quantity = criterion.at("name");
+        limits[fmt::format("claim {}: {}", id, quantity)] = criterion.at("condition");
+      }
+    }
+    return limits;
+  });
+}
+
+bool agree(const ManifestNumber& a, const ManifestNumber& b) {
+  if (!a.abs_error || !b.abs_error) return a.printed == b.printed;
+  return std::abs(a.number - b.number) <= *a.abs_error + *b.abs_error;
+}
+
 Manifest::Texts imported_files(const fs::path& names_json) {
   return from_names(names_json,
                     [](const json& names) { return names.at("imports").get<Manifest::Texts>(); });
@@ -100,7 +120,8 @@ std::string manifest_json(const Manifest& manifest) {
                   {"inputs", manifest.inputs},
                   {"outputs", manifest.outputs},
                   {"numbers", numbers_json(manifest.numbers)},
-                  {"verdicts", manifest.verdicts}};
+                  {"verdicts", manifest.verdicts},
+                  {"limits", manifest.limits}};
   return text.dump(2) + "\n";
 }
 
@@ -116,7 +137,8 @@ Manifest read_manifest(const fs::path& file, const std::string& project) {
             .inputs = text.at("inputs").get<Manifest::Texts>(),
             .outputs = text.at("outputs").get<Manifest::Texts>(),
             .numbers = numbers_of(text.at("numbers")),
-            .verdicts = text.at("verdicts").get<Manifest::Texts>()};
+            .verdicts = text.at("verdicts").get<Manifest::Texts>(),
+            .limits = text.value("limits", Manifest::Texts())};
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a manifest", file.string()));
   }
@@ -151,11 +173,6 @@ std::string printed_or_none(const ManifestNumber* number) {
   return number == nullptr ? "none" : fmt::format("{} ({})", number->number, number->printed);
 }
 
-bool is_within_errors(const ManifestNumber& a, const ManifestNumber& b) {
-  if (!a.abs_error || !b.abs_error) return a.printed == b.printed;
-  return std::abs(a.number - b.number) <= *a.abs_error + *b.abs_error;
-}
-
 }  // namespace
 
 ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
@@ -182,7 +199,7 @@ ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
                                                                             : "another content"));
                       });
   for_each_difference(
-      theirs.numbers, ours.numbers, is_within_errors,
+      theirs.numbers, ours.numbers, agree,
       [&](const std::string& key, const ManifestNumber* a, const ManifestNumber* b) {
         result.moved.push_back(
             fmt::format("{}: {} there, {} here", key, printed_or_none(a), printed_or_none(b)));

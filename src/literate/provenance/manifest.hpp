@@ -14,6 +14,7 @@ struct ManifestNumber {
   double number = 0;
   std::optional<double> abs_error;  ///< none if the number is exact or its error unknown
   std::string printed;
+  double standard = 0;  ///< its standard uncertainty, if it has one
 };
 
 /// The sources and tools that a document was made with, and the results. It names no folder of the
@@ -27,7 +28,8 @@ struct Manifest {
   Texts inputs;                        ///< the SHA-256 of each file, by its relative name
   Texts outputs;
   std::map<std::string, ManifestNumber> numbers;
-  Texts verdicts;  ///< of each claim, and whether each check passed
+  Texts verdicts;     ///< of each claim, and whether each check passed
+  Texts limits = {};  ///< of each claim's criteria, «claim x: quantity»: «at most 1 %»
 };
 
 /// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file
@@ -43,12 +45,19 @@ std::map<std::string, ManifestNumber> numbers_in(const std::filesystem::path& na
 /// numbers_in does.
 Manifest::Texts verdicts_in(const std::filesystem::path& names_json);
 
+/// What each criterion of each claim asks for. Throws sys::OutputError as numbers_in does.
+Manifest::Texts limits_in(const std::filesystem::path& names_json);
+
 /// The SHA-256 of the files that values were imported from, with their scripts, by name, as
 /// names.json lists them. Throws sys::OutputError as numbers_in does.
 Manifest::Texts imported_files(const std::filesystem::path& names_json);
 
 /// Writes the manifest as JSON with sorted keys.
 std::string manifest_json(const Manifest& manifest);
+
+/// Whether two numbers differ by no more than the sum of their error bounds or, if one has no
+/// bound, are printed the same.
+bool agree(const ManifestNumber& a, const ManifestNumber& b);
 
 /// Reads what manifest_json wrote. Throws sys::OutputError naming the file if it cannot be read, is
 /// not JSON or not a manifest, or belongs to another project.

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/changes.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace literate {
+namespace {
+
+using Numbers = std::map<std::string, ManifestNumber>;
+
+constexpr std::string_view of_tables = "table ";
+
+std::string what_of(const std::string& name) {
+  return name.starts_with(of_tables) ? name : "value " + name;
+}
+
+/// The name by which the prose asks for it: a cell is printed with its table.
+std::string asked_for(const std::string& what) {
+  return what.starts_with(of_tables) ? what.substr(0, what.find(',')) : what;
+}
+
+auto identity(const ManifestNumber& number) {
+  return std::tuple(number.number, number.abs_error, number.standard, number.printed);
+}
+
+/// What a reader takes for the error of a number, beside its bound, is its standard uncertainty.
+bool is_within_errors(const ManifestNumber& a, const ManifestNumber& b) {
+  if (agree(a, b)) return true;
+  if (!a.abs_error || !b.abs_error) return false;
+  return std::abs(a.number - b.number) <= *a.abs_error + a.standard + *b.abs_error + b.standard;
+}
+
+/// The former names by the new ones.
+std::map<std::string, std::string> renamed(const Numbers& before, const Numbers& after) {
+  using Candidates = std::map<decltype(identity(ManifestNumber())), std::vector<std::string>>;
+  const auto only_in = [](const Numbers& these, const Numbers& those) {
+    Candidates names;
+    for (const auto& [name, number] : these) {
+      if (!those.contains(name) && !name.starts_with(of_tables)) {
+        names[identity(number)].push_back(name);
+      }
+    }
+    return names;
+  };
+  const Candidates gone = only_in(before, after), added = only_in(after, before);
+  std::map<std::string, std::string> former;
+  for (const auto& [number, names] : added) {
+    const auto same = gone.find(number);
+    if (same == gone.end() || names.size() > 1 || same->second.size() > 1) continue;
+    former[names.front()] = same->second.front();
+  }
+  return former;
+}
+
+std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumber& after) {
+  if (before.number == after.number) {
+    if (before.printed == after.printed) return std::nullopt;
+    return ChangeKind::other_digits;
+  }
+  return is_within_errors(before, after) ? ChangeKind::within_error : ChangeKind::beyond_error;
+}
+
+std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
+  const auto former = renamed(before, after);
+  std::set<std::string> taken;
+  std::vector<Change> changes;
+  for (const auto& [name, number] : after) {
+    if (const auto earlier = former.find(name); earlier != former.end()) {
+      taken.insert(earlier->second);
+      changes.push_back({ChangeKind::renamed, what_of(name), earlier->second, name, {}});
+      continue;
+    }
+    const auto earlier = before.find(name);
+    if (earlier == before.end()) {
+      changes.push_back({ChangeKind::added, what_of(name), "", number.printed, {}});
+    } else if (const auto kind = moved(earlier->second, number)) {
+      changes.push_back({*kind, what_of(name), earlier->second.printed, number.printed, {}});
+    }
+  }
+  for (const auto& [name, number] : before) {
+    if (after.contains(name) || taken.contains(name)) continue;
+    changes.push_back({ChangeKind::gone, what_of(name), number.printed, "", {}});
+  }
+  return changes;
+}
+
+/// Of texts by name, such as verdicts.
+std::vector<Change> of_texts(const Manifest::Texts& before, const Manifest::Texts& after,
+                             ChangeKind other) {
+  std::vector<Change> changes;
+  for (const auto& [name, text] : after) {
+    const auto earlier = before.find(name);
+    if (earlier == before.end()) {
+      changes.push_back({ChangeKind::added, name, "", text, {}});
+    } else if (earlier->second != text) {
+      changes.push_back({other, name, earlier->second, text, {}});
+    }
+  }
+  for (const auto& [name, text] : before) {
+    if (!after.contains(name)) changes.push_back({ChangeKind::gone, name, text, "", {}});
+  }
+  return changes;
+}
+
+/// The digests of the files of each figure, data and drawing, «figure x».
+Manifest::Texts figures_in(const Manifest& manifest) {
+  constexpr std::string_view folder = "generated/figures/";
+  Manifest::Texts figures;
+  for (const auto& [file, digest] : manifest.outputs) {
+    if (!file.starts_with(folder)) continue;
+    const std::string rest = file.substr(folder.size());
+    const auto end = rest.find('/');
+    if (end != std::string::npos) figures["figure " + rest.substr(0, end)] += digest;
+  }
+  return figures;
+}
+
+/// Digests tell a reader nothing.
+std::vector<Change> without_digests(std::vector<Change> changes) {
+  for (Change& change : changes) change.before = change.after = "";
+  return changes;
+}
+
+}  // namespace
+
+std::string name_of(ChangeKind kind) {
+  constexpr std::array<const char*, 9> names{"new",
+                                             "gone",
+                                             "renamed",
+                                             "moved beyond its error",
+                                             "moved within its error",
+                                             "other digits only",
+                                             "other data or drawing",
+                                             "other verdict",
+                                             "other limit"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+std::vector<Change> changes_between(const Manifest& before, const Manifest& after,
+                                    const std::vector<Sentence>& sentences_before,
+                                    const std::vector<Sentence>& sentences_after) {
+  // Manifests of earlier versions tell of no limits.
+  const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
+  std::vector<Change> all = of_numbers(before.numbers, after.numbers);
+  for (auto&& more :
+       {without_digests(of_texts(figures_in(before), figures_in(after), ChangeKind::other_bytes)),
+        of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
+        of_texts(before.limits, limits, ChangeKind::other_limit)}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  for (Change& change : all) {
+    const std::string name = asked_for(change.what.substr(0, change.what.find(": ")));
+    const auto& sentences = change.kind == ChangeKind::gone ? sentences_before : sentences_after;
+    for (const Sentence& sentence : sentences) {
+      if (sentence.names.contains(name)) change.printed_in.push_back(sentence);
+    }
+  }
+  return all;
+}
+
+}  // namespace literate

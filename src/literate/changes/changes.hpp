@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "literate/changes/sentences.hpp"
+#include "literate/provenance/manifest.hpp"
+
+namespace literate {
+
+/// What became of something that a document registers.
+enum class ChangeKind {
+  added,
+  gone,
+  renamed,       ///< the same number under another name
+  beyond_error,  ///< it moved by more than both errors together, or has no error and prints another
+  within_error,  ///< it moved by less
+  other_digits,  ///< the same number, printed in another way
+  other_bytes,   ///< of a figure: its data or its drawing
+  other_verdict,
+  other_limit  ///< of a criterion
+};
+
+/// «moved beyond its error», as a reader is told.
+std::string name_of(ChangeKind kind);
+
+/// A difference between two states of a document.
+struct Change {
+  ChangeKind kind;
+  std::string what;  ///< «value x», «table x, row 1, column 2», «figure x», «claim x», «check x»
+  std::string before;  ///< as it was printed, or its former name; empty for something that is new
+  std::string after;   ///< empty for something that is gone
+  std::vector<Sentence> printed_in;  ///< the sentences that print it
+};
+
+/// Lists what differs between two manifests: values, cells of tables, figures, verdicts, limits of
+/// criteria, in this order and then by name. Each is told once, in one class.
+///
+/// Two numbers agree if they differ by no more than the sum of their error bounds; without a bound
+/// if they are printed the same. A name that is gone was renamed if exactly one new name has its
+/// number, error and print, and no other gone name has them.
+/// `sentences` are those of the later document, and of the former for what is gone.
+std::vector<Change> changes_between(const Manifest& before, const Manifest& after,
+                                    const std::vector<Sentence>& sentences_before,
+                                    const std::vector<Sentence>& sentences_after);
+
+}  // namespace literate

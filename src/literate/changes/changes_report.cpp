@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/changes_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "literate/page/html_text.hpp"
+#include "system/csv.hpp"
+
+namespace literate {
+namespace {
+
+std::string place_of(const Sentence& sentence) {
+  return fmt::format("{}:{}", sentence.file, sentence.first_line);
+}
+
+/// «992.8 psi, was 994.1 psi», as far as there is something to say.
+std::string difference(const Change& change) {
+  if (change.kind == ChangeKind::renamed) return "was " + change.before;
+  if (change.before.empty()) return change.after;
+  if (change.after.empty()) return "was " + change.before;
+  return fmt::format("{}, was {}", change.after, change.before);
+}
+
+/// Runs of sentences that stand in one state only, between sentences that both have.
+struct Edit {
+  std::vector<Sentence> before, after;
+};
+
+/// The edits from one list of sentences to another, by their longest common subsequence.
+std::vector<Edit> edits_between(const std::vector<Sentence>& before,
+                                const std::vector<Sentence>& after) {
+  // length[i][j] is that of the longest common subsequence of before[i…] and after[j…].
+  std::vector<std::vector<std::size_t>> length(before.size() + 1,
+                                               std::vector<std::size_t>(after.size() + 1, 0));
+  for (std::size_t i = before.size(); i-- > 0;) {
+    for (std::size_t j = after.size(); j-- > 0;) {
+      length[i][j] = before[i].latex == after[j].latex
+                         ? length[i + 1][j + 1] + 1
+                         : std::max(length[i + 1][j], length[i][j + 1]);
+    }
+  }
+  std::vector<Edit> edits;
+  Edit edit;
+  const auto finish = [&] {
+    if (!edit.before.empty() || !edit.after.empty()) edits.push_back(std::move(edit));
+    edit = {};
+  };
+  std::size_t i = 0, j = 0;
+  while (i < before.size() || j < after.size()) {
+    if (i < before.size() && j < after.size() && before[i].latex == after[j].latex) {
+      finish();
+      ++i, ++j;
+    } else if (j == after.size() || (i < before.size() && length[i + 1][j] >= length[i][j + 1])) {
+      edit.before.push_back(before[i++]);
+    } else {
+      edit.after.push_back(after[j++]);
+    }
+  }
+  finish();
+  return edits;
+}
+
+std::string quoted(const std::vector<Sentence>& sentences) {
+  std::string text;
+  for (const Sentence& sentence : sentences) text += "> " + sentence.latex + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string changes_text(const std::vector<Change>& changes) {
+  std::string text;
+  for (const Change& change : changes) {
+    const std::string said = difference(change);
+    text += fmt::format("{:<22}  {}{}{}\n", name_of(change.kind), change.what,
+                        said.empty() ? "" : ": ", said);
+    for (const Sentence& sentence : change.printed_in) {
+      text += fmt::format("{:<22}    {}\n", "", place_of(sentence));
+    }
+  }
+  return text;
+}
+
+std::string changes_csv(const std::vector<Change>& changes) {
+  std::string csv = sys::csv_line({"class", "what", "before", "after", "file", "line"});
+  const auto add = [&](const Change& change, const std::string& file, const std::string& line) {
+    csv += sys::csv_line({sys::spreadsheet_field(name_of(change.kind)), change.what, change.before,
+                          change.after, file, line});
+  };
+  for (const Change& change : changes) {
+    if (change.printed_in.empty()) add(change, "", "");
+    for (const Sentence& sentence : change.printed_in) {
+      add(change, sentence.file, std::to_string(sentence.first_line));
+    }
+  }
+  return csv;
+}
+
+std::string changes_html(const std::vector<Change>& changes, const std::string& before,
+                         const std::string& after) {
+  std::string rows;
+  for (const Change& change : changes) {
+    std::string places;
+    for (const Sentence& sentence : change.printed_in) {
+      places += fmt::format("{}<code>{}</code> {}", places.empty() ? "" : "<br>",
+                            escape_html(place_of(sentence)), escape_html(sentence.latex));
+    }
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        name_of(change.kind), escape_html(change.what), escape_html(change.before),
+                        escape_html(change.after), places);
+  }
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>What changed</title>\n"
+      "<style>body{{font:16px/1.5 sans-serif;margin:1rem}}table{{border-collapse:collapse}}"
+      "th,td{{text-align:left;vertical-align:top;padding:.3rem .6rem;border-bottom:1px solid #999}}"
+      "div{{overflow-x:auto}}</style>\n</head>\n<body>\n<h1>What changed</h1>\n"
+      "<p>Before: {}. After: {}.</p>\n<div tabindex=\"0\" role=\"region\" aria-label=\"Changes\">\n"
+      "<table>\n<thead><tr><th scope=\"col\">Class</th><th scope=\"col\">What</th>"
+      "<th scope=\"col\">Before</th><th scope=\"col\">After</th>"
+      "<th scope=\"col\">Printed in</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>\n</div>\n"
+      "</body>\n</html>\n",
+      escape_html(before), escape_html(after), rows);
+}
+
+std::string answer_to_referees(const std::vector<Change>& changes,
+                               const std::vector<Sentence>& sentences_before,
+                               const std::vector<Sentence>& sentences_after) {
+  std::string text = "# Answer to the referees\n";
+  for (const Edit& edit : edits_between(sentences_before, sentences_after)) {
+    const Sentence& first = edit.after.empty() ? edit.before.front() : edit.after.front();
+    text += fmt::format("\n## {}{}\n\n", place_of(first),
+                        edit.after.empty() ? " of the former version" : "");
+    if (!edit.before.empty()) text += "Before:\n\n" + quoted(edit.before) + "\n";
+    if (!edit.after.empty()) text += "Now:\n\n" + quoted(edit.after) + "\n";
+    text += "Why:\n";
+  }
+  std::string numbers;
+  for (const Change& change : changes) {
+    const std::string said = difference(change);
+    numbers += fmt::format("- {}: {}{}{}", change.what, name_of(change.kind),
+                           said.empty() ? "" : ", ", said);
+    for (std::size_t i = 0; i < change.printed_in.size(); ++i) {
+      numbers += (i == 0 ? "; printed in " : ", ") + place_of(change.printed_in[i]);
+    }
+    numbers += "\n";
+  }
+  if (!numbers.empty()) text += "\n## Results that are others\n\n" + numbers;
+  return text;
+}
+
+}  // namespace literate

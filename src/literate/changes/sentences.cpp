@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/sentences.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "literate/prose/document_files.hpp"
+#include "literate/prose/tex_commands.hpp"
+#include "literate/prose/tex_scanner.hpp"
+#include "system/ascii.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace {
+
+/// What the argument of a command names.
+const std::map<std::string, std::string> kinds{
+    {"val", "value"},         {"rawval", "value"},    {"tab", "table"},
+    {"fig", "figure"},        {"claim", "claim"},     {"finding", "claim"},
+    {"findingsays", "claim"}, {"statement", "claim"}, {"verdict", "claim"}};
+
+/// Commands that no sentence goes across.
+const std::set<std::string_view> divisions{
+    "part",      "chapter", "section",   "subsection",      "subsubsection",
+    "paragraph", "title",   "item",      "caption",         "footnote",
+    "input",     "include", "maketitle", "tableofcontents", "appendix",
+    "clearpage", "newpage"};
+
+/// Words with a full stop behind which a sentence goes on.
+constexpr std::array<std::string_view, 17> abbreviations{
+    "eq", "eqs", "fig", "figs", "tab", "sec", "ch",   "p",     "pp",
+    "no", "vol", "cf",  "e.g",  "i.e", "ref", "refs", "approx"};
+
+bool is_upper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+bool is_abbreviated(std::string_view before) {
+  const auto begin = before.find_last_of(" \t\n(~{[");
+  std::string word(before.substr(begin == std::string_view::npos ? 0 : begin + 1));
+  std::ranges::transform(word, word.begin(),
+                         [](char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; });
+  return std::ranges::find(abbreviations, word) != abbreviations.end();
+}
+
+/// Whether the character at `i` of the text ends a sentence.
+bool ends_here(std::string_view text, std::size_t i) {
+  if (text[i] != '.' && text[i] != '?' && text[i] != '!') return false;
+  std::size_t next = i + 1;
+  while (next < text.size() && (text[next] == '}' || text[next] == ')' || text[next] == '\'')) {
+    ++next;
+  }
+  if (next < text.size() && text[next] != ' ' && text[next] != '\n' && text[next] != '\t') {
+    return false;
+  }
+  next = text.find_first_not_of(" \t\n", next);
+  if (next == std::string_view::npos) return true;
+  const char begin = text[next];
+  const bool may_begin = is_upper(begin) || sys::is_digit(begin) || begin == '\\' || begin == '$' ||
+                         begin == '`' || begin == '}' || begin == '%';
+  return may_begin && !is_abbreviated(text.substr(0, i));
+}
+
+/// Where sentences end, in ascending order: the offset behind each.
+std::vector<std::size_t> ends_in(std::string_view text) {
+  std::vector<std::size_t> ends;
+  TexScanner scanner(text);
+  while (const auto token = scanner.next()) {
+    const auto begin = static_cast<std::size_t>(token->text.data() - text.data());
+    const std::size_t end = begin + token->text.size();
+    const bool divides = token->kind == TexKind::begin || token->kind == TexKind::end ||
+                         (token->kind == TexKind::command && divisions.contains(token->name));
+    if (divides) {
+      ends.push_back(begin);
+      if (token->kind != TexKind::command) ends.push_back(end);
+      continue;
+    }
+    if (token->kind != TexKind::text || token->mode != TexMode::text) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool is_empty_line =
+          text[i] == '\n' &&
+          text.substr(i + 1).find_first_not_of(" \t") != std::string_view::npos &&
+          text[text.find_first_not_of(" \t", i + 1)] == '\n';
+      if (is_empty_line || ends_here(text, i)) ends.push_back(i + 1);
+    }
+  }
+  ends.push_back(text.size());
+  return ends;
+}
+
+std::string without_comments(std::string_view text) {
+  std::string left;
+  TexScanner scanner(text);
+  while (const auto token = scanner.next()) {
+    if (token->kind != TexKind::comment) left += token->text;
+  }
+  return sys::one_line(left);
+}
+
+}  // namespace
+
+std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file) {
+  std::set<std::string> commands;
+  for (const auto& [command, kind] : kinds) commands.insert(command);
+  const std::vector<TexCommand> uses = commands_in(latex, commands);
+
+  constexpr std::string_view beginning = "\\begin{document}";
+  const auto preamble = latex.find(beginning);
+  std::size_t begin = preamble == std::string_view::npos ? 0 : preamble + beginning.size();
+  std::vector<Sentence> sentences;
+  std::size_t n_used = 0;
+  for (const std::size_t end : ends_in(latex)) {
+    if (end <= begin) continue;
+    begin = std::min(latex.find_first_not_of(" \t\r\n", begin), end);
+    const std::string_view text = latex.substr(begin, end - begin);
+    Sentence sentence;
+    sentence.file = file;
+    sentence.latex = without_comments(text);
+    for (; n_used < uses.size() && uses[n_used].end <= end; ++n_used) {
+      if (uses[n_used].end < begin) continue;
+      sentence.names.insert(kinds.at(uses[n_used].name) + " " + uses[n_used].argument);
+    }
+    const bool has_letter = std::ranges::any_of(sentence.latex, sys::is_letter);
+    const bool is_environment =
+        sentence.latex.starts_with("\\begin{") || sentence.latex.starts_with("\\end{");
+    if ((has_letter && !is_environment) || !sentence.names.empty()) {
+      sentence.first_line = place_in(latex, text).line;
+      const std::string_view written = sys::stripped(text);
+      sentence.last_line =
+          sentence.first_line + static_cast<int>(std::ranges::count(written, '\n'));
+      sentences.push_back(std::move(sentence));
+    }
+    begin = end;
+  }
+  return sentences;
+}
+
+std::vector<Sentence> sentences_below(const std::filesystem::path& document) {
+  std::vector<Sentence> all;
+  for (const std::string& file : document_files(document)) {
+    std::ranges::move(sentences_in(sys::read_file(document / file), file), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace literate

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace literate {
+
+/// A sentence of a document, as its author wrote it.
+struct Sentence {
+  std::string file;    ///< relative to the document's folder
+  int first_line = 0;  ///< from 1
+  int last_line = 0;
+  std::string latex;            ///< in one line, without comments
+  std::set<std::string> names;  ///< that it prints: «value x», «table x», «figure x», «claim x»
+};
+
+/// Splits a LaTeX text into sentences, in order.
+///
+/// A sentence ends with a full stop, a question mark or an exclamation mark before a blank and
+/// something that may begin a sentence, unless an abbreviation such as «Fig.» ends there; with an
+/// empty line; and where a heading, an item, a caption or an environment begins or ends. What
+/// precedes \begin{document} is none. Whatever holds no letter and no name is left out.
+std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file);
+
+/// The sentences of all files of a document (document_files). Throws sys::OutputError if the folder
+/// or a file cannot be read.
+std::vector<Sentence> sentences_below(const std::filesystem::path& document);
+
+}  // namespace literate

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command_line/options.hpp"
+#include "literate/changes/changes.hpp"
+#include "literate/changes/changes_report.hpp"
+#include "literate/program/commands.hpp"
+#include "literate/provenance/manifest.hpp"
+#include "system/files.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+struct ChangesOptions {
+  std::string project, before, after, document_before, document, label, output;
+};
+
+sys::ExitCode compare(const ChangesOptions& options) {
+  const Manifest before = read_manifest(options.before, options.project);
+  const Manifest after = read_manifest(options.after, options.project);
+  const bool has_text = !options.document_before.empty();
+  const auto sentences = sentences_below(options.document);
+  const auto former = has_text ? sentences_below(options.document_before) : std::vector<Sentence>();
+  const std::vector<Change> changes = changes_between(before, after, former, sentences);
+
+  const fs::path folder = options.output;
+  sys::write_file_atomically(folder / "changes.csv", changes_csv(changes));
+  sys::write_file_atomically(folder / "changes.html",
+                             changes_html(changes, options.label, "the sources as they are"));
+  // Without the former text only results can be told.
+  sys::write_file_atomically(folder / "answer.md",
+                             answer_to_referees(changes, has_text ? former : sentences, sentences));
+  fmt::print("{}", changes_text(changes));
+  if (changes.empty()) fmt::print("no value, table, figure, verdict or limit differs\n");
+  return sys::ExitCode::success;
+}
+
+}  // namespace
+
+void add_changes_command(CLI::App& program, sys::ExitCode& exit_code) {
+  using namespace command_line;
+  add_command(
+      program, "changes", "Compare two states of a document by their manifests", exit_code,
+      [](CLI::App& command) {
+        auto options = std::make_shared<ChangesOptions>();
+        add_required_text(command, "--project", options->project, "NAME", "The paper's project");
+        add_required_text(command, "--before", options->before, "FILE", "The former manifest");
+        add_required_text(command, "--after", options->after, "FILE", "The later manifest");
+        add_required_text(command, "--document", options->document, "DIR",
+                          "The LaTeX document of the later state");
+        add_text(command, "--document-before", options->document_before, "DIR",
+                 "That of the former state, if it is known");
+        add_required_text(command, "--label", options->label, "TEXT",
+                          "What the former state is called");
+        add_required_text(command, "--output", options->output, "DIR",
+                          "The folder for changes.csv, changes.html and answer.md");
+        return [options] { return compare(*options); };
+      });
+}
+
+}  // namespace literate

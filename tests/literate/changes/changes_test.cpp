@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/changes.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+#include <vector>
+
+#include "literate/changes/changes_report.hpp"
+
+BOOST_AUTO_TEST_SUITE(changes_test)
+
+using literate::Change;
+using literate::ChangeKind;
+using literate::changes_between;
+using literate::Manifest;
+using literate::Sentence;
+
+namespace {
+
+Manifest state() {
+  Manifest manifest;
+  manifest.project = "rod";
+  manifest.numbers = {{"peak", {.number = 10, .abs_error = 0.1, .printed = "10.0 psi"}},
+                      {"fit", {.number = 5, .abs_error = 0, .printed = "5.0(5)", .standard = 0.5}},
+                      {"count", {.number = 7, .abs_error = {}, .printed = "7"}},
+                      {"table a, row 1, column 2", {.number = 3, .abs_error = 0, .printed = "3"}}};
+  manifest.outputs = {{"generated/figures/curve/data.csv", "d1"},
+                      {"generated/figures/curve/curve.pdf", "d2"},
+                      {"generated/values.tex", "d3"}};
+  manifest.verdicts = {{"claim one", "confirmed"}, {"check sum", "passed"}};
+  manifest.limits = {{"claim one: ratio", "at most 1 %"}};
+  return manifest;
+}
+
+std::vector<Change> changes_to(const Manifest& after) {
+  return changes_between(state(), after, {}, {});
+}
+
+// One change of the state, told once, in this class.
+void check_told(const Manifest& after, ChangeKind kind, const std::string& what,
+                const std::string& before, const std::string& now) {
+  const auto changes = changes_to(after);
+  BOOST_TEST_REQUIRE(changes.size() == 1U, what);
+  BOOST_TEST(name_of(changes[0].kind) == name_of(kind));
+  BOOST_TEST(changes[0].what == what);
+  BOOST_TEST(changes[0].before == before);
+  BOOST_TEST(changes[0].after == now);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_state_does_not_differ_from_itself) {
+  BOOST_TEST(changes_to(state()).empty());
+}
+
+BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
+  Manifest after = state();
+  after.numbers["new"] = {.number = 1, .abs_error = {}, .printed = "1"};
+  check_told(after, ChangeKind::added, "value new", "", "1");
+
+  after = state();
+  after.numbers.erase("count");
+  check_told(after, ChangeKind::gone, "value count", "7", "");
+
+  after = state();
+  after.numbers["number"] = after.numbers.at("count");
+  after.numbers.erase("count");
+  check_told(after, ChangeKind::renamed, "value number", "count", "number");
+
+  after = state();
+  after.numbers["peak"].number = 10.25;
+  after.numbers["peak"].printed = "10.2 psi";
+  check_told(after, ChangeKind::beyond_error, "value peak", "10.0 psi", "10.2 psi");
+
+  after = state();
+  after.numbers["peak"].number = 10.15;
+  check_told(after, ChangeKind::within_error, "value peak", "10.0 psi", "10.0 psi");
+
+  after = state();
+  after.numbers["peak"].printed = "10.00 psi";
+  check_told(after, ChangeKind::other_digits, "value peak", "10.0 psi", "10.00 psi");
+
+  after = state();
+  after.numbers["table a, row 1, column 2"].number = 4;
+  after.numbers["table a, row 1, column 2"].printed = "4";
+  check_told(after, ChangeKind::beyond_error, "table a, row 1, column 2", "3", "4");
+
+  after = state();
+  after.outputs["generated/figures/curve/data.csv"] = "other";
+  check_told(after, ChangeKind::other_bytes, "figure curve", "", "");
+
+  after = state();
+  after.verdicts["claim one"] = "refuted";
+  check_told(after, ChangeKind::other_verdict, "claim one", "confirmed", "refuted");
+
+  after = state();
+  after.verdicts["check sum"] = "failed";
+  check_told(after, ChangeKind::other_verdict, "check sum", "passed", "failed");
+
+  after = state();
+  after.limits["claim one: ratio"] = "at most 2 %";
+  check_told(after, ChangeKind::other_limit, "claim one: ratio", "at most 1 %", "at most 2 %");
+
+  after = state();
+  after.verdicts["claim two"] = "confirmed";
+  check_told(after, ChangeKind::added, "claim two", "", "confirmed");
+}
+
+BOOST_AUTO_TEST_CASE(a_standard_uncertainty_counts_as_the_error_of_a_number) {
+  Manifest after = state();
+  after.numbers["fit"].number = 5.9;
+  check_told(after, ChangeKind::within_error, "value fit", "5.0(5)", "5.0(5)");
+  after.numbers["fit"].number = 6.1;
+  check_told(after, ChangeKind::beyond_error, "value fit", "5.0(5)", "5.0(5)");
+}
+
+BOOST_AUTO_TEST_CASE(of_two_names_with_one_number_none_is_taken_for_the_other) {
+  Manifest after = state();
+  after.numbers["one"] = after.numbers["two"] = after.numbers.at("count");
+  after.numbers.erase("count");
+  BOOST_TEST(changes_to(after).size() == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(a_manifest_without_limits_is_of_an_earlier_version_and_tells_none) {
+  Manifest before = state();
+  before.limits.clear();
+  BOOST_TEST(changes_between(before, state(), {}, {}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {
+  const auto before = literate::sentences_in("Seven are \\val{count}.", "old.tex");
+  const auto now = literate::sentences_in(
+      "The peak is \\val{peak}.\nTable \\tab{a} says so. It is \\claim{one}.", "new.tex");
+  Manifest after = state();
+  after.numbers.erase("count");
+  after.numbers["peak"].number = 11;
+  after.numbers["table a, row 1, column 2"].number = 4;
+  after.limits["claim one: ratio"] = "at most 2 %";
+  const auto changes = changes_between(state(), after, before, now);
+  BOOST_TEST_REQUIRE(changes.size() == 4U);
+  for (const Change& change : changes) {
+    BOOST_TEST_REQUIRE(change.printed_in.size() == 1U, change.what);
+    BOOST_TEST(change.printed_in[0].file ==
+               (change.kind == ChangeKind::gone ? "old.tex" : "new.tex"));
+  }
+  const std::string text = literate::changes_text(changes);
+  BOOST_TEST(
+      text.find("value peak: 10.0 psi, was 10.0 psi\n                          new.tex:1\n") !=
+      std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_answer_quotes_old_and_new_words_and_lists_what_moved) {
+  const auto before = literate::sentences_in("One. About half. Three.", "a.tex");
+  const auto now = literate::sentences_in("One. Nearly all of it. Three.", "a.tex");
+  Manifest after = state();
+  after.numbers["peak"].number = 11;
+  after.numbers["peak"].printed = "11.0 psi";
+  const std::string answer = literate::answer_to_referees(changes_to(after), before, now);
+  BOOST_TEST(answer ==
+             "# Answer to the referees\n\n## a.tex:1\n\nBefore:\n\n> About half.\n\nNow:\n\n"
+             "> Nearly all of it.\n\nWhy:\n\n## Results that are others\n\n"
+             "- value peak: moved beyond its error, 11.0 psi, was 10.0 psi\n");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

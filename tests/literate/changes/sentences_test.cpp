@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/sentences.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(sentences_test)
+
+using literate::Sentence;
+using literate::sentences_in;
+
+namespace {
+
+std::vector<std::string> texts(const std::string& latex) {
+  std::vector<std::string> found;
+  for (const Sentence& sentence : sentences_in(latex, "a.tex")) found.push_back(sentence.latex);
+  return found;
+}
+
+void check_texts(const std::string& latex, const std::vector<std::string>& expected) {
+  const auto found = texts(latex);
+  BOOST_TEST(found == expected, boost::test_tools::per_element());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(full_stops_and_empty_lines_end_a_sentence) {
+  check_texts("One is\nhere. Two is not!  Three\n\nFour",
+              {"One is here.", "Two is not!", "Three", "Four"});
+}
+
+BOOST_AUTO_TEST_CASE(abbreviations_decimals_and_file_names_do_not) {
+  check_texts("See Fig. \\ref{a} and eq. (2), e.g. 1.5 of Contact.m alone. Next.",
+              {"See Fig. \\ref{a} and eq. (2), e.g. 1.5 of Contact.m alone.", "Next."});
+}
+
+BOOST_AUTO_TEST_CASE(headings_items_and_environments_end_a_sentence) {
+  check_texts(
+      "\\section{Results}\nNo stop here\n\\begin{itemize}\n\\item first\n\\item second\n"
+      "\\end{itemize}\nLast.",
+      {"\\section{Results} No stop here", "\\item first", "\\item second", "Last."});
+}
+
+BOOST_AUTO_TEST_CASE(formulas_and_comments_end_none) {
+  check_texts("It is $a. B$ here % not. Here\nand there.", {"It is $a. B$ here and there."});
+}
+
+BOOST_AUTO_TEST_CASE(the_preamble_holds_none) {
+  check_texts("\\title{No. It}\n\\begin{document}\nYes.\n\\end{document}\n", {"Yes."});
+}
+
+BOOST_AUTO_TEST_CASE(a_sentence_knows_its_lines_and_what_it_prints) {
+  const auto sentences = sentences_in(
+      "First.\nThe peak is\n\\val[digits=2]{peak}, see \\claim{one}\nand \\fig{curve}. Last.\n",
+      "b.tex");
+  BOOST_TEST_REQUIRE(sentences.size() == 3U);
+  BOOST_TEST(sentences[1].file == "b.tex");
+  BOOST_TEST(sentences[1].first_line == 2);
+  BOOST_TEST(sentences[1].last_line == 4);
+  const std::set<std::string> names{"value peak", "claim one", "figure curve"};
+  BOOST_TEST((sentences[1].names == names));
+  BOOST_TEST(sentences[2].names.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
