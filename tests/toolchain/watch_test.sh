@@ -9,14 +9,14 @@ fi
 
 # A fake command records that it was called, and fails on demand.
 root="$scratch/check out"
-mkdir -p "$scratch/measured" "$root/src" "$root/report/sections" "$root/figures" "$scratch/cases"
+mkdir -p "$scratch/measured" "$root/src" "$root/report/sections" "$root/figures" "$scratch/cases" "$scratch/raw"
 cat >"$scratch/build" <<'END'
 echo "build $1 ${LITERATE_TOLERATES_OVERFULL:-}"
 if [ -e src/broken.cpp ]; then echo 'broken.cpp:1: error'; exit 1; fi
 END
 touch "$root/report/sections/a.tex" "$scratch/cases/my.toml"
 printf '%s\n' name=report "root=$root" "build=$root/build" "document=$root/report" "case=$scratch/cases/my.toml" \
-  "data=$scratch/measured/run 1.dat:$scratch/measured/fit.py" "output=$root/build/report" \
+  "data=$scratch/measured/run 1.dat:$scratch/measured/fit.py" "reads=$scratch/raw/plate.dat" "output=$root/build/report" \
   sources=src "figures=$root/figures" >"$scratch/settings"
 status=- said=-
 log=$scratch/log
@@ -73,6 +73,7 @@ echo x >"$scratch/cases/other.toml"
 claim_built 'its neighbours are not' 6
 echo x >"$scratch/measured/run 1.dat"
 claim_built 'data that the paper imports are watched, whatever their ending' 7
+echo x >"$scratch/raw/other.dat"
 echo x >"$scratch/measured/notes.dat"
 claim_built 'their neighbours are not' 7
 echo x >"$root/src/results.json"
@@ -85,6 +86,8 @@ claim 'the message is shown' "$(says 'broken.cpp:1: error')" = yes
 claim 'a failure is told' "$(says 'failed; waiting for the next save')" = yes
 rm "$root/src/broken.cpp"
 claim_built 'after a failure it goes on' 10
+echo x >"$scratch/raw/plate.dat"
+claim_built 'what the scripts of data read is watched' 11
 
 end_watching() {
   kill -INT "-$watch"

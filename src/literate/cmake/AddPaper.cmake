@@ -184,6 +184,14 @@ function(literate_add_paper)
   if(arg_FAULTS)
     cmake_path(ABSOLUTE_PATH arg_FAULTS NORMALIZE OUTPUT_VARIABLE faults)
   endif()
+  # What the scripts of DATA read belongs to what the paper is made from.
+  set(reads "")
+  foreach(file IN LISTS data)
+    get_property(read GLOBAL PROPERTY "LITERATE_READ_FOR_${file}")
+    list(APPEND reads ${read})
+  endforeach()
+  list(REMOVE_ITEM reads ${data} "")
+  list(REMOVE_DUPLICATES reads)
   set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
   set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
     "Where ${name} and what it is made from are written")
@@ -203,6 +211,7 @@ function(literate_add_paper)
   # What the stages and the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
   list(JOIN data ":" joined_data)
+  list(JOIN reads ":" joined_reads)
   file(GENERATE OUTPUT "${settings}" CONTENT
 "name=${name}
 project=${PROJECT_NAME}
@@ -217,6 +226,7 @@ sources=${sources}
 figures=${figures}
 data=${joined_data}
 faults=${faults}
+reads=${joined_reads}
 output=${output}
 repository=${repository}
 engine=${engine}
@@ -270,7 +280,7 @@ latex=${arg_ENGINE}
     COMMAND ${arg_PROGRAM} typeset "${settings}"
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
-    DEPENDS ${arg_PROGRAM} "${settings}" "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files}
+    DEPENDS ${arg_PROGRAM} "${settings}" "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files} ${reads}
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)
@@ -360,6 +370,9 @@ function(literate_run_script)
   list(APPEND read ${arg_READS})
   list(TRANSFORM read PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   list(TRANSFORM arg_MAKES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  foreach(made IN LISTS arg_MAKES)
+    set_property(GLOBAL APPEND PROPERTY "LITERATE_READ_FOR_${made}" ${read})
+  endforeach()
   add_custom_command(OUTPUT ${arg_MAKES}
     COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
     DEPENDS ${read}

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <map>
+#include <sstream>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -46,6 +47,8 @@ Settings read_settings(const std::filesystem::path& file) {
                     .output = values["output"],
                     .repository = values["repository"],
                     .engine = values["engine"]};
+  std::istringstream reads(values["reads"]);
+  for (std::string read; std::getline(reads, read, ':');) settings.reads.emplace_back(read);
   if (!values["latex"].empty()) settings.latex = values["latex"];
   if (settings.latex != "pdflatex" && settings.latex != "lualatex") {
     throw sys::InputError(fmt::format("{}: the setting 'latex' is '{}', not pdflatex or lualatex",

@@ -5,18 +5,21 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace literate {
 
 /// The file NAME.settings that literate_add_paper writes: a line «name=value» for each of these.
 /// The scripts read the same file and more lines of it.
 struct Settings {
-  std::string name = {};                  ///< of the paper's targets and of the PDF
-  std::filesystem::path root = {};        ///< the checkout
-  std::filesystem::path document = {};    ///< the folder in which LaTeX runs
-  std::string main_file = {};             ///< of the document, such as "report.tex"
-  std::filesystem::path case_file = {};   ///< the parameters; empty if there are none
-  std::filesystem::path figures = {};     ///< the folder of the gnuplot scripts
+  std::string name = {};                 ///< of the paper's targets and of the PDF
+  std::filesystem::path root = {};       ///< the checkout
+  std::filesystem::path document = {};   ///< the folder in which LaTeX runs
+  std::string main_file = {};            ///< of the document, such as "report.tex"
+  std::filesystem::path case_file = {};  ///< the parameters; empty if there are none
+  std::filesystem::path figures = {};    ///< the folder of the gnuplot scripts
+  /// What the scripts read that make its data (literate_run_script).
+  std::vector<std::filesystem::path> reads = {};
   std::filesystem::path output = {};      ///< the folder of all that is made
   std::filesystem::path repository = {};  ///< the folder of its state; empty if it is not known
   std::filesystem::path engine = {};      ///< the engine's own folder, for what the page looks like

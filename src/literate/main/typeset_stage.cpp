@@ -93,6 +93,10 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
   for (const Excerpt& excerpt : find_excerpts(root, paper.source_folders)) {
     files[excerpt.file] = sys::sha256_of_file(root / excerpt.file);
   }
+  for (const fs::path& read : settings.reads) {
+    const fs::path file = fs::weakly_canonical(read);
+    files[name_within(root, file)] = sys::sha256_of_file(file);
+  }
   if (!settings.case_file.empty()) {
     const fs::path file = fs::weakly_canonical(settings.case_file);
     // A second reading could find another case than the computation did.

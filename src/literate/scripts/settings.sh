@@ -6,7 +6,7 @@
 # planted faults.
 # shellcheck disable=SC2034  # read by the scripts
 name='' project='' root='' build='' program='' literate='' document='' main='' case='' sources='' figures='' output='' \
-  data='' faults='' repository='' engine='' latex=''
+  data='' reads='' faults='' repository='' engine='' latex=''
 while IFS= read -r setting; do
   printf -v "${setting%%=*}" '%s' "${setting#*=}"
 done <"$1"

@@ -87,6 +87,14 @@ cp build/rod/manifest.json ../theirs.json # in the checkout it would be a file t
 runs make verify MANIFEST=../theirs.json
 claim 'it is compared with a manifest, by the name that was given' "$(says "files have the bytes that '../theirs.json' tells of")" = yes
 claim 'nothing is said of how it is built' "$(says ninja)" = no
+runs make changes SINCE=HEAD
+claim 'the same commit makes no difference' "$status$(says 'no value, table, figure, verdict or limit differs')" = 0yes
+runs make changes SINCE=no-such-tag
+claim 'a tag that is not there is told' "$status$(says 'changes: SINCE: there is neither a file nor a tag or commit no-such-tag')" = 2yes
+sed 's/^angle = 90/angle = 91/' case.toml >../other.toml
+runs make changes SINCE=../theirs.json CASE=../other.toml
+claim 'what another case moves is told with the sentences that print it' \
+  "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
 if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
   runs ninja -C build rod-site
   claim 'its page and its site are made' "$status" -eq 0 -a -s build/rod/site/index.html
@@ -99,6 +107,15 @@ if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
   runs python3 -B "$source_dir/tests/literate/page/any_page_test.py" build/rod/rod.html
   claim 'its page is whole in every way of reading it' "$status" -eq 0 -o "$status" -eq 77
 fi
+
+# What the script of data reads is part of what the paper is made from.
+sed -i '/^literate_add_paper/i literate_run_script(MAKES made.csv COMMAND sh make_it.sh READS raw.txt)' CMakeLists.txt
+sed -i 's/^literate_add_paper(/&DATA made.csv /' CMakeLists.txt
+echo 'cp raw.txt made.csv' >make_it.sh
+echo 1 >raw.txt
+runs ninja -C build rod
+claim 'the manifest has what the script of its data reads' "$status$(grep -c '"raw.txt": ' build/rod/manifest.json)" = 01
+git checkout -q CMakeLists.txt && rm raw.txt make_it.sh made.csv
 runs ninja -C build pendulum_test
 runs ctest --test-dir build
 claim 'its test passes' "$status" -eq 0
