@@ -23,11 +23,12 @@ std::string code(const std::string& text) {
   return "<code>" + tex(escape_latex(text)) + "</code>";
 }
 
+/// Three cells of a row: what was found, the limit, the margin.
 std::string criterion_html(const Criterion& criterion, const std::string& letter, Verdict verdict) {
   const std::string outcome(name_of(criterion.outcome()));
   std::string html = fmt::format(
-      "<li data-outcome=\"{}\"><span>{}: <strong>{}</strong></span> "
-      "<span>{} <a class=\"lit-limit\" href=\"#limit-{}\">[{}]</a></span> <span>{}",
+      "<td data-outcome=\"{}\">{}: <strong>{}</strong></td>"
+      "<td>{} <a class=\"lit-limit\" href=\"#limit-{}\">[{}]</a></td><td>{}",
       outcome, plain(criterion.name()), tex(criterion.found().latex), tex(criterion.limit().latex),
       letter, letter, plain(criterion.margin().text()));
   const bool all_alike = verdict == Verdict::confirmed || verdict == Verdict::refuted;
@@ -36,7 +37,7 @@ std::string criterion_html(const Criterion& criterion, const std::string& letter
   } else if (!all_alike) {
     html += ", " + outcome;
   }
-  return html + "</span></li>\n";
+  return html + "</td>";
 }
 
 std::string error_of(const Value& value) {
@@ -51,23 +52,31 @@ std::string claim_html(const Registered& registered, const LimitNotes& notes, co
   const SourcePlace& place = registered.places.at({"claim", id});
   const std::string found(name_of(claim.found()));
   const std::string expected(name_of(claim.expected));
+  const std::size_t n_rows = claim.criteria.size();
   std::string html = fmt::format(
       "<article class=\"lit-ledger-entry\" id=\"claim-{0}\" data-claim=\"{0}\" "
-      "data-verdict=\"{1}\" "
-      "data-origin=\"@origin@\">\n<p class=\"lit-ledger-statement\"><span class=\"lit-number\">"
-      "<tex>\\LedgerNumber{{{0}}}</tex></span> <strong class=\"lit-verdict\" data-verdict=\"{1}\">"
-      "{2}</strong>{3}: <em><tex>\\LedgerSentence{{{0}}}</tex></em> "
+      "data-verdict=\"{1}\" data-origin=\"@origin@\">\n<table class=\"lit-entry\"><tbody>\n"
+      "<tr><td rowspan=\"{2}\"><p class=\"lit-ledger-statement\"><span class=\"lit-number\">"
+      "<tex>\\LedgerNumber{{{0}}}</tex></span> <em><tex>\\LedgerSentence{{{0}}}</tex></em> "
       "<span class=\"lit-ledger-source\"><tex>\\LedgerSource{{{0}}}</tex></span></p>\n",
-      id, found.substr(0, found.find(' ')), found,
-      found == expected ? "" : ", <strong>not " + expected + " as expected</strong>");
+      id, found.substr(0, found.find(' ')), n_rows);
   html += fmt::format(
       "<p class=\"lit-ledger-route\">Tested: {}. <span class=\"lit-ledger-place\">{}, {}, "
-      "@uses:claim:{}@</span></p>\n<ul class=\"lit-criteria\">\n",
+      "@uses:claim:{}@</span></p></td>\n",
       plain(claim.route), code(id), code(text_of(place)), id);
-  for (const Criterion& criterion : claim.criteria)
-    html += criterion_html(criterion, notes.letter_of(criterion), claim.found());
-  return html + "</ul>\n<p class=\"lit-severity\">" + severity_text(registered, id) +
-         "</p>\n</article>\n";
+  const std::string decided = fmt::format(
+      "\n<td rowspan=\"{}\"><p><strong class=\"lit-verdict\" data-verdict=\"{}\">{}</strong>{}</p>"
+      "<p class=\"lit-severity\">{}</p></td>",
+      n_rows, found.substr(0, found.find(' ')), found,
+      found == expected ? "" : ", <strong>not " + expected + " as expected</strong>",
+      severity_text(registered, id));
+  for (const Criterion& criterion : claim.criteria) {
+    const bool is_first = &criterion == &claim.criteria.front();
+    html += (is_first ? "" : "<tr>") +
+            criterion_html(criterion, notes.letter_of(criterion), claim.found()) +
+            (is_first ? decided : "") + "</tr>\n";
+  }
+  return html + "</tbody></table>\n</article>\n";
 }
 
 std::string limits_html(const LimitNotes& notes) {

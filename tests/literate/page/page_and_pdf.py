@@ -261,6 +261,17 @@ def tex_tokens(text, values):
     return tokens(re.sub(r"\\[A-Za-z@]+\*?|[{}~$]", " ", text))
 
 
+def taken(text, flags):
+    """The text with the branches of \\ifflag that are taken."""
+    while (at := text.find("\\ifflag")) >= 0:
+        name, *branches = arguments(text[at:])[:3]
+        end = at
+        for group in (name, *branches):
+            end = text.index("{" + group + "}", end) + len(group) + 2
+        text = text[:at] + branches[not flags[name]] + text[end:]
+    return text
+
+
 def arguments(text):
     """The groups in braces at the start of a text."""
     found, depth, begin = [], 0, 0
@@ -293,7 +304,7 @@ def left_out(output, document, main, page, names):
         deepest = int(depth.group(1)) if depth else 3
         for entry in entries:
             if entry[0] not in LEVELS or LEVELS.index(entry[0]) <= deepest + 1:
-                out.update(tex_tokens(entry[1] + " " + entry[2], values))
+                out.update(tex_tokens(taken(entry[1], names["flags"]) + " " + entry[2], values))
     has_provenance, marks = "\\LiterateHasProvenance" in aux, collections.Counter()
     for name in re.findall(r"\\LiterateCaptionOf\{[^}]*\}\{[^}]*\}\{([^}]*)\}", aux):
         # A caption within a caption may show it once more.
