@@ -21,7 +21,7 @@ unset arrow
 unset logscale x
 unset ytics
 set lmargin at screen 0.64
-set rmargin at screen 0.98
+set rmargin at screen 0.96
 set xtics auto
 set xrange [*:*]
 set xtics 100

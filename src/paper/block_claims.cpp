@@ -29,7 +29,7 @@ void claim_body(Document& document, const HalfSpaceCase& half_space, const Block
   const Estimate ratio = as_estimate(printed.at("max_stress_zz")) / in_plane;
   document.claim("plane-strain",
                  {.route = "the printed largest stresses: in plane strain the one out of the plane "
-                           "over the sum of those in it is ν",
+                           "is ν times the sum of those in it",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::agrees(
                       "that ratio", Value(ratio, fixed(6)), Value(nu, exact()),

@@ -23,7 +23,7 @@ def digits(text):
 def as_shown(value):
     """A value of names.json as its digits follow each other in the page: 1.2e-6 in is 1.2×10-6in."""
     shown = re.sub(r"^(-?[\d.]+)e(-?\d+)", r"\1×10\2", str(value)).replace("−", "-")
-    return digits(shown)
+    return digits(shown.translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")))
 
 
 def numbers(names):
@@ -117,7 +117,7 @@ def check_text(browser):
     claim("no reference is missing", re.findall(r".{0,20}(?:\?\?|\[\?\]).{0,20}", text))
     claim("no command of LaTeX is left", re.findall(r"\\[A-Za-z@]+.{0,20}", text))
     claim("every number is set as one, not as the program writes it", browser.evaluate(
-        "[...document.querySelectorAll('.lit-table td')].map(e => e.textContent.trim())"
+        "[...document.querySelectorAll('.lit-table td')].filter(e => !e.querySelector('code')).map(e => e.textContent.trim())"
         ".filter(t => /^-|^[-+.\\d]+e[-+]?\\d+$/.test(t))"))
     claim("no character was decoded wrongly", re.findall(r"[\ufffdâÃ].{0,10}", text))
     return digits(text)
