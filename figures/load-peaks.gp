@@ -8,19 +8,19 @@ do for [i = 1:n] { set ytics add (value(sprintf('row_%d', i)) i - 1) }
 unset key
 set multiplot
 
-set lmargin at screen 0.30
-set rmargin at screen 0.60
+set lmargin at screen 0.40
+set rmargin at screen 0.65
 set logscale x
 set xrange [0.3:*]
 set xtics (0.5, 1, 2, 5, 10)
-set xlabel 'largest misfit / printed convergence'
+set xlabel 'largest misfit / convergence'
 set arrow from 1,graph 0 to 1,graph 1 nohead lc rgb ink lw 1.2
 plot loads using "share":"row" with points ls 11 pt 7
 
 unset arrow
 unset logscale x
 unset ytics
-set lmargin at screen 0.64
+set lmargin at screen 0.72
 set rmargin at screen 0.96
 set xtics auto
 set xrange [*:*]

@@ -83,7 +83,14 @@ function focusOf(mark) {
   return mark.matches("a[href], button") ? mark : mark.querySelector("a[href]") || mark;
 }
 
-const card = {element: null, mark: null, timer: 0, touched: false, isClosing: false};
+const card = {element: null, mark: null, timer: 0, touched: false, isClosing: false, pointer: ""};
+
+/// Whether the pointer itself has moved. A card that closes, or a page that scrolls, bares a mark below a pointer at rest.
+function hasMoved({clientX, clientY}) {
+  const before = card.pointer;
+  card.pointer = `${clientX} ${clientY}`;
+  return card.pointer !== before;
+}
 
 function openCard({mark, write}) {
   clearTimeout(card.timer);
@@ -153,12 +160,15 @@ lit.part(function cards() {
 
   document.addEventListener("pointerover", (event) => {
     if (event.pointerType === "touch") return;
+    const moved = hasMoved(event);
     if (holds(event.target)) return clearTimeout(card.timer);
     const found = markAt(event.target);
+    if (found && !moved) return;
     if (found) return later(220, () => openCard(found));
     if (card.element && !card.element.contains(document.activeElement)) later(280, closeCard);
     else if (!card.element) clearTimeout(card.timer);
   });
+  document.addEventListener("pointermove", hasMoved, {passive: true});
   document.addEventListener("pointerdown", (event) => { card.touched = event.pointerType === "touch"; });
   // A touch has no hovering: the first shows the card, which has the link.
   document.addEventListener("click", (event) => {
