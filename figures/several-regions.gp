@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pressure between wavy cylinders at growing loads, the least on top, over p₀ and against x/λ.
+# The pressure between wavy cylinders at growing loads, the least on top, over p₀ and against x/a.
 # outside: there is no pressure
 n = int(n_panels)
-set xrange [-1.15 * waves:1.15 * waves]
-set xtics 1
+set xrange [-1.15:1.15]
+set xtics 0.5
 set yrange [0:2.1]
 set ytics 1
 set format x ''
@@ -13,7 +13,7 @@ do for [k = 1:n] {
   panel = value(sprintf('panel_%d', k))
   if (k == n) {
     set format x '$%g$'
-    set xlabel '$x/\lambda$'
+    set xlabel '$x/a$'
   }
   set label 1 value(sprintf('title_%d', k)) at graph 0.02,0.85 left
   if (k == 1) { set key top right } else { unset key }

@@ -54,30 +54,45 @@ HertzErrors errors_against(const Hertz& hertz, const line_contact::Solution& sol
           solution.half_width() / a - 1};
 }
 
-ConvergenceStudy convergence_study(const ContactCase& c, const Hertz& hertz,
-                                   line_contact::Element element) {
-  constexpr int n_grids = 80;
-  constexpr double coarsest = 33;
-  constexpr double finest = 50 * coarsest;
-  ConvergenceStudy study;
-  for (int k = 0; k < n_grids; ++k) {
-    const double share = k / (n_grids - 1.0);
-    const long n_nodes = std::lround(coarsest * std::pow(finest / coarsest, share));
-    const line_contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
-    const HertzErrors e = errors_against(hertz, solution);
-    study.elements.push_back(e.elements);
-    study.inside.push_back(e.inside);
-    study.largest.push_back(e.largest);
-    study.peak.push_back(e.peak);
-    study.count.push_back(e.half_width_count);
-    study.extrapolated.push_back(e.half_width_extrapolated);
-    study.moment.push_back(e.half_width_moment);
-    const double closed = rounded(c, 1);
-    study.of_pressure.push_back(pressure_error(solution) + closed);
-    study.of_edge.push_back(edge_error(solution) / hertz.half_width() + closed);
-    study.of_moment.push_back(half_width_error(solution) + closed);
+SpacingErrors errors_at_spacing(const ContactCase& c, const Hertz& hertz,
+                                line_contact::Element element, long n_nodes) {
+  constexpr double tolerance = 1e-12;
+  const double closed = rounded(c, 1);
+  SpacingErrors at;
+  double logarithms = 0;
+  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes)) {
+    const line_contact::Solution solution = line_contact::solve_by_fft(
+        {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, element}, c.line_load,
+        tolerance);
+    at.errors.push_back(errors_against(hertz, solution));
+    logarithms += std::log(at.errors.back().elements);
+    at.of_pressure = std::max(at.of_pressure, pressure_error(solution) + closed);
+    at.of_edge = std::max(at.of_edge, edge_error(solution) / hertz.half_width() + closed);
+    at.of_moment = std::max(at.of_moment, half_width_error(solution) + closed);
   }
-  return study;
+  at.elements = std::exp(logarithms / static_cast<double>(at.errors.size()));
+  return at;
+}
+
+Estimate root_mean_square(const std::vector<Estimate>& errors) {
+  double squares = 0;
+  double squares_of_bounds = 0;
+  for (const Estimate& error : errors) {
+    squares += error.value * error.value;
+    squares_of_bounds += error.abs_error * error.abs_error;
+  }
+  const auto n = static_cast<double>(errors.size());
+  return {std::sqrt(squares / n), std::sqrt(squares_of_bounds / n)};
+}
+
+Estimate factor_of(const SpacingErrors& at, double HertzErrors::*error, double bound,
+                   double order) {
+  std::vector<Estimate> scaled;
+  for (const HertzErrors& e : at.errors) {
+    const double scale = std::pow(e.elements, order);
+    scaled.push_back({e.*error * scale, bound * scale});
+  }
+  return root_mean_square(scaled);
 }
 
 }  // namespace paper

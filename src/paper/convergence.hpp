@@ -26,28 +26,37 @@ inline constexpr double cylinder_domain = 2.2;
 line_contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
                                        line_contact::Element element, long n_nodes);
 
-/// How many places between two nodes the edge of the contact takes on grids_of().
-inline constexpr int n_edge_places = 10;
+/// How many places between two nodes the edge of the contact takes at each spacing of a study.
+inline constexpr int n_edge_places = 20;
 
 /// Grids of n_nodes over this domain, the first, and over ones that are narrower by up to one
 /// element of the half-width, on which the edge falls at evenly spaced places between two nodes:
 /// a/c is n_nodes/cylinder_domain + k/n_places. Where the edge falls changes the errors by an order
 /// of magnitude, so that a single grid tells little. Means over ten places are good; the largest
-/// errors are those just before a node comes into contact, which only many places meet.
+/// errors are met by many places only.
 std::vector<line_contact::Grid> grids_of(const Hertz& hertz, long n_nodes,
                                          int n_places = n_edge_places);
 
+/// The root mean square of some errors, with what their bounds leave open.
+Estimate root_mean_square(const std::vector<Estimate>& errors);
+
 HertzErrors errors_against(const Hertz& hertz, const line_contact::Solution& solution);
 
-/// The errors on a number of grids from 15 to 750 elements over the half-width, so many that the
-/// edge of the contact falls everywhere between nodes.
-struct ConvergenceStudy {
-  std::vector<double> elements, inside, largest, peak, count, extrapolated, moment;
+/// The errors at one spacing, wherever the edge of the contact lies between two nodes.
+struct SpacingErrors {
+  double elements = 0;              ///< a/c, the geometric mean over the grids
+  std::vector<HertzErrors> errors;  ///< on each grid, in the order of the places
   // How wrong these errors may be: of the pressures, and of the half-widths by extrapolation and by
   // the second moment. A count of nodes is exact.
-  std::vector<double> of_pressure, of_edge, of_moment;
+  double of_pressure = 0, of_edge = 0, of_moment = 0;
 };
-ConvergenceStudy convergence_study(const ContactCase& c, const Hertz& hertz,
-                                   line_contact::Element element);
+
+/// The errors at one spacing, on grids_of(hertz, n_nodes).
+SpacingErrors errors_at_spacing(const ContactCase& c, const Hertz& hertz,
+                                line_contact::Element element, long n_nodes);
+
+/// The factor B of errors that go with B (c/a)^order: the root mean square, over the places of the
+/// edge at one spacing, of error·(a/c)^order, with what `bound` leaves open.
+Estimate factor_of(const SpacingErrors& at, double HertzErrors::*error, double bound, double order);
 
 }  // namespace paper

@@ -15,7 +15,8 @@ struct ElementQuality {
   Estimate shear;  ///< mean |error| of τ₁ half a spacing below the surface, over p₀
 };
 
-/// By the midpoint rule, extrapolated; wrong by the difference from half as many points.
+/// By the midpoint rule on x ≥ 0, of which the other side is the image, extrapolated; wrong by the
+/// difference from half as many points. The number of nodes is odd.
 ElementQuality quality_of(const ContactCase& c, const Hertz& hertz,
                           const line_contact::Solution& solution);
 

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
-#include "elasticity/concentrated_load.hpp"
-#include "elasticity/load_shapes.hpp"
 #include "line_contact/element.hpp"
 #include "line_contact/fft_solver.hpp"
+#include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/edge_study.hpp"
@@ -18,263 +18,312 @@ namespace paper {
 namespace {
 
 using line_contact::Element;
+using numerics::fit_scattered_power;
+using numerics::mean_of;
 
-// An element of load 1 at x = 0 and its influence: the displacement −T and its gradient −T′.
-Figure element_figure() {
-  const elasticity::Material unit(2 / std::acos(-1.0), 0);  // K = load: 2/(πE) = 1
-  constexpr double end = 2.5;
-  constexpr int n = 500;
-  const elasticity::ConcentratedLoad force(1);
-  const elasticity::UniformLoad uniform(1, 0.5);
-  const elasticity::TriangularLoad triangle(1, 1);
-  std::vector<double> abscissae;
-  std::vector<double> point, uniform_u, triangular_u;
-  std::vector<double> point_slope, uniform_slope, triangular_slope;
-  for (int i = 0; i <= n; ++i) {
-    const double x = end * (2.0 * i / n - 1);
-    const bool at_force = i == n / 2;
-    abscissae.push_back(x);
-    point.push_back(at_force ? literate::gap : elasticity::normal_displacement(unit, force, x, 1));
-    uniform_u.push_back(-line_contact::influence_coefficient(Element::uniform, x));
-    triangular_u.push_back(-line_contact::influence_coefficient(Element::triangular, x));
-    const bool at_end = i == 2 * n / 5 || i == 3 * n / 5;  // |x| = 1/2
-    point_slope.push_back(at_force ? literate::gap : elasticity::normal_gradient(unit, force, x));
-    uniform_slope.push_back(at_end ? literate::gap : elasticity::normal_gradient(unit, uniform, x));
-    triangular_slope.push_back(elasticity::normal_gradient(unit, triangle, x));
+// What makes errors scatter about their power law, and their means.
+constexpr const char* places = "places of the edge";
+
+// How many standard uncertainties count: about 95 % of a normal distribution.
+constexpr double counted = 2;
+
+Criterion of_order(const char* what, const Measured& order, double expected) {
+  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other half order");
+  return Criterion::agrees(what, Value(order, uncertain()), Value(expected, exact()),
+                           nearest.counting(counted));
+}
+
+// Grids of so many nodes, odd so that one lies in the middle: 60 to 400 elements over the
+// half-width, where the factors of all errors are constant, and before them the coarser ones that
+// are only drawn.
+constexpr std::size_t n_only_drawn = 2;
+constexpr std::array n_nodes_of_spacings = {67L, 95L, 133L, 179L, 241L, 335L, 447L, 607L, 881L};
+
+using Study = std::vector<SpacingErrors>;
+
+Study study_of(const ContactCase& c, const Hertz& hertz, Element element) {
+  Study study;
+  for (const long n_nodes : n_nodes_of_spacings) {
+    study.push_back(errors_at_spacing(c, hertz, element, n_nodes));
   }
-  return {.width_cm = 14,
-          .height_cm = 5.2,
-          .data = {{"displacement",
-                    {{"x", abscissae},
-                     {"point", point},
-                     {"uniform", uniform_u},
-                     {"triangular", triangular_u}}},
-                   {"gradient",
-                    {{"x", abscissae},
-                     {"point", point_slope},
-                     {"uniform", uniform_slope},
-                     {"triangular", triangular_slope}}}}};
+  return study;
 }
 
-Criterion of_order(const char* what, Estimate order, double expected) {
-  return Criterion::agrees(what, Value(order, fixed(2)), Value(expected, exact()),
-                           {LimitKind::choice, 0.25, "nearer to it than to any other half order"});
-}
-
-// The mean errors of one kind of element between and beneath the nodes, on grids between whose
-// nodes the edge of the contact lies anywhere.
-struct QualityStudy {
-  std::vector<double> elements, slope, shear, slope_bounds, shear_bounds;
-
-  Estimate finest_slope() const { return {slope.back(), slope_bounds.back()}; }
-  Estimate finest_shear() const { return {shear.back(), shear_bounds.back()}; }
-  Estimate slope_order() const { return fit_power(elements, slope, slope_bounds).order; }
+// One error of the study: what its bound is, none of a count, and the order that theory gives it.
+struct Quantity {
+  const char* name;
+  double expected;
+  double HertzErrors::*error;
+  double SpacingErrors::*bound;
 };
 
-QualityStudy study_quality(const ContactCase& c, const Hertz& hertz, Element element,
-                           long coarsest) {
-  QualityStudy study;
-  constexpr long finest = 89;  // a/c = 40.45
-  for (long n_nodes = coarsest; n_nodes <= finest; n_nodes += 4) {
-    const line_contact::Solution solution = solve_cylinders(c, hertz, element, n_nodes);
+const std::array<Quantity, 6> quantities = {{
+    {"pressure, inside", 2, &HertzErrors::inside, &SpacingErrors::of_pressure},
+    {"peak", 2, &HertzErrors::peak, &SpacingErrors::of_pressure},
+    {"half-width by second moment", 2, &HertzErrors::half_width_moment, &SpacingErrors::of_moment},
+    {"half-width extrapolated", 1, &HertzErrors::half_width_extrapolated, &SpacingErrors::of_edge},
+    {"half-width by count", 1, &HertzErrors::half_width_count, nullptr},
+    {"pressure, largest", 0.5, &HertzErrors::largest, &SpacingErrors::of_pressure},
+}};
+constexpr std::size_t inside = 0;
+constexpr std::size_t peak = 1;
+
+// The factors of one error at the spacings that are fitted.
+std::vector<Estimate> factors_of(const Study& study, const Quantity& quantity, double order) {
+  std::vector<Estimate> factors;
+  for (std::size_t i = n_only_drawn; i < study.size(); ++i) {
+    const double bound = quantity.bound == nullptr ? 0 : study[i].*quantity.bound;
+    factors.push_back(factor_of(study[i], quantity.error, bound, order));
+  }
+  return factors;
+}
+
+Measured order_of(const Study& study, const Quantity& quantity) {
+  std::vector<double> elements;
+  for (std::size_t i = n_only_drawn; i < study.size(); ++i) elements.push_back(study[i].elements);
+  return fit_scattered_power(elements, factors_of(study, quantity, 0), places).order;
+}
+
+Measured mean_factor(const Study& study, const Quantity& quantity) {
+  return mean_of(factors_of(study, quantity, quantity.expected), places);
+}
+
+// How many times as large as that of uniform elements the factor of triangles is: the mean over the
+// spacings, at each of which both have the edge at the same places.
+Measured mean_ratio(const Study& triangular, const Study& uniform, const Quantity& quantity) {
+  const auto of_triangles = factors_of(triangular, quantity, quantity.expected);
+  const auto of_uniform = factors_of(uniform, quantity, quantity.expected);
+  std::vector<Estimate> ratios;
+  for (std::size_t i = 0; i < of_triangles.size(); ++i) {
+    ratios.push_back(of_triangles[i] / of_uniform[i]);
+  }
+  return mean_of(ratios, places);
+}
+
+// On what share of the single grids triangles have the smaller error of the peak.
+double share_won(const Study& triangular, const Study& uniform) {
+  long n_won = 0;
+  long n_grids = 0;
+  for (std::size_t i = n_only_drawn; i < triangular.size(); ++i) {
+    for (std::size_t k = 0; k < triangular[i].errors.size(); ++k) {
+      n_won += std::abs(triangular[i].errors[k].peak) < std::abs(uniform[i].errors[k].peak);
+      ++n_grids;
+    }
+  }
+  return static_cast<double>(n_won) / static_cast<double>(n_grids);
+}
+
+// The factor of the error inside on very fine grids over that of the fitted ones.
+void register_finest(Document& document, const ContactCase& c, const Hertz& hertz,
+                     const Measured& factor) {
+  constexpr long n_nodes = (1L << 16) - 1;
+  constexpr int n_places = 10;
+  // Rounding leaves up to a few 1e-12 on so many nodes, by the radii; the error inside is 1e-10.
+  constexpr double tolerance = 1e-11;
+  SpacingErrors at;
+  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes, n_places)) {
+    const line_contact::Solution solution = line_contact::solve_by_fft(
+        {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, Element::triangular},
+        c.line_load, tolerance);
+    at.errors.push_back(errors_against(hertz, solution));
+    at.of_pressure = std::max(at.of_pressure, pressure_error(solution) + rounded(c, 1));
+  }
+  const Estimate finest = factor_of(at, &HertzErrors::inside, at.of_pressure, 2);
+  document.value("large.factor", Value(finest, uncertain()));
+  document.value("large.n-grids", Value(n_places, integer()));
+  document.value("large.elements", Value(closed_form(at.errors.front().elements), fixed(0)));
+  document.check("large-grids-keep-order",
+                 {Criterion::agrees("factor of the error inside, over that of coarser grids",
+                                    Value((finest / factor.bounded()).value, fixed(2)).as_is(),
+                                    Value(1, integer()),
+                                    {LimitKind::choice, 0.2, "rounding, and ten places"})},
+                 "the error inside keeps its order up to the finest grids");
+}
+
+void claim_pressures(Document& document, const Study& triangular, const Study& uniform) {
+  const Limit same(LimitKind::data, 1.0, "less would be a gain");
+  const auto no_better = [&](const char* what, std::size_t quantity) {
+    return Criterion::at_least(
+        what, Value(mean_ratio(triangular, uniform, quantities[quantity]), uncertain()),
+        same.counting(counted));
+  };
+  document.claim(
+      "pressure-at-the-nodes",
+      {.route = "the errors against Hertz with the edge at 20 places between two nodes, on grids "
+                "of 60 to 400 elements over the half-width",
+       .expected = Verdict::confirmed,
+       .criteria = {of_order("order of the error inside, triangles",
+                             order_of(triangular, quantities[inside]), 2),
+                    of_order("order of the error inside, uniform elements",
+                             order_of(uniform, quantities[inside]), 2),
+                    no_better("error inside, triangles over uniform elements", inside),
+                    no_better("error of the peak, triangles over uniform elements", peak)}});
+}
+
+// How many times as large as the smallest the largest error inside is at one spacing.
+void register_spread(Document& document, const SpacingErrors& at) {
+  const auto [least, most] = std::ranges::minmax(at.errors, {}, &HertzErrors::inside);
+  document.value("elements.spread", Value(Estimate{most.inside, at.of_pressure} /
+                                              Estimate{least.inside, at.of_pressure},
+                                          significant(2)));
+  document.value("elements.spread.least", Value(closed_form(at.errors.front().elements), fixed(1)));
+  document.value("elements.spread.most", Value(closed_form(at.errors.back().elements), fixed(1)));
+}
+
+void register_orders(Document& document, const ContactCase& c, const Hertz& hertz,
+                     const Study& triangular, const Study& uniform) {
+  literate::Table table(
+      "element-orders",
+      {Column::text("error of"), Column("$r$", uncertain()).under("triangles"),
+       Column("$B$", uncertain()).under("triangles"), Column("$r$", uncertain()).under("uniform"),
+       Column("ratio of $B$", uncertain())});
+  std::vector<Criterion> orders;
+  for (const Quantity& quantity : quantities) {
+    const Measured first = order_of(triangular, quantity);
+    const Measured second = order_of(uniform, quantity);
+    for (const Measured& order : {first, second}) {
+      orders.push_back(of_order(quantity.name, order, quantity.expected));
+    }
+    table.add_row({quantity.name, first, mean_factor(triangular, quantity), second,
+                   mean_ratio(triangular, uniform, quantity)});
+  }
+  document.table(std::move(table));
+  document.check("orders-of-convergence", orders,
+                 "all errors of contact converge with the expected orders");
+  claim_pressures(document, triangular, uniform);
+  register_finest(document, c, hertz, mean_factor(triangular, quantities[inside]));
+  register_spread(document, triangular[n_only_drawn + 1]);
+  const auto ratio = [&](const char* key, std::size_t quantity) {
+    document.value(key, Value(mean_ratio(triangular, uniform, quantities[quantity]), uncertain()));
+  };
+  ratio("elements.inside-ratio", inside);
+  ratio("elements.peak-ratio", peak);
+  document.value("elements.peak-won",
+                 Value(closed_form(share_won(triangular, uniform)), percent(0)));
+  document.value("elements.n-places", Value(n_edge_places, integer()));
+  document.value("elements.n-spacings",
+                 Value(std::ssize(triangular) - static_cast<long>(n_only_drawn), integer()));
+  const auto count = [&](const char* key, const SpacingErrors& at) {
+    document.value(key, Value(closed_form(at.errors.front().elements), fixed(0)));
+  };
+  count("elements.coarsest", triangular[n_only_drawn]);
+  count("elements.finest", triangular.back());
+}
+
+// The mean errors of one kind of element between and beneath the nodes at one spacing.
+struct QualityAt {
+  double elements = 0;  // a/c on the coarsest of the grids
+  std::vector<Estimate> slope, shear;
+};
+
+QualityAt quality_at(const ContactCase& c, const Hertz& hertz, Element element, long n_nodes) {
+  constexpr int n_places = 3;
+  constexpr double tolerance = 1e-12;
+  QualityAt at;
+  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes, n_places)) {
+    const line_contact::Solution solution = line_contact::solve_by_fft(
+        {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, element}, c.line_load,
+        tolerance);
     const ElementQuality quality = quality_of(c, hertz, solution);
     // Pressures that are wrong by δp₀ move the slope by (2/π)(ln N + 1)δ a/R at most, five for any
     // N up to 500, and the shear by less.
     const double bound = 5 * pressure_error(solution) + rounded(c, 1);
-    study.elements.push_back(hertz.half_width() / solution.grid.spacing);
-    study.slope.push_back(quality.slope.value);
-    study.shear.push_back(quality.shear.value);
-    study.slope_bounds.push_back(quality.slope.abs_error + bound);
-    study.shear_bounds.push_back(quality.shear.abs_error + bound);
+    if (at.slope.empty()) at.elements = hertz.half_width() / grid.spacing;
+    at.slope.push_back({quality.slope.value, quality.slope.abs_error + bound});
+    at.shear.push_back({quality.shear.value, quality.shear.abs_error + bound});
   }
-  return study;
+  return at;
+}
+
+using Errors = std::vector<Estimate> QualityAt::*;
+
+Measured order_between_nodes(const std::vector<QualityAt>& study, Errors errors) {
+  std::vector<double> elements;
+  std::vector<Estimate> all;
+  for (const QualityAt& at : study) {
+    const auto n = static_cast<double>((at.*errors).size());
+    for (std::size_t k = 0; k < (at.*errors).size(); ++k) {
+      elements.push_back(at.elements + static_cast<double>(k) / n);
+      all.push_back((at.*errors)[k]);
+    }
+  }
+  return fit_scattered_power(elements, all, places).order;
+}
+
+// How many times as large the errors of one element are as those of another, on the same grids.
+Measured gain(const QualityAt& worse, const QualityAt& better, Errors errors) {
+  std::vector<Estimate> ratios;
+  for (std::size_t k = 0; k < (worse.*errors).size(); ++k) {
+    ratios.push_back((worse.*errors)[k] / (better.*errors)[k]);
+  }
+  return mean_of(ratios, places);
+}
+
+void claim_quality(Document& document, const std::vector<QualityAt>& triangular,
+                   const std::vector<QualityAt>& uniform) {
+  const auto order = [&](const char* what, const std::vector<QualityAt>& study, Errors errors,
+                         double expected) {
+    return of_order(what, order_between_nodes(study, errors), expected);
+  };
+  document.claim(
+      "triangles-gain-between-nodes",
+      {.route = "powers fitted to the mean errors of the slope and of the shear stress at the "
+                "depth 𝑐/2, |𝑥| ≤ 0.9𝑎, on grids of 60 to 120 elements over the half-width",
+       .expected = Verdict::confirmed,
+       .criteria = {
+           order("order of the slope, triangles", triangular, &QualityAt::slope, 2),
+           order("order of the slope, uniform elements", uniform, &QualityAt::slope, 1),
+           order("order of the shear stress, triangles", triangular, &QualityAt::shear, 2),
+           order("order of the shear stress, uniform elements", uniform, &QualityAt::shear, 1)}});
 }
 
 // What each kind of element says between and beneath the nodes of the same contact. The slope that
 // forces make has no mean: beside each of them it goes with 1/x.
 void register_quality(Document& document, const ContactCase& c, const Hertz& hertz) {
-  const QualityStudy point = study_quality(c, hertz, Element::point, 89);
-  const QualityStudy uniform = study_quality(c, hertz, Element::uniform, 21);
-  const QualityStudy triangular = study_quality(c, hertz, Element::triangular, 21);
-  const auto error = [&](const char* key, Estimate value) {
-    document.value(key, Value(value, scientific(1)));
-  };
-  document.value("elements.count", Value(closed_form(uniform.elements.back()), fixed(1)));
-  error("elements.slope.uniform", uniform.finest_slope());
-  error("elements.shear.point", point.finest_shear());
-  error("elements.shear.uniform", uniform.finest_shear());
-  const Estimate slope_gain = uniform.finest_slope() / triangular.finest_slope();
-  const Estimate shear_gain = uniform.finest_shear() / triangular.finest_shear();
-  document.value("elements.slope-gain", Value(slope_gain, significant(2)));
-  document.value("elements.shear-gain", Value(shear_gain, significant(2)));
-  document.claim(
-      "triangles-gain-between-nodes",
-      {.route = "powers fitted to the mean of |slope + 𝑥/𝑅| over |𝑥| ≤ 0.9𝑎 on grids "
-                "of 10 to 40 elements over the half-width",
-       .expected = Verdict::confirmed,
-       .criteria = {Criterion::at_least(
-                        "order of triangles", Value(triangular.slope_order(), fixed(2)),
-                        {LimitKind::choice, 1.75, "nearer to 2 than to any lower half order"}),
-                    of_order("of uniform elements", uniform.slope_order(), 1)}});
-  document.value("elements.slope-order", Value(triangular.slope_order(), fixed(1)));
-  const auto better = [&](const char* what, Estimate worse, Estimate best) {
-    return Criterion::at_least(what, Value(worse / best, significant(2)),
-                               {LimitKind::choice, 10.0, "an order of magnitude"});
-  };
-  document.check(
-      "triangles-gain-in-slopes-and-stresses",
-      {better("slopes, uniform over triangles", uniform.finest_slope(), triangular.finest_slope()),
-       better("stresses, forces over uniform", point.finest_shear(), uniform.finest_shear()),
-       better("stresses, uniform over triangles", uniform.finest_shear(),
-              triangular.finest_shear())},
-      "slopes and stresses near the surface are best with triangles");
-}
-
-using Errors = std::vector<double> ConvergenceStudy::*;
-
-struct Quantity {
-  const char* name;
-  const char* expected_text;
-  double expected;
-  Errors errors;
-  Errors bounds;  // none: the errors are exact
-};
-
-const std::array<Quantity, 6> quantities = {{
-    {"pressure, largest error", "0.5", 0.5, &ConvergenceStudy::largest,
-     &ConvergenceStudy::of_pressure},
-    {"pressure, inside", "2", 2, &ConvergenceStudy::inside, &ConvergenceStudy::of_pressure},
-    {"peak", "2", 2, &ConvergenceStudy::peak, &ConvergenceStudy::of_pressure},
-    {"half-width by count", "1", 1, &ConvergenceStudy::count, nullptr},
-    {"half-width extrapolated", "1", 1, &ConvergenceStudy::extrapolated,
-     &ConvergenceStudy::of_edge},
-    {"half-width by second moment", "2", 2, &ConvergenceStudy::moment,
-     &ConvergenceStudy::of_moment},
-}};
-
-// Errors above 1e-6 of pressures that are right to 1e-12, of which the factors are made.
-constexpr double of_factors = 1e-6;
-
-// The error inside on very fine grids over what the fitted power makes of it: root mean squares, as
-// those that were fitted.
-Estimate finest_over_fit(Document& document, const ContactCase& c, const Hertz& hertz,
-                         const PowerFit& inside) {
-  constexpr long n_nodes = 1L << 16;
-  // Rounding leaves up to a few 1e-12 on so many nodes, by the radii; the error inside is 1e-10.
-  constexpr double tolerance = 1e-11;
-  double squares = 0;
-  double bound = 0;
-  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes)) {
-    const line_contact::Solution solution = line_contact::solve_by_fft(
-        {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, Element::triangular},
-        c.line_load, tolerance);
-    const HertzErrors errors = errors_against(hertz, solution);
-    const double fitted = inside.factor.value * std::pow(errors.elements, -inside.order.value);
-    squares += std::pow(errors.inside / fitted, 2) / n_edge_places;
-    bound = std::max(bound, (pressure_error(solution) + rounded(c, 1)) / fitted);
+  constexpr std::array n_nodes = {133L, 187L, 265L};  // from 60 elements on, as above
+  std::vector<QualityAt> triangular, uniform;
+  for (const long n : n_nodes) {
+    triangular.push_back(quality_at(c, hertz, Element::triangular, n));
+    uniform.push_back(quality_at(c, hertz, Element::uniform, n));
   }
-  const double ratio = std::sqrt(squares);
-  const Estimate of_fit{ratio, bound + of_factors * ratio};
-  document.value("large.over-fit", Value(of_fit, fixed(1)));
-  document.value("large.n-grids", Value(n_edge_places, integer()));
-  return of_fit;
-}
+  const QualityAt point = quality_at(c, hertz, Element::point, n_nodes.front());
 
-void claim_orders(Document& document, PowerFit inside, double ratio, Estimate finest) {
-  const Limit eighth(LimitKind::choice, 2.0,
-                     "an eighth of an order, from the middle of the 80 grids to these");
-  document.claim(
-      "pressure-at-the-nodes",
-      {.route =
-           "the errors against Hertz over |𝑥| ≤ 0.9𝑎 on 80 grids of 15 to 750 elements over "
-           "the half-width, and on ten that are as fine as the finest of the large grids, as root "
-           "mean squares over ten neighbouring grids each",
-       .expected = Verdict::confirmed,
-       .criteria = {
-           of_order("order of triangles", inside.order, 2),
-           Criterion::at_most("error on the finest grids, over that of the fit",
-                              Value(finest, fixed(1)), eighth),
-           Criterion::at_least("factor 𝐵 of triangles over that of uniform elements",
-                               Value({ratio, of_factors * ratio}, significant(2)),
-                               {LimitKind::choice, 0.8, "less would be a gain of a fifth"})}});
-}
-
-// Neighbouring grids whose errors are shown together.
-constexpr std::size_t n_neighbours = 10;
-
-// How many times as large as the smallest the largest error inside is on grids that differ in where
-// the edge of the contact falls between two nodes, and hardly in anything else.
-void register_spread(Document& document, const ContactCase& c, const Hertz& hertz) {
-  constexpr long n_nodes = 177;
-  constexpr int n_places = 100;  // the least error is a narrow one
-  constexpr double tolerance = 1e-12;
-  std::vector<double> elements, errors;
-  double bound = 0;
-  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes, n_places)) {
-    const line_contact::Solution solution = line_contact::solve_by_fft(
-        {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, Element::triangular},
-        c.line_load, tolerance);
-    const HertzErrors e = errors_against(hertz, solution);
-    elements.push_back(e.elements);
-    errors.push_back(e.inside);
-    bound = std::max(bound, pressure_error(solution) + rounded(c, 1));
-  }
-  const auto [least, most] = std::ranges::minmax(errors);
-  document.value("elements.spread",
-                 Value(Estimate{most, bound} / Estimate{least, bound}, significant(2)));
-  document.value("elements.spread.n-grids", Value(n_places, integer()));
-  document.value("elements.spread.least", Value(closed_form(elements.front()), fixed(1)));
-  document.value("elements.spread.most", Value(closed_form(elements.back()), fixed(1)));
-}
-
-void register_orders(Document& document, const ContactCase& c, const Hertz& hertz,
-                     const ConvergenceStudy& triangular, const ConvergenceStudy& uniform) {
-  literate::Table table(
-      "element-orders",
-      {Column::text("error of"), Column::text("expected"),
-       Column("$r$", fixed(2)).under("triangles"), Column("$B$", fixed(2)).under("triangles"),
-       Column("$r$", fixed(2)).under("uniform"), Column("$B$", fixed(2)).under("uniform")});
-  const auto fit = [](const ConvergenceStudy& study, const Quantity& quantity) {
-    return fit_power(study.elements, study.*quantity.errors,
-                     quantity.bounds == nullptr ? std::vector<double>{} : study.*quantity.bounds);
+  const auto under = [](const char* what) {
+    return std::array{Column("error", fixed(1)).scaled(-6).under(what),
+                      Column("order", uncertain()).under(what)};
   };
-  std::vector<Criterion> orders;
-  for (const Quantity& quantity : quantities) {
-    const PowerFit first = fit(triangular, quantity);
-    const PowerFit second = fit(uniform, quantity);
-    for (const PowerFit& power : {first, second}) {
-      orders.push_back(of_order(quantity.name, power.order, quantity.expected));
-    }
-    table.add_row({quantity.name, literate::Cell::latex(quantity.expected_text), first.order,
-                   first.factor, second.order, second.factor});
-  }
+  const auto slope = under("slope, over $a/R$");
+  const auto shear = under("shear stress, over $p_0$");
+  literate::Table table("between-nodes",
+                        {Column::text("element"), slope[0], slope[1], shear[0], shear[1]});
+  const Cell none = Cell::latex("--");
+  table.add_row({"force", "infinite", none, mean_of(point.shear, places), none});
+  const auto add = [&](const char* element, const std::vector<QualityAt>& study) {
+    table.add_row({element, mean_of(study.front().slope, places),
+                   order_between_nodes(study, &QualityAt::slope),
+                   mean_of(study.front().shear, places),
+                   order_between_nodes(study, &QualityAt::shear)});
+  };
+  add("uniform", uniform);
+  add("triangle", triangular);
   document.table(std::move(table));
-  document.check("orders-of-convergence", orders,
-                 "all errors of contact converge with the expected orders");
-  const PowerFit inside = fit_power(triangular.elements, triangular.inside);
-  const PowerFit uniform_inside = fit_power(uniform.elements, uniform.inside);
-  claim_orders(document, inside, inside.factor.value / uniform_inside.factor.value,
-               finest_over_fit(document, c, hertz, inside));
-  const auto n = static_cast<long>(triangular.elements.size());
-  document.value("elements.n-grids", Value(n, integer()));
-  const double inside_ratio = inside.factor.value / uniform_inside.factor.value;
-  document.value("elements.inside-ratio",
-                 Value({inside_ratio, of_factors * inside_ratio}, significant(2)));
-  register_spread(document, c, hertz);
-  document.value("elements.coarsest", Value(closed_form(triangular.elements.front()), fixed(0)));
-  document.value("elements.finest", Value(closed_form(triangular.elements.back()), fixed(0)));
+  document.value("elements.slope-gain",
+                 Value(gain(uniform.front(), triangular.front(), &QualityAt::slope), uncertain()));
+  document.value("elements.shear-gain",
+                 Value(gain(uniform.front(), triangular.front(), &QualityAt::shear), uncertain()));
+  document.value("elements.count", Value(closed_form(triangular.front().elements), fixed(0)));
+  document.value("elements.most-count", Value(closed_form(triangular.back().elements), fixed(0)));
+  claim_quality(document, triangular, uniform);
 }
 
-// The least and the greatest of the errors on each ten neighbouring grids: between two grids the
-// errors jump, as the edge of the contact falls elsewhere between two nodes.
-FigureData band(const std::vector<double>& elements, const std::vector<double>& errors) {
+// The least and the greatest of the errors at each spacing.
+FigureData band(const Study& study, double HertzErrors::*error) {
   std::vector<double> middle, least, greatest;
-  for (std::size_t i = 0; i + n_neighbours <= elements.size(); i += n_neighbours) {
-    const auto begin = errors.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto [low, high] = std::minmax_element(begin, begin + n_neighbours);
-    middle.push_back(std::sqrt(elements[i] * elements[i + n_neighbours - 1]));
-    least.push_back(*low);
-    greatest.push_back(*high);
+  for (const SpacingErrors& at : study) {
+    const auto [low, high] = std::ranges::minmax(at.errors, {}, error);
+    middle.push_back(at.elements);
+    least.push_back(low.*error);
+    greatest.push_back(high.*error);
   }
   return {{"elements", middle}, {"least", least}, {"greatest", greatest}};
 }
@@ -284,18 +333,17 @@ FigureData band(const std::vector<double>& elements, const std::vector<double>& 
 void compute_elements(Document& document, const Case& from) {
   const ContactCase& c = from.contact;
   const Hertz hertz(c.cylinders, c.line_load);
-  document.figure("element-kinds", element_figure());
   register_quality(document, c, hertz);
-  const ConvergenceStudy triangular = convergence_study(c, hertz, Element::triangular);
-  const ConvergenceStudy uniform = convergence_study(c, hertz, Element::uniform);
+  const Study triangular = study_of(c, hertz, Element::triangular);
+  const Study uniform = study_of(c, hertz, Element::uniform);
   register_orders(document, c, hertz, triangular, uniform);
   const EdgeErrors graded = study_edge(document, c, hertz);
   document.figure(
       "pressure-convergence",
       {.width_cm = 14,
        .height_cm = 5.4,
-       .data = {{"largest", band(triangular.elements, triangular.largest)},
-                {"inside", band(triangular.elements, triangular.inside)},
+       .data = {{"largest", band(triangular, &HertzErrors::largest)},
+                {"inside", band(triangular, &HertzErrors::inside)},
                 {"graded", {{"elements", graded.elements}, {"largest", graded.largest}}}}});
 }
 

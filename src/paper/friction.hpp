@@ -32,7 +32,6 @@ Pair pair_of(const ContactCase& c, const elasticity::Material& first,
 ///
 /// `own` is the case's pair of bodies, `mu` their coefficient of friction, greater than 0. Throws
 /// what line_contact::partial_slip() and line_contact::solve_by_matrix_inversion() throw.
-void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu,
-                          bool is_papers_case);
+void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu);
 
 }  // namespace paper

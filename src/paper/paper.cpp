@@ -17,8 +17,11 @@ void compute(Document& document, const parameters::Case& from_file,
   document.flag("block.fitted", from.block && from.printed_data);
 
   std::vector<Document> documents(sections().size());
-  sys::for_each_parallel(documents.size(), 0,
-                         [&](std::size_t i) { sections()[i].compute(documents[i], from); });
+  // The last sections take the longest, and begin first.
+  sys::for_each_parallel(documents.size(), 0, [&](std::size_t n_begun) {
+    const std::size_t i = documents.size() - 1 - n_begun;
+    sections()[i].compute(documents[i], from);
+  });
   for (Document& part : documents) document.append(std::move(part));
 }
 

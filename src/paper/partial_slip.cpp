@@ -4,14 +4,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
 #include "line_contact/cattaneo_mindlin.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/friction.hpp"
+#include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/prelude.hpp"
@@ -21,6 +24,7 @@ namespace {
 
 using line_contact::CattaneoMindlin;
 using line_contact::Solution;
+using numerics::fit_scattered_power;
 
 // One load on one grid, against the closed form.
 struct SlipErrors {
@@ -102,59 +106,70 @@ SlipCurve curve_of(const Pair& pair, double mu, const Slip& slip) {
 
 constexpr double parts_of_sliding[] = {0.3, 0.6, 0.9};
 
-// The largest errors of the strips, relative, and of the shear's mean, over μp₀.
-void register_errors(Document& document, const std::vector<Slip>& slips, const Pair& pair) {
+// What the elements make of each load: the strip, and the errors of the shear, over μp₀.
+void tabulate(Document& document, const std::vector<Slip>& slips, const Pair& pair) {
+  literate::Table table("partial-slip",
+                        {Column("$Q/(\\mu P)$", fixed(1)).exact(), Column("$a_s/a$", fixed(4)),
+                         Column("$a_s$, relative", fixed(0)).scaled(-6).under("error of"),
+                         Column("$q$, largest", fixed(1)).scaled(-3).under("error of"),
+                         Column("$q$, mean", fixed(2)).scaled(-3).under("error of")});
   // The shear is the difference of two pressures. What is taken away has its peak in proportion to
   // the strip's half-width aₛ, which is wrong as half_width_error() says with a/aₛ times the error.
   const double of_shears = 2 * pressure_error(pair.solution) + closed_form(1).abs_error;
   const double a = pair.hertz.half_width();
-  Estimate strip, largest, mean;
-  const auto take = [](Estimate& worst, double error, double wrong) {
-    worst.value = std::max(worst.value, std::abs(error));
-    worst.abs_error = std::max(worst.abs_error, wrong);
-  };
-  for (const Slip& slip : slips) {
-    const double of_stick = 1.5 * of_shears / (slip.exact.stick_half_width() / a);
-    take(strip, slip.errors.stick, of_stick + rounded(1));
-    take(largest, slip.errors.largest, of_shears);
-    take(mean, slip.errors.mean, of_shears);
+  for (std::size_t k = 0; k < slips.size(); ++k) {
+    const double stick = slips[k].exact.stick_half_width() / a;
+    const SlipErrors& errors = slips[k].errors;
+    // The root of a difference, 1 − Q/(μP).
+    const Estimate exact{stick, closed_form(1).abs_error / stick};
+    table.add_row({parts_of_sliding[k], exact,
+                   Estimate{errors.stick, 1.5 * of_shears / stick + rounded(1)},
+                   Estimate{errors.largest, of_shears}, Estimate{errors.mean, of_shears}});
   }
-  document.value("slip.strip-error", Value(strip, scientific(2).rounded_up()));
-  document.value("slip.largest-error", Value(largest, scientific(1).rounded_up()));
-  document.value("slip.mean-error", Value(mean, scientific(1).rounded_up()));
+  document.table(std::move(table));
 }
 
-// The errors of the middle one of the loads over grids on which the edges fall anywhere.
-void fit_slip_orders(Document& document, ContactCase c, double mu) {
-  std::vector<double> elements, largest, mean, bounds;
-  double root_factor = 0;
-  for (double n = 21; n < 190; n *= 1.08) {
-    c.n_nodes = std::lround(n);
-    const Pair pair = pair_of(c, c.body1.material, c.body2.material);
-    const SlipErrors errors = partial_slip(pair, mu, parts_of_sliding[1]).errors;
-    elements.push_back(pair.hertz.half_width() / pair.solution.grid.spacing);
-    largest.push_back(errors.largest);
-    mean.push_back(errors.mean);
-    // The shear is the difference of two pressures, the second that of a lesser load.
-    bounds.push_back(2 * pressure_error(pair.solution));
-    root_factor = std::max(root_factor, errors.largest * std::sqrt(elements.back()));
+// The errors of the middle one of the loads; at each spacing the root mean square over grids on
+// which the edge lies anywhere between two nodes.
+void fit_slip_orders(Document& document, const ContactCase& c, double mu) {
+  constexpr std::array n_nodes = {67L, 95L, 133L, 179L};
+  constexpr int n_places = 10;
+  const elasticity::Material& material = c.body1.material;
+  Pair pair = pair_of(c, material, material);
+  std::vector<double> elements;
+  std::vector<Estimate> largest, mean;
+  for (const long n : n_nodes) {
+    std::vector<Estimate> largest_here, mean_here;
+    double logarithms = 0;
+    for (const line_contact::Grid& grid : grids_of(pair.hertz, n, n_places)) {
+      pair.problem.grid = grid;
+      pair.solution = line_contact::solve_by_matrix_inversion(pair.problem, pair.line_load);
+      const SlipErrors errors = partial_slip(pair, mu, parts_of_sliding[1]).errors;
+      // The shear is the difference of two pressures, the second that of a lesser load.
+      const double bound = 2 * pressure_error(pair.solution);
+      largest_here.push_back({errors.largest, bound});
+      mean_here.push_back({errors.mean, bound});
+      logarithms += std::log(pair.hertz.half_width() / grid.spacing);
+    }
+    elements.push_back(std::exp(logarithms / n_places));
+    largest.push_back(root_mean_square(largest_here));
+    mean.push_back(root_mean_square(mean_here));
   }
-  const PowerFit of_largest = fit_power(elements, largest, bounds);
-  const PowerFit of_mean = fit_power(elements, mean, bounds);
+  const Measured of_largest = fit_scattered_power(elements, largest, "grids").order;
+  const Measured of_mean = fit_scattered_power(elements, mean, "grids").order;
   document.value("slip.fit.share", Value(parts_of_sliding[1], exact()));
   document.value("slip.fit.least", Value(closed_form(elements.front()), fixed(0)));
   document.value("slip.fit.most", Value(closed_form(elements.back()), fixed(0)));
-  document.value("slip.fit.largest", Value(of_largest.order, fixed(1)));
-  document.value("slip.fit.mean", Value(of_mean.order, fixed(1)));
-  const char* const scatter = "the scatter of where the edges fall between the nodes";
+  document.value("slip.fit.largest", Value(of_largest, uncertain()));
+  document.value("slip.fit.mean", Value(of_mean, uncertain()));
+  const auto agrees = [](const char* what, const Measured& order, double expected) {
+    const Limit near(LimitKind::choice, 0.25, "nearer to it than to any other half order");
+    return Criterion::agrees(what, Value(order, uncertain()), Value(expected, exact()),
+                             near.counting(2));
+  };
   document.check("slip-orders",
-                 {Criterion::agrees("order of the largest error", Value(of_largest.order, fixed(2)),
-                                    Value(0.5, exact()), {LimitKind::choice, 0.25, scatter}),
-                  Criterion::agrees("order of the mean error", Value(of_mean.order, fixed(2)),
-                                    Value(1.5, exact()), {LimitKind::choice, 0.3, scatter}),
-                  Criterion::at_most("largest error times the root of the elements over a",
-                                     Value({root_factor, 1e-6 * root_factor}, significant(2)),
-                                     {LimitKind::choice, 0.25, "what was found, with a margin"})},
+                 {agrees("order of the largest error", of_largest, 0.5),
+                  agrees("order of the mean error", of_mean, 1.5)},
                  "the shear's largest error is of order 1/2, its mean error of order 3/2");
 }
 
@@ -213,8 +228,7 @@ double stick_error(const Pair& pair, double stick_half_width) {
 
 }  // namespace
 
-void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu,
-                          bool is_papers_case) {
+void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu) {
   Figure figure{.width_cm = 13.5, .height_cm = 5.0};
   std::vector<Slip> slips;
   std::vector<double> sliding_x, sliding;
@@ -239,7 +253,7 @@ void compute_partial_slip(Document& document, const ContactCase& c, const Pair& 
   for (const double x : sliding_x) {
     sliding.push_back(own.hertz.pressure(x * a) / own.hertz.peak_pressure());
   }
-  register_errors(document, slips, own);
+  tabulate(document, slips, own);
   figure.data["sliding"] = {{"x", sliding_x}, {"shear", sliding}};
   document.figure("partial-slip", std::move(figure));
   // As for the half-width of the contact itself (0.36 (c/a)²), with the strip for the contact.
@@ -263,27 +277,21 @@ void compute_partial_slip(Document& document, const ContactCase& c, const Pair& 
                  Value(in_strip.value + in_strip.abs_error, scientific(1).rounded_up()).as_is());
   document.value("slip.strain.points", Value(n_points, integer()));
   document.value("slip.strain.opposed", Value(n_points - n_ahead, integer()));
-  if (is_papers_case) {
-    document.claim(
-        "partial-slip-not-analytical",
-        {.route = "the traction of Cattaneo and Mindlin in eq. (2a) for both bodies, by "
-                  "quadrature, under three loads: the claim would need a condition that it does "
-                  "not meet",
-         .expected = Verdict::refuted,
-         .criteria = {
-             Criterion::at_least(
-                 "largest relative strain of the surfaces where they are to stick, over μ𝑎/𝑅",
-                 Value(in_strip, scientific(1).rounded_up()),
-                 {LimitKind::choice, 1e-9, "more than the quadrature loses at singular ends"}),
-             Criterion::at_least("points of slip at which the friction does not oppose it",
-                                 Value(n_ahead, exact()),
-                                 {LimitKind::data, 1.0, "one would be enough"})}});
-  }
-  document.check("slip-errors-at-edges",
-                 {Criterion::at_most("distance of the largest error from an edge, in elements",
-                                     Value(from_edge, significant(2)).as_is(),
-                                     {LimitKind::choice, 2.0, "what was found, with a margin"})},
-                 "the shear's largest error is beside an edge of slip");
+  document.check(
+      "closed-form-of-partial-slip",
+      {Criterion::at_most(
+           "largest relative strain of the surfaces where they stick, over μa/R",
+           Value(in_strip, scientific(1).rounded_up()),
+           {LimitKind::choice, 1e-9, "what the quadrature loses at singular ends"}),
+       Criterion::at_most("points of slip at which the friction does not oppose it",
+                          Value(n_ahead, exact()), {LimitKind::data, 0.0, "it is a count"})},
+      "the traction of Cattaneo and Mindlin makes the surfaces stick and slip as it should");
+  document.check(
+      "slip-errors-at-edges",
+      {Criterion::at_most("distance of the largest error from an edge, in elements",
+                          Value(from_edge, significant(2)).as_is(),
+                          {LimitKind::choice, 2.0, "what was found, with a margin"})},
+      "the shear's largest error is beside an edge of slip");
   fit_slip_orders(document, c, mu);
 }
 

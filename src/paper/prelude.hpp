@@ -9,7 +9,6 @@
 #include "literate/document/document.hpp"
 #include "numerics/estimate_algebra.hpp"
 #include "numerics/measured.hpp"
-#include "numerics/power_fit.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -35,9 +34,7 @@ using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
-using numerics::fit_power;
 using numerics::Measured;
-using numerics::PowerFit;
 using parameters::BlockCase;
 using parameters::ContactCase;
 using parameters::FrictionCase;

@@ -13,9 +13,7 @@ namespace paper {
 
 using point_contact::Vector2;
 
-using PointElement = point_contact::Element;
-
-Figure pyramid_figure() {
+void draw_pyramid(Figure& figure) {
   const point_contact::Lattice lattice = point_contact::hexagonal_lattice(1);
   const auto at = [&](int i, int j) -> Vector2 {
     return static_cast<double>(i) * lattice.first + static_cast<double>(j) * lattice.second;
@@ -58,29 +56,9 @@ Figure pyramid_figure() {
     return FigureData({{"x", lines[0]}, {"y", lines[1]}, {"z", lines[2]}}, 2);
   };
 
-  const point_contact::ElementPotential of_pyramid(PointElement::pyramid, lattice);
-  const point_contact::ElementPotential of_uniform(PointElement::uniform,
-                                                   point_contact::square_lattice(1));
-  std::vector<double> distance, by_pyramid, by_uniform, by_force;
-  constexpr int n_points = 300;
-  constexpr double end = 2.5;
-  for (int i = -n_points; i <= n_points; ++i) {
-    const double d = end * i / n_points;
-    distance.push_back(d);
-    by_pyramid.push_back(of_pyramid({d, 0}));
-    by_uniform.push_back(of_uniform({d, 0}));
-    by_force.push_back(i == 0 ? literate::gap : 1 / std::abs(d));
-  }
-  return {.width_cm = 14,
-          .height_cm = 5.2,
-          .data = {{"base", data(base)},
-                   {"pyramid", data(pyramid(0, 0))},
-                   {"neighbour", data(pyramid(1, 0))},
-                   {"displacement",
-                    {{"d", distance},
-                     {"pyramid", by_pyramid},
-                     {"uniform", by_uniform},
-                     {"force", by_force}}}}};
+  figure.data["base"] = data(base);
+  figure.data["pyramid"] = data(pyramid(0, 0));
+  figure.data["neighbour"] = data(pyramid(1, 0));
 }
 
 }  // namespace paper

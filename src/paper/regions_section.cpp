@@ -74,13 +74,59 @@ int valleys_expected_closed(const WavyCylinders& wavy, const Hertz& smooth) {
   return n;
 }
 
-// The pressure over p₀ and against x/λ, and that of smooth cylinders under the same load.
-FigureData panel_of(const Solution& solution, const Hertz& smooth, const Hertz& hertz,
-                    double wave_length) {
+// The load under which the valley at x closes, over P, by bisection: what a grid of half the
+// spacing finds, with how far the grid itself is from it.
+Estimate closing_share(const ContactCase& c, const WavyCylinders& wavy, double x) {
+  constexpr double tolerance = 1e-4;
+  const auto found_on = [&](Index n_nodes) {
+    Problem problem = wavy.problem;
+    problem.grid =
+        line_contact::grid_of_width(wavy.problem.grid.end() - wavy.problem.grid.begin(), n_nodes);
+    double low = 0.1;
+    double high = 1.5;
+    while (high - low > tolerance) {
+      const double share = (low + high) / 2;
+      const auto regions = line_contact::solve_by_fft(problem, share * c.line_load).regions();
+      const bool is_closed = std::ranges::any_of(
+          regions, [x](const auto& region) { return region.begin < x && x < region.end; });
+      (is_closed ? high : low) = share;
+    }
+    return (low + high) / 2;
+  };
+  const double fine = found_on(2 * n_wavy_nodes);
+  return {fine, std::abs(fine - found_on(n_wavy_nodes)) + tolerance};
+}
+
+// When the first two valleys close, beside the rule: where the pressure of smooth cylinders,
+// p₀√(P'/P − (x/a)²) under the load P', reaches p*.
+void register_closing(Document& document, const ContactCase& c, const Hertz& hertz,
+                      const WavyCylinders& wavy) {
+  const double flat = std::pow(wavy.flattening_pressure / hertz.peak_pressure(), 2);
+  std::vector<Criterion> late;
+  for (int k = 0; k < 2; ++k) {
+    const double x = (k + 0.5) * wavy.length;
+    const double share = flat + std::pow(x / hertz.half_width(), 2);
+    const Estimate rule{share, 2 * rounded(c, share)};
+    const Estimate found = closing_share(c, wavy, x);
+    const std::string key = fmt::format("wavy.closing.{}", k + 1);
+    document.value(key + ".rule", Value(rule, fixed(3)));
+    document.value(key + ".found", Value(found, uncertain()));
+    document.value(key + ".late", Value(found / rule - 1, uncertain().in_percent()));
+    late.push_back(Criterion::at_most("delay", Value(found / rule - 1, percent(1)),
+                                      {LimitKind::choice, 0.05, "what was found, doubled"}));
+  }
+  document.check("valleys-close-late",
+                 {Criterion::in_each("load that closes a valley, over that of the rule, less one",
+                                     "valleys", late)},
+                 "valleys close a little later than under an endless train of waves");
+}
+
+// The pressure over p₀ and against x/a, and that of smooth cylinders under the same load.
+FigureData panel_of(const Solution& solution, const Hertz& smooth, const Hertz& hertz) {
   std::vector<double> node_x, pressure, smooth_pressure;
   for (Index i = 0; i < solution.grid.n_nodes; ++i) {
     const double x = solution.grid.x(i);
-    node_x.push_back(x / wave_length);
+    node_x.push_back(x / hertz.half_width());
     pressure.push_back(solution.pressure[i] / hertz.peak_pressure());
     smooth_pressure.push_back(smooth.pressure(x) / hertz.peak_pressure());
   }
@@ -109,7 +155,7 @@ void register_regions(Document& document, const ContactCase& c, const Hertz& her
       {Column::text("load"), Column("regions", integer()),
        Column("closed", integer()).under("valleys"), Column("expected", integer()).under("valleys"),
        Column("outermost edge$/a$", fixed(2)), Column("share in contact", fixed(2))});
-  Figure figure{.width_cm = 14, .height_cm = 6};
+  Figure figure{.width_cm = 14, .height_cm = 5.4};
   int n_panels = 0;
   std::vector<std::size_t> counts;
   std::vector<Criterion> loads_with_valleys_as_expected;
@@ -138,19 +184,15 @@ void register_regions(Document& document, const ContactCase& c, const Hertz& her
     }
     if (loading.is_drawn) {
       ++n_panels;
-      figure.data[fmt::format("panel_{}", n_panels)] =
-          panel_of(solution, smooth, hertz, wavy.length);
+      figure.data[fmt::format("panel_{}", n_panels)] = panel_of(solution, smooth, hertz);
       figure.texts[fmt::format("title_{}", n_panels)] = loading.name;
     }
   }
   document.table(std::move(table));
   figure.numbers["n_panels"] = n_panels;
-  figure.numbers["waves"] = hertz.half_width() / wavy.length;
   document.figure("several-regions", std::move(figure));
   const std::size_t most = std::ranges::max(counts);
   document.value("wavy.most-regions", Value(static_cast<long>(most), integer()));
-  document.value("wavy.n-in-table",
-                 Value(std::ranges::count_if(loadings, &Loading::is_in_table), integer()));
   document.value("wavy.n-loads", Value(static_cast<long>(loadings.size()), integer()));
   document.check("valleys-close",
                  {Criterion::in_each("valleys closed, more or fewer than expected", "loads",
@@ -210,6 +252,7 @@ void compute_regions(Document& document, const Case& from) {
   document.value("wavy.flattening-share", Value(waves.flattening_share, exact()));
   document.value("wavy.points", Value(waves.n_points, integer()));
   register_regions(document, c, hertz, wavy);
+  register_closing(document, c, hertz, wavy);
   check_round_trip(document, c, wavy);
 }
 

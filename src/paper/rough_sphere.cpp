@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
@@ -14,7 +13,6 @@ namespace {
 
 using Eigen::Index;
 using point_contact::TwoSpheres;
-using point_contact::Vector2;
 
 using PointElement = point_contact::Element;
 using PointSolution = point_contact::Solution;
@@ -42,35 +40,6 @@ PointSolution solve_rough(const TwoSpheres& spheres, const point_contact::Roughn
       spheres.load, {.tolerance = 1e-8});
 }
 
-Figure rough_figure(const PointSolution& solution, const SphereHertz& hertz) {
-  const double a = hertz.radius();
-  const double p0 = hertz.peak_pressure();
-  const point_contact::Grid& grid = solution.grid;
-  std::vector<double> x, y, pressure, row_x, row_pressure, smooth_x, smooth_pressure;
-  for (Index j = 0; j < grid.n2; ++j) {
-    for (Index i = 0; i < grid.n1; ++i) {
-      const Vector2 at = grid.node(i, j) / a;
-      x.push_back(at.x());
-      y.push_back(at.y());
-      pressure.push_back(solution.pressure[grid.index(i, j)] / p0);
-      if (j != grid.n2 / 2) continue;
-      row_x.push_back(at.x());
-      row_pressure.push_back(pressure.back());
-    }
-  }
-  constexpr int n = 200;
-  for (int i = 0; i <= n; ++i) {
-    smooth_x.push_back(std::sin(std::numbers::pi * (static_cast<double>(i) / n - 0.5)));
-    smooth_pressure.push_back(hertz.pressure(smooth_x.back() * a) / p0);
-  }
-  return {.width_cm = 14,
-          .height_cm = 5.4,
-          .data = {{"map", {{"x", x}, {"y", y}, {"pressure", pressure}}},
-                   {"row", {{"x", row_x}, {"pressure", row_pressure}}},
-                   {"smooth", {{"x", smooth_x}, {"pressure", smooth_pressure}}}},
-          .numbers = {{"half_side", rough_side / 2}}};
-}
-
 }  // namespace
 
 void press_rough_sphere(Document& document, const TwoSpheres& spheres,
@@ -81,10 +50,8 @@ void press_rough_sphere(Document& document, const TwoSpheres& spheres,
   const PointSolution fine = solve_rough(spheres, roughness, n);
   const double share = roughness.rms / hertz.approach();
   document.value("rough.rms", Value(share, percent(0)).within(rounded(share)));
-  document.value("rough.waves", Value(roughness.n_waves, integer()));
   document.value("rough.hurst", Value(roughness.hurst, exact()));
   document.value("rough.nodes", Value(n, integer()));
-  document.value("rough.seed", Value(static_cast<long>(roughness.seed), integer()));
   // What the grid half as fine has otherwise is more than what a finer one would change.
   const auto with_error = [&](const char* key, const auto& quantity,
                               const literate::Format& format) {
@@ -97,7 +64,6 @@ void press_rough_sphere(Document& document, const TwoSpheres& spheres,
   with_error(
       "rough.peak", [&](const auto& s) { return s.peak_pressure() / hertz.peak_pressure(); },
       significant(2));
-  document.figure("rough-sphere", rough_figure(fine, hertz));
 }
 
 }  // namespace paper

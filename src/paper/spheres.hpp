@@ -27,7 +27,7 @@ void study_elements(Document& document, const ContactCase& c,
                     const point_contact::TwoSpheres& spheres);
 
 /// Registers what the section on spheres says of these spheres when one of them is rough: its
-/// pressures, the greatest of them and the area in contact.
+/// greatest pressure and the area in contact.
 void press_rough_sphere(Document& document, const point_contact::TwoSpheres& spheres,
                         const point_contact::Roughness& roughness);
 
@@ -36,8 +36,8 @@ void press_rough_sphere(Document& document, const point_contact::TwoSpheres& sph
 /// plane or a hollow, or if the ellipse is so long that square cells would be needles.
 void cross_cylinders(Document& document, const ContactCase& c, double load, long n_nodes);
 
-/// The pyramid and a neighbour over the lattice, in units of the spacing, a line a row of two
-/// points; and the displacements of elements of load 1 at a distance.
-Figure pyramid_figure();
+/// Adds the pyramid and a neighbour over the lattice to a figure, in units of the spacing, a line a
+/// row of two points.
+void draw_pyramid(Figure& figure);
 
 }  // namespace paper

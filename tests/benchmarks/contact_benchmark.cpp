@@ -11,7 +11,7 @@
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/fft_solver.hpp"
 #include "line_contact/hertz.hpp"
-#include "numerics/power_fit.hpp"
+#include "numerics/scatter.hpp"
 
 namespace {
 
@@ -70,7 +70,7 @@ void fft(benchmark::State& state) {
 // The exponent of N in the time from 2^14 to 2^22 nodes: least squares for the best of three.
 void fft_exponent(benchmark::State& state) {
   std::vector<double> n;
-  std::vector<double> seconds;
+  std::vector<numerics::Estimate> seconds;
   for (auto _ : state) {
     for (int power = 14; power <= 22; ++power) {
       const line_contact::Problem problem = problem_of(1L << power);
@@ -82,10 +82,10 @@ void fft_exponent(benchmark::State& state) {
         best = std::min(best, elapsed.count());
       }
       n.push_back(std::ldexp(1.0, power));
-      seconds.push_back(best);
+      seconds.push_back({best, 0});
     }
   }
-  state.counters["exponent"] = -numerics::fit_power(n, seconds).order.value;
+  state.counters["exponent"] = -numerics::fit_scattered_power(n, seconds, "runs").order.value();
 }
 
 BENCHMARK(matrix_inversion)->Arg(41)->Arg(91)->Arg(361)->Unit(benchmark::kMillisecond);

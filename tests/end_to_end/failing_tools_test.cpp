@@ -92,16 +92,16 @@ BOOST_AUTO_TEST_CASE(gnuplot_that_is_missing_or_refuses_a_figure_leaves_all_figu
   tools.fake("gnuplot", "if [ \"$1\" != --version ]; then echo 'plott x' >>script.gp; fi\nexec '" +
                             sys::find_tool("gnuplot").string() + "' \"$@\"\n");
   check_tool_failed(draw,
-                    {"figures/surface-gradient.gp:", "invalid command", "formulation_section.cpp:"},
+                    {"figures/cylinder-pressure.gp:", "invalid command", "cylinders_section.cpp:"},
                     tools.surroundings());
   check_undrawn();
 
   tools.fake("gnuplot", "[ \"$1\" = --version ] || kill -9 $$\n");
-  check_tool_failed(draw, {"figures/surface-gradient.gp: gnuplot ended with signal"},
+  check_tool_failed(draw, {"figures/cylinder-pressure.gp: gnuplot ended with signal"},
                     tools.surroundings());
   check_undrawn();
   tools.fake("gnuplot", "exit 0\n");
-  check_tool_failed(draw, {"figures/surface-gradient.gp: gnuplot drew nothing"},
+  check_tool_failed(draw, {"figures/cylinder-pressure.gp: gnuplot drew nothing"},
                     tools.surroundings());
   check_undrawn();
 }
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_report_is_not_typeset_before_its_figures_are_drawn) {
   BOOST_TEST_REQUIRE(run_program(workplace.stage("compute")).status == 0);
   workplace.copy_document();
 
-  check_refused(2, workplace.stage("typeset"), {"figure 'surface-gradient'", "not drawn"});
+  check_refused(2, workplace.stage("typeset"), {"figure 'cylinder-pressure'", "not drawn"});
   BOOST_TEST(!fs::exists(workplace.pdf()));
 }
 

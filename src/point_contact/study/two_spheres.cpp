@@ -57,10 +57,11 @@ std::vector<Vector2> places_between_nodes(const Grid& grid, double radius) {
 
 }  // namespace
 
-Solution solve_spheres(const TwoSpheres& spheres, Element element, Index n) {
+Solution solve_spheres(const TwoSpheres& spheres, Element element, Index n, double more) {
   constexpr double share = 0.9;  // of the square's half side that is in contact
-  constexpr double tolerance = 1e-9;
-  const double width = 2 * spheres.hertz().radius() / share;
+  constexpr double tolerance = 1e-11;
+  const double over_radius = share * static_cast<double>(n) / 2;
+  const double width = 2 * spheres.hertz().radius() / share * over_radius / (over_radius + more);
   return solve_for_load(
       {Profile::paraboloid(spheres.relative_curvature), spheres.contact_modulus,
        element == Element::pyramid ? hexagonal_grid(width, n) : square_grid(width, n), element},
@@ -123,32 +124,56 @@ double pressure_bound(const Solution& solution) {
          16 * std::numeric_limits<double>::epsilon() * n;
 }
 
+namespace {
+
+// The root mean squares of what is added to them.
+class RootMeanSquare {
+ public:
+  void add(double error) { squares_ += error * error; }
+  double over(int n) const { return std::sqrt(squares_ / n); }
+
+ private:
+  double squares_ = 0;
+};
+
+}  // namespace
+
 ElementStudy study_element(const TwoSpheres& spheres, const elasticity::Material& material,
                            Element element) {
-  constexpr int n_grids = 14;
-  constexpr double coarsest = 24;
-  constexpr double finest = 128;
-  constexpr Eigen::Index finest_of_surface = 60;
+  constexpr int n_places = n_study_places;
+  constexpr std::array n_nodes = {Index{36}, Index{44}, Index{54},
+                                  Index{66}, Index{82}, Index{102}};
   ElementStudy study;
-  for (int k = 0; k < n_grids; ++k) {
-    const double share = k / (n_grids - 1.0);
-    const Eigen::Index n = std::lround(coarsest * std::pow(finest / coarsest, share));
-    const Solution solution = solve_spheres(spheres, element, n);
-    const PressureErrors e = pressure_errors(spheres, solution);
-    study.elements.push_back(e.elements);
-    study.inside.push_back(e.inside);
-    study.largest.push_back(e.largest);
-    study.peak.push_back(e.peak);
-    study.radius_by_area.push_back(e.radius_by_area);
-    study.radius.push_back(e.radius);
-    study.approach.push_back(e.approach);
-    study.bound.push_back(pressure_bound(solution));
-    if (n > finest_of_surface) continue;
-    const SurfaceErrors s = surface_errors(spheres, material, solution);
-    study.surface_elements.push_back(e.elements);
-    study.slope.push_back(s.slope);
-    study.stress.push_back(s.stress);
-    study.surface_bound.push_back(study.bound.back());
+  for (const Index n : n_nodes) {
+    RootMeanSquare inside, largest, peak, by_area, radius, approach, slope, stress;
+    double logarithms = 0;
+    double bound = 0;
+    for (int k = 0; k < n_places; ++k) {
+      const Solution solution =
+          solve_spheres(spheres, element, n, static_cast<double>(k) / n_places);
+      const PressureErrors e = pressure_errors(spheres, solution);
+      logarithms += std::log(e.elements);
+      inside.add(e.inside);
+      largest.add(e.largest);
+      peak.add(e.peak);
+      by_area.add(e.radius_by_area);
+      radius.add(e.radius);
+      approach.add(e.approach);
+      bound = std::max(bound, pressure_bound(solution));
+      const SurfaceErrors s = surface_errors(spheres, material, solution);
+      slope.add(s.slope);
+      stress.add(s.stress);
+    }
+    study.elements.push_back(std::exp(logarithms / n_places));
+    study.inside.push_back(inside.over(n_places));
+    study.largest.push_back(largest.over(n_places));
+    study.peak.push_back(peak.over(n_places));
+    study.radius_by_area.push_back(by_area.over(n_places));
+    study.radius.push_back(radius.over(n_places));
+    study.approach.push_back(approach.over(n_places));
+    study.bound.push_back(bound);
+    study.slope.push_back(slope.over(n_places));
+    study.stress.push_back(stress.over(n_places));
   }
   return study;
 }

@@ -19,9 +19,10 @@ struct TwoSpheres {
 };
 
 /// The spheres by elements on a grid of n nodes along each side of a square of 2a/0.9: a lattice of
-/// equilateral triangles for pyramids, else one of squares. The pressures are right to 1e-9 of
-/// their peak. Throws what solve_for_load() throws.
-Solution solve_spheres(const TwoSpheres& spheres, Element element, Eigen::Index n);
+/// equilateral triangles for pyramids, else one of squares. With `more`, from 0 to 1, as many nodes
+/// lie on a narrower square, with so many more spacings over the radius. The pressures are right to
+/// 1e-11 of their peak. Throws what solve_for_load() throws.
+Solution solve_spheres(const TwoSpheres& spheres, Element element, Eigen::Index n, double more = 0);
 
 /// How far a solution is from Hertz; relative, or over p₀.
 struct PressureErrors {
@@ -49,20 +50,21 @@ SurfaceErrors surface_errors(const TwoSpheres& spheres, const elasticity::Materi
 /// four times what the method's residual stands for, and rounding that the residual does not see.
 double pressure_bound(const Solution& solution);
 
-/// The errors of two spheres on a number of grids, so many that the edge of the contact falls
-/// everywhere between nodes; a value a grid, as PressureErrors and SurfaceErrors have it.
-struct ElementStudy {
-  std::vector<double> elements, inside, largest, peak, radius_by_area, radius, approach;
-  std::vector<double> bound;  ///< pressure_bound()
+/// How many places between two nodes the edge of the contact takes at each spacing of a study.
+inline constexpr int n_study_places = 8;
 
-  // On the coarser grids, up to 60 nodes a side, since a place costs a term for each node in
-  // contact.
-  std::vector<double> surface_elements, slope, stress;
-  std::vector<double> surface_bound;
+/// The errors of two spheres at a number of spacings; each is the root mean square over the grids
+/// on which the radius has 0, 1/8, … 7/8 of a spacing more, of an error as PressureErrors and
+/// SurfaceErrors have it.
+struct ElementStudy {
+  std::vector<double> elements;  ///< a/c, the geometric mean over the grids
+  std::vector<double> inside, largest, peak, radius_by_area, radius, approach;
+  std::vector<double> slope, stress;
+  std::vector<double> bound;  ///< the greatest pressure_bound()
 };
 
-/// The study of one element on grids of 24 to 128 nodes a side, 11 to 62 elements over the radius.
-/// Cost: half a second.
+/// The study of one element on grids of 36 to 102 nodes a side, 16 to 47 elements over the radius.
+/// Cost: a second.
 ElementStudy study_element(const TwoSpheres& spheres, const elasticity::Material& material,
                            Element element);
 
