@@ -8,7 +8,7 @@ set yrange [0:2.1]
 set ytics 1
 set format x ''
 set ylabel '$p/p_0$'
-set multiplot layout n,1 margins 0.09,0.985,0.17,0.98 spacing 0.05
+set multiplot layout n,1 margins 0.09,0.985,0.22,0.98 spacing 0.05
 do for [k = 1:n] {
   panel = value(sprintf('panel_%d', k))
   if (k == n) {

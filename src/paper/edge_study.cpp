@@ -144,9 +144,8 @@ Measured order_of(const EdgeErrors& errors) {
   return numerics::fit_scattered_power(errors.elements, largest, "grids").order;
 }
 
-Criterion of_order(const char* what, const EdgeErrors& errors, double expected,
-                   const char* reason) {
-  const Limit nearest(LimitKind::choice, 0.25, reason);
+Criterion of_order(const char* what, const EdgeErrors& errors, double expected) {
+  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other half order");
   return Criterion::agrees(what, Value(order_of(errors), uncertain()), Value(expected, exact()),
                            nearest.counting(2));
 }
@@ -241,10 +240,10 @@ EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& her
                  {.route = "powers fitted to the largest errors of the pressure against Hertz, on "
                            "grids of a dozen to a hundred elements over the half-width",
                   .expected = Verdict::confirmed,
-                  .criteria = {of_order("order, uniform grid of triangles", even, 0.5, nearer),
-                               of_order("graded grid of triangles", sine, 1, nearer),
+                  .criteria = {of_order("order, uniform grid of triangles", even, 0.5),
+                               of_order("graded grid of triangles", sine, 1),
                                of_order("the same with parabolas and the edge as an unknown",
-                                        graded.pressure, 2, nearer)}});
+                                        graded.pressure, 2)}});
   check_graded(document, graded);
   return graded.pressure;
 }

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "block/factorization.hpp"
+#include "block/measures.hpp"
 #include "elasticity/load_shapes.hpp"
 #include "numerics/least_squares.hpp"
 #include "paper/block_claims.hpp"
@@ -21,6 +24,8 @@ namespace {
 
 constexpr double of_resultant = 1e-12;  // relative, as elasticity::normal_resultant states
 constexpr double six_tenths = 0.6;      // of the peak, at the ends of the round load
+constexpr int low_order = 3;            // of the elements of the coarse mesh
+constexpr int high_order = 9;
 
 // The largest vertical stress of the run with the error that it estimates of its stresses.
 Measured largest_stress(const PrintedData& printed_data) {
@@ -252,6 +257,62 @@ void claim_shear(Document& document, const BlockStudy& study, const PrintedData&
            Criterion::in_each("by how much the printed shear exceeds it", "loads", beyond)}});
 }
 
+// As many elements as the run has, for the size of the paper: their sides are 1, 3, 10 and 30
+// half-widths from the middle of the load, and as deep. Lines that the block does not reach are
+// left out.
+block::Mesh coarse_mesh(const block::Mesh& fine, double a, int order) {
+  std::vector<double> x{0}, z{0};
+  for (const double line : {a, 3 * a, 10 * a, 30 * a}) {
+    if (line < fine.x_lines().back()) x.push_back(line);
+    if (line < fine.z_lines().back()) z.push_back(line);
+    if (-line > fine.x_lines().front()) x.insert(x.begin(), -line);
+  }
+  x.insert(x.begin(), fine.x_lines().front());
+  x.push_back(fine.x_lines().back());
+  z.push_back(fine.z_lines().back());
+  return {order, x, z};
+}
+
+double largest_shear(const std::vector<block::Measure>& measures) {
+  return std::abs(std::ranges::find(measures, "max_stress_xy", &block::Measure::name)->value);
+}
+
+// How far a mesh as coarse as that of the run has the largest shear stress above the converged one.
+void register_coarse_mesh(Document& document, const HalfSpaceCase& half_space, block::Support sides,
+                          const PrintedData& printed_data, const BlockStudy& study,
+                          const Contestant& round) {
+  const double a = half_space.load.half_width();
+  const double peak = half_space.load.peak_pressure();
+  const block::MeasureOptions options = study.measure_options();
+  const double fine = largest_shear(block::measures(round.refitted.fine(), options));
+  const double coarse = largest_shear(block::measures(round.refitted.coarse(), options));
+  const Estimate converged{fine, std::abs(fine - coarse)};
+  const block::Mesh& mesh = study.on(sides).fine().model()->mesh();
+  const auto excess = [&](int order) {
+    const auto model =
+        std::make_shared<const block::Model>(coarse_mesh(mesh, a, order), half_space.material);
+    const block::Solution solution = block::Factorization(model, block::with_sides(sides))
+                                         .solve(elasticity::linear_fall(peak, six_tenths, a));
+    return largest_shear(block::measures(solution, options)) / converged - 1;
+  };
+  const Estimate low = excess(low_order), high = excess(high_order);
+  document.value("coarse.elements", Value(coarse_mesh(mesh, a, low_order).n_elements(), integer()));
+  document.value("coarse.low-order", Value(low_order, integer()));
+  document.value("coarse.high-order", Value(high_order, integer()));
+  document.value("coarse.low-excess", Value(low, percent(0)));
+  document.value("coarse.high-excess", Value(high, percent(0)));
+  const Estimate printed =
+      abs(as_estimate(printed_data.appendix2.measures.at("max_stress_xy"))) / converged - 1;
+  document.check("a-coarse-mesh-has-the-shear-of-the-run",
+                 {Criterion::at_least("excess of the run over that of the highest order",
+                                      Value(printed / high, significant(2)),
+                                      {LimitKind::data, 1.0, "less would be too little"}),
+                  Criterion::at_most("excess of the run over that of the lowest order",
+                                     Value(printed / low, significant(2)),
+                                     {LimitKind::data, 1.0, "more would be left to explain"})},
+                 "the excess of the printed shear stress lies between those of a coarse mesh");
+}
+
 // What the displacements leave open, and what the largest stress adds.
 void claim_shape(Document& document, const BlockStudy& study, const PrintedData& printed_data,
                  const UnitSystem& units, const std::vector<Contestant>& contestants,
@@ -313,6 +374,7 @@ void infer_load(Document& document, const HalfSpaceCase& half_space, block::Supp
   register_quality(document, units, study,
                    *std::ranges::find(contestants, "uniform + triangle", &Contestant::shape));
   register_round(document, units, printed_data, round);
+  register_coarse_mesh(document, half_space, sides, printed_data, study, round);
   const auto after_own = std::ranges::find_if(
       contestants, [&](const Contestant& c) { return c.supports != contestants.front().supports; });
   contestants.insert(after_own, round);
