@@ -27,5 +27,5 @@ set ytics autofreq 100
 set format y '$10^{%T}$'
 set ylabel '$|\Delta p|/p_0$'
 unset key
-plot nodes using "x":(abs(column("difference"))) with points ls 11
+plot differences using "x":"difference" with points ls 11
 unset multiplot

@@ -23,14 +23,17 @@ Solution solve(const ContactCase& c, const Hertz& hertz, long n_nodes) {
       c.line_load);
 }
 
-// The pressure over p₀ against x/a of Hertz, and its difference from Hertz at the nodes.
+// The pressure over p₀ against x/a of Hertz, and how far it is from Hertz where either touches.
 Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
-  std::vector<double> node_x, pressure, difference;
+  std::vector<double> node_x, pressure, touching_x, difference;
   for (Eigen::Index i = 0; i < solution.grid.n_nodes; ++i) {
     const double x = solution.grid.x(i);
     node_x.push_back(x / hertz.half_width());
     pressure.push_back(solution.pressure[i] / hertz.peak_pressure());
-    difference.push_back((solution.pressure[i] - hertz.pressure(x)) / hertz.peak_pressure());
+    const double error = std::abs(pressure.back() - hertz.pressure(x) / hertz.peak_pressure());
+    if (error == 0) continue;
+    touching_x.push_back(node_x.back());
+    difference.push_back(error);
   }
   std::vector<double> hertz_x, hertz_pressure;
   constexpr int n = 400;  // even in the angle, so that the steep ends have points enough
@@ -41,7 +44,8 @@ Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
   }
   return {.width_cm = 11.5,
           .height_cm = 6.6,
-          .data = {{"nodes", {{"x", node_x}, {"pressure", pressure}, {"difference", difference}}},
+          .data = {{"nodes", {{"x", node_x}, {"pressure", pressure}}},
+                   {"differences", {{"x", touching_x}, {"difference", difference}}},
                    {"hertz", {{"x", hertz_x}, {"pressure", hertz_pressure}}}}};
 }
 
@@ -61,7 +65,7 @@ struct EdgeSweep {
 };
 
 EdgeSweep sweep_edge(const ContactCase& c, const Hertz& hertz, double elements) {
-  constexpr int n_grids = 100;  // the errors are largest just before a node comes into contact
+  constexpr int n_grids = 100;  // peak and half-width err most at different places
   const double a = hertz.half_width();
   EdgeSweep sweep{elements, elements, {}, {}, {}, {}, 1 / (elements * elements), n_grids};
   const auto take = [](Estimate& largest, double error, double wrong) {

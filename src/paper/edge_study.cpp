@@ -203,7 +203,7 @@ std::vector<double> pressures_on_nodes(const ContactCase& c, const std::vector<d
   return pressure;
 }
 
-EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& hertz) {
+void study_edge(Document& document, const ContactCase& c, const Hertz& hertz) {
   const EdgeErrors even = errors_of_triangles(c, hertz, evenly, true);
   const EdgeErrors sine = errors_of_triangles(c, hertz, by_sine, true);
   const EdgeErrors closer = errors_of_triangles(c, hertz, more_closely, true);
@@ -245,7 +245,6 @@ EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& her
                                of_order("the same with parabolas and the edge as an unknown",
                                         graded.pressure, 2)}});
   check_graded(document, graded);
-  return graded.pressure;
 }
 
 }  // namespace paper

@@ -19,8 +19,7 @@ struct EdgeErrors {
 /// equilibrium. Accuracy: rounding of the dense system, 1e-9 of p₀ for 200 nodes.
 std::vector<double> pressures_on_nodes(const ContactCase& c, const std::vector<double>& nodes);
 
-/// Registers the table, the values and the claim about grids that end on the edge, and returns the
-/// errors of the graded grid with a parabola on each element.
-EdgeErrors study_edge(Document& document, const ContactCase& c, const Hertz& hertz);
+/// Registers the table, the values and the claim about grids that end on the edge.
+void study_edge(Document& document, const ContactCase& c, const Hertz& hertz);
 
 }  // namespace paper

@@ -113,33 +113,6 @@ double share_won(const Study& triangular, const Study& uniform) {
   return static_cast<double>(n_won) / static_cast<double>(n_grids);
 }
 
-// The factor of the error inside on very fine grids over that of the fitted ones.
-void register_finest(Document& document, const ContactCase& c, const Hertz& hertz,
-                     const Measured& factor) {
-  constexpr long n_nodes = (1L << 16) - 1;
-  constexpr int n_places = 10;
-  // Rounding leaves up to a few 1e-12 on so many nodes, by the radii; the error inside is 1e-10.
-  constexpr double tolerance = 1e-11;
-  SpacingErrors at;
-  for (const line_contact::Grid& grid : grids_of(hertz, n_nodes, n_places)) {
-    const line_contact::Solution solution = line_contact::solve_by_fft(
-        {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, Element::triangular},
-        c.line_load, tolerance);
-    at.errors.push_back(errors_against(hertz, solution));
-    at.of_pressure = std::max(at.of_pressure, pressure_error(solution) + rounded(c, 1));
-  }
-  const Estimate finest = factor_of(at, &HertzErrors::inside, at.of_pressure, 2);
-  document.value("large.factor", Value(finest, uncertain()));
-  document.value("large.n-grids", Value(n_places, integer()));
-  document.value("large.elements", Value(closed_form(at.errors.front().elements), fixed(0)));
-  document.check("large-grids-keep-order",
-                 {Criterion::agrees("factor of the error inside, over that of coarser grids",
-                                    Value((finest / factor.bounded()).value, fixed(2)).as_is(),
-                                    Value(1, integer()),
-                                    {LimitKind::choice, 0.2, "rounding, and ten places"})},
-                 "the error inside keeps its order up to the finest grids");
-}
-
 void claim_pressures(Document& document, const Study& triangular, const Study& uniform) {
   const Limit same(LimitKind::data, 1.0, "less would be a gain");
   const auto no_better = [&](const char* what, std::size_t quantity) {
@@ -170,8 +143,7 @@ void register_spread(Document& document, const SpacingErrors& at) {
   document.value("elements.spread.most", Value(closed_form(at.errors.back().elements), fixed(1)));
 }
 
-void register_orders(Document& document, const ContactCase& c, const Hertz& hertz,
-                     const Study& triangular, const Study& uniform) {
+void register_orders(Document& document, const Study& triangular, const Study& uniform) {
   literate::Table table(
       "element-orders",
       {Column::text("error of"), Column("$r$", uncertain()).under("triangles"),
@@ -191,7 +163,6 @@ void register_orders(Document& document, const ContactCase& c, const Hertz& hert
   document.check("orders-of-convergence", orders,
                  "all errors of contact converge with the expected orders");
   claim_pressures(document, triangular, uniform);
-  register_finest(document, c, hertz, mean_factor(triangular, quantities[inside]));
   register_spread(document, triangular[n_only_drawn + 1]);
   const auto ratio = [&](const char* key, std::size_t quantity) {
     document.value(key, Value(mean_ratio(triangular, uniform, quantities[quantity]), uncertain()));
@@ -250,15 +221,6 @@ Measured order_between_nodes(const std::vector<QualityAt>& study, Errors errors)
   return fit_scattered_power(elements, all, places).order;
 }
 
-// How many times as large the errors of one element are as those of another, on the same grids.
-Measured gain(const QualityAt& worse, const QualityAt& better, Errors errors) {
-  std::vector<Estimate> ratios;
-  for (std::size_t k = 0; k < (worse.*errors).size(); ++k) {
-    ratios.push_back((worse.*errors)[k] / (better.*errors)[k]);
-  }
-  return mean_of(ratios, places);
-}
-
 void claim_quality(Document& document, const std::vector<QualityAt>& triangular,
                    const std::vector<QualityAt>& uniform) {
   const auto order = [&](const char* what, const std::vector<QualityAt>& study, Errors errors,
@@ -289,7 +251,7 @@ void register_quality(Document& document, const ContactCase& c, const Hertz& her
   const QualityAt point = quality_at(c, hertz, Element::point, n_nodes.front());
 
   const auto under = [](const char* what) {
-    return std::array{Column("error", fixed(1)).scaled(-6).under(what),
+    return std::array{Column("error", scientific(2)).under(what),
                       Column("order", uncertain()).under(what)};
   };
   const auto slope = under("slope, over $a/R$");
@@ -307,25 +269,9 @@ void register_quality(Document& document, const ContactCase& c, const Hertz& her
   add("uniform", uniform);
   add("triangle", triangular);
   document.table(std::move(table));
-  document.value("elements.slope-gain",
-                 Value(gain(uniform.front(), triangular.front(), &QualityAt::slope), uncertain()));
-  document.value("elements.shear-gain",
-                 Value(gain(uniform.front(), triangular.front(), &QualityAt::shear), uncertain()));
   document.value("elements.count", Value(closed_form(triangular.front().elements), fixed(0)));
   document.value("elements.most-count", Value(closed_form(triangular.back().elements), fixed(0)));
   claim_quality(document, triangular, uniform);
-}
-
-// The least and the greatest of the errors at each spacing.
-FigureData band(const Study& study, double HertzErrors::*error) {
-  std::vector<double> middle, least, greatest;
-  for (const SpacingErrors& at : study) {
-    const auto [low, high] = std::ranges::minmax(at.errors, {}, error);
-    middle.push_back(at.elements);
-    least.push_back(low.*error);
-    greatest.push_back(high.*error);
-  }
-  return {{"elements", middle}, {"least", least}, {"greatest", greatest}};
 }
 
 }  // namespace
@@ -336,15 +282,8 @@ void compute_elements(Document& document, const Case& from) {
   register_quality(document, c, hertz);
   const Study triangular = study_of(c, hertz, Element::triangular);
   const Study uniform = study_of(c, hertz, Element::uniform);
-  register_orders(document, c, hertz, triangular, uniform);
-  const EdgeErrors graded = study_edge(document, c, hertz);
-  document.figure(
-      "pressure-convergence",
-      {.width_cm = 14,
-       .height_cm = 5.4,
-       .data = {{"largest", band(triangular, &HertzErrors::largest)},
-                {"inside", band(triangular, &HertzErrors::inside)},
-                {"graded", {{"elements", graded.elements}, {"largest", graded.largest}}}}});
+  register_orders(document, triangular, uniform);
+  study_edge(document, c, hertz);
 }
 
 }  // namespace paper

@@ -27,11 +27,4 @@ struct Pair {
 Pair pair_of(const ContactCase& c, const elasticity::Material& first,
              const elasticity::Material& second);
 
-/// Registers what the section on friction says of partial slip: shear and strip that sticks under
-/// three tangential loads, beside Cattaneo and Mindlin, and the orders of their errors.
-///
-/// `own` is the case's pair of bodies, `mu` their coefficient of friction, greater than 0. Throws
-/// what line_contact::partial_slip() and line_contact::solve_by_matrix_inversion() throw.
-void compute_partial_slip(Document& document, const ContactCase& c, const Pair& own, double mu);
-
 }  // namespace paper

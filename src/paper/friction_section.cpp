@@ -244,7 +244,6 @@ void compute_friction(Document& document, const Case& from) {
   document.value("friction.mu", Value(friction.coefficient, exact()));
   compare_bodies(document, c, own, friction.coefficient);
   compare_pairs(document, c, friction, own);
-  compute_partial_slip(document, c, own, friction.coefficient);
 }
 
 }  // namespace paper

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/fft_solver.hpp"
-#include "line_contact/influence_operator.hpp"
 #include "paper/bounds.hpp"
-#include "paper/convergence.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
 namespace {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 using line_contact::Problem;
 using line_contact::Solution;
 
@@ -58,73 +54,12 @@ void register_methods(Document& document, const ContactCase& c, const Hertz& her
       "three methods give the same pressures and the same approach");
 }
 
-// What the rounding of displacements would do to the pressure, over its peak: the gap from them,
-// less the gap from their differences, as a pressure with an unchanged load.
-double rounding_of_displacements(const Problem& problem, const Solution& solution) {
-  const VectorXd in_contact = (solution.pressure.array() > 0).cast<double>().matrix();
-  const VectorXd phi = solution.pressure / solution.pressure_per_phi;
-  line_contact::InfluenceOperator influence(problem.element, phi.size());
-  VectorXd misfit, change, uniform_answer;
-  influence.potentials(phi, misfit);
-  for (Index i = 0; i < phi.size(); ++i) {
-    misfit[i] = problem.profile.gap(problem.grid.x(i)) - misfit[i] - solution.gap[i];
-  }
-  misfit.array() -= misfit.dot(in_contact) / in_contact.sum();
-  influence.precondition(misfit.cwiseProduct(in_contact), change);
-  influence.precondition(in_contact, uniform_answer);
-  change -= change.dot(in_contact) / uniform_answer.dot(in_contact) * uniform_answer;
-  return change.cwiseProduct(in_contact).lpNorm<Eigen::Infinity>() / phi.maxCoeff();
-}
-
-void register_large_grids(Document& document, const ContactCase& c, const Hertz& hertz) {
-  std::vector<double> n, rounding;
-  std::vector<int> products;
-  double left_over = 0;
-  for (const int power : {7, 10, 13, 16}) {
-    const Index n_nodes = Index{1} << power;
-    const Problem problem{
-        c.cylinders.profile(), c.cylinders.contact_modulus(),
-        line_contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes)};
-    const Solution solution = line_contact::solve_by_fft(problem, c.line_load);
-    n.push_back(static_cast<double>(n_nodes));
-    rounding.push_back(rounding_of_displacements(problem, solution));
-    products.push_back(solution.work.products);
-    left_over = solution.residuals.pressure / hertz.peak_pressure();
-  }
-  const auto [least, most] = std::minmax_element(products.begin() + 1, products.end());
-  document.value("large.nodes", Value(std::lround(n.back()), integer()));
-  document.value("large.growth", Value(std::lround(n.back() / n.front()), integer()));
-  document.value("large.products.coarsest", Value(products.front(), integer()));
-  document.value("large.products.least", Value(*least, integer()));
-  document.value("large.products.most", Value(*most, integer()));
-  document.value("large.rounding", Value(rounding.back(), scientific(1)).as_is());
-  document.value("large.left-over", Value(left_over, scientific(1).rounded_up()).as_is());
-  document.value("large.tolerance", Value(line_contact::default_tolerance, exact()));
-  document.check(
-      "work-does-not-grow",
-      {Criterion::at_most(
-           "products on the finest grid", Value(products.back(), integer()),
-           {LimitKind::method, static_cast<double>(products.front()), "those on the coarsest"}),
-       Criterion::at_most("products, at most", Value(*most, integer()),
-                          {LimitKind::choice, 30.0, "what was found, with a margin"})},
-      "products on the finest grid do not grow with the number of nodes");
-  const auto ratio = [&](const char* what, double other, double limit) {
-    return Criterion::at_least(what, Value(rounding.back() / other, significant(1)).as_is(),
-                               {LimitKind::choice, limit, "so much more that it is no scatter"});
-  };
-  document.check("differences-keep-the-digits",
-                 {ratio("rounding of displacements over what the differences leave", left_over, 5),
-                  ratio("over that on the coarsest grid", rounding.front(), 50)},
-                 "displacements round the pressure off, in proportion to N; differences do not");
-}
-
 }  // namespace
 
 void compute_methods(Document& document, const Case& from) {
   const ContactCase& c = from.contact;
   const Hertz hertz(c.cylinders, c.line_load);
   register_methods(document, c, hertz);
-  register_large_grids(document, c, hertz);
 }
 
 }  // namespace paper

@@ -161,14 +161,6 @@ void study_elements(Document& document, const ContactCase& c, const TwoSpheres& 
                  Value(std::ssize(squares.elements) - static_cast<long>(n_only_drawn), integer()));
   count("spheres.coarsest", squares.elements[n_only_drawn]);
   count("spheres.finest", studies.front().elements.back());
-
-  Figure figure{.width_cm = 14, .height_cm = 5.2};
-  for (std::size_t i = 0; i < studies.size(); ++i) {
-    figure.data[std::string(name_of(point_elements[i]))] = {{"elements", studies[i].elements},
-                                                            {"inside", studies[i].inside},
-                                                            {"slope", studies[i].slope}};
-  }
-  document.figure("sphere-convergence", std::move(figure));
 }
 
 }  // namespace paper

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -112,35 +111,6 @@ ProfileErrors errors_of(const KnownContact& known, const Solution& solution, dou
           edge_error(solution) / a};
 }
 
-// One profile's pressure over p₀ and against x/a of the cylinders.
-struct Panel {
-  std::string title;                   // LaTeX
-  std::vector<double> x, pressure;     // at some of the nodes
-  std::vector<double> exact_x, exact;  // the closed form, NaN where it is infinite
-  std::vector<double> hertz;           // of the cylinders, at exact_x
-};
-
-Panel panel_of(const KnownContact& known, const Solution& solution, double a, double scale) {
-  Panel panel;
-  panel.title = known.name;
-  const Index middle = solution.grid.n_nodes / 2;
-  constexpr Index stride = 4;
-  for (Index i = middle + 1; i < solution.grid.n_nodes; i += stride) {
-    panel.x.push_back(solution.grid.x(i) / a);
-    panel.pressure.push_back(solution.pressure[i] / scale);
-  }
-  constexpr int n = 400;
-  for (int i = 0; i <= n; ++i) {
-    const double angle = std::numbers::pi / 2 * i / n;
-    const double x = std::sin(angle);
-    const double pressure = known.pressure(x * known.half_width) / scale;
-    panel.exact_x.push_back(x);
-    panel.exact.push_back(std::isfinite(pressure) ? pressure : literate::gap);
-    panel.hertz.push_back(std::cos(angle));
-  }
-  return panel;
-}
-
 // The root mean squares of the errors on some grids, and the largest of their bounds.
 ProfileErrors together(const std::vector<ProfileErrors>& errors) {
   ProfileErrors mean{};
@@ -165,7 +135,6 @@ struct ProfileStudy {
   std::vector<double> elements, inside, away, beside, bound;  // of each set
   std::vector<Estimate> edges;  // errors of the half-width on each grid, in elements
   ProfileErrors printed{};      // on the grids of the table
-  Panel panel;
 };
 
 // The edge is worst just before a node comes into contact, within a tenth of a spacing.
@@ -182,9 +151,6 @@ ProfileStudy study_of(const KnownContact& known, const ContactCase& c, const Her
           {known.profile, c.cylinders.contact_modulus(), grid}, c.line_load);
       const ProfileErrors& e = on_grids.emplace_back(errors_of(known, solution, scale));
       study.edges.push_back({std::abs(e.edge), e.bound * e.elements});
-      if (n_nodes == printed && on_grids.size() == 1) {
-        study.panel = panel_of(known, solution, hertz.half_width(), scale);
-      }
     }
     const ProfileErrors errors = together(on_grids);
     study.elements.push_back(errors.elements);
@@ -247,13 +213,6 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
                  "beside the wedge's apex the error is the same on all grids");
 }
 
-void add_panel(Figure& figure, std::size_t number, const Panel& panel) {
-  figure.data[fmt::format("nodes_{}", number)] = {{"x", panel.x}, {"pressure", panel.pressure}};
-  figure.data[fmt::format("exact_{}", number)] = {
-      {"x", panel.exact_x}, {"pressure", panel.exact}, {"hertz", panel.hertz}};
-  figure.texts[fmt::format("title_{}", number)] = panel.title;
-}
-
 void register_profiles(Document& document, const ContactCase& c, const Hertz& hertz,
                        const UnitSystem& units) {
   literate::Table table("profiles", {Column::text("profile"), Column("peak$/p_0$", fixed(4)),
@@ -263,7 +222,6 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
                                      Column("order", uncertain()).under("$p$, inside")});
   const double p0 = hertz.peak_pressure();
   const double a = hertz.half_width();
-  Figure figure{.width_cm = 15.4, .height_cm = 4.2};
   std::vector<ProfileStudy> studies;
   std::vector<Criterion> half_widths;
   for (const KnownContact& known : known_contacts(c, hertz)) {
@@ -273,8 +231,6 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
     studies.push_back(study_of(known, c, hertz));
     const ProfileStudy& study = studies.back();
     const ProfileErrors& e = study.printed;
-    // The cylinders themselves have no panel; theirs is the curve that all are drawn beside.
-    if (studies.size() > 1) add_panel(figure, studies.size() - 1, study.panel);
     const bool is_finite = std::isfinite(known.peak);
     const Cell nothing = Cell::latex("--");
     // The closed forms of all profiles have at most five times the roundings of Hertz.
@@ -286,7 +242,6 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
                    Estimate{e.inside, e.bound + closed}, order_of(study, study.inside)});
   }
   document.table(std::move(table));
-  document.figure("profile-pressures", std::move(figure));
   document.value("profiles.elements", Value(closed_form(studies[0].printed.elements), fixed(0)));
   document.value("profiles.n-positions", Value(n_places, integer()));
   const double slope = c.line_load / (c.cylinders.contact_modulus() * a);

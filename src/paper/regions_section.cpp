@@ -121,79 +121,26 @@ void register_closing(Document& document, const ContactCase& c, const Hertz& her
                  "valleys close a little later than under an endless train of waves");
 }
 
-// The pressure over p₀ and against x/a, and that of smooth cylinders under the same load.
-FigureData panel_of(const Solution& solution, const Hertz& smooth, const Hertz& hertz) {
-  std::vector<double> node_x, pressure, smooth_pressure;
-  for (Index i = 0; i < solution.grid.n_nodes; ++i) {
-    const double x = solution.grid.x(i);
-    node_x.push_back(x / hertz.half_width());
-    pressure.push_back(solution.pressure[i] / hertz.peak_pressure());
-    smooth_pressure.push_back(smooth.pressure(x) / hertz.peak_pressure());
-  }
-  return {{"x", node_x}, {"pressure", pressure}, {"smooth", smooth_pressure}};
-}
+constexpr std::array shares_of_load = {1. / 64, 1. / 16, 1. / 4, 1. / 2, 3. / 4, 1., 3. / 2};
 
-struct Loading {
-  std::string name;
-  double share;  // of P
-  bool is_drawn;
-  bool is_in_table;
-};
-
-const std::array<Loading, 7> loadings = {{{"$P/64$", 1. / 64, false, false},
-                                          {"$P/16$", 1. / 16, false, false},
-                                          {"$P/4$", 1. / 4, true, true},
-                                          {"$P/2$", 1. / 2, true, true},
-                                          {"$3P/4$", 3. / 4, false, true},
-                                          {"$P$", 1, true, true},
-                                          {"$3P/2$", 3. / 2, false, false}}};
-
-void register_regions(Document& document, const ContactCase& c, const Hertz& hertz,
-                      const WavyCylinders& wavy) {
-  literate::Table table(
-      "several-regions",
-      {Column::text("load"), Column("regions", integer()),
-       Column("closed", integer()).under("valleys"), Column("expected", integer()).under("valleys"),
-       Column("outermost edge$/a$", fixed(2)), Column("share in contact", fixed(2))});
-  Figure figure{.width_cm = 14, .height_cm = 5.4};
-  int n_panels = 0;
+void register_regions(Document& document, const ContactCase& c, const WavyCylinders& wavy) {
   std::vector<std::size_t> counts;
   std::vector<Criterion> loads_with_valleys_as_expected;
-  for (const Loading& loading : loadings) {
-    const double load = loading.share * c.line_load;
+  for (const double share : shares_of_load) {
+    const double load = share * c.line_load;
     const Solution solution = line_contact::solve_by_fft(wavy.problem, load);
     const Hertz smooth(c.cylinders, load);
     const std::vector<line_contact::Region> regions = solution.regions();
-    double touching = 0;
-    for (const line_contact::Region& region : regions) touching += region.end - region.begin;
-    const double extent = regions.back().end - regions.front().begin;
     const int closed = closed_valleys(wavy, solution);
     const int expected = valleys_expected_closed(wavy, smooth);
     counts.push_back(regions.size());
     loads_with_valleys_as_expected.push_back(
         Criterion::agrees("difference", Value(closed - expected, integer()), Value(0, integer()),
                           {LimitKind::data, 0.0, "it is a count"}));
-    // Every edge is wrong by so much, with either sign.
-    const double of_edge = edge_error(solution);
-    const double of_touching = 2 * static_cast<double>(regions.size()) * of_edge;
-    if (loading.is_in_table) {
-      table.add_row({Cell::latex(loading.name), counts.back(), closed, expected,
-                     Estimate{regions.back().end / hertz.half_width(),
-                              of_edge / hertz.half_width() + rounded(c, 1)},
-                     Estimate{touching, of_touching} / Estimate{extent, 2 * of_edge}});
-    }
-    if (loading.is_drawn) {
-      ++n_panels;
-      figure.data[fmt::format("panel_{}", n_panels)] = panel_of(solution, smooth, hertz);
-      figure.texts[fmt::format("title_{}", n_panels)] = loading.name;
-    }
   }
-  document.table(std::move(table));
-  figure.numbers["n_panels"] = n_panels;
-  document.figure("several-regions", std::move(figure));
   const std::size_t most = std::ranges::max(counts);
   document.value("wavy.most-regions", Value(static_cast<long>(most), integer()));
-  document.value("wavy.n-loads", Value(static_cast<long>(loadings.size()), integer()));
+  document.value("wavy.n-loads", Value(static_cast<long>(shares_of_load.size()), integer()));
   document.check("valleys-close",
                  {Criterion::in_each("valleys closed, more or fewer than expected", "loads",
                                      loads_with_valleys_as_expected)},
@@ -251,7 +198,7 @@ void compute_regions(Document& document, const Case& from) {
   document.value("wavy.waves", Value(waves.in_half_width, exact()));
   document.value("wavy.flattening-share", Value(waves.flattening_share, exact()));
   document.value("wavy.points", Value(waves.n_points, integer()));
-  register_regions(document, c, hertz, wavy);
+  register_regions(document, c, wavy);
   register_closing(document, c, hertz, wavy);
   check_round_trip(document, c, wavy);
 }

@@ -110,13 +110,8 @@ void compare_deep(Document& document, const PiecewiseLinearTraction& traction,
       1;
   const double width_error = solution.half_width() / a - 1;
   const double expected = -1.5 * width_error / (depth * depth);
-  document.value("stresses.deep", Value(depth, exact()));
   // So far below the shear goes with the load, which pressures wrong by δp₀ change by (4/π)δ.
-  document.value("stresses.deep.difference",
-                 Value(Estimate{relative, shear_error_of(solution)}, scientific(2)));
   const double width_bound = half_width_error(solution) + rounded(1);
-  document.value("stresses.deep.expected",
-                 Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)));
   document.check(
       "load-and-moment-felt-below",
       {Criterion::agrees(
@@ -196,15 +191,7 @@ void fit_order(Document& document, const ContactCase& c, const Hertz& hertz) {
 void compare_sliding(Document& document, const FrictionCase& friction, const Solution& solution,
                      const Hertz& hertz) {
   const double a = hertz.half_width();
-  const double p0 = hertz.peak_pressure();
   const double square = std::pow(solution.grid.spacing / a, 2);
-  literate::Table table(
-      "sliding-shear",
-      {Column("$\\mu$", exact()), Column("$x/a$", fixed(3)), Column("$z/a$", fixed(3)),
-       Column("$\\tau_1/p_0$", fixed(5)), Column("closed form", fixed(5)),
-       Column("relative difference", fixed(0)).scaled(-6)});
-  // The shear tractions are those pressures times μ, and add their share.
-  const double bound = 2 * shear_error_of(solution);
   double largest = 0;
   ShearPoint still{}, sliding{};
   const double between = (friction.light + friction.coefficient) / 2;
@@ -215,19 +202,12 @@ void compare_sliding(Document& document, const FrictionCase& friction, const Sol
     const ShearPoint exact = greatest_shear(SlidingHertz(hertz, mu), a);
     const double difference = found.shear / exact.shear - 1;
     largest = std::max(largest, std::abs(difference));
-    const Estimate shear{found.shear / p0, bound};
-    const Estimate closed{exact.shear / p0, of_mcewen};
     (mu == 0 ? still : sliding) = exact;
-    table.add_row({mu, Estimate{found.x / a, place_error(bound)},
-                   Estimate{found.z / a, place_error(bound)}, shear, closed,
-                   Estimate{difference, (shear / closed).abs_error}});
   }
-  document.table(table);
   document.value("stresses.sliding.rise",
                  Value(sliding.shear / still.shear - 1, percent(0)).within(4 * of_mcewen));
   document.value("stresses.sliding.depth-share",
                  Value(sliding.z / still.z, percent(0)).within(4 * place_error(of_mcewen)));
-  document.value("stresses.least-depth", Value(least_shear_depth, exact()));
   document.value("stresses.surface-friction", Value(friction_at_surface(hertz), fixed(3)));
   document.check(
       "sliding-shear",

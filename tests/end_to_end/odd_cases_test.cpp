@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(of_the_papers_own_case_everything_is_said) {
       papers_text,
       {"Their loads differ: the formula was evaluated for", "Two cylinders of radii",
        "of the smaller radius, which is consistent with treating the bodies as half-spaces",
-       "The paper put its datum where", "5 The block of the run has its datum within",
+       "The paper put its datum where", "5 The block acts like a half-space with its datum at",
        "The run, a plane-strain model",
        "it is zero. Between bodies of like materials"},
       {"counts as a cylinder", "of this case differ", "The paper puts its datum"});
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(without_a_block_nothing_is_said_of_one) {
                {"Two cylinders in contact are solved on grids with",
                 "only what other programs computed is kept",
                 "beside the columns that the paper prints"},
-               {"The block of the run", "Our model has", "The run, a plane-strain model",
+               {"The block acts like", "Our model has", "The run, a plane-strain model",
                 "Three findings"});
 }
 
@@ -112,9 +112,7 @@ BOOST_AUTO_TEST_CASE(two_materials_in_other_units) {
   text = with(text, "order = 7", "order = 9");
 
   check_report(text,
-               {"the materials differ, and the two slopes do not cancel",
-                "The materials of this case differ",
-                "The shear traction between bodies of like materials under three"},
+               {"the materials differ, and the two slopes do not cancel"},
                {"it is zero. Between bodies", " psi", " lbf", " in wide"});
 }
 
