@@ -95,6 +95,7 @@ sed 's/^angle = 90/angle = 91/' case.toml >../other.toml
 runs make changes SINCE=../theirs.json CASE=../other.toml
 claim 'what another case moves is told with the sentences that print it' \
   "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
+runs make configured # its own case again
 if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
   runs ninja -C build rod-site
   claim 'its page and its site are made' "$status" -eq 0 -a -s build/rod/site/index.html
