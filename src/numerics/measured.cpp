@@ -78,9 +78,15 @@ namespace {
 void require_away_from_zero(std::string_view quantity, const Measured& a, double distance) {
   const double reach = a.bounded().abs_error + a.standard();
   if (distance > reach) return;
+  std::string sources;
+  constexpr std::size_t most_named = 3;
+  for (const auto& [source, u] : a.components().size() > most_named ? a.kinds() : a.components()) {
+    sources += fmt::format("{}'{}'", sources.empty() ? " of " : " and ", source);
+  }
   throw sys::InvalidQuantity(
       quantity, a.value(),
-      fmt::format("farther from 0 than its bound and its standard uncertainty, {}", reach));
+      fmt::format("farther from 0 than its bound and its standard uncertainty{}, {}", sources,
+                  reach));
 }
 
 }  // namespace

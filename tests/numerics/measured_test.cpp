@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "message_of.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"
 
@@ -138,6 +139,9 @@ BOOST_AUTO_TEST_CASE(refuses_what_has_no_meaning) {
   BOOST_CHECK_NO_THROW(1 / near_zero);
   BOOST_CHECK_THROW(1 / with_bound, InvalidQuantity);
   BOOST_CHECK_THROW(log(with_bound), InvalidQuantity);
+  BOOST_TEST(message_of<InvalidQuantity>([] { log(Measured(0.1, 0.2, "scale/1990")); }) ==
+             "argument of log = 0.1: must be farther from 0 than its bound and its standard "
+             "uncertainty of 'scale/1990', 0.2");
   BOOST_CHECK_THROW(sqrt(with_bound), InvalidQuantity);
   BOOST_CHECK_THROW(pow(with_bound, 0.5), InvalidQuantity);
   BOOST_CHECK_NO_THROW(pow(with_bound, 2));

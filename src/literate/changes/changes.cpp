@@ -35,7 +35,7 @@ auto identity(const ManifestNumber& number) {
 bool is_within_errors(const ManifestNumber& a, const ManifestNumber& b) {
   if (agree(a, b)) return true;
   if (!a.abs_error || !b.abs_error) return false;
-  return std::abs(a.number - b.number) <= *a.abs_error + a.standard + *b.abs_error + b.standard;
+  return std::abs(a.number - b.number) <= bounds_between(a, b) + a.standard + b.standard;
 }
 
 /// The former names by the new ones.

@@ -123,13 +123,16 @@ std::string index_tex(const Registered& registered) {
 }
 
 std::string values_csv(const Registered& registered) {
-  std::string text = "key,printed,number,abs_error,standard,unit,place\n";
+  std::string text = "key,printed,number,abs_error,below,above,standard,unit,place\n";
+  const auto number = [](double x) { return fmt::format("{}", x); };
   for (const auto& [key, value] : registered.values) {
     const auto& uncertainty = value.uncertainty();
+    const auto sides = uncertainty ? uncertainty->sides : std::nullopt;
     text += sys::csv_line(
-        {key, value.printed(), value.number() ? fmt::format("{}", *value.number()) : "",
-         uncertainty ? fmt::format("{}", uncertainty->bound) : "",
-         uncertainty && uncertainty->standard > 0 ? fmt::format("{}", uncertainty->standard) : "",
+        {key, value.printed(), value.number() ? number(*value.number()) : "",
+         uncertainty ? number(uncertainty->bound) : "", sides ? number(sides->first) : "",
+         sides ? number(sides->second) : "",
+         uncertainty && uncertainty->standard > 0 ? number(uncertainty->standard) : "",
          value.unit(), text_of(registered.places.at({"value", key}))});
   }
   return text;

@@ -34,35 +34,56 @@ struct CsvSource {
 /// Which fields of a line are cells of one printed column.
 struct Fields {
   std::size_t number = 0;
-  std::map<std::string, std::size_t> errors = {};  // columns «abs_error» and «standard»
+  std::map<std::string, std::size_t> errors = {};
 };
 
-/// Declares the columns exact whose headings are named.
-void declare_exact(std::vector<ImportedColumn>& columns, const CsvSource& source,
-                   const sys::CsvRow& heading, const std::vector<Fields>& fields,
-                   const std::set<std::string>& exact) {
-  for (const std::string& name : exact) {
-    if (std::ranges::find(heading, name, &sys::CsvField::text) != heading.end()) continue;
-    std::set<std::string> known;
-    for (const sys::CsvField& field : heading) known.insert(field.text);
-    throw ImportError(fmt::format("{}: there is no column '{}', which is to be exact{}",
-                                  source.at(heading[0].line), name, sys::suggestion(name, known)));
-  }
+/// Whether a column of this heading holds the errors of the column to its left.
+bool holds_errors(const std::string& heading, const ImportOptions& options) {
+  const bool is_side = heading == "below" || heading == "above";
+  return heading == "abs_error" || heading == "standard" ||
+         (is_side && !options.exact.contains(heading) && !options.text.contains(heading));
+}
+
+/// Declares columns as the options do by their headings.
+void declare(std::vector<ImportedColumn>& columns, const CsvSource& source,
+             const sys::CsvRow& heading, const std::vector<Fields>& fields,
+             const ImportOptions& options) {
+  std::set<std::string> known;
+  for (const sys::CsvField& field : heading) known.insert(field.text);
+  const auto require_known = [&](const std::set<std::string>& names, const char* what) {
+    for (const std::string& name : names) {
+      if (known.contains(name)) continue;
+      throw ImportError(fmt::format("{}: there is no column '{}', which is to be {}{}",
+                                    source.at(heading[0].line), name, what,
+                                    sys::suggestion(name, known)));
+    }
+  };
+  require_known(options.exact, "exact");
+  require_known(options.uncertain, "uncertain");
+  require_known(options.text, "of texts");
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const sys::CsvField& field = heading[fields[i].number];
     const std::string& name = field.text;
-    columns[i].is_exact = exact.contains(name);
+    const bool is_text = options.text.contains(name);
+    columns[i].is_exact = options.exact.contains(name);
+    if (options.uncertain.contains(name)) columns[i].format = NumberFormat::uncertain;
+    if (is_text) columns[i].format = NumberFormat::text;
+    if (is_text && !fields[i].errors.empty()) {
+      throw ImportError(
+          fmt::format("{}: column '{}' is of texts and has errors", source.at(field), name));
+    }
     const std::string suggestion = sys::suggestion(name, {"abs_error", "standard"});
-    if (columns[i].is_exact || suggestion.empty()) continue;
+    if (columns[i].is_exact || is_text || suggestion.empty()) continue;
     throw ImportError(fmt::format("{}: column '{}'{}", source.at(field), name, suggestion));
   }
 }
 
-std::vector<Fields> fields_of(const CsvSource& source, const sys::CsvRow& heading) {
+std::vector<Fields> fields_of(const CsvSource& source, const sys::CsvRow& heading,
+                              const ImportOptions& options) {
   std::vector<Fields> columns;
   for (std::size_t i = 0; i < heading.size(); ++i) {
     const std::string& name = heading[i].text;
-    if (name != "abs_error" && name != "standard") {
+    if (!holds_errors(name, options)) {
       columns.push_back({i});
     } else if (columns.empty() || !columns.back().errors.emplace(name, i).second) {
       throw ImportError(
@@ -85,12 +106,13 @@ std::vector<ImportedColumn> columns_of(const CsvSource& source, const sys::CsvRo
         throw ImportError(
             fmt::format("{}: column '{}': the parenthesis of its unit is not closed", at, name));
       }
-      columns.push_back({.heading = escape_latex(name), .at = at});
+      columns.push_back({.plain = name, .at = at});
     } else {
-      columns.push_back({.heading = escape_latex(name.substr(0, parenthesis)),
+      columns.push_back({.plain = name.substr(0, parenthesis),
                          .unit = name.substr(parenthesis + 2, name.size() - parenthesis - 3),
                          .at = at});
     }
+    columns.back().heading = escape_latex(columns.back().plain);
   }
   return columns;
 }
@@ -113,7 +135,7 @@ ImportedCell cell_of(const CsvSource& source, const sys::CsvRow& row, const Fiel
       throw ImportError(fmt::format("{}: {} '{}' is not a number", source.at(row[column]), name,
                                     row[column].text));
     }
-    (name == "standard" ? cell.standard : cell.abs_error) = error->number;
+    cell.errors[name] = error->number;
   }
   return cell;
 }
@@ -169,9 +191,9 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
   if (rows.empty()) {
     throw ImportError(fmt::format("{}: there is no line of headings", source.at(1)));
   }
-  const std::vector<Fields> fields = fields_of(source, rows.front());
+  const std::vector<Fields> fields = fields_of(source, rows.front(), options);
   std::vector<ImportedColumn> columns = columns_of(source, rows.front(), fields);
-  declare_exact(columns, source, rows.front(), fields, options.exact);
+  declare(columns, source, rows.front(), fields, options);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!holds_a_number(rows, fields[i])) columns[i].format = NumberFormat::text;
   }

@@ -212,9 +212,9 @@ Value value_of(const JsonFile& file, const Json::Value& entry, const std::string
 }
 
 ImportedColumn column_of(const JsonFile& file, const Json::Value& entry, const std::string& what) {
-  file.require_fields(
-      entry, what,
-      {"heading", "unit", "decimals", "exponent", "digits", "integer", "text", "exact"});
+  file.require_fields(entry, what,
+                      {"heading", "unit", "decimals", "exponent", "digits", "integer", "uncertain",
+                       "text", "exact"});
   ImportedColumn column{.heading = text_field(file, entry, what, "heading"),
                         .unit = unit_field(file, entry, what)};
   const auto require_true = [&](const char* field) {
@@ -242,12 +242,16 @@ ImportedColumn column_of(const JsonFile& file, const Json::Value& entry, const s
     column.format = NumberFormat::integer;
     require_true("integer");
   }
+  if (is_set("uncertain")) {
+    column.format = NumberFormat::uncertain;
+    require_true("uncertain");
+  }
   if (is_set("text")) {
     column.format = NumberFormat::text;
     require_true("text");
   }
   if (n_formats > 1)
-    file.fail(entry, what + " has more than one of decimals, digits, integer, text");
+    file.fail(entry, what + " has more than one of decimals, digits, integer, uncertain, text");
   if (entry.isMember("exponent")) {
     if (column.format != NumberFormat::decimals) {
       file.fail(entry["exponent"], what + ": exponent needs decimals beside it");
@@ -270,8 +274,7 @@ ImportedCell cell_of(const JsonFile& file, const Json::Value& entry, const std::
     file.require_fields(entry, what + ": a cell", {"value", "abs_error", "standard"});
     cell.content = number_field(file, entry, what, "value");
     const Uncertainty uncertainty = uncertainty_field(file, entry, what);
-    cell.abs_error = uncertainty.bound;
-    cell.standard = uncertainty.standard;
+    cell.errors = {{"abs_error", uncertainty.bound}, {"standard", uncertainty.standard}};
   }
   return cell;
 }

@@ -13,7 +13,10 @@ namespace literate {
 struct ImportOptions {
   std::filesystem::path root = ".";  ///< the checkout; places are told relative to it
   std::string prefix = {};           ///< put before each key of a value and each name of a table
-  std::set<std::string> exact = {};  ///< headings of a CSV file whose numbers have no error
+  // Headings of a CSV file, of columns
+  std::set<std::string> exact = {};      ///< whose numbers have no error
+  std::set<std::string> uncertain = {};  ///< whose numbers are printed as uncertain() does
+  std::set<std::string> text = {};       ///< that hold texts, although they may look like numbers
 };
 
 /// Registers the values and tables that another program (Octave, Python, Fortran …) wrote as JSON.

@@ -28,7 +28,7 @@ bool has_exponents(const Rows& rows, std::size_t column) {
 Column column_of(const ImportedColumn& column, bool writes_exponents) {
   require_unit(column.unit);  // its place is that of the file, and not this line
   const auto numbers = [&](const Format& format) {
-    const Column printed(column.heading, format, column.unit);
+    const Column printed = Column(column.heading, format, column.unit).named(column.plain);
     return column.is_exact ? printed.exact() : printed;
   };
   switch (column.format) {
@@ -38,12 +38,19 @@ Column column_of(const ImportedColumn& column, bool writes_exponents) {
       return numbers(scientific(column.digits));
     case NumberFormat::integer:
       return numbers(integer());
+    case NumberFormat::uncertain:
+      return numbers(uncertain());
     case NumberFormat::text:
-      return Column::text(column.heading);
+      return Column::text(column.heading).named(column.plain);
     case NumberFormat::as_written:
       break;
   }
   return numbers(writes_exponents ? scientific(1) : fixed(0));
+}
+
+/// The heading for messages.
+const std::string& said(const ImportedColumn& column) {
+  return column.plain.empty() ? column.heading : column.plain;
 }
 
 /// The power of ten of the last digit that a number of this column is printed with.
@@ -61,15 +68,21 @@ int printed_place(const ImportedColumn& column, const WrittenNumber& written) {
 }
 
 std::optional<Uncertainty> uncertainty_of(const ImportedCell& cell) {
-  const auto required = [&](const char* name, std::optional<double> error) {
-    const double number = error.value_or(0);
-    if (std::isfinite(number) && number >= 0) return number;
+  if (cell.errors.empty()) return std::nullopt;
+  for (const auto& [name, number] : cell.errors) {
+    if (std::isfinite(number) && number >= 0) continue;
     throw ImportError(fmt::format("{}: {} = {}: must be finite and not negative", cell.at, name,
                                   round_trip(number)));
-  };
-  if (!cell.abs_error && !cell.standard) return std::nullopt;
-  Uncertainty uncertainty(required("abs_error", cell.abs_error));
-  uncertainty.standard = required("standard", cell.standard);
+  }
+  const auto has = [&](const char* name) { return cell.errors.contains(name); };
+  const auto error = [&](const char* name) { return has(name) ? cell.errors.at(name) : 0; };
+  if (has("below") != has("above") || (has("below") && has("abs_error"))) {
+    throw ImportError(
+        fmt::format("{}: a number has an abs_error, or one below and one above", cell.at));
+  }
+  Uncertainty uncertainty = has("below") ? Uncertainty::to_sides(error("below"), error("above"))
+                                         : Uncertainty(error("abs_error"));
+  uncertainty.standard = error("standard");
   return uncertainty;
 }
 
@@ -80,11 +93,13 @@ void require_earned(const ImportedColumn& column, const ImportedCell& cell,
     if (column.is_exact || column.format == NumberFormat::integer) return;
     throw ImportError(fmt::format(
         "{}: {} comes without its error: give column '{}' an abs_error, or declare it exact",
-        cell.at, written.text, column.heading));
+        cell.at, written.text, said(column)));
   }
   const double error = uncertainty->error();
   const int place = printed_place(column, written);
-  if (column.format != NumberFormat::as_written && std::pow(10.0, place) < error) {
+  const bool is_asked_for =
+      column.format == NumberFormat::decimals || column.format == NumberFormat::digits;
+  if (is_asked_for && std::pow(10.0, place) < error) {
     throw ImportError(
         fmt::format("{}: {} is printed to the place 1e{}, more digits than its error of "
                     "{} supports",
@@ -98,22 +113,23 @@ void require_held(const ImportedColumn& column, const ImportedCell& cell,
   if (column.format != NumberFormat::as_written && column.format != NumberFormat::integer) return;
   const Decimal printed = rounded_to_place(written.number, written.place);
   if (printed.digits == sys::parse_decimal(written.text)->digits) return;
-  throw ImportError(fmt::format("{}: {} has more digits than a number holds: write it as a text",
-                                cell.at, written.text));
+  throw ImportError(
+      fmt::format("{}: {} has more digits than a number holds: declare column '{}' to be of texts",
+                  cell.at, written.text, said(column)));
 }
 
 Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
                  const WrittenNumber& written) {
   if (column.format == NumberFormat::text) {
     throw ImportError(fmt::format("{}: {} is a number in the column of texts '{}'", cell.at,
-                                  round_trip(written.number), column.heading));
+                                  round_trip(written.number), said(column)));
   }
   if (!std::isfinite(written.number)) {
     throw ImportError(fmt::format("{}: the number is not finite", cell.at));
   }
   if (column.format == NumberFormat::integer && std::trunc(written.number) != written.number) {
     throw ImportError(fmt::format("{}: {} is not a whole number, as column '{}' holds", cell.at,
-                                  round_trip(written.number), column.heading));
+                                  round_trip(written.number), said(column)));
   }
   require_earned(column, cell, written);
   require_held(column, cell, written);
@@ -132,7 +148,7 @@ Cell cell_of(const ImportedColumn& column, const ImportedCell& cell) {
   if (text == nullptr) return {};
   if (column.format != NumberFormat::text) {
     throw ImportError(fmt::format("{}: '{}' is not a number, as column '{}' holds", cell.at, *text,
-                                  column.heading));
+                                  said(column)));
   }
   return {*text};
 }

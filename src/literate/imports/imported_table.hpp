@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,12 +28,14 @@ enum class NumberFormat {
   decimals,    ///< `digits` of them after the point, of the number divided by 10^exponent
   digits,      ///< `digits` significant ones, and an exponent for each number
   integer,
+  uncertain,  ///< as uncertain() does, with the error beside it
   text
 };
 
 /// A column of a table from elsewhere.
 struct ImportedColumn {
   std::string heading = {};  ///< LaTeX
+  std::string plain = {};    ///< the heading as its file writes it, if that is plain text
   std::string unit = {};     ///< literal text
   NumberFormat format = NumberFormat::as_written;
   int digits = 0;
@@ -56,20 +59,19 @@ std::optional<WrittenNumber> written_number(std::string_view text);
 /// A cell of a table from elsewhere.
 struct ImportedCell {
   std::variant<std::monostate, WrittenNumber, std::string> content = {};
-  std::optional<double> abs_error = {};
-  std::optional<double> standard = {};  ///< uncertainty
-  std::string at = {};                  ///< «file:line:column», for messages
+  std::map<std::string, double> errors = {};  ///< abs_error, or below and above, and standard
+  std::string at = {};                        ///< «file:line:column», for messages
 };
 
 /// Makes a table for the document. A number that keeps its digits keeps them as far as its error
 /// supports them.
 ///
 /// Throws ImportError naming the cell for a number or an error bound that is not finite, an error
-/// bound that is negative, a number without an error unless its column is exact or of integers, a
-/// number printed with more digits than its error supports or a double holds, a text in a
-/// column of numbers, a number in a column of texts, and a fraction in a column of whole numbers;
-/// naming the column's place, or `at`, which is where the table begins, for a column that cannot be
-/// printed.
+/// bound that is negative, one to one side without the other, a number without an error unless its
+/// column is exact or of integers, a number printed with more digits than its error supports or a
+/// double holds, a text in a column of numbers, a number in a column of texts, and a fraction in a
+/// column of whole numbers; naming the column's place, or `at`, which is where the table begins,
+/// for a column that cannot be printed.
 Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,
                const std::vector<std::vector<ImportedCell>>& rows, const std::string& at);
 

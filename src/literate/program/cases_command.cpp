@@ -107,6 +107,10 @@ command_line::ExitCode run(const CasesOptions& options) {
     for (std::size_t i = 0; i < cases.size(); ++i) rows[i + 1].push_back(cell_of(cases[i]));
   };
   const auto is_empty = [](const std::vector<std::string>& row) { return row.back().empty(); };
+  const auto remove_empty = [&] {
+    if (!std::all_of(rows.begin() + 1, rows.end(), is_empty)) return;
+    for (auto& row : rows) row.pop_back();
+  };
   add_column("case", [](const Case& one) { return one.name; });
   add_column("exit code", [](const Case& one) { return one.exit_code; });
   for (const std::string& key : varied_parameters(cases)) {
@@ -122,9 +126,11 @@ command_line::ExitCode run(const CasesOptions& options) {
     }
     add_column(key + ", unrounded",
                [&](const Case& one) { return entry_of(one, "values", key, "number"); });
-    // A text has no number.
-    if (std::all_of(rows.begin() + 1, rows.end(), is_empty)) {
-      for (auto& row : rows) row.pop_back();
+    remove_empty();  // a text has no number
+    for (const char* part : {"abs_error", "below", "above", "standard"}) {
+      add_column(fmt::format("{}, {}", key, part),
+                 [&](const Case& one) { return entry_of(one, "values", key, part); });
+      remove_empty();
     }
   }
   std::set<std::string> claims;

@@ -21,6 +21,10 @@ json numbers_json(const std::map<std::string, ManifestNumber>& numbers) {
   for (const auto& [key, value] : numbers) {
     entries[key] = {{"number", value.number}, {"printed", value.printed}};
     if (value.abs_error) entries[key]["abs_error"] = *value.abs_error;
+    if (value.sides) {
+      entries[key]["below"] = value.sides->first;
+      entries[key]["above"] = value.sides->second;
+    }
     if (value.standard != 0) entries[key]["standard"] = value.standard;
   }
   return entries;
@@ -38,6 +42,7 @@ std::map<std::string, ManifestNumber> numbers_of(const json& values) {
     if (value.contains("abs_error") && value.at("abs_error").is_number()) {
       number.abs_error = value.at("abs_error").get<double>();
     }
+    if (value.contains("below")) number.sides = {value.at("below"), value.at("above")};
     number.standard = value.value("standard", 0.0);
   }
   return numbers;
@@ -104,9 +109,20 @@ Manifest::Texts limits_in(const fs::path& names_json) {
   });
 }
 
+double bounds_between(const ManifestNumber& a, const ManifestNumber& b) {
+  const bool is_below = a.number < b.number;
+  const auto below = [](const ManifestNumber& n) {
+    return n.sides ? n.sides->first : *n.abs_error;
+  };
+  const auto above = [](const ManifestNumber& n) {
+    return n.sides ? n.sides->second : *n.abs_error;
+  };
+  return is_below ? above(a) + below(b) : below(a) + above(b);
+}
+
 bool agree(const ManifestNumber& a, const ManifestNumber& b) {
   if (!a.abs_error || !b.abs_error) return a.printed == b.printed;
-  return std::abs(a.number - b.number) <= *a.abs_error + *b.abs_error;
+  return std::abs(a.number - b.number) <= bounds_between(a, b);
 }
 
 Manifest::Texts imported_files(const fs::path& names_json) {

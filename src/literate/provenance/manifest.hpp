@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace literate {
@@ -14,7 +15,8 @@ struct ManifestNumber {
   double number = 0;
   std::optional<double> abs_error;  ///< none if the number is exact or its error unknown
   std::string printed;
-  double standard = 0;  ///< its standard uncertainty, if it has one
+  double standard = 0;                                  ///< its standard uncertainty, if it has one
+  std::optional<std::pair<double, double>> sides = {};  ///< bounds below and above, if they differ
 };
 
 /// The sources and tools that a document was made with, and the results. It names no folder of the
@@ -54,6 +56,9 @@ Manifest::Texts imported_files(const std::filesystem::path& names_json);
 
 /// Writes the manifest as JSON with sorted keys.
 std::string manifest_json(const Manifest& manifest);
+
+/// The sum of the bounds of two numbers, each towards the other. Both must have one.
+double bounds_between(const ManifestNumber& a, const ManifestNumber& b);
 
 /// Whether two numbers differ by no more than the sum of their error bounds or, if one has no
 /// bound, are printed the same.

@@ -21,7 +21,8 @@ class Cell {
  public:
   Cell() = default;
   template <std::integral Integer>
-  Cell(Integer number) : content_(double_of(number)), uncertainty_(0.0) {}
+  Cell(Integer number)
+      : content_(static_cast<double>(number)), not_held_(not_held(number)), uncertainty_(0.0) {}
   template <std::floating_point Number>
   Cell(Number number) : content_(static_cast<double>(number)) {}
   /// Prints as the column says, but no digit that the error does not support.
@@ -50,6 +51,8 @@ class Cell {
   bool is_empty() const { return std::holds_alternative<std::monostate>(content_); }
   /// The number, or null.
   const double* number() const { return std::get_if<double>(&content_); }
+  /// A whole number beyond ±2^53, which number() may not be, as text; empty for any other.
+  const std::string& beyond_doubles() const { return not_held_; }
   /// What is not known of the number: 0 for an integer; none for a bare or a quoted number.
   const std::optional<Uncertainty>& uncertainty() const { return uncertainty_; }
 
@@ -67,6 +70,7 @@ class Cell {
  private:
   std::variant<std::monostate, double, std::string> content_;
   std::string plain_;
+  std::string not_held_ = {};
   std::optional<Uncertainty> uncertainty_;
   std::optional<int> place_;
   std::string mark_;

@@ -19,7 +19,7 @@ bool prints_all_digits(const Format& numbers) {
 [[noreturn]] void refuse(const ColumnFormat& column, const Column::Location& location,
                          const std::string& why) {
   throw std::invalid_argument(fmt::format("{}:{}: column '{}': {}", location.file_name(),
-                                          location.line(), column.heading, why));
+                                          location.line(), column.name(), why));
 }
 
 std::string unit_of(const ColumnFormat& column, const Column::Location& location) {
@@ -75,6 +75,12 @@ Column Column::scaled(int exponent, Location location) const {
 Column Column::exact() const {
   Column column = *this;
   column.format_.is_exact = true;
+  return column;
+}
+
+Column Column::named(std::string plain) const {
+  Column column = *this;
+  column.format_.plain = std::move(plain);
   return column;
 }
 

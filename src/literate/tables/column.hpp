@@ -18,6 +18,10 @@ struct ColumnFormat {
   int exponent = 0;               ///< the power of ten that the unit line states
   bool is_exact = false;          ///< whether bare numbers are exact
   double width_cm = 0;            ///< at which texts are broken into lines; 0 for one line
+  std::string plain = {};         ///< the heading as plain text, if that is what it was
+
+  /// The heading as it was given, for messages.
+  const std::string& name() const { return plain.empty() ? heading : plain; }
 };
 
 /// One column of a Table: its heading (LaTeX), how it prints numbers, and their unit (literal
@@ -57,6 +61,9 @@ class Column {
 
   /// Puts a heading over this column and those beside it that have the same one.
   Column under(std::string group) const;
+
+  /// Says what the heading was before it was escaped for LaTeX, for messages and CSV files.
+  Column named(std::string plain) const;
 
   const ColumnFormat& format() const { return format_; }
 

@@ -277,6 +277,7 @@ void require_printable(const ColumnFormat& column, const Cell& cell) {
   const std::string digits = round_trip(*number);
   if (!column.numbers) throw std::invalid_argument(digits + " is a number in a column of texts");
   if (!std::isfinite(*number)) throw std::invalid_argument(digits + " is not finite");
+  require_held(cell.beyond_doubles(), "Cell");
   if (cell.uncertainty()) {
     require_error_bound(cell.uncertainty()->bound);
   } else if (!cell.place() && !column.is_exact) {

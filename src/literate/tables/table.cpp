@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "literate/tables/column_writer.hpp"
@@ -91,7 +93,7 @@ Table& Table::add_row(std::vector<Cell> cells, Location location) {
       require_printable(columns_[i].format(), cells[i]);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("{}, column {} '{}': {}", row, i + 1,
-                                              columns_[i].format().heading, error.what()));
+                                              columns_[i].format().name(), error.what()));
     }
   }
   rows_.push_back(std::move(cells));
@@ -237,7 +239,7 @@ namespace {
 std::string csv_heading(const ColumnFormat& format) {
   const std::string group = format.group.empty() ? "" : plain_text(format.group) + ": ";
   const std::string unit = format.unit.empty() ? "" : fmt::format(" ({})", format.unit);
-  return group + plain_text(format.heading) + unit;
+  return group + (format.plain.empty() ? plain_text(format.heading) : format.plain) + unit;
 }
 
 std::string csv_cell(const Cell& cell) {
@@ -246,33 +248,52 @@ std::string csv_cell(const Cell& cell) {
   return sys::one_line(cell.plain().empty() ? plain_text(*cell.text()) : cell.plain());
 }
 
-/// A bare number is exact; only of one that is quoted without an error none is known.
-std::string csv_bound(const Cell& cell) {
-  if (cell.number() == nullptr || (cell.place() && !cell.uncertainty())) return "";
-  return fmt::format("{}", cell.uncertainty().value_or(0).bound);
+/// A column of errors, and whether one of some uncertainty belongs there.
+struct ErrorColumn {
+  const char* heading;
+  bool (*has)(const Uncertainty&);
+  double (*number)(const Uncertainty&);
+};
+constexpr std::array<ErrorColumn, 4> error_columns{
+    {{"abs_error", [](const Uncertainty& u) { return u.bound > 0; },
+      [](const Uncertainty& u) { return u.bound; }},
+     {"below", [](const Uncertainty& u) { return u.sides.has_value(); },
+      [](const Uncertainty& u) { return u.sides ? u.sides->first : u.bound; }},
+     {"above", [](const Uncertainty& u) { return u.sides.has_value(); },
+      [](const Uncertainty& u) { return u.sides ? u.sides->second : u.bound; }},
+     {"standard", [](const Uncertainty& u) { return u.standard > 0; },
+      [](const Uncertainty& u) { return u.standard; }}}};
+
+/// Which of them a column of the table has.
+std::vector<ErrorColumn> errors_in(const std::vector<std::vector<Cell>>& rows, std::size_t column) {
+  std::vector<ErrorColumn> errors;
+  for (const ErrorColumn& error : error_columns) {
+    const bool has_any = std::ranges::any_of(
+        rows, [&](const auto& row) { return error.has(row[column].uncertainty().value_or(0)); });
+    if (has_any) errors.push_back(error);
+  }
+  // Bounds to either side say all that one to both does.
+  const bool has_sides = std::ranges::any_of(
+      errors, [](const ErrorColumn& error) { return error.heading == std::string_view("below"); });
+  if (has_sides) errors.erase(errors.begin());
+  return errors;
 }
 
-std::string csv_standard(const Cell& cell) {
-  if (cell.number() == nullptr || !cell.uncertainty()) return "";
-  return fmt::format("{}", cell.uncertainty()->standard);
+/// A bare number is exact; only of one that is quoted without an error none is known.
+std::string csv_error(const ErrorColumn& error, const Cell& cell) {
+  if (cell.number() == nullptr || (cell.place() && !cell.uncertainty())) return "";
+  return fmt::format("{}", error.number(cell.uncertainty().value_or(0)));
 }
 
 }  // namespace
 
 std::string Table::csv() const {
-  std::vector<bool> has_bounds(columns_.size(), false), has_standards = has_bounds;
-  for (const auto& row : rows_) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const Uncertainty uncertainty = row[i].uncertainty().value_or(0);
-      if (uncertainty.bound > 0) has_bounds[i] = true;
-      if (uncertainty.standard > 0) has_standards[i] = true;
-    }
-  }
+  std::vector<std::vector<ErrorColumn>> errors;
   std::vector<std::string> fields;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     fields.push_back(csv_heading(columns_[i].format()));
-    if (has_bounds[i]) fields.emplace_back("abs_error");
-    if (has_standards[i]) fields.emplace_back("standard");
+    errors.push_back(errors_in(rows_, i));
+    for (const ErrorColumn& error : errors.back()) fields.emplace_back(error.heading);
   }
   std::string text = sys::csv_line(fields);
   std::string marks;
@@ -281,8 +302,7 @@ std::string Table::csv() const {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const Cell& cell = rows_[r][i];
       fields.push_back(csv_cell(cell));
-      if (has_bounds[i]) fields.push_back(csv_bound(cell));
-      if (has_standards[i]) fields.push_back(csv_standard(cell));
+      for (const ErrorColumn& error : errors[i]) fields.push_back(csv_error(error, cell));
       if (!cell.mark().empty()) {
         marks += fmt::format("# row {}, column {}: {}\n", r + 1, i + 1, cell.mark());
       }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "literate/text/characters.hpp"
+#include "literate/text/unit.hpp"
 #include "system/utf8.hpp"
 
 namespace literate {
@@ -111,15 +112,46 @@ std::optional<std::string_view> plain_command(std::string_view name) {
   return character;
 }
 
+/// What the braces at `at` hold, which is then behind them; empty where there are none.
+std::string_view group_at(std::string_view latex, std::size_t& at) {
+  if (at >= latex.size() || latex[at] != '{') return {};
+  int depth = 0;
+  for (std::size_t i = at; i < latex.size(); ++i) {
+    depth += latex[i] == '{' ? 1 : latex[i] == '}' ? -1 : 0;
+    if (depth > 0) continue;
+    const std::string_view group = latex.substr(at + 1, i - at - 1);
+    at = i + 1;
+    return group;
+  }
+  return {};
+}
+
+/// What siunitx prints for a command whose arguments begin at `at`; none for other commands.
+std::optional<std::string> plain_quantity(std::string_view name, std::string_view latex,
+                                          std::size_t& at) {
+  const bool has_number = name == "num" || name == "qty" || name == "SI";
+  const bool has_unit = name == "unit" || name == "si" || name == "qty" || name == "SI";
+  if (!has_number && !has_unit) return std::nullopt;
+  std::string text;
+  if (has_number) text += group_at(latex, at);
+  if (has_number && has_unit) text += ' ';
+  if (has_unit) text += unit_of_latex(group_at(latex, at));
+  return text;
+}
+
 }  // namespace
 
 std::string plain_text(std::string_view latex) {
+  constexpr std::string_view degree = "^\\circ", braced_degree = "^{\\circ}";
   std::string text;
   for (std::size_t i = 0; i < latex.size(); ++i) {
     const char c = latex[i];
     const std::string_view rest = latex.substr(i);
     if (c == '$' || c == '{' || c == '}') continue;
-    if (rest.starts_with("---")) {
+    if (rest.starts_with(braced_degree) || rest.starts_with(degree)) {
+      text += "°";
+      i += (rest[1] == '{' ? braced_degree : degree).size() - 1;
+    } else if (rest.starts_with("---")) {
       text += "—";
       i += 2;
     } else if (rest.starts_with("--")) {
@@ -135,7 +167,14 @@ std::string plain_text(std::string_view latex) {
     } else {
       std::size_t end = i;
       while (end < latex.size() && is_letter(latex[end])) ++end;
-      const auto plain = plain_command(latex.substr(i, end - i));
+      const std::string_view name = latex.substr(i, end - i);
+      if (const auto quantity = plain_quantity(name, latex, end)) {
+        if (quantity->find('\\') != quantity->npos) return std::string(latex);
+        text += *quantity;
+        i = end - 1;
+        continue;
+      }
+      const auto plain = plain_command(name);
       if (!plain) return std::string(latex);
       text += *plain;
       while (end < latex.size() && latex[end] == ' ') ++end;

@@ -99,11 +99,12 @@ Decimal shortest(double value) {
   return with_sign_of(value, {buffer.data(), end.ptr});
 }
 
-void refuse_whole_number(const std::string& number) {
+void require_held(const std::string& not_held, std::string_view text) {
+  if (not_held.empty()) return;
   throw std::invalid_argument(
       fmt::format("{0} is beyond 2^53, where a number does not hold each integer: "
-                  "Value::text(\"{0}\") prints it",
-                  number));
+                  "{1}(\"{0}\") prints it",
+                  not_held, text));
 }
 
 bool is_zero(const Decimal& number) {

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "system/decimal.hpp"
 
@@ -29,21 +30,20 @@ Decimal rounded_up_to_digits(double value, int n_digits);
 /// Returns the fewest digits that read back as the same double.
 Decimal shortest(double value);
 
-/// Throws std::invalid_argument for a whole number beyond ±2^53, written as text, of which there
-/// may be no double.
-[[noreturn]] void refuse_whole_number(const std::string& number);
-
-/// A whole number as a double, which is the same number; throws as refuse_whole_number does.
+/// A whole number beyond ±2^53, of which there may be no double, as text; empty for any other.
 template <std::integral Integer>
-double double_of(Integer number) {
+std::string not_held(Integer number) {
   constexpr std::int64_t most = std::int64_t{1} << 53;
   if constexpr (sizeof(Integer) >= sizeof most) {
     const bool is_below = std::signed_integral<Integer> && number < static_cast<Integer>(-most);
-    if (is_below || number > static_cast<Integer>(most))
-      refuse_whole_number(std::to_string(number));
+    if (is_below || number > static_cast<Integer>(most)) return std::to_string(number);
   }
-  return static_cast<double>(number);
+  return {};
 }
+
+/// Throws std::invalid_argument for what not_held() gave, unless that is empty. `text` is what
+/// prints such a number: «Value::text».
+void require_held(const std::string& not_held, std::string_view text);
 
 bool is_zero(const Decimal& number);
 

@@ -95,6 +95,7 @@ void Value::require_finite() const {
   if (number_ && !std::isfinite(*number_)) {
     throw std::invalid_argument(fmt::format("{} is not finite", *number_));
   }
+  require_held(not_held_, "Value::text");
 }
 
 bool Value::is_told() const {

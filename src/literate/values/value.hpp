@@ -17,8 +17,8 @@ namespace literate {
 /// Units are spelt as literate/text/unit.hpp says, such as "in", "lbf/in" or "m s-1"; a percentage
 /// has none. Numbers are rounded as literate/values/format.hpp says; one that rounds to zero has no
 /// sign. Every constructor throws std::invalid_argument for what rounded() refuses, for a unit that
-/// cannot be printed, and for a whole number beyond ±2^53. A number that is not finite is refused
-/// where it is used, so that the message can name its key.
+/// cannot be printed. A number that is not finite and a whole number beyond ±2^53 are refused where
+/// they are used, so that the message can name their key.
 class Value {
  public:
   /// Prints a number whose error nobody has told yet. exact() and integer() say that it has none;
@@ -26,7 +26,9 @@ class Value {
   Value(double number, const Format& format, std::string_view unit = "");
   template <std::integral Integer>
   Value(Integer number, const Format& format, std::string_view unit = "")
-      : Value(double_of(number), format, unit) {}
+      : Value(static_cast<double>(number), format, unit) {
+    not_held_ = not_held(number);
+  }
 
   /// Prints a number with its error bound: no digit that the bound does not support.
   Value(numerics::Estimate estimate, const Format& format, std::string_view unit = "");
@@ -53,7 +55,7 @@ class Value {
   /// std::invalid_argument for text and for a number whose error is told already.
   Value as_is() const;
 
-  /// Throws std::invalid_argument for a number that is not finite.
+  /// Throws std::invalid_argument for a number that is not finite, or whole and beyond ±2^53.
   void require_finite() const;
 
   /// The value as LaTeX, such as `\qty{1.5e-6}{in}`, for text and math mode. Throws as
@@ -103,6 +105,7 @@ class Value {
 
   std::string latex_;
   std::string printed_;
+  std::string not_held_;  // a whole number that number_ may not be
   std::optional<double> number_;
   std::optional<Uncertainty> uncertainty_;
   std::optional<numerics::Measured> measured_;  // with the names of the sources, where it has any

@@ -27,6 +27,13 @@ class Checkout {
     import_into(document, csv, "points", exact);
     return document;
   }
+  Document import_with(ImportOptions options, const std::string& csv) const {
+    Document document;
+    options.root = folder_.path();
+    sys::write_file_atomically(path(), csv);
+    import_csv(document, "points", path(), folder_ / "run.py", options);
+    return document;
+  }
   void import_into(Document& document, const std::string& csv, const std::string& name = "points",
                    const std::set<std::string>& exact = {"x"}) const {
     sys::write_file_atomically(path(), csv);
@@ -132,6 +139,8 @@ BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_unless_its_column_is_
   BOOST_TEST(checkout.error(csv, {"x", "u"}) == "1: there is no column 'x', which is to be exact");
   BOOST_TEST(checkout.error("u,abs_eror\n1.5,0.1\n") ==
              "1:3: column 'abs_eror', did you mean 'abs_error'?");
+  BOOST_TEST(checkout.error("u,abs_eror\n1.5,0.1\n", {"u"}) ==
+             "1:3: column 'abs_eror', did you mean 'abs_error'?");
   BOOST_TEST(checkout.error("u,abs_error\n1.5,\n") ==
              "2:1: 1.5 comes without its error: give column 'u' an abs_error, or declare it exact");
 }
@@ -143,13 +152,71 @@ BOOST_AUTO_TEST_CASE(a_number_with_more_digits_than_a_double_holds_is_refused) {
   };
 
   for (const char* number : {"11400714819323198485", "0.12345678901234567"}) {
-    BOOST_TEST(error(number) == "2:1: " + std::string(number) +
-                                    " has more digits than a number holds: write it as a text");
+    BOOST_TEST(error(number) ==
+               "2:1: " + std::string(number) +
+                   " has more digits than a number holds: declare column 'x' to be of texts");
   }
   for (const char* number : {"0.30000000000000004", "1.6236048e-006", "-0.00", "9007199254740992",
                              "12e3", "+1.50", ".5", "0.10000000000000000555"}) {
     BOOST_CHECK_NO_THROW(checkout.import("x\n" + std::string(number) + "\n"));
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_column_that_is_declared_to_hold_texts_holds_numbers_of_any_length) {
+  const Checkout checkout;
+
+  const Document document =
+      checkout.import_with({.text = {"seed"}}, "seed\n11400714819323198485\n7\n");
+
+  const auto& rows = document.tables().at("points").rows();
+  BOOST_TEST(rows[0][0].plain() == "11400714819323198485");
+  BOOST_TEST(rows[1][0].plain() == "7");
+  BOOST_TEST(message_of<ImportError>([&] {
+               checkout.import_with({.text = {"x"}}, "x,abs_error\n1,2\n");
+             }).ends_with("column 'x' is of texts and has errors"));
+}
+
+BOOST_AUTO_TEST_CASE(a_column_that_is_declared_uncertain_prints_its_errors) {
+  const Checkout checkout;
+  const auto import = [&](const std::string& csv) {
+    return checkout.import_with({.uncertain = {"x (s)"}}, csv);
+  };
+
+  const std::string latex =
+      latex_of_points(import("x (s),standard,abs_error\n1.2345,0.012,0\n2.5,0,0.1\n4,0,0\n"));
+  for (const char* part : {"{1.234(12)}", "{2.50±0.10}", "{4}"}) {
+    BOOST_TEST(holds(latex, part), part << " in " << latex);
+  }
+  BOOST_TEST(message_of<ImportError>([&] { import("x (s)\n1.5\n"); })
+                 .ends_with("1.5 comes without its error: give column 'x' an abs_error, or declare "
+                            "it exact"));
+  BOOST_TEST(message_of<ImportError>([&] { import("x (m),abs_error\n1.5,0.1\n"); })
+                 .ends_with("there is no column 'x (s)', which is to be uncertain, did you mean "
+                            "'x (m)'?"));
+}
+
+BOOST_AUTO_TEST_CASE(bounds_to_either_side_come_back) {
+  const Checkout checkout;
+  const std::string csv = "x (s),below,above\n1.5,0.2,0.3\n2.5,0.1,0.1\n";
+
+  const Document document = checkout.import_with({.uncertain = {"x (s)"}}, csv);
+
+  BOOST_TEST(holds(latex_of_points(document), "{1.50+0.30−0.20}"), latex_of_points(document));
+  BOOST_TEST(document.tables().at("points").csv() == csv);
+  BOOST_TEST(checkout.error("x,below\n1.5,0.1\n") ==
+             "2:1: a number has an abs_error, or one below and one above");
+  const Document sizes = checkout.import("flow,below\n1.5,7\n", {"flow", "below"});
+  BOOST_TEST(sizes.tables().at("points").columns().size() == 2U);
+}
+
+BOOST_AUTO_TEST_CASE(a_sign_in_a_heading_is_the_same_in_messages_and_in_the_csv_file) {
+  const Checkout checkout;
+  const std::string csv = "\"θ in °, 10⁻³ of <x>\"\n1.5\n";
+
+  BOOST_TEST(checkout.error("θ in °\n1.5\n") ==
+             "2:1: 1.5 comes without its error: give column 'θ in °' an abs_error, or declare it "
+             "exact");
+  BOOST_TEST(checkout.import(csv, {"θ in °, 10⁻³ of <x>"}).tables().at("points").csv() == csv);
 }
 
 BOOST_AUTO_TEST_CASE(the_csv_file_of_a_table_comes_back) {

@@ -283,8 +283,9 @@ BOOST_AUTO_TEST_CASE(a_column_has_one_format) {
   };
 
   BOOST_TEST(error(R"("digits": 2)") == "1:50: table 't', column 1 has no heading");
-  BOOST_TEST(error(R"("heading": "x", "digits": 2, "decimals": 1)") ==
-             "1:50: table 't', column 1 has more than one of decimals, digits, integer, text");
+  BOOST_TEST(
+      error(R"("heading": "x", "digits": 2, "decimals": 1)") ==
+      "1:50: table 't', column 1 has more than one of decimals, digits, integer, uncertain, text");
   BOOST_TEST(error(R"("heading": "x", "integer": false)").ends_with("integer can only be true"));
   BOOST_TEST(error(R"("heading": "x", "exact": false)").ends_with("exact can only be true"));
   BOOST_TEST(
@@ -322,7 +323,8 @@ BOOST_AUTO_TEST_CASE(a_cell_is_checked_and_told_with_its_place) {
   BOOST_TEST(error("", "1.5") ==
              "1.5 comes without its error: give column 'x' an abs_error, or declare it exact");
   BOOST_TEST(error(R"(, "exact": true)", "11400714819323198485") ==
-             "11400714819323198485 has more digits than a number holds: write it as a text");
+             "11400714819323198485 has more digits than a number holds: declare column 'x' to be "
+             "of texts");
   BOOST_TEST(error("", R"("one")") == "'one' is not a number, as column 'x' holds");
   BOOST_TEST(error(R"(, "text": true)", "1") == "1 is a number in the column of texts 'x'");
   BOOST_TEST(error(R"(, "integer": true)", "1.5") ==

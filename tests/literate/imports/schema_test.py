@@ -35,6 +35,8 @@ number = {"value": 1.5, "abs_error": 0.1}
 claim("a number with its error is taken", takes({"a.b": number}))
 claim("a text is taken", takes({"a": {"text": "x"}}))
 claim("a table is taken", takes(columns=[{"heading": "x", "decimals": 2, "exponent": -6, "exact": True}], rows=[[1], [number], [None]]))
+claim("a column prints its errors", takes(columns=[{"heading": "x", "uncertain": True}], rows=[[number]]))
+claim("or has digits", not takes(columns=[{"heading": "x", "uncertain": True, "digits": 2}]))
 claim("an unknown field is refused", not takes(vales={}))
 claim("no script is refused", not validator.is_valid({"values": {}}))
 claim("a number without an error is refused", not takes({"a": {"value": 1}}))

@@ -10,7 +10,8 @@ a_case() {
   mkdir -p "$1/generated"
   echo "$2" >"$1/exit_code"
   cat >"$1/generated/names.json" <<END
-{"values": {"deflection-of-the-free-end": {"number": 1.5, "printed": "$3"}, "title-of-this-case": {"printed": "a"}},
+{"values": {"deflection-of-the-free-end": {"number": 1.5, "printed": "$3", "abs_error": 0.3, "below": 0.2, "above": 0.3},
+            "title-of-this-case": {"printed": "a"}},
  "claims": {"uniform-load-suffices": {"found": "$4"}}}
 END
 }
@@ -21,17 +22,18 @@ printf 'length = {value = 2, unit = "m"}\nload = 3\n' >two/case.toml
 
 runs "$literate" cases one two --output cases.csv
 claim 'cases are compared without being told what' "$status" -eq 0
-claim 'each case is a row, with what varies, all numbers, printed and unrounded, and all claims' "$(cat cases.csv)" = \
-  'case,exit code,parameter length,deflection-of-the-free-end,"deflection-of-the-free-end, unrounded",claim uniform-load-suffices
-one,0,1 m,1.5 mm,1.5,confirmed
-two,1,2 m,2.5 mm,1.5,refuted'
+name=deflection-of-the-free-end
+claim 'each case is a row, with what varies, all numbers, printed, unrounded and with their errors, and all claims' "$(cat cases.csv)" = \
+  "case,exit code,parameter length,$name,\"$name, unrounded\",\"$name, abs_error\",\"$name, below\",\"$name, above\",claim uniform-load-suffices
+one,0,1 m,1.5 mm,1.5,0.3,0.2,0.3,confirmed
+two,1,2 m,2.5 mm,1.5,0.3,0.2,0.3,refuted"
 
 runs "$literate" cases one two --keys title-of-this-case --output cases.csv
 claim 'a key that is asked for stands there' "$(cut -d, -f4 cases.csv | tr '\n' ' ')" = 'title-of-this-case a a '
 
 echo 'not = ' >two/case.toml
 runs "$literate" cases one two --output cases.csv
-claim 'a case file that cannot be read leaves the others' "$(sed -n 3p cases.csv)" = 'two,1,,,2.5 mm,1.5,refuted'
+claim 'a case file that cannot be read leaves the others' "$(sed -n 3p cases.csv)" = 'two,1,,,2.5 mm,1.5,0.3,0.2,0.3,refuted'
 
 runs "$literate" cases one two --keys titel --output other.csv
 claim 'a key that no case has is refused with 2' "$status $(says "no case has a value 'titel'")" = '2 yes'

@@ -22,7 +22,9 @@ Manifest some_manifest() {
           .facts = {{"tools", {{"compiler", "GNU 12"}}}},
           .inputs = {{"a.tex", "11"}},
           .outputs = {{"a.pdf", "22"}, {"b.tex", "33"}},
-          .numbers = {{"count", {38, std::nullopt, "38"}}, {"u", {2.385e-6, 3e-12, "2.385"}}},
+          .numbers = {{"count", {38, std::nullopt, "38"}},
+                      {"lean", {1.5, 0.3, "1.5", 0, std::pair(0.2, 0.3)}},
+                      {"u", {2.385e-6, 3e-12, "2.385"}}},
           .verdicts = {{"claim it-holds", "confirmed"}}};
 }
 
@@ -45,11 +47,13 @@ BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
   Document document;
   document.value("u", Value({1.6236054e-6, 3e-10}, supported(), "in"));
   document.value("words", Value::text("none"));
+  document.value("lean", Value(1.5, Uncertainty::to_sides(0.2, 0.3), uncertain(), "s"));
   document.write(scratch / "out");
 
   const auto numbers = numbers_in(scratch / "out/names.json");
 
-  BOOST_TEST(numbers.size() == 1U);
+  BOOST_TEST(numbers.size() == 2U);
+  BOOST_TEST((numbers.at("lean").sides == std::pair(0.2, 0.3)));
   BOOST_TEST(numbers.at("u").number == 1.6236054e-6);
   BOOST_TEST(numbers.at("u").abs_error.value() == 3e-10);
 }
@@ -123,6 +127,16 @@ BOOST_AUTO_TEST_CASE(a_number_may_move_within_the_sum_of_the_two_errors) {
 
   BOOST_TEST(compare(theirs, ours).moved.size() == 1U);
   BOOST_TEST(compare(theirs, ours).moved.front().starts_with("u: 2.385e-06 (2.385) there, "));
+}
+
+BOOST_AUTO_TEST_CASE(a_number_may_move_to_a_side_by_the_bounds_to_that_side) {
+  const Manifest theirs = some_manifest();
+  Manifest ours = some_manifest();
+  ours.numbers["lean"] = {1.7, 0.1, "1.7"};
+  BOOST_TEST(compare(theirs, ours).moved.empty());
+  ours.numbers["lean"] = {1.15, 0.1, "1.2"};
+
+  BOOST_TEST(compare(theirs, ours).moved.size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(a_number_without_an_error_is_compared_as_printed) {

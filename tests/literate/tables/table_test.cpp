@@ -300,6 +300,25 @@ BOOST_AUTO_TEST_CASE(csv_has_the_errors_beside_their_numbers) {
              "1.5,,,\n");
 }
 
+BOOST_AUTO_TEST_CASE(csv_has_bounds_to_either_side_where_one_number_has_them) {
+  Table table("t", {Column("$x$", literate::uncertain())});
+  table.add_row({Cell(1.5, literate::Uncertainty::to_sides(0.2, 0.3))})
+      .add_row({Estimate{2.5, 0.1}});
+
+  BOOST_TEST(table.csv() == "x,below,above\n1.5,0.2,0.3\n2.5,0.1,0.1\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_whole_number_that_no_double_holds_is_told_with_its_table_row_and_column) {
+  const std::string message = message_of<invalid_argument>(
+      [] { Table("seeds", {Column("seed", integer())}).add_row({11400714819323198485ULL}); });
+  BOOST_TEST(has(message, "table 'seeds' (begun at "), message);
+  BOOST_TEST(has(message, "row 1, column 1 'seed': 11400714819323198485 is beyond 2^53"), message);
+  BOOST_TEST(message.ends_with("Cell(\"11400714819323198485\") prints it"), message);
+  BOOST_CHECK_THROW(
+      Table("t", {Column("$n$", integer())}).add_row({std::numeric_limits<std::int64_t>::min()}),
+      invalid_argument);
+}
+
 BOOST_AUTO_TEST_CASE(the_table_of_the_page_has_every_cell_in_its_place) {
   Table table("prices",
               {Column::text("fruit"), Column("price", fixed(2), "{kr}").exact().under("2026"),

@@ -42,6 +42,10 @@ BOOST_AUTO_TEST_CASE(plain_text_is_what_a_reader_of_latex_reads) {
   BOOST_TEST(plain_text("$1 + \\theta^2/16$") == "1 + θ^2/16");
   BOOST_TEST(plain_text("$\\mathrm{d}x$") == "dx");
   BOOST_TEST(plain_text("$\\frac{a}{b}$") == "$\\frac{a}{b}$");
+  BOOST_TEST(plain_text("from $20\\,^\\circ$C to $5^{\\circ}$") == "from 20 °C to 5°");
+  BOOST_TEST(plain_text(escape_latex("at 5°")) == "at 5°");
+  BOOST_TEST(plain_text("less than \\qty{1.5e-6}{m.s^{-1}}, or \\num{12} of \\unit{in}.") ==
+             "less than 1.5e-6 m s⁻¹, or 12 of in.");
 }
 
 BOOST_AUTO_TEST_CASE(mathematical_letters_are_symbols_in_italics) {

@@ -56,17 +56,15 @@ BOOST_AUTO_TEST_CASE(rounding_up_to_a_new_digit_keeps_the_decimals) {
 }
 
 BOOST_AUTO_TEST_CASE(a_whole_number_that_no_double_holds_is_refused) {
-  const std::string refused =
-      message_of<std::invalid_argument>([] { Value(11400714819323198485ULL, integer()); });
+  const std::string refused = message_of<std::invalid_argument>(
+      [] { Value(11400714819323198485ULL, integer()).require_finite(); });
   BOOST_TEST(refused ==
              "11400714819323198485 is beyond 2^53, where a number does not hold each integer: "
              "Value::text(\"11400714819323198485\") prints it");
-  BOOST_CHECK_THROW(Value((1LL << 53) + 1, exact()), std::invalid_argument);
-  BOOST_CHECK_THROW(Value(-(1LL << 53) - 1, integer()), std::invalid_argument);
+  BOOST_CHECK_THROW(Value((1LL << 53) + 1, exact()).latex(), std::invalid_argument);
+  BOOST_CHECK_THROW(Value(-(1LL << 53) - 1, integer()).printed(), std::invalid_argument);
   BOOST_TEST(Value(1LL << 53, integer()).printed() == "9007199254740992");
   BOOST_TEST(Value(-(1LL << 53), integer()).printed() == "-9007199254740992");
-  BOOST_CHECK_THROW(literate::Cell{std::numeric_limits<std::int64_t>::min()},
-                    std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(rounding_goes_by_the_exact_binary_value) {
