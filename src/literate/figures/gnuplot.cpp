@@ -72,10 +72,21 @@ struct Message {
   std::string text;
 };
 
+/// gnuplot names the last line of a command that a backslash continues; this is its first.
+std::size_t first_line_of_command(const fs::path& script, std::size_t last) {
+  const std::string text = sys::read_file(script);
+  const auto lines = sys::lines_of(text);
+  std::size_t first = last;
+  while (first > 1 && first <= lines.size() && lines[first - 2].ends_with('\\')) --first;
+  return first;
+}
+
 std::string place_in(const ScriptRun& run, std::string_view file, std::string_view line) {
-  if (file == "script.gp") return fmt::format("{}/{}.gp:{}", run.label, run.name, line);
-  if (file == "../style.gp") return fmt::format("{}/style.gp:{}", run.label, line);
-  return fmt::format("{}:{}", file, line);
+  const bool is_style = file == "../style.gp";
+  if (file != "script.gp" && !is_style) return fmt::format("{}:{}", file, line);
+  const std::size_t last = std::stoul(std::string(line));
+  return fmt::format("{}/{}.gp:{}", run.label, is_style ? "style" : run.name,
+                     first_line_of_command(run.folder / file, last));
 }
 
 /// The first «"script" line N: message».

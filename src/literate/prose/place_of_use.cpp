@@ -59,12 +59,16 @@ std::string place_of_open_brace(const std::filesystem::path& source_dir) {
 }
 
 /// The lines of a paragraph that ends in line `last`, as far as they stand in this text. TeX tells
-/// only the number of the line where it began, which may be a line of another file.
+/// only the number of the line where it began, which may be a line of another file, such as that of
+/// a table. No paragraph reaches across the begin or the end of a float.
 std::pair<int, int> paragraph_before(std::string_view text, int first, int last) {
+  static const sys::Pattern float_ends(
+      R"(^\s*\\(begin|end)\{(?:sub|wrap|sideways)?(?:table|figure)\*?\})");
   int begin = 1, number = 0;
   for (const std::string_view line : sys::lines_of(text)) {
     if (++number >= last) break;
     if (sys::stripped(line).empty()) begin = number + 1;
+    if (const auto found = float_ends.find_in(line)) begin = number + (found->parts[1] == "end");
   }
   return {first >= begin && first <= last ? first : begin, last};
 }

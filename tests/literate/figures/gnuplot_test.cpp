@@ -39,6 +39,20 @@ BOOST_AUTO_TEST_CASE(what_only_looks_like_such_a_command_is_left_alone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_command_of_several_lines_is_told_at_its_first) {
+  const TemporaryFolder scratch;
+  scratch.write("script.gp", "set grid\nplot x, \\\n  y \\\n  with linse\nset tics\n");
+  const auto told = [&](const std::string& line) {
+    return message_of<sys::ToolError>([&] {
+      require_drawn_well({"f", scratch.path(), "figures", "src/a.cpp:3"},
+                         {1, "\"script.gp\" line " + line + ": unrecognized plot type"});
+    });
+  };
+
+  BOOST_TEST(told("4").starts_with("figures/f.gp:2: gnuplot: unrecognized plot type"), told("4"));
+  BOOST_TEST(told("5").starts_with("figures/f.gp:5: "), told("5"));
+}
+
 namespace {
 
 /// What is said of a figure whose drawing has these bytes.

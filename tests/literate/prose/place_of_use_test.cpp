@@ -61,6 +61,24 @@ BOOST_AUTO_TEST_CASE(a_paragraph_that_began_in_another_file_is_told_where_it_goe
   BOOST_TEST(told("99--8") == "report/main.tex:7: Overfull ");
 }
 
+BOOST_AUTO_TEST_CASE(an_overfull_box_of_a_float_names_none_of_the_floats_before_it) {
+  const TemporaryFolder scratch;
+  const auto report = scratch / "report";
+  sys::write_file_atomically(
+      report / "main.tex",
+      "\\begin{table}\n\\tab{a}\n\\end{table}\n\\begin{table*}[t]\n\\tab{b}\n"
+      "\\end{table*}\n\\begin{figure}\\fig{c}\n\\end{figure}\n");
+  const auto told = [&](const std::string& lines) {
+    return with_place_of_use(
+               "report/main.tex:1: Overfull \\hbox (9.0pt too wide) in paragraph at lines " + lines,
+               report)
+        .substr(0, 45);
+  };
+
+  BOOST_TEST(told("1--6") == "report/main.tex:5: in table 'b': Overfull \\hb");
+  BOOST_TEST(told("1--8") == "report/main.tex:7: in figure 'c': Overfull \\h");
+}
+
 BOOST_AUTO_TEST_CASE(a_line_of_a_listing_is_told_where_the_document_has_it) {
   const TemporaryFolder scratch;
   const auto report = scratch / "report";
