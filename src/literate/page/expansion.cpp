@@ -420,17 +420,22 @@ std::string Expander::use_id(const std::string& kind, const std::string& name) {
   return uses.back().id;
 }
 
-// «used in § 2, § 3», a link to the first use in each section.
+// «used in § 2, § 3», a link to the first use in each section that can be led to.
 std::string Expander::uses(const std::string& kind, const std::string& name) const {
   const auto found = uses_.find({kind, name});
   if (found == uses_.end()) return "<span class=\"lit-uses\">not used</span>";
   std::string html, last;
   for (const Use& use : found->second) {
     if (!html.empty() && use.section == last) continue;
-    html += fmt::format("{}<a class=\"lit-ref\" href=\"#{}\">{}</a>", html.empty() ? "" : ", ",
-                        escape_html(use.id),
-                        use.section.empty() ? "the text" : "§\u00a0" + use.section);
     last = use.section;
+    const auto linked = std::ranges::find_if(found->second, [&](const Use& other) {
+      return other.section == last && !other.id.empty();
+    });
+    const std::string text = last.empty() ? "the text" : "§\u00a0" + last;
+    html += html.empty() ? "" : ", ";
+    html += linked == found->second.end() ? text
+                                          : fmt::format("<a class=\"lit-ref\" href=\"#{}\">{}</a>",
+                                                        escape_html(linked->id), text);
   }
   return "<span class=\"lit-uses\">used in " + html + "</span>";
 }

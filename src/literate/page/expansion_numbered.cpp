@@ -116,6 +116,8 @@ void Expander::know_numbered() {
          const bool is_starred = token.text.ends_with('*');
          option(in);
          const std::string text = expanded(argument(in));
+         // IEEEtran prints no heading of a section in its one appendix.
+         if (name == "section" && !is_starred && macros_.contains("PageOneAppendix")) return;
          std::string number, printed;
          if (!is_starred && numbers_.next(name)) {
            const PrintedNumber found = numbers_.take(name);

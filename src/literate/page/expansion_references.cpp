@@ -58,6 +58,14 @@ std::vector<std::pair<std::string, bool>> Expander::cited_in_order(
 }
 
 void Expander::know_references() {
+  // \\subref, whose number subcaption and subfig write under a name of its own.
+  know({"subref"}, [this](TexScanner& in, const TexToken& token) {
+    const std::string key(argument(in));
+    std::string number = numbers_.label("sub@" + key).number;
+    if (token.text.ends_with('*'))
+      std::erase_if(number, [](char c) { return c == '(' || c == ')'; });
+    emit(link_to(key, number));
+  });
   know({"ref", "eqref", "pageref", "nameref", "autoref"}, [this](TexScanner& in,
                                                                  const TexToken& token) {
     const std::string key(argument(in));

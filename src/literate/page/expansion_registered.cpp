@@ -105,6 +105,7 @@ void Expander::know_registered() {
     const std::string key(argument(in));
     const auto number = names_.numbers.find(key);
     if (number == names_.numbers.end()) return fail(fmt::format("unknown number '{}'", key));
+    uses_[{"val", key}].push_back({"", section_});  // TeX may want digits, where no link can stand
     try {
       emit(bare_digits(options.empty() ? number->second.number
                                        : restyled_number(number->second, options)));

@@ -2,11 +2,11 @@
 # Sourced with the file that literate_add_paper wrote for a paper: a line «name=value» for each variable that its
 # stages and scripts read. They are the name of the paper's targets, its project, the folders root, build, document, figures,
 # output, repository (its state) and engine, the LaTeX that typesets it, the files program, literate and case, the
-# document's main file, and with colons between the folders of sources, from the root on, the data that are imported, and the list of
-# planted faults.
+# document's main file, and with colons between the folders of sources, from the root on, the data that are imported, what their
+# scripts read and what runs these, and the list of planted faults.
 # shellcheck disable=SC2034  # read by the scripts
 name='' project='' root='' build='' program='' literate='' document='' main='' case='' sources='' figures='' output='' \
-  data='' reads='' faults='' repository='' engine='' latex=''
+  data='' reads='' tools='' faults='' repository='' engine='' latex=''
 while IFS= read -r setting; do
   printf -v "${setting%%=*}" '%s' "${setting#*=}"
 done <"$1"
@@ -15,6 +15,18 @@ cd "$root" || exit
 
 # cached VARIABLE: its value in CMake's cache.
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
+
+# figure_error LOG: what LaTeX stopped at in a figure, the last one that it read, with the line of the script that has the command.
+figure_error() {
+  local message figure command place
+  message=$(grep -m 1 -A 9 -E '^([^ ]*:[0-9]+: |!)' "$1") || return 0
+  figure=$(grep -oE 'figures/[^/]+/[^/ ()]+\.tex' "$1" | tail -n 1)
+  figure=$(basename "$figure" .tex)
+  command=$(sed -nE '2,$s/^.*(\\[A-Za-z]+) *$/\1/p' <<<"$message" | head -n 1)
+  place=$(cd "$figures" && grep -nF -m 1 -- "${command:-$1}" "$figure.gp" style.gp | sed -nE '1s#^([^:]*:[0-9]+):.*#\1#p') || true
+  message=$(head -n 1 <<<"$message")
+  printf '%s: LaTeX: %s%s\n' "$(basename "$figures")/${place:-$figure.gp}" "${message##*:[0-9]*: }" "${place:+ $command}"
+}
 
 # shown FILE: its name from the root on, if it lies below.
 shown() { printf '%s\n' "${1#"$root"/}"; }

@@ -278,6 +278,38 @@ BOOST_AUTO_TEST_CASE(each_class_has_its_authors_one_by_one_and_its_title_above_t
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_part_of_a_figure_is_told_as_subcaption_and_subfig_do) {
+  const std::string label = "\\newlabel{fig:a}{{1a}{1}}\n";
+  require_shown({{"as \\subref{fig:a} shows",
+                  {"href=\"#fig:a\">(a)</a> shows"},
+                  label + "\\newlabel{sub@fig:a}{{(a)}{a}}\n"},
+                 {"as \\subref*{fig:a} shows",
+                  {"href=\"#fig:a\">a</a> shows"},
+                  label + "\\newlabel{sub@fig:a}{{(a)}{a}}\n"},
+                 {"\\onecolumngrid as \\subref{fig:a} shows\\twocolumngrid",
+                  {"href=\"#fig:a\">a</a> shows"},
+                  label + "\\newlabel{sub@fig:a}{{a}{1}}\n"}});
+}
+
+BOOST_AUTO_TEST_CASE(the_one_appendix_of_ieeetran_has_no_headings_of_sections) {
+  const std::string html =
+      page_of_document(
+          "\\documentclass{IEEEtran}\n\\begin{document}\n\\appendix[Of apples]\\label{app}\n"
+          "\\section{Lost}\nBy \\ref{app}.\n\\section*{Acknowledgment}\n\\end{document}\n",
+          number("section", "A") + "\\newlabel{app}{{A}{1}{}{}{}}\n")
+          .html;
+
+  BOOST_TEST(holds(html, "Appendix Of apples"));
+  BOOST_TEST(holds(html, "Acknowledgment"));
+  BOOST_TEST(!holds(html, "Lost"));
+}
+
+BOOST_AUTO_TEST_CASE(bare_digits_count_as_a_use_of_their_value) {
+  const Page page = page_of("\\ifdim\\rawval{mass}pt>1pt more\\fi\\valueindex", "\\relax\n");
+
+  BOOST_TEST(holds(page.html, "used in the text"), page.html);
+}
+
 BOOST_AUTO_TEST_CASE(natbib_sorts_and_compresses_where_its_options_say_so) {
   for (const auto& [options, cited] : {std::pair{"numbers", "[3, 1, 2]"},
                                        {"numbers,sort", "[1, 2, 3]"},
