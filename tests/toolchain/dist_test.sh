@@ -20,12 +20,15 @@ printf 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+k
 sed -i 's/\\begin{document}/\\usepackage{graphicx}&\\includegraphics{pictures\/rig.png}/' "$toy/report/report.tex"
 mkdir -p "$toy/build/report/latex" # where LaTeX tells what it read
 printf 'INPUT ./report.tex\nINPUT ./pictures/rig.png\n' >"$toy/build/report/latex/report.fls"
+mkdir "$toy/raw"
+echo 1 >"$toy/raw/plate.dat" # what a script of data reads
+sed -i '/^engine=/i reads=${PROJECT_SOURCE_DIR}/raw/plate.dat' "$toy/CMakeLists.txt"
 toy_make dist
 claim 'the toy is packed' "$status" -eq 0
 claim 'it was typeset elsewhere' "$(says 'typeset elsewhere to the same text')" = yes
 claim 'it holds what LaTeX reads, and for readers the results with what describes them' \
   "$(tar -tzf "$archive" | grep -v '/$' | LC_ALL=C sort | tr '\n' ' ')" = \
-  "$(printf './anc/%s ' CITATION.cff codecheck.yml generated/tables/t.csv manifest.json report.pdf \
+  "$(printf './anc/%s ' CITATION.cff codecheck.yml generated/tables/t.csv manifest.json raw/plate.dat report.pdf \
     ro-crate-metadata.json ruggiero2001.toml)./pictures/rig.png ./report.tex ./repository.tex ./sections/a.tex ./tables/t.csv ./tables/t.tex "
 claim 'its files belong to nobody and are as old as the report' \
   "$(tar -tvzf "$archive" --utc --full-time | grep -c ' 0/0 .* 2001-04-23 12:00:00 ')" -ge 5

@@ -186,12 +186,16 @@ function(literate_add_paper)
   endif()
   # What the scripts of DATA read belongs to what the paper is made from.
   set(reads "")
+  set(tools "")
   foreach(file IN LISTS data)
     get_property(read GLOBAL PROPERTY "LITERATE_READ_FOR_${file}")
     list(APPEND reads ${read})
+    get_property(tool GLOBAL PROPERTY "LITERATE_TOOL_FOR_${file}")
+    list(APPEND tools ${tool})
   endforeach()
   list(REMOVE_ITEM reads ${data} "")
   list(REMOVE_DUPLICATES reads)
+  list(REMOVE_DUPLICATES tools)
   set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
   set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
     "Where ${name} and what it is made from are written")
@@ -212,6 +216,7 @@ function(literate_add_paper)
   list(JOIN arg_SOURCES ":" sources)
   list(JOIN data ":" joined_data)
   list(JOIN reads ":" joined_reads)
+  list(JOIN tools ":" joined_tools)
   file(GENERATE OUTPUT "${settings}" CONTENT
 "name=${name}
 project=${PROJECT_NAME}
@@ -227,6 +232,7 @@ figures=${figures}
 data=${joined_data}
 faults=${faults}
 reads=${joined_reads}
+tools=${joined_tools}
 output=${output}
 repository=${repository}
 engine=${engine}
@@ -364,14 +370,19 @@ function(literate_run_script)
 
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   list(POP_FRONT arg_COMMAND tool)
+  set(interpreter "${tool}") # which runs the script; a program of the paper's own stands in the manifest already
   if(TARGET "${tool}")
+    set(interpreter "")
     set(tool "$<TARGET_FILE:${tool}>")
+  elseif(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${tool}")
+    set(interpreter "")
   endif()
   list(APPEND read ${arg_READS})
   list(TRANSFORM read PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   list(TRANSFORM arg_MAKES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   foreach(made IN LISTS arg_MAKES)
     set_property(GLOBAL APPEND PROPERTY "LITERATE_READ_FOR_${made}" ${read})
+    set_property(GLOBAL PROPERTY "LITERATE_TOOL_FOR_${made}" ${interpreter})
   endforeach()
   add_custom_command(OUTPUT ${arg_MAKES}
     COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" ${arg_MAKES} -- "${tool}" ${arg_COMMAND}

@@ -106,6 +106,24 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
   return files;
 }
 
+// The tools by their names in the manifest. One that runs scripts of data may not tell its version.
+Manifest::Texts tools_of(const Settings& settings) {
+  Manifest::Texts tools{
+      {"gnuplot", sys::tool_version("gnuplot")},
+      {settings.latex == "lualatex" ? "LuaTeX" : "pdfTeX", sys::tool_version(settings.latex)}};
+  for (const std::string& tool : settings.tools) {
+    try {
+      const sys::ProcessResult said = sys::run({.program = tool, .arguments = {"--version"}});
+      tools[fs::path(tool).filename()] = said.exit_status == 0
+                                             ? said.output.substr(0, said.output.find('\n'))
+                                             : "tells no version";
+    } catch (const sys::ToolError&) {
+      tools[fs::path(tool).filename()] = "not on this machine";
+    }
+  }
+  return tools;
+}
+
 // All that the manifest tells but the PDF and what LaTeX asked to be drawn: none of it waits for
 // LaTeX.
 Manifest manifest_without_pdf(const Settings& settings, const Paper& paper,
@@ -129,10 +147,7 @@ Manifest manifest_without_pdf(const Settings& settings, const Paper& paper,
                       {"flags", paper.flags},
                       {"processor", processor()}}},
                     {"libraries", libraries},
-                    {"tools",
-                     {{"gnuplot", sys::tool_version("gnuplot")},
-                      {settings.latex == "lualatex" ? "LuaTeX" : "pdfTeX",
-                       sys::tool_version(settings.latex)}}}},
+                    {"tools", tools_of(settings)}},
           .inputs = inputs_of(settings, paper, names),
           .outputs = digests(generated, made_files(names), "generated/"),
           .numbers = numbers_in(generated / "names.json"),

@@ -104,7 +104,7 @@ claim 'an engine that it does not know is named' "$(says 'ENGINE xelatex is neit
 mkdir -p two/src two/talk
 printf '// begin excerpt: %s\nint x;\n// end excerpt: %s\n' a a >two/src/a.cpp
 printf '// begin excerpt: %s\nint x;\n// end excerpt: %s\n' b b >two/talk/b.cpp
-touch two/case.toml
+touch two/case.toml two/make_it.py two/raw.txt
 cat >two/main.cpp <<'END'
 #include <cstdio>
 #include "literate/main/paper.hpp"
@@ -125,11 +125,14 @@ add_executable(literate::program IMPORTED)
 set_target_properties(literate::program PROPERTIES IMPORTED_LOCATION "$literate")
 include("$source_dir/src/literate/cmake/AddPaper.cmake")
 add_executable(both main.cpp)
-literate_add_paper(NAME paper PROGRAM both DOCUMENT paper MAIN paper.tex CASE case.toml SOURCES src)
+literate_run_script(MAKES made.csv COMMAND python3 make_it.py READS raw.txt)
+literate_add_paper(NAME paper PROGRAM both DOCUMENT paper MAIN paper.tex CASE case.toml SOURCES src DATA made.csv)
 literate_add_paper(NAME slides PROGRAM both DOCUMENT slides MAIN slides.tex CASE case.toml SOURCES src talk)
 END
 runs cmake -S two -B two/build -G Ninja
 claim 'CMake takes two papers from one program' "$status" -eq 0
+claim 'the stages know what runs the script of data, and what it reads' \
+  "$(grep -E '^(reads|tools)=' two/build/paper.settings | sed "s|$scratch/||g" | tr '\n' ' ')" = 'reads=two/make_it.py:two/raw.txt tools=python3 '
 runs ninja -C two/build both
 claim 'their program links' "$status" -eq 0
 runs two/build/both
