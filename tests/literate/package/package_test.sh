@@ -110,16 +110,40 @@ if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
 fi
 
 # What the script of data reads is part of what the paper is made from.
-sed -i '/^literate_add_paper/i literate_run_script(MAKES made.csv COMMAND sh make_it.sh READS raw.txt)' CMakeLists.txt
+sed -i '/^literate_add_paper/i literate_run_script(MAKES made.csv COMMAND python3 make_it.py READS raw.txt)' CMakeLists.txt
 sed -i 's/^literate_add_paper(/&DATA made.csv /' CMakeLists.txt
-echo 'cp raw.txt made.csv' >make_it.sh
+echo 'import shutil; shutil.copy("raw.txt", "made.csv")' >make_it.py
 echo 1 >raw.txt
-runs ninja -C build rod
+runs ninja -C build rod-dist
 claim 'the manifest has what the script of its data reads' "$status$(grep -c '"raw.txt": ' build/rod/manifest.json)" = 01
-git checkout -q CMakeLists.txt && rm raw.txt make_it.sh made.csv
+claim 'and the interpreter that ran it' "$(grep -c '"python3": "Python 3' build/rod/manifest.json)" -eq 1
+claim 'and both are packed with the paper' "$(tar -tzf build/dist/rod.tar.gz | grep -cE '^\./anc/(raw\.txt|make_it\.py)$')" -eq 2
+git checkout -q CMakeLists.txt && rm raw.txt make_it.py made.csv
+
+# A label may hold what siunitx prints; what LaTeX does not know is told with the script's line.
+sed -i 's/^plot/set xlabel "angle (\\\\si{\\\\degree})"\n&/' figures/period.gp
+runs make figure NAME=period
+claim 'a figure with a unit of siunitx is drawn alone' "$status" -eq 0 -a -s build/figures/period.png
+sed -i 's/si{/unheardof{/' figures/period.gp
+line=$(grep -n unheardof figures/period.gp | cut -d : -f 1)
+runs make figure NAME=period
+claim 'a command that LaTeX does not know is told where the script has it' \
+  "$status$(says "figures/period.gp:$line: LaTeX: Undefined control sequence")" = 2yes
+git checkout -q figures/period.gp
 runs ninja -C build pendulum_test
 runs ctest --test-dir build
 claim 'its test passes' "$status" -eq 0
+
+setsid env --default-signal=INT make watch >watch.log 2>&1 &
+watch=$!
+for _ in $(seq 600); do
+  if grep -q 'waiting for the next save' watch.log; then break; fi
+  sleep 0.1
+done
+kill -INT "-$watch"
+wait "$watch"
+claim 'make says nothing of a watch that is interrupted' "$(grep -c 'waiting for' watch.log)$(grep -c '^make' watch.log)" = 10
+rm watch.log
 
 # Many cases, one of which is not right
 mkdir cases
