@@ -13,7 +13,7 @@
 #include "app/output.hpp"
 #include "block/analysis.hpp"
 #include "block/exports.hpp"
-#include "block/supports.hpp"
+#include "block/rectangle.hpp"
 #include "command_line/options.hpp"
 #include "parameters/case.hpp"
 #include "system/files.hpp"

@@ -8,7 +8,7 @@
 
 #include "command_line/options.hpp"
 #include "elasticity/material.hpp"
-#include "line_contact/cylinder_pair.hpp"
+#include "line_contact/cylinders.hpp"
 #include "parameters/case.hpp"
 
 namespace app {

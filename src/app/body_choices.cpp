@@ -6,9 +6,7 @@
 #include <limits>
 
 #include "app/csv_files.hpp"
-#include "point_contact/closed_forms/cone.hpp"
-#include "point_contact/closed_forms/flat_punch.hpp"
-#include "point_contact/closed_forms/power_law.hpp"
+#include "point_contact/closed_forms/revolution.hpp"
 #include "system/require.hpp"
 
 namespace app {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/fft_solver.hpp"
-#include "line_contact/hertz.hpp"
+#include "line_contact/solver.hpp"
 #include "system/require.hpp"
 
 namespace app {

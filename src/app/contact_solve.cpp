@@ -8,9 +8,8 @@
 
 #include "app/contact_options.hpp"
 #include "command_line/number_text.hpp"
-#include "line_contact/approach_control.hpp"
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/fft_solver.hpp"
+#include "line_contact/solver.hpp"
 
 namespace app {
 namespace {

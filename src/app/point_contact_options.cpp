@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/methods.hpp"
 #include "point_contact/solver/problem.hpp"
 #include "system/require.hpp"
 

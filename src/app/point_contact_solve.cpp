@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "app/point_contact_options.hpp"
-#include "point_contact/closed_forms/huber.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
 #include "point_contact/solver/beneath.hpp"
-#include "point_contact/solver/fft_solver.hpp"
-#include "point_contact/solver/reference_methods.hpp"
+#include "point_contact/solver/methods.hpp"
 
 namespace app {
 namespace {

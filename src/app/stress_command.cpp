@@ -10,8 +10,8 @@
 #include "app/contact_options.hpp"
 #include "app/csv_files.hpp"
 #include "app/output.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/element_field.hpp"
-#include "line_contact/mcewen.hpp"
 
 namespace app {
 namespace {

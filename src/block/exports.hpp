@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "block/mesh.hpp"
+#include "block/rectangle.hpp"
 #include "block/solution.hpp"
-#include "block/supports.hpp"
 #include "elasticity/load.hpp"
 #include "elasticity/material.hpp"
 #include "numerics/unstructured_grid.hpp"

@@ -8,8 +8,8 @@
 
 #include "block/model.hpp"
 #include "block/nodal_forces.hpp"
+#include "block/rectangle.hpp"
 #include "block/solution.hpp"
-#include "block/supports.hpp"
 #include "elasticity/load.hpp"
 
 namespace block {

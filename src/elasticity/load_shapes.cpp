@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "elasticity/concentrated_load.hpp"
-#include "elasticity/linear_potential.hpp"
 #include "elasticity/piecewise_linear_load.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "system/require.hpp"

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "line_contact/fft_solver.hpp"
 #include "line_contact/nested_grids.hpp"
+#include "line_contact/solver.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_contact/element_field.hpp"
 
+#include <algorithm>
+#include <vector>
+
+#include "contact/contact_search.hpp"
 #include "elasticity/concentrated_load.hpp"
 #include "elasticity/interior_stress.hpp"
 #include "elasticity/load_shapes.hpp"
+#include "system/require.hpp"
 
 namespace line_contact {
 namespace {
@@ -58,6 +63,67 @@ Stress stress_beneath(const Solution& solution, double x, double z) {
     if (p != 0) stress += stress_of(solution.element, p, grid.spacing, x - grid.x(j), z);
   }
   return stress;
+}
+
+ShearPoint find_greatest_shear(const std::function<elasticity::Stress(double x, double z)>& stress,
+                               double half_width, double least_depth) {
+  const double a = sys::require_positive("half_width", half_width);
+  sys::require_positive("least_depth", least_depth);
+  constexpr int n_steps = 10;   // the steps on either side of the centre
+  constexpr int n_rounds = 11;  // each round has steps a quarter as long as the last, so that the
+                                // steps end at 0.12 a/4¹⁰ = 1e-7 a
+  ShearPoint best{0, 0.8 * a, 0};
+  double half_x = 1.2 * a;
+  double half_z = 0.8 * a;
+  for (int round = 0; round < n_rounds; ++round) {
+    const ShearPoint centre = best;
+    for (int i = -n_steps; i <= n_steps; ++i) {
+      for (int k = -n_steps; k <= n_steps; ++k) {
+        const double x = centre.x + half_x * i / n_steps;
+        const double z = std::max(centre.z + half_z * k / n_steps, least_depth);
+        const double shear = stress(x, z).max_shear();
+        if (shear > best.shear) best = {x, z, shear};
+      }
+    }
+    half_x /= 4;
+    half_z /= 4;
+  }
+  return best;
+}
+
+elasticity::PiecewiseLinearTraction traction_on(const Solution& solution,
+                                                const Eigen::VectorXd& shear) {
+  const Grid& grid = solution.grid;
+  if (solution.element != Element::triangular) {
+    throw sys::InvalidQuantity("elements' width", grid.spacing,
+                               "of triangular elements: beneath others stress jumps");
+  }
+  if (grid.is_one_sided && shear.size() > 0) {
+    throw sys::InvalidQuantity("one-sided grid's end", grid.end(),
+                               "only without friction, which is not symmetric");
+  }
+  Eigen::Index first = 0;
+  Eigen::Index last = grid.n_nodes - 1;
+  const auto carries = [&](Eigen::Index i) { return solution.pressure[i] > 0; };
+  if (solution.n_in_contact() == 0) throw contact::ContactError("nothing is in contact");
+  if (!grid.is_one_sided) {
+    while (!carries(first + 1)) ++first;
+  }
+  while (!carries(last - 1)) --last;
+
+  std::vector<double> nodes;
+  std::vector<double> pressure;
+  std::vector<double> tangential;
+  for (Eigen::Index i = last; grid.is_one_sided && i > 0; --i) {
+    nodes.push_back(-grid.x(i));
+    pressure.push_back(solution.pressure[i]);
+  }
+  for (Eigen::Index i = first; i <= last; ++i) {
+    nodes.push_back(grid.x(i));
+    pressure.push_back(solution.pressure[i]);
+    if (shear.size() > 0) tangential.push_back(shear[i]);
+  }
+  return elasticity::PiecewiseLinearTraction(nodes, pressure, tangential);
 }
 
 }  // namespace line_contact

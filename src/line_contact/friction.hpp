@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "line_contact/approach_control.hpp"
 #include "line_contact/solution.hpp"
+#include "line_contact/solver.hpp"
 
 namespace line_contact {
 

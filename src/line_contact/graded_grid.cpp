@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/linear_potential.hpp"
+#include "elasticity/piecewise_linear_load.hpp"
 
 namespace line_contact {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/linear_potential.hpp"
+#include "elasticity/piecewise_linear_load.hpp"
 #include "line_contact/graded_contact.hpp"
 #include "system/require.hpp"
 

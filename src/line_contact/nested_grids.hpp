@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "line_contact/grid.hpp"
 #include "line_contact/problem.hpp"
 #include "line_contact/solution.hpp"
 

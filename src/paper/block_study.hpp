@@ -10,7 +10,7 @@
 
 #include "block/analysis.hpp"
 #include "block/fit.hpp"
-#include "block/supports.hpp"
+#include "block/rectangle.hpp"
 #include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "line_contact/fft_solver.hpp"
+#include "line_contact/solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
 

@@ -8,9 +8,9 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/prelude.hpp"
-#include "point_contact/bodies/curvatures.hpp"
+#include "point_contact/bodies/profile.hpp"
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/methods.hpp"
 #include "point_contact/study/two_spheres.hpp"
 
 namespace paper {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "elasticity/linear_potential.hpp"
+#include "elasticity/piecewise_linear_load.hpp"
 #include "line_contact/graded_contact.hpp"
 #include "numerics/dense_lu.hpp"
 #include "numerics/scatter.hpp"

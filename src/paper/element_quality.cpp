@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "line_contact/cylinders.hpp"
 #include "line_contact/element_field.hpp"
-#include "line_contact/mcewen.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {

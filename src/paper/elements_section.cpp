@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "line_contact/element.hpp"
-#include "line_contact/fft_solver.hpp"
+#include "line_contact/solver.hpp"
 #include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"

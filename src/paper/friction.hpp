@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line_contact/cylinder_pair.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/problem.hpp"
 #include "line_contact/solution.hpp"
 #include "paper/prelude.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
-#include "line_contact/coupled_sliding.hpp"
+#include "line_contact/cylinder_friction.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/friction.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "line_contact/shear_search.hpp"
+#include "line_contact/element_field.hpp"
 
 namespace paper {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "block/supports.hpp"
+#include "block/rectangle.hpp"
 #include "paper/block_study.hpp"
 #include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "block/fit.hpp"
-#include "block/supports.hpp"
+#include "block/rectangle.hpp"
 #include "paper/block_study.hpp"
 #include "paper/prelude.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/fft_solver.hpp"
+#include "line_contact/solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/sections.hpp"
 

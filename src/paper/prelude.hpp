@@ -5,7 +5,7 @@
 
 #include "config/printed_number.hpp"
 #include "config/units.hpp"
-#include "line_contact/hertz.hpp"
+#include "line_contact/cylinders.hpp"
 #include "literate/document/document.hpp"
 #include "numerics/estimate_algebra.hpp"
 #include "numerics/measured.hpp"

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "line_contact/fft_solver.hpp"
 #include "line_contact/power_law.hpp"
 #include "line_contact/rounded_punch.hpp"
+#include "line_contact/solver.hpp"
 #include "line_contact/wedge.hpp"
 #include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"

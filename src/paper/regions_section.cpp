@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "line_contact/approach_control.hpp"
-#include "line_contact/fft_solver.hpp"
+#include "line_contact/solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/sections.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/methods.hpp"
 
 namespace paper {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "paper/prelude.hpp"
-#include "point_contact/bodies/rough_surface.hpp"
+#include "point_contact/bodies/profile.hpp"
 #include "point_contact/study/two_spheres.hpp"
 
 namespace paper {

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "line_contact/cylinder_friction.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/element_field.hpp"
-#include "line_contact/fft_solver.hpp"
 #include "line_contact/friction.hpp"
-#include "line_contact/mcewen.hpp"
-#include "line_contact/sliding_hertz.hpp"
+#include "line_contact/solver.hpp"
 #include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
@@ -43,7 +43,7 @@ double shear_error_of(const Solution& solution) {
   return 2 * pressure_error(solution) + 1e-13;
 }
 
-// McEwen's closed form, over p₀ (line_contact/mcewen.hpp, line_contact/sliding_hertz.hpp).
+// McEwen's closed form, over p₀ (line_contact/cylinders.hpp, line_contact/cylinder_friction.hpp).
 constexpr double of_mcewen = 1e-13;
 
 // How wrong the place of the greatest shear may be, over a: the shear is known to so much only, its

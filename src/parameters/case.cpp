@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "config/table.hpp"
-#include "line_contact/grid.hpp"
-#include "line_contact/hertz.hpp"
-#include "point_contact/closed_forms/hertz.hpp"
+#include "line_contact/cylinders.hpp"
+#include "line_contact/problem.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
 #include "system/require.hpp"
 
 namespace parameters {

@@ -8,14 +8,13 @@
 
 #include "block/discretization.hpp"
 #include "block/rectangle.hpp"
-#include "block/supports.hpp"
 #include "config/printed_number.hpp"
 #include "config/table.hpp"
 #include "config/units.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "line_contact/cylinder_pair.hpp"
-#include "point_contact/bodies/rough_surface.hpp"
+#include "line_contact/cylinders.hpp"
+#include "point_contact/bodies/profile.hpp"
 
 namespace parameters {
 

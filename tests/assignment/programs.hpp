@@ -17,7 +17,7 @@
 #include "course/assignment/variants.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "line_contact/cylinder_pair.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/element.hpp"
 

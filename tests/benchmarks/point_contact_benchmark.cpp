@@ -11,9 +11,8 @@
 #include <cmath>
 #include <vector>
 
-#include "point_contact/closed_forms/hertz.hpp"
-#include "point_contact/solver/fft_solver.hpp"
-#include "point_contact/solver/reference_methods.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
+#include "point_contact/solver/methods.hpp"
 
 namespace {
 

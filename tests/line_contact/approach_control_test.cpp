@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/approach_control.hpp"
+#include "line_contact/solver.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/fft_solver.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/fft_solver.hpp"
+#include "line_contact/solver.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "contact/contact_search.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/energy.hpp"
-#include "line_contact/hertz.hpp"
 #include "line_contact/power_law.hpp"
 #include "line_contact/rounded_punch.hpp"
 #include "line_contact/wedge.hpp"

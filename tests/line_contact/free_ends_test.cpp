@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_contact/fft_solver.hpp"
+#include "line_contact/solver.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

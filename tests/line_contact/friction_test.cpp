@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/fft_solver.hpp"
-#include "line_contact/hertz.hpp"
+#include "line_contact/solver.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "elasticity/surface_quadrature.hpp"
-#include "line_contact/hertz.hpp"
+#include "line_contact/cylinders.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "line_contact/cauchy_integral.hpp"
-#include "line_contact/hertz.hpp"
+#include "line_contact/cylinders.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

@@ -9,10 +9,10 @@
 #include <random>
 #include <vector>
 
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/fft_solver.hpp"
 #include "line_contact/graded_contact.hpp"
-#include "line_contact/hertz.hpp"
+#include "line_contact/solver.hpp"
 
 BOOST_AUTO_TEST_SUITE(bounds_test)
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "assignment/exercises/contact_solver.hpp"
-#include "line_contact/cylinder_pair.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/element.hpp"
 

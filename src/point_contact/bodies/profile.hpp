@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -9,6 +10,30 @@
 #include "point_contact/elements/lattice.hpp"
 
 namespace point_contact {
+
+/// The principal curvatures of a body's surface at the point of contact, reciprocals of lengths:
+/// positive for a convex surface, 0 along a cylinder, negative for a hollow.
+struct PrincipalCurvatures {
+  double first;
+  double second;
+};
+
+/// The gap between two bodies close to where they touch, h = (κ_x x² + κ_y y²)/2 in its own
+/// principal axes.
+struct RelativeCurvatures {
+  double x;      ///< κ_x, the smaller: the contact is longest along x
+  double y;      ///< κ_y
+  double angle;  ///< from the first body's first principal direction to the x axis, radians
+};
+
+/// The relative curvatures of two bodies whose first principal directions stand at `angle`:
+///
+///   κ_x + κ_y = Σκ,  (κ_y − κ_x) = |Δ₁ + Δ₂ e^{2i angle}|,  Δ = first − second   (Johnson 4.3)
+///
+/// Throws InvalidQuantity unless both κ are positive: else the bodies touch along a line or at more
+/// than one point.
+RelativeCurvatures relative_curvatures(PrincipalCurvatures body1, PrincipalCurvatures body2,
+                                       double angle);
 
 /// The gap h(x, y) between two bodies that touch without load. Infinite where there is no body.
 ///
@@ -52,5 +77,24 @@ class Profile {
   Gap gap_;
   Vector2 half_sides_ = Vector2::Constant(std::numeric_limits<double>::infinity());
 };
+
+/// A self-affine roughness: waves of random phases whose heights fall with the wave number.
+struct Roughness {
+  double rms;          ///< root mean square height, a length > 0
+  int n_waves;         ///< of the shortest wave along a side, from 1 to max_waves
+  double hurst;        ///< H, from 0 to 1: heights go with the wave number to the power −1−H
+  std::uint64_t seed;  ///< another seed makes other phases
+};
+
+inline constexpr int max_waves = 64;
+
+/// Heights on n × n points, n ≥ 2, that fill a square to its sides, opposite ones being the same:
+///
+///   h(x, y) = A Σ q^{−1−H} cos(2π(kx + ly) + φ_kl),  1 ≤ q² = k² + l² ≤ n_waves²,
+///
+/// x and y from 0 to 1, with one of (k, l) and (−k, −l), and A so that the mean square over the
+/// square is rms². The phases are those of std::mt19937_64, which is the same everywhere. Throws
+/// InvalidQuantity for values outside the ranges above.
+Eigen::ArrayXXd rough_heights(const Roughness& roughness, Eigen::Index n);
 
 }  // namespace point_contact

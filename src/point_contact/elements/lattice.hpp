@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "system/require.hpp"
+
 namespace point_contact {
 
 /// A point or a vector of the surface plane z = 0.
@@ -38,7 +40,13 @@ struct Lattice {
 
 /// Square cells, and rhombi of two equilateral triangles each, of the given spacing > 0 or
 /// InvalidQuantity is thrown.
-Lattice square_lattice(double spacing);
-Lattice hexagonal_lattice(double spacing);
+inline Lattice square_lattice(double spacing) {
+  sys::require_positive("spacing", spacing);
+  return {{spacing, 0}, {0, spacing}};
+}
+inline Lattice hexagonal_lattice(double spacing) {
+  sys::require_positive("spacing", spacing);
+  return {{spacing, 0}, {spacing / 2, std::sqrt(3.0) / 2 * spacing}};
+}
 
 }  // namespace point_contact

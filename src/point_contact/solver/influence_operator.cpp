@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+
 #include "point_contact/solver/grid.hpp"
 
 namespace point_contact {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/methods.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {

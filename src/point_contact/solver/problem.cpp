@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <unistd.h>
+
 #include <cmath>
 
 #include "point_contact/solver/influence_operator.hpp"

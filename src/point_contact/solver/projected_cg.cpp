@@ -94,8 +94,8 @@ void ProjectedCg::step() {
   ++work_.products;
 }
 
-// z = M r = C⁻¹r − θ w r with the residual r = −gap in contact, shifted so that Σz = 0, which changes
-// δ and every gap by a constant; M1 = (1 − θ)w. Keeps (r, z) as well.
+// z = M r = C⁻¹r − θ w r with the residual r = −gap in contact, shifted so that Σz = 0, which
+// changes δ and every gap by a constant; M1 = (1 − θ)w. Keeps (r, z) as well.
 void ProjectedCg::precondition_gap() {
   VectorXd& gap = state_->gap;
   const ContactMask& in_contact = state_->in_contact;

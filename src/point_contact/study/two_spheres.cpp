@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include "point_contact/closed_forms/huber.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
 #include "point_contact/solver/beneath.hpp"
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/methods.hpp"
 
 namespace point_contact {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "elasticity/material.hpp"
-#include "point_contact/closed_forms/hertz.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
 #include "point_contact/solver/solution.hpp"
 
 namespace point_contact {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "point_contact/closed_forms/hertz.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
 #include "point_contact/polar_quadrature.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"

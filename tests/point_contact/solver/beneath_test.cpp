@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "point_contact/closed_forms/huber.hpp"
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
+#include "point_contact/solver/methods.hpp"
 #include "system/require.hpp"
 
 BOOST_AUTO_TEST_SUITE(beneath_test)

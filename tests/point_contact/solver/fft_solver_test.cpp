@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/solver/methods.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -9,11 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "point_contact/closed_forms/cone.hpp"
-#include "point_contact/closed_forms/flat_punch.hpp"
-#include "point_contact/closed_forms/hertz.hpp"
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
-#include "point_contact/closed_forms/power_law.hpp"
+#include "point_contact/closed_forms/revolution.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

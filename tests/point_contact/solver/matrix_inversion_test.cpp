@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Three methods that share the influence coefficients and nothing else: the dense matrix, the
 // variational method and the fast Fourier transform have to find the same pressures.
-#include "point_contact/solver/reference_methods.hpp"
+#include "point_contact/solver/methods.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <numbers>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "point_contact/rough_surface.hpp"
-#include "point_contact/solver/fft_solver.hpp"
 #include "point_contact/solver/influence_operator.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "point_contact/rough_surface.hpp"
-#include "point_contact/solver/reference_methods.hpp"
+#include "point_contact/solver/methods.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

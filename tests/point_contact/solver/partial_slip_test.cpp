@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "point_contact/closed_forms/cattaneo_mindlin.hpp"
-#include "point_contact/closed_forms/cone.hpp"
-#include "point_contact/solver/fft_solver.hpp"
+#include "point_contact/closed_forms/revolution.hpp"
+#include "point_contact/closed_forms/spheres.hpp"
+#include "point_contact/solver/methods.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
