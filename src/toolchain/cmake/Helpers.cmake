@@ -64,9 +64,9 @@ endfunction()
 # PRIVATE_LINK …): the library of one folder of src. LINK and PRIVATE_LINK are the architecture: the
 # headers of other folders are found through them only. HEADERS: those that are exported, if not all of the folder.
 # ROOMS: the folders within, in their order; each uses only those before it (tests/toolchain/architecture_test.cpp).
-# NO_HEAVY_COMPUTING: see compile_without_optimising. The presets release,
-# bench and sanitize compile up to eight files of a folder as one (CMAKE_UNITY_BUILD), which takes half of the time;
-# dev and tidy compile each file by itself and so prove that each includes what it uses.
+# NO_HEAVY_COMPUTING: see compile_without_optimising. The presets release, bench and sanitize compile up to eight files of
+# a folder as one (CMAKE_UNITY_BUILD), twelve where they compute, which takes half of the time; dev and tidy compile each
+# file by itself and so prove that each includes what it uses.
 #
 # HALFSPACE_PREFIX, where it is set, stands before the target's name: inside another project, which has names of its own.
 function(add_folder_library name)
@@ -100,6 +100,8 @@ function(add_folder_library name)
   elseif(HALFSPACE_EVERYTHING)
     target_link_libraries(${target} PRIVATE precompiled project_warnings)
     target_precompile_headers(${target} REUSE_FROM precompiled)
+    # Most of the compiler's time goes into the same templates of Eigen, once for each piece.
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
   endif()
 endfunction()
 
