@@ -2,11 +2,16 @@
 // What the commands of bodies pressed together share.
 #pragma once
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command_line/options.hpp"
+#include "config/units.hpp"
 #include "elasticity/material.hpp"
 #include "line_contact/cylinders.hpp"
 #include "parameters/case.hpp"
@@ -38,5 +43,65 @@ inline constexpr double small_ratio = 0.1;
 /// A sentence if the contact's half-width is not small beside the bodies' least radius of
 /// curvature, 0 where none is known; none if it is.
 std::vector<std::string> half_space_warnings(double half_width, double least_radius);
+
+/// The element of this name.
+template <class Element>
+Element element_named(const std::string& name, std::initializer_list<Element> elements) {
+  return *std::ranges::find(elements, name, [](Element element) { return name_of(element); });
+}
+
+/// Throws sys::InputError for flags of a contact that want or exclude one another.
+template <class Input>
+void require_consistent(const Input& input, const NumberOption& load) {
+  if (input.approach && load.number()) {
+    throw sys::InputError("--load and --approach: give one of them");
+  }
+  if (input.tangential && !input.friction) {
+    throw sys::InputError("--tangential-load needs --friction");
+  }
+}
+
+/// «sliding» or «partial slip».
+template <class Input>
+const char* state_of(const Input& input) {
+  return input.tangential ? "partial slip" : "sliding";
+}
+
+/// A line on friction: `more` stands behind the coefficient, and `but` before what unlike
+/// materials neglect.
+template <class Input>
+std::string friction_text(const Input& input, const std::string& more, const std::string& but) {
+  std::string text = fmt::format("{}, friction {}{}", state_of(input), *input.friction, more);
+  const double beta = elasticity::dundurs_beta(input.material1, input.material2);
+  if (input.tangential && beta != 0) {
+    text += fmt::format("; {}for like materials, and here Dundurs' beta is {:.3g}", but, beta);
+  }
+  return text + '\n';
+}
+
+/// A line a region in contact, the first ten of them, if there is more than one.
+template <class Region, class OfRegion>
+std::string regions_text(const std::vector<Region>& regions, const OfRegion& of_region) {
+  if (regions.size() < 2) return "";
+  constexpr std::size_t most_shown = 10;
+  std::string text = fmt::format("{} regions in contact\n", regions.size());
+  for (std::size_t i = 0; i < std::min(regions.size(), most_shown); ++i) {
+    text += "  " + of_region(regions[i]) + "\n";
+  }
+  if (regions.size() > most_shown) {
+    text += fmt::format("  and {} more\n", regions.size() - most_shown);
+  }
+  return text;
+}
+
+/// A line with the residuals of a solution.
+template <class Residuals>
+std::string residuals_text(const Residuals& residuals, const config::UnitSystem& units,
+                           const std::string& unit_of_load) {
+  return fmt::format(
+      "residuals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} {}\n",
+      residuals.gap, units.length, residuals.separation, units.length, residuals.pressure,
+      units.stress, residuals.load, unit_of_load);
+}
 
 }  // namespace app

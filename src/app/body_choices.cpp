@@ -18,23 +18,20 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 ChosenBody cone(const ChoiceOption& given, const Pressing& pressing) {
   const double slope = given.number("--slope");
-  const auto under = [&](double load) {
-    return point_contact::Cone(pressing.contact_modulus, slope, load);
-  };
   const Profile profile = Profile::cone(slope);
-  const double load = load_of(pressing, 0.5, [&](double p) { return under(p).approach(); });
-  const point_contact::Cone exact = under(load);
+  const auto [load, exact] = pressed(pressing, 0.5, [&](double p) {
+    return point_contact::Cone(pressing.contact_modulus, slope, p);
+  });
   return {profile, {{"cone", exact.radius(), exact.radius(), infinite, exact.approach(), load}}};
 }
 
 ChosenBody flat_punch(const ChoiceOption& given, const Pressing& pressing) {
   const double radius = given.number("--flat");
-  const auto under = [&](double load) {
-    return point_contact::FlatPunch(pressing.contact_modulus, radius, load);
-  };
   const Profile profile = Profile::flat_punch(radius);
-  const double load = load_of(pressing, 1, [&](double p) { return under(p).approach(); });
-  return {profile, {{"flat-punch", radius, radius, infinite, under(load).approach(), load}}};
+  const auto [load, exact] = pressed(pressing, 1, [&](double p) {
+    return point_contact::FlatPunch(pressing.contact_modulus, radius, p);
+  });
+  return {profile, {{"flat-punch", radius, radius, infinite, exact.approach(), load}}};
 }
 
 ChosenBody rounded_punch(const ChoiceOption& given, const Pressing& /*pressing*/) {
@@ -46,13 +43,10 @@ ChosenBody rounded_punch(const ChoiceOption& given, const Pressing& /*pressing*/
 ChosenBody power_law(const ChoiceOption& given, const Pressing& pressing) {
   const int n = given.integer("--power", 1, Profile::max_power);
   const double coefficient = given.number("--coefficient");
-  const auto under = [&](double load) {
-    return point_contact::PowerLaw(pressing.contact_modulus, coefficient, n, load);
-  };
   const Profile profile = Profile::power_law(coefficient, n);
-  const double load =
-      load_of(pressing, 2.0 * n / (2 * n + 1), [&](double p) { return under(p).approach(); });
-  const point_contact::PowerLaw exact = under(load);
+  const auto [load, exact] = pressed(pressing, 2.0 * n / (2 * n + 1), [&](double p) {
+    return point_contact::PowerLaw(pressing.contact_modulus, coefficient, n, p);
+  });
   // The pressure is greatest inside, between the middle and the edge if n > 1.
   double peak = 0;
   constexpr int enough = 4000;
@@ -74,17 +68,6 @@ ChosenBody measured_heights(const ChoiceOption& given, const Pressing& /*pressin
 }
 
 }  // namespace
-
-double load_of(const Pressing& pressing, double power,
-               const std::function<double(double load)>& approach_under) {
-  if (pressing.load) return *pressing.load;
-  const double approach = pressing.approach.value();
-  if (!(approach > 0)) {
-    throw sys::InvalidQuantity("approach", approach, "greater than 0, or there is no contact");
-  }
-  const double scale = pressing.contact_modulus;  // a load of the right order of magnitude
-  return scale * std::pow(approach / approach_under(scale), 1 / power);
-}
 
 const std::vector<BodyChoice>& body_choices() {
   const ChoiceFlag flat = {"--flat", "Flat and rounded punch: radius of its flat end"};

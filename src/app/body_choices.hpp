@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/choices.hpp"
 #include "point_contact/bodies/profile.hpp"
+#include "system/require.hpp"
 
 namespace app {
 
@@ -29,10 +32,21 @@ struct Pressing {
 };
 
 /// The load that is given, or the one that makes the given approach, which grows with a power of
-/// the load: `approach_under` says how much one load makes. Throws InvalidQuantity for an approach
-/// that is not positive.
-double load_of(const Pressing& pressing, double power,
-               const std::function<double(double load)>& approach_under);
+/// the load, and the contact in closed form that it makes: `under` has that of one load. Throws
+/// InvalidQuantity for an approach that is not positive.
+template <class Under>
+auto pressed(const Pressing& pressing, double power, const Under& under) {
+  double load = pressing.load.value_or(0);
+  if (!pressing.load) {
+    const double approach = pressing.approach.value();
+    if (!(approach > 0)) {
+      throw sys::InvalidQuantity("approach", approach, "greater than 0, or there is no contact");
+    }
+    const double scale = pressing.contact_modulus;  // a load of the right order of magnitude
+    load = scale * std::pow(approach / under(scale).approach(), 1 / power);
+  }
+  return std::pair(load, under(load));
+}
 
 /// A gap, and the closed form of its contact.
 struct ChosenBody {

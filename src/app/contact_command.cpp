@@ -71,7 +71,7 @@ nlohmann::ordered_json details_of(const ContactInput& input, const SolvedContact
     json["friction"] = {
         {"coefficient", *input.friction},
         {"tangential_load", solved.friction->tangential_load},
-        {"state", input.tangential ? "partial slip" : "sliding"},
+        {"state", state_of(input)},
         {"dundurs_beta", elasticity::dundurs_beta(input.material1, input.material2)}};
   }
   return json;
@@ -99,46 +99,20 @@ Table nodes_of(const ContactInput& input, const SolvedContact& solved, bool is_c
   return table;
 }
 
-std::string friction_text(const ContactInput& input) {
-  std::string text = fmt::format("{}, friction {}", input.tangential ? "partial slip" : "sliding",
-                                 *input.friction);
-  const double beta = elasticity::dundurs_beta(input.material1, input.material2);
-  if (input.tangential && beta != 0) {
-    text += fmt::format("; exact for like materials, and here Dundurs' beta is {:.3g}", beta);
-  }
-  return text + '\n';
-}
-
-std::string regions_text(const line_contact::Solution& solution, const config::UnitSystem& units) {
-  const auto regions = solution.regions();
-  if (regions.size() < 2) return "";
-  std::string text = fmt::format("{} regions in contact\n", regions.size());
-  constexpr std::size_t most_shown = 10;
-  for (std::size_t i = 0; i < std::min(regions.size(), most_shown); ++i) {
-    text += fmt::format("  from {:.6g} to {:.6g} {}, {:.6g} {}\n", regions[i].begin, regions[i].end,
-                        units.length, regions[i].load, units.line_load);
-  }
-  if (regions.size() > most_shown) {
-    text += fmt::format("  and {} more\n", regions.size() - most_shown);
-  }
-  return text;
-}
-
 std::string notes_of(const ContactInput& input, const SolvedContact& solved,
                      const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
-  std::string text = solved.friction ? friction_text(input) : "";
-  text += regions_text(s, units);
+  std::string text = solved.friction ? friction_text(input, "", "exact ") : "";
+  text += regions_text(s.regions(), [&](const line_contact::Region& region) {
+    return fmt::format("from {:.6g} to {:.6g} {}, {:.6g} {}", region.begin, region.end,
+                       units.length, region.load, units.line_load);
+  });
   text += fmt::format("{} of {} nodes in contact, {:.6g} {} apart; {}, {} elements",
                       s.n_in_contact(), s.grid.n_nodes, s.grid.spacing, units.length, input.method,
                       line_contact::name_of(s.element));
   if (s.work.solves > 0) text += fmt::format(", steps to find the contact: {}", s.work.solves);
   if (s.work.iterations > 0) text += fmt::format(", {} iterations", s.work.iterations);
-  return text + fmt::format(
-                    "\nresiduals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} "
-                    "{}\n",
-                    s.residuals.gap, units.length, s.residuals.separation, units.length,
-                    s.residuals.pressure, units.stress, s.residuals.load, units.line_load);
+  return text + "\n" + residuals_text(s.residuals, units, units.line_load);
 }
 
 // The pressure at the nodes about the contact, the closed form and the shear, if there are any.

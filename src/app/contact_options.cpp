@@ -14,18 +14,7 @@
 #include "system/require.hpp"
 
 namespace app {
-namespace {
-
 using parameters::CylinderCase;
-
-line_contact::Element element_named(const std::string& name) {
-  for (const auto element : {line_contact::Element::point, line_contact::Element::uniform}) {
-    if (name == line_contact::name_of(element)) return element;
-  }
-  return line_contact::Element::triangular;
-}
-
-}  // namespace
 
 ContactOptions::Body::Body(CLI::App& command, const std::string& number)
     : material(command, number),
@@ -121,29 +110,30 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
   const elasticity::Material material1 = body1_.material.or_else(given.body1);
   const elasticity::Material material2 = body2_.material.or_else(given.body2);
   const double modulus = elasticity::contact_modulus(material1, material2);
-  ContactInput input{
-      .material1 = material1,
-      .material2 = material2,
-      .problem = {line_contact::Profile::parabola(1), modulus, {}, element_named(element_)},
-      .profile = profile_.text(),
-      .method = method_,
-      .tolerance = tolerance_.number_or(line_contact::default_tolerance),
-      .line_load = {},
-      .approach = approach_.number(),
-      .datum = datum,
-      .friction = friction_.number(),
-      .tangential = tangential_.number(),
-      .closed_form = {},
-      .hertz = {}};
-  if (input.approach && load_.number())
-    throw sys::InputError("--load and --approach: give one of them");
+  using line_contact::Element;
+  const auto elements = {Element::triangular, Element::uniform, Element::point};
+  ContactInput input{.material1 = material1,
+                     .material2 = material2,
+                     .problem = {line_contact::Profile::parabola(1),
+                                 modulus,
+                                 {},
+                                 element_named(element_, elements)},
+                     .profile = profile_.text(),
+                     .method = method_,
+                     .tolerance = tolerance_.number_or(line_contact::default_tolerance),
+                     .line_load = {},
+                     .approach = approach_.number(),
+                     .datum = datum,
+                     .friction = friction_.number(),
+                     .tangential = tangential_.number(),
+                     .closed_form = {},
+                     .hertz = {}};
+  require_consistent(input, load_);
   if (input.approach && !datum)
     throw sys::InputError("--datum is missing: --approach is relative to it");
   if (!input.approach) {
     input.line_load = sys::require_positive("load", load_.number_or(given_load));
   }
-  if (input.tangential && !input.friction)
-    throw sys::InputError("--tangential-load needs --friction");
   if (input.friction && grid_ == "one-sided") {
     throw sys::InputError("--friction needs --grid symmetric: its shear has no mirror image");
   }

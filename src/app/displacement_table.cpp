@@ -12,13 +12,6 @@ namespace {
 
 using Rows = std::vector<DisplacementRow>;
 
-template <class OfRow>
-std::vector<double> numbers_of(const Rows& rows, const OfRow& of_row) {
-  std::vector<double> numbers;
-  for (const DisplacementRow& row : rows) numbers.push_back(of_row(row));
-  return numbers;
-}
-
 // Of no rows there are the columns of rows with closed forms.
 bool is_compared(const Rows& rows) {
   return rows.empty() || rows.front().gradient_closed_form;
@@ -28,34 +21,19 @@ bool is_compared(const Rows& rows) {
 void add_columns(std::vector<Column>& columns, const Rows& rows, const std::string& name,
                  const std::string& unit, numerics::Estimate DisplacementRow::*quadrature,
                  std::optional<double> DisplacementRow::*closed_form) {
-  const bool is_absent = !is_compared(rows);
   const auto closed = [&](const auto& row) { return (row.*closed_form).value_or(0); };
-  columns.push_back({name + "_quadrature",
-                     {name + " by", "quadrature", unit},
-                     22,
-                     "{:.12e}",
-                     numbers_of(rows, [&](const auto& row) { return (row.*quadrature).value; })});
-  columns.push_back(
-      {name + "_abs_error",
-       {"error", "estimate", unit},
-       10,
-       "{:.1e}",
-       numbers_of(rows, [&](const auto& row) { return (row.*quadrature).abs_error; })});
-  columns.push_back({.key = name + "_closed_form",
-                     .heads = {name + " in", "closed form", unit},
-                     .width = 21,
-                     .format = "{:.12e}",
-                     .numbers = numbers_of(rows, closed),
-                     .is_absent = is_absent});
-  columns.push_back(
-      {.key = "",
-       .heads = {"difference", "over error", "[1]"},
-       .width = 12,
-       .format = "{:.2g}",
-       .numbers = numbers_of(
-           rows,
-           [&](const auto& row) { return difference_over_error(row.*quadrature, closed(row)); }),
-       .is_absent = is_absent});
+  columns.push_back(column_of(rows, name + "_quadrature", {name + " by", "quadrature", unit}, 22,
+                              "{:.12e}", [&](const auto& row) { return (row.*quadrature).value; }));
+  columns.push_back(column_of(rows, name + "_abs_error", {"error", "estimate", unit}, 10, "{:.1e}",
+                              [&](const auto& row) { return (row.*quadrature).abs_error; }));
+  columns.push_back(column_of(rows, name + "_closed_form", {name + " in", "closed form", unit}, 21,
+                              "{:.12e}", closed));
+  columns.push_back(column_of(
+      rows, "", {"difference", "over error", "[1]"}, 12, "{:.2g}",
+      [&](const auto& row) { return difference_over_error(row.*quadrature, closed(row)); }));
+  for (auto column = columns.end() - 2; column != columns.end(); ++column) {
+    column->is_absent = !is_compared(rows);
+  }
 }
 
 bool agrees(const DisplacementRow& row) {
@@ -91,18 +69,14 @@ Result displacement_result(const Rows& rows, const config::UnitSystem& units,
                            const DisplacementNotes& notes) {
   const std::string length = "[" + units.length + "]";
   std::vector<Column> columns = {
-      {"x", {"x", "", length}, 12, "{}", numbers_of(rows, [](const auto& row) { return row.x; })}};
+      column_of(rows, "x", {"x", "", length}, 12, "{}", [](const auto& row) { return row.x; })};
   add_columns(columns, rows, "gradient", "[1]", &DisplacementRow::gradient_quadrature,
               &DisplacementRow::gradient_closed_form);
   add_columns(columns, rows, "displacement", length, &DisplacementRow::displacement_quadrature,
               &DisplacementRow::displacement_closed_form);
-  columns.push_back({.key = "",
-                     .heads = {"evaluations", "of load", "[1]"},
-                     .width = 12,
-                     .format = "{:.0f}",
-                     .numbers = numbers_of(rows, [](const auto& row) {
-                       return static_cast<double>(row.n_evaluations);
-                     })});
+  columns.push_back(
+      column_of(rows, "", {"evaluations", "of load", "[1]"}, 12, "{:.0f}",
+                [](const auto& row) { return static_cast<double>(row.n_evaluations); }));
   return {
       .tables = {{std::move(columns)}}, .notes = notes_text(rows, notes), .script = "displacement"};
 }

@@ -73,7 +73,7 @@ ordered_json friction_json(const PointContactInput& input, const SolvedPointCont
   ordered_json json = {
       {"coefficient", *input.friction},
       {"tangential_load", friction.tangential_load},
-      {"state", input.tangential ? "partial slip" : "sliding"},
+      {"state", state_of(input)},
       {"nodes_sticking", friction.n_sticking},
       {"stick_area",
        static_cast<double>(friction.n_sticking) * solved.solution.grid.lattice.cell_area()},
@@ -157,10 +157,8 @@ Table stresses_of(const std::vector<StressBeneath>& stresses, const config::Unit
   const std::string unit = "[" + units.stress + "]";
   Table table{.columns = {}, .in_json = InJson::rows, .name = "stresses"};
   const auto add = [&](const char* key, std::vector<std::string> heads, const auto& of_depth) {
-    std::vector<double> numbers;
-    for (const StressBeneath& at : stresses) numbers.push_back(of_depth(at));
-    const int width = table.columns.empty() ? 12 : 14;
-    table.columns.push_back({key, std::move(heads), width, "{:.6g}", std::move(numbers)});
+    table.columns.push_back(column_of(stresses, key, std::move(heads),
+                                      table.columns.empty() ? 12 : 14, "{:.6g}", of_depth));
   };
   using At = StressBeneath;
   add("z", {"depth", "[" + units.length + "]"}, [](const At& at) { return at.z; });
@@ -176,34 +174,6 @@ Table stresses_of(const std::vector<StressBeneath>& stresses, const config::Unit
   return table;
 }
 
-std::string friction_text(const PointContactInput& input, const SolvedPointContact& solved) {
-  std::string text = fmt::format("{}, friction {}", input.tangential ? "partial slip" : "sliding",
-                                 *input.friction);
-  if (input.tangential) text += fmt::format(", {} nodes stick", solved.friction->n_sticking);
-  const double beta = elasticity::dundurs_beta(input.material1, input.material2);
-  if (input.tangential && beta != 0) {
-    text += fmt::format("; for like materials, and here Dundurs' beta is {:.3g}", beta);
-  }
-  return text + '\n';
-}
-
-std::string regions_text(const point_contact::Solution& solution, const config::UnitSystem& units) {
-  const auto regions = point_contact::regions(solution);
-  if (regions.size() < 2) return "";
-  constexpr std::size_t most_shown = 10;
-  std::string text = fmt::format("{} regions in contact\n", regions.size());
-  for (std::size_t i = 0; i < std::min(regions.size(), most_shown); ++i) {
-    const point_contact::Region& region = regions[i];
-    text +=
-        fmt::format("  {:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes\n", region.load, units.force,
-                    region.centre.x(), region.centre.y(), units.length, region.n_nodes);
-  }
-  if (regions.size() > most_shown) {
-    text += fmt::format("  and {} more\n", regions.size() - most_shown);
-  }
-  return text;
-}
-
 std::string notes_of(const PointContactInput& input, const SolvedPointContact& solved,
                      const config::UnitSystem& units) {
   const point_contact::Solution& s = solved.solution;
@@ -212,18 +182,21 @@ std::string notes_of(const PointContactInput& input, const SolvedPointContact& s
     text = fmt::format("the contact is longest at {:.6g} degrees from the x axis of body 1\n",
                        input.curvatures->angle * 180 / std::numbers::pi);
   }
-  if (solved.friction) text += friction_text(input, solved);
-  text += regions_text(s, units);
+  if (solved.friction) {
+    const auto n_sticking = solved.friction->n_sticking;
+    text += friction_text(input,
+                          input.tangential ? fmt::format(", {} nodes stick", n_sticking) : "", "");
+  }
+  text += regions_text(point_contact::regions(s), [&](const point_contact::Region& region) {
+    return fmt::format("{:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes", region.load, units.force,
+                       region.centre.x(), region.centre.y(), units.length, region.n_nodes);
+  });
   text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} grid, {} elements",
                       s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.lattice.first.norm(),
                       units.length, input.method, input.grid, point_contact::name_of(s.element));
   text += fmt::format("\n{:.3g} s, {} products and {} preconditionings on these nodes\n",
                       solved.seconds, s.work.products, s.work.preconditionings);
-  return text + fmt::format(
-                    "residuals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} "
-                    "{}\n",
-                    s.residuals.gap, units.length, s.residuals.separation, units.length,
-                    s.residuals.pressure, units.stress, s.residuals.load, units.force);
+  return text + residuals_text(s.residuals, units, units.force);
 }
 
 // The pressure at any point: that of the nearest node, 0 outside the grid.

@@ -23,14 +23,6 @@ using point_contact::Profile;
 // Threads beyond this are not used.
 constexpr long most_threads = 64;
 
-point_contact::Element point_element_named(const std::string& name) {
-  using point_contact::Element;
-  for (const auto element : {Element::point, Element::uniform, Element::bilinear}) {
-    if (name == point_contact::name_of(element)) return element;
-  }
-  return Element::pyramid;
-}
-
 }  // namespace
 
 PointContactOptions::CurvedBody::CurvedBody(CLI::App& command, const std::string& number)
@@ -113,26 +105,17 @@ void PointContactOptions::set_curved_bodies(PointContactInput& input,
   const Pressing pressing{input.problem.contact_modulus, input.load, input.approach};
   constexpr double hertzs_power = 2.0 / 3;
   if (input.is_of_revolution) {
-    const auto under = [&](double load) {
-      return point_contact::Hertz(pressing.contact_modulus, relative.y, load);
-    };
-    const double load =
-        load_of(pressing, hertzs_power, [&](double p) { return under(p).approach(); });
-    input.hertz = under(load);
-    input.closed_form = {"hertz",
-                         input.hertz->radius(),
-                         input.hertz->radius(),
-                         input.hertz->peak_pressure(),
-                         input.hertz->approach(),
-                         load};
+    const auto [load, hertz] = pressed(pressing, hertzs_power, [&](double p) {
+      return point_contact::Hertz(pressing.contact_modulus, relative.y, p);
+    });
+    input.hertz = hertz;
+    input.closed_form = {
+        "hertz", hertz.radius(), hertz.radius(), hertz.peak_pressure(), hertz.approach(), load};
     return;
   }
-  const auto under = [&](double load) {
-    return point_contact::HertzElliptic(pressing.contact_modulus, relative.x, relative.y, load);
-  };
-  const double load =
-      load_of(pressing, hertzs_power, [&](double p) { return under(p).approach(); });
-  const point_contact::HertzElliptic hertz = under(load);
+  const auto [load, hertz] = pressed(pressing, hertzs_power, [&](double p) {
+    return point_contact::HertzElliptic(pressing.contact_modulus, relative.x, relative.y, p);
+  });
   input.closed_form = {
       "hertz", hertz.semi_axis_x(), hertz.semi_axis_y(), hertz.peak_pressure(), hertz.approach(),
       load};
@@ -197,10 +180,12 @@ PointContactInput PointContactOptions::read(
   const elasticity::Material material1 = body1_.material.or_else(given.body1);
   const elasticity::Material material2 = body2_.material.or_else(given.body2);
   const double modulus = elasticity::contact_modulus(material1, material2);
+  using point_contact::Element;
+  const auto elements = {Element::pyramid, Element::bilinear, Element::uniform, Element::point};
   PointContactInput input{
       .material1 = material1,
       .material2 = material2,
-      .problem = {Profile::paraboloid(1), modulus, {}, point_element_named(element_)},
+      .problem = {Profile::paraboloid(1), modulus, {}, element_named(element_, elements)},
       .profile = profile_.text(),
       .grid = grid_,
       .method = method_,
@@ -212,16 +197,13 @@ PointContactInput PointContactOptions::read(
       .closed_form = {},
       .curvatures = {},
       .hertz = {}};
-  if (input.approach && input.load)
-    throw sys::InputError("--load and --approach: give one of them");
+  require_consistent(input, load_);
   if (!input.approach && !input.load)
     throw sys::InputError("--load is missing: give it, or --approach");
   if (input.load) sys::require_positive("load", *input.load);
   if (input.approach && method_ != "fft") {
     throw sys::InputError("--approach needs --method fft");
   }
-  if (input.tangential && !input.friction)
-    throw sys::InputError("--tangential-load needs --friction");
   if (element_ == "bilinear" && grid_ != "square") {
     throw sys::InputError("--element bilinear needs --grid square");
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "literate/figures/figure.hpp"
@@ -23,6 +24,15 @@ struct Column {
   bool is_absent = false;               ///< people see dashes, programs nothing
   bool may_be_infinite = false;         ///< CSV says inf; JSON, which cannot, leaves it out
 };
+
+/// A column with a number of each row.
+template <class Rows, class OfRow>
+Column column_of(const Rows& rows, std::string key, std::vector<std::string> heads, int width,
+                 std::string format, const OfRow& of_row) {
+  Column column{std::move(key), std::move(heads), width, std::move(format)};
+  for (const auto& row : rows) column.numbers.push_back(of_row(row));
+  return column;
+}
 
 enum class InJson {
   no,

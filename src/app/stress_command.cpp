@@ -79,9 +79,7 @@ Table table_of(const std::vector<Point>& points, double poisson, const config::U
   Table table;
   const auto add = [&](const char* key, std::vector<std::string> heads, int width,
                        const auto& of_point) {
-    std::vector<double> numbers;
-    for (const Point& point : points) numbers.push_back(of_point(point));
-    table.columns.push_back({key, std::move(heads), width, "{:.6g}", std::move(numbers)});
+    table.columns.push_back(column_of(points, key, std::move(heads), width, "{:.6g}", of_point));
   };
   add("x", {"x", length}, 12, [](const Point& p) { return p.x; });
   add("z", {"z", length}, 12, [](const Point& p) { return p.z; });
