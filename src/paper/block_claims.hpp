@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "block/analysis.hpp"
+#include "block/rectangle.hpp"
 #include "paper/block_study.hpp"
 #include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
@@ -50,5 +51,11 @@ void claim_block(Document& document, const HalfSpaceCase& half_space, const Bloc
 void register_block_figures(Document& document, const HalfSpaceCase& half_space,
                             const BlockCase& block_case, const UnitSystem& units,
                             const BlockStudy& study, const std::optional<PrintedData>& printed);
+
+/// Which load the finite-element run carried, as far as what it prints tells: a linear fall fitted
+/// to its displacements, then held to its resultant and weighed with its largest stress; the same
+/// fall with round numbers and nothing fitted; other shapes and other supports.
+void infer_load(Document& document, const HalfSpaceCase& half_space, block::Support sides,
+                const UnitSystem& units, const PrintedData& printed_data, const BlockStudy& study);
 
 }  // namespace paper

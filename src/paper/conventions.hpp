@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "literate/claims/criterion.hpp"
@@ -26,6 +28,16 @@ inline Limit of_second_order(double square) {
 }
 
 /// The fewest decimals, at most nine, that print every one of the points exactly.
-int decimals_of(const std::vector<double>& points);
+inline int decimals_of(const std::vector<double>& points) {
+  constexpr int most = 9;
+  for (int decimals = 0; decimals < most; ++decimals) {
+    const double shift = std::pow(10.0, decimals);
+    const auto is_printed = [shift](double x) {
+      return std::abs(x * shift - std::round(x * shift)) <= 1e-9 * std::abs(x * shift);
+    };
+    if (std::all_of(points.begin(), points.end(), is_printed)) return decimals;
+  }
+  return most;
+}
 
 }  // namespace paper

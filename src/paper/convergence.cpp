@@ -4,11 +4,45 @@
 #include <algorithm>
 #include <cmath>
 
+#include "line_contact/cylinders.hpp"
+#include "line_contact/dense_methods.hpp"
+#include "line_contact/element_field.hpp"
 #include "line_contact/solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
+namespace {
+
+constexpr double span = 0.9;  // of the half-width
+
+// The means by the midpoint rule with so many points to an element. At the ends of uniform elements
+// the slope is infinite like a logarithm, which has an integral; no point lies there.
+ElementQuality mean_errors(const ContactCase& c, const Hertz& hertz,
+                           const line_contact::Solution& solution, int n_points) {
+  const line_contact::McEwen mcewen(hertz);
+  const line_contact::Grid& grid = solution.grid;
+  const double a = hertz.half_width();
+  const double curvature = c.cylinders.relative_curvature();
+  double slope_sum = 0, shear_sum = 0;
+  long n_sampled = 0;
+  for (Eigen::Index i = grid.n_nodes / 2; i + 1 < grid.n_nodes; ++i) {
+    for (int k = 0; k < n_points; ++k) {
+      const double x = grid.x(i) + (k + 0.5) / n_points * grid.spacing;
+      const double z = grid.spacing / 2;
+      if (std::abs(x) > span * a) continue;
+      const double slope = line_contact::surface_slope(solution, c.cylinders.contact_modulus(), x);
+      const double shear = line_contact::stress_beneath(solution, x, z).max_shear();
+      slope_sum += std::abs((slope + curvature * x) / (curvature * a));
+      shear_sum += std::abs(shear - mcewen.stress(x, z).max_shear()) / hertz.peak_pressure();
+      ++n_sampled;
+    }
+  }
+  const auto mean = [&](double sum) { return Estimate{sum / static_cast<double>(n_sampled), 0}; };
+  return {mean(slope_sum), mean(shear_sum)};
+}
+
+}  // namespace
 
 line_contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
                                        line_contact::Element element, long n_nodes) {
@@ -17,6 +51,13 @@ line_contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
       {c.cylinders.profile(), c.cylinders.contact_modulus(),
        line_contact::grid_of_width(cylinder_domain * hertz.half_width(), n_nodes), element},
       c.line_load, tolerance);
+}
+
+line_contact::Solution invert_cylinders(const ContactCase& c, const Hertz& hertz) {
+  return line_contact::solve_by_matrix_inversion(
+      {c.cylinders.profile(), c.cylinders.contact_modulus(),
+       line_contact::grid_around(hertz.half_width(), c.n_nodes)},
+      c.line_load);
 }
 
 std::vector<line_contact::Grid> grids_of(const Hertz& hertz, long n_nodes, int n_places) {
@@ -93,6 +134,21 @@ Estimate factor_of(const SpacingErrors& at, double HertzErrors::*error, double b
     scaled.push_back({e.*error * scale, bound * scale});
   }
   return root_mean_square(scaled);
+}
+
+ElementQuality quality_of(const ContactCase& c, const Hertz& hertz,
+                          const line_contact::Solution& solution) {
+  constexpr int n_points = 8;
+  const ElementQuality first = mean_errors(c, hertz, solution, n_points);
+  const ElementQuality second = mean_errors(c, hertz, solution, 2 * n_points);
+  const ElementQuality third = mean_errors(c, hertz, solution, 4 * n_points);
+  // Beside a logarithm the midpoint rule is wrong in proportion to the distance of its points
+  const auto extrapolated = [&](Estimate ElementQuality::*mean) {
+    const double before = 2 * (second.*mean).value - (first.*mean).value;
+    const double value = 2 * (third.*mean).value - (second.*mean).value;
+    return Estimate{value, std::abs(value - before)};
+  };
+  return {extrapolated(&ElementQuality::slope), extrapolated(&ElementQuality::shear)};
 }
 
 }  // namespace paper

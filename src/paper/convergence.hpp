@@ -26,6 +26,9 @@ inline constexpr double cylinder_domain = 2.2;
 line_contact::Solution solve_cylinders(const ContactCase& c, const Hertz& hertz,
                                        line_contact::Element element, long n_nodes);
 
+/// The case's cylinders solved by matrix inversion on the case's nodes about Hertz's contact.
+line_contact::Solution invert_cylinders(const ContactCase& c, const Hertz& hertz);
+
 /// How many places between two nodes the edge of the contact takes at each spacing of a study.
 inline constexpr int n_edge_places = 20;
 
@@ -58,5 +61,19 @@ SpacingErrors errors_at_spacing(const ContactCase& c, const Hertz& hertz,
 /// The factor B of errors that go with B (c/a)^order: the root mean square, over the places of the
 /// edge at one spacing, of error·(a/c)^order, with what `bound` leaves open.
 Estimate factor_of(const SpacingErrors& at, double HertzErrors::*error, double bound, double order);
+
+/// What a solution of elements says between and beneath its nodes, held against Hertz and McEwen.
+///
+/// The slope of uniform elements is infinite at their ends, so that a largest error would belong to
+/// the points at which it is sought. Means over |x| ≤ 0.9 a are finite for all elements but forces.
+struct ElementQuality {
+  Estimate slope;  ///< mean |error| of ∂(u_z1 + u_z2)/∂x, over a/R, its value at the edge
+  Estimate shear;  ///< mean |error| of τ₁ half a spacing below the surface, over p₀
+};
+
+/// By the midpoint rule on x ≥ 0, of which the other side is the image, extrapolated; wrong by the
+/// difference from half as many points. The number of nodes is odd.
+ElementQuality quality_of(const ContactCase& c, const Hertz& hertz,
+                          const line_contact::Solution& solution);
 
 }  // namespace paper

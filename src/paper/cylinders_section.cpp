@@ -8,6 +8,7 @@
 #include "line_contact/dense_methods.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
+#include "paper/convergence.hpp"
 #include "paper/sections.hpp"
 #include "paper/spheres.hpp"
 
@@ -15,13 +16,6 @@ namespace paper {
 namespace {
 
 using line_contact::Solution;
-
-Solution solve(const ContactCase& c, const Hertz& hertz, long n_nodes) {
-  return line_contact::solve_by_matrix_inversion(
-      {c.cylinders.profile(), c.cylinders.contact_modulus(),
-       line_contact::grid_around(hertz.half_width(), n_nodes)},
-      c.line_load);
-}
 
 // The pressure over p₀ against x/a of Hertz, and how far it is from Hertz where either touches.
 Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
@@ -202,7 +196,7 @@ void compute_cylinders(Document& document, const Case& from) {
   const ContactCase& c = from.contact;
   const UnitSystem& units = from.units;
   const Hertz hertz(c.cylinders, c.line_load);
-  const Solution solution = solve(c, hertz, c.n_nodes);
+  const Solution solution = invert_cylinders(c, hertz);
 
   document.value("cylinders.load", Value(c.line_load, exact(), units.line_load));
   describe_bodies(document, c, units);

@@ -11,7 +11,6 @@
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/edge_study.hpp"
-#include "paper/element_quality.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {

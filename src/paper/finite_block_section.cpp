@@ -12,7 +12,6 @@
 #include "paper/block_study.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
-#include "paper/inferred_load.hpp"
 #include "paper/printed_data.hpp"
 #include "paper/sections.hpp"
 

@@ -12,6 +12,7 @@
 
 #include "elasticity/surface_quadrature.hpp"
 #include "line_contact/cylinder_friction.hpp"
+#include "line_contact/dense_methods.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/friction.hpp"
@@ -236,6 +237,21 @@ void compare_bodies(Document& document, const ContactCase& c, const Pair& own, d
 }
 
 }  // namespace
+
+Pair pair_of(const ContactCase& c, const elasticity::Material& first,
+             const elasticity::Material& second) {
+  const line_contact::CylinderPair cylinders(first, c.body1.radius, second, c.body2.radius);
+  const double load = c.line_load * cylinders.contact_modulus() / c.cylinders.contact_modulus();
+  const Hertz hertz(cylinders, load);
+  const line_contact::Problem problem{cylinders.profile(), cylinders.contact_modulus(),
+                                      line_contact::grid_around(hertz.half_width(), c.n_nodes)};
+  return {cylinders,
+          load,
+          hertz,
+          problem,
+          line_contact::solve_by_matrix_inversion(problem, load),
+          elasticity::dundurs_beta(first, second)};
+}
 
 void compute_friction(Document& document, const Case& from) {
   const ContactCase& c = from.contact;

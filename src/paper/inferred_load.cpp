@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/inferred_load.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>

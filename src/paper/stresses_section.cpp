@@ -9,7 +9,6 @@
 
 #include "line_contact/cylinder_friction.hpp"
 #include "line_contact/cylinders.hpp"
-#include "line_contact/dense_methods.hpp"
 #include "line_contact/element_field.hpp"
 #include "line_contact/friction.hpp"
 #include "line_contact/solver.hpp"
@@ -17,7 +16,6 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
-#include "paper/greatest_shear.hpp"
 #include "paper/sections.hpp"
 
 namespace paper {
@@ -29,11 +27,15 @@ using line_contact::ShearPoint;
 using line_contact::SlidingHertz;
 using line_contact::Solution;
 
-Solution solve(const ContactCase& c, const Hertz& hertz, long n_nodes) {
-  return line_contact::solve_by_matrix_inversion(
-      {c.cylinders.profile(), c.cylinders.contact_modulus(),
-       line_contact::grid_around(hertz.half_width(), n_nodes)},
-      c.line_load);
+// Below this depth, over the half-width, the greatest shear is sought: above it the kinks show
+// that only elements have, and wherever bodies slide τ₁ = μp₀ on the surface itself.
+constexpr double least_shear_depth = 0.1;
+
+// The greatest shear beneath the surface of a body whose contact has the half-width a.
+template <typename Body>
+line_contact::ShearPoint greatest_shear(const Body& body, double a) {
+  return line_contact::find_greatest_shear([&](double x, double z) { return body.stress(x, z); }, a,
+                                           least_shear_depth * a);
 }
 
 // How wrong the shear beneath a solution's elements may be, over p₀: its pressures with at most
@@ -336,7 +338,7 @@ void compute_stresses(Document& document, const Case& from) {
   const ContactCase& c = from.contact;
   const FrictionCase& friction = c.friction.value();
   const Hertz hertz(c.cylinders, c.line_load);
-  const Solution solution = solve(c, hertz, c.n_nodes);
+  const Solution solution = invert_cylinders(c, hertz);
   const PiecewiseLinearTraction traction = line_contact::traction_on(solution, {});
   const line_contact::GreatestShear exact = McEwen(hertz).greatest_shear();
 

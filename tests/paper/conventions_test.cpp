@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(decimals_test)
+BOOST_AUTO_TEST_SUITE(conventions_test)
 
 using paper::decimals_of;
 
