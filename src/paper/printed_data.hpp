@@ -68,11 +68,4 @@ inline Cell quoted(const PrintedNumber& number) {
   return literate::Cell::quoted(number.value(), number.place());
 }
 
-/// The same as a value, with an exponent if it was printed with one.
-inline Value quoted_value(const PrintedNumber& number, const std::string& unit = "") {
-  const bool has_exponent = number.text().find_first_of("eE") != std::string::npos;
-  if (has_exponent) return Value(number.value(), scientific(number.n_digits()), unit);
-  return Value(number.value(), fixed(-number.place()), unit);
-}
-
 }  // namespace paper
