@@ -65,7 +65,7 @@ const std::array<Quantity, 6> quantities = {{
     {"pressure, largest", 0.5, &HertzErrors::largest, &SpacingErrors::of_pressure},
 }};
 constexpr std::size_t inside = 0;
-constexpr std::size_t peak = 1;
+constexpr std::size_t of_peak = 1;
 
 // The factors of one error at the spacings that are fitted.
 std::vector<Estimate> factors_of(const Study& study, const Quantity& quantity, double order) {
@@ -129,7 +129,7 @@ void claim_pressures(Document& document, const Study& triangular, const Study& u
                     of_order("order of the error inside, uniform elements",
                              order_of(uniform, quantities[inside]), 2),
                     no_better("error inside, triangles over uniform elements", inside),
-                    no_better("error of the peak, triangles over uniform elements", peak)}});
+                    no_better("error of the peak, triangles over uniform elements", of_peak)}});
 }
 
 // How many times as large as the smallest the largest error inside is at one spacing.
@@ -167,7 +167,7 @@ void register_orders(Document& document, const Study& triangular, const Study& u
     document.value(key, Value(mean_ratio(triangular, uniform, quantities[quantity]), uncertain()));
   };
   ratio("elements.inside-ratio", inside);
-  ratio("elements.peak-ratio", peak);
+  ratio("elements.peak-ratio", of_peak);
   document.value("elements.peak-won",
                  Value(closed_form(share_won(triangular, uniform)), percent(0)));
   document.value("elements.n-places", Value(n_edge_places, integer()));
