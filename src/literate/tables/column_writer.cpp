@@ -188,9 +188,20 @@ std::string number_html(std::string_view number, const NumberWidth& column, std:
   std::string text = (has_brackets ? "(" : "") + std::string(parts.negative ? "−" : "") +
                      grouped(parts.whole, false, thin);
   if (!parts.decimals.empty()) text += "." + grouped(parts.decimals, true, thin);
-  text += parts.uncertainty.starts_with('+')
-              ? " " + boost::replace_first_copy(std::string(parts.uncertainty), "−", " −")
-              : uncertainty_of(parts.uncertainty, " ± ", thin);
+  const auto shown = [thin](std::string_view uncertainty) {
+    return uncertainty.starts_with('+')
+               ? " " + boost::replace_first_copy(std::string(uncertainty), "−", " −")
+               : uncertainty_of(uncertainty, " ± ", thin);
+  };
+  // Where uncertainties of a column are of different widths, the browser gives each that of the
+  // widest.
+  if (!parts.uncertainty.empty() && parts.uncertainty.size() < column.uncertainty.size() &&
+      parts.exponent.empty()) {
+    text += fmt::format("<span class=\"lit-uncertain\" data-widest=\"{}\"><span>{}</span></span>",
+                        shown(column.uncertainty), shown(parts.uncertainty));
+  } else {
+    text += shown(parts.uncertainty);
+  }
   if (has_brackets) text += ")";
   if (!parts.exponent.empty()) {
     text += fmt::format(" × 10<sup>{}{}</sup>", parts.negative_exponent ? "−" : "", parts.exponent);
