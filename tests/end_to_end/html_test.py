@@ -31,10 +31,12 @@ def numbers(names):
     return {key: entry["printed"] for key, entry in values.items()}
 
 
-def check_on_desktop(browser):
-    claim("there are figures, tables, formulas and listings", browser.evaluate(
-        "['img.lit-drawing', '.lit-table', 'math', '.lit-listing', '#sec\\\\:ledger']"
-        ".filter(s => !document.querySelector(s))"))
+def check_on_desktop(browser, names):
+    wanted = ["img.lit-drawing", ".lit-table", "math", "#sec\\:ledger"]
+    if names["flags"]["printed"]:  # only beside the paper's own numbers does its listing stand
+        wanted.append(".lit-listing")
+    claim("there are figures, tables and formulas, and the listing of the paper", browser.evaluate(
+        f"{json.dumps(wanted)}.filter(s => !document.querySelector(s))"))
     claim("every link is within the page", browser.evaluate(
         "[...document.querySelectorAll('a[href], link, script[src], img')].map(e => e.getAttribute('href') ||"
         " e.getAttribute('src') || '').filter(h => !/^(#|data:)/.test(h)).map(h => h.slice(0, 80))"))
@@ -179,7 +181,7 @@ def check(browser):
     browser.resize(1200, 900)
     browser.open(page)
     page_checks.check_whole(claim, browser, page)
-    check_on_desktop(browser)
+    check_on_desktop(browser, names)
     check_names(browser, names)
     text = check_text(browser)
     shown = set(browser.evaluate("[...document.querySelectorAll('.lit-value')].map(e => e.dataset.key)"))

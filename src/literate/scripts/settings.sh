@@ -19,11 +19,11 @@ cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 # figure_error LOG: what LaTeX stopped at in a figure, the last one that it read, with the line of the script that has the command.
 figure_error() {
   local message figure command place
-  message=$(grep -m 1 -A 9 -E '^([^ ]*:[0-9]+: |!)' "$1") || return 0
+  message=$(grep -m 1 -A 9 -E '^(.*\.[a-z]+:[0-9]+: |!)' "$1") || return 0
   figure=$(grep -oE 'figures/[^/]+/[^/ ()]+\.tex' "$1" | tail -n 1)
   figure=$(basename "$figure" .tex)
   command=$(sed -nE '2,$s/^.*(\\[A-Za-z]+) *$/\1/p' <<<"$message" | head -n 1)
-  place=$(cd "$figures" && grep -nF -m 1 -- "${command:-$1}" "$figure.gp" style.gp | sed -nE '1s#^([^:]*:[0-9]+):.*#\1#p') || true
+  place=$(cd "$figures" && grep -snF -m 1 -- "${command:-$1}" "$figure.gp" style.gp | sed -nE '1s#^([^:]*:[0-9]+):.*#\1#p') || true
   message=$(head -n 1 <<<"$message")
   printf '%s: LaTeX: %s%s\n' "$(basename "$figures")/${place:-$figure.gp}" "${message##*:[0-9]*: }" "${place:+ $command}"
 }

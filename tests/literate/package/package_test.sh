@@ -155,7 +155,7 @@ claim 'and shows in the exit code' "$status" -ne 0
 said=$(cat build/reports/cases.csv)
 claim 'all cases stand below one another' "$(cut -d, -f1 build/reports/cases.csv | tr '\n' ' ')" = 'case angle 120 angle 200 angle 80 '
 claim 'with exit code, what varies, the chosen value, the number behind it and verdicts' \
-  "$(says 'case,exit code,parameter angle,relative-period,"relative-period, unrounded",claim longer')" = yes
+  "$(says 'case,exit code,parameter angle,relative-period,"relative-period, unrounded","relative-period, abs_error",claim longer')" = yes
 claim 'a case that is computed has all of them' "$(sed -n 2p build/reports/cases.csv | grep -c '^angle 120,0,120,1.37288.*,confirmed,')" -eq 1
 claim 'one that failed has its parameters' "$(says 'angle 200,2,200,,,,')" = yes
 claim 'each has its PDF and its manifest' -e 'build/reports/angle 80/rod.pdf' -a -e 'build/reports/angle 80/manifest.json'
