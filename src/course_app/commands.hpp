@@ -22,7 +22,6 @@ void add_list_command(CLI::App& program, ExitCode& exit_code);
 void add_student_command(CLI::App& program, ExitCode& exit_code);
 void add_class_command(CLI::App& program, ExitCode& exit_code);
 void add_collect_command(CLI::App& program, ExitCode& exit_code);
-void add_release_feedback_command(CLI::App& program, ExitCode& exit_code);
 void add_likeness_command(CLI::App& program, ExitCode& exit_code);
 void add_marking_command(CLI::App& program, ExitCode& exit_code);
 void add_results_command(CLI::App& program, ExitCode& exit_code);

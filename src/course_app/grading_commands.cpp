@@ -31,7 +31,7 @@ struct ToolkitOptions : CourseOptions {
 
 struct GradeOptions : CourseOptions {
   std::string submission, toolkit, output, submitted, deadline, late_until, roster;
-  bool is_unsafe = false;
+  bool is_in_container = false;
 };
 
 /// What the roster says of a student; times that options give replace those in it.
@@ -68,7 +68,7 @@ ExitCode grade(const GradeOptions& options) {
   task.checks =
       course::all_checks(assignment, assignment::public_checks(), assignment::hidden_checks());
   task.curves = assignment::curves;
-  task.isolation = options.is_unsafe ? course::Isolation::none : course::Isolation::sandbox;
+  task.isolation = options.is_in_container ? course::Isolation::none : course::Isolation::sandbox;
   const course::Graded graded = course::grade_submission(assignment, task, options.output);
   fmt::print("{}: {} of {} points, {}\n", task.student, course::mark_of(graded), assignment.points,
              course::lateness_text(graded));
@@ -131,8 +131,9 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
                          "CSV of the class with the column `student` and, as they are known, "
                          "`submitted`, `deadline`, "
                          "`slip_days` and `group`");
-                add_switch(command, "--unsafe", options->is_unsafe,
-                           "Grade without bubblewrap: with limits, but with no walls");
+                add_switch(command, "--container", options->is_in_container,
+                           "Grade with limits and without walls, in a container that holds nothing "
+                           "but this submission and its grader");
                 return [options] { return grade(*options); };
               });
 }

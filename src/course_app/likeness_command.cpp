@@ -24,7 +24,6 @@ namespace {
 
 struct LikenessOptions : CourseOptions {
   std::string submissions, output, roster;
-  bool is_unsafe = false;
 };
 
 int percent_of(const NumberOption& option) {
@@ -51,7 +50,7 @@ ExitCode likeness(const LikenessOptions& options, int percent) {
     expected.push_back(course::with_mistake(solution, wrong));
   }
 
-  const auto isolation = options.is_unsafe ? course::Isolation::none : course::Isolation::sandbox;
+  constexpr auto isolation = course::Isolation::sandbox;
   const course::Listing listing =
       course::list_submissions(options.submissions, roster_of(options.roster));
   const std::vector<std::string> former = fs::is_directory(options.output)
@@ -90,8 +89,6 @@ void add_likeness_command(CLI::App& program, ExitCode& exit_code) {
                                   "Folder to write; replaced as a whole");
                 auto percent = std::make_shared<NumberOption>(
                     command, "--percent", "How much of one of them a pair must have in common; 50");
-                add_switch(command, "--unsafe", options->is_unsafe,
-                           "Unpack archives and compare without bubblewrap");
                 return [options, percent] { return likeness(*options, percent_of(*percent)); };
               });
 }

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Options : CourseOptions {
-  std::string output, sheet, handout, zip, toolkit, roster, handouts, patterns;
+  std::string output, sheet, handout, zip, toolkit, roster, handouts;
 };
 
 void add_place(CLI::App& command, Options& options) {
@@ -85,8 +85,7 @@ ExitCode prove(const Options& options, std::size_t n_jobs, bool updates_points) 
                                  .secret_files = secret_files(options.source),
                                  .source = options.source,
                                  .n_jobs = n_jobs,
-                                 .updates_points = updates_points,
-                                 .patterns = options.patterns};
+                                 .updates_points = updates_points};
   Stage stage("prove");
   const bool all_hold = course::prove(input, [&](const course::ProvedClaim& claim) {
     stage.done(claim.faults.empty() ? claim.says : "does not hold: " + claim.says);
@@ -171,8 +170,6 @@ void add_prove_command(CLI::App& program, ExitCode& exit_code) {
                 add_toolkit(command, *options);
                 add_text(command, "--zip", options->zip, "FILE", "The same handout packed");
                 add_student(command, *options);
-                add_text(command, "--patterns", options->patterns, "FILE",
-                         "Write what each wrong solution scores in each check, for `results`");
                 auto jobs = std::make_shared<NumberOption>(command, "--jobs", "How many at a time");
                 auto updates = std::make_shared<bool>(false);
                 add_switch(command, "--update", *updates,

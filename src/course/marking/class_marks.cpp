@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "course/assignment/student.hpp"
@@ -93,16 +92,6 @@ void add_without_mark(Known& known, const std::string& student, const char* stat
 
 }  // namespace
 
-void Mark::add_up() {
-  const auto in_hundredths_of = [](double number) { return std::round(number * 100) / 100; };
-  double sum = 0;
-  for (const auto& [check, its_points] : checks) sum += its_points;
-  for (const auto& [criterion, its_mark] : criteria) sum += its_mark.points;
-  points = in_hundredths_of(sum);
-  deduction = in_hundredths_of(points * percent / 100);
-  mark = in_hundredths_of(points - deduction);
-}
-
 std::vector<std::string> check_ids(const Assignment& assignment) {
   std::vector<std::string> ids;
   for (const Exercise& exercise : assignment.exercises) {
@@ -115,7 +104,6 @@ ClassMarks class_marks(const Assignment& assignment, const fs::path& grades,
                        const std::optional<Roster>& roster,
                        const std::optional<fs::path>& submissions) {
   ClassMarks marks;
-  marks.most = assignment.points;
   Known known;
   for (const fs::path& one : folders_in(grades)) read_mark(assignment, one, known, marks.problems);
   if (submissions) {

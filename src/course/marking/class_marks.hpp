@@ -12,13 +12,6 @@
 
 namespace course {
 
-/// What a person gave for one criterion of the rubric.
-struct CriterionMark {
-  double points = 0;
-  std::string comment;
-  std::string marker;
-};
-
 /// What `grade` found out about one submission, read from its mark.json.
 struct Mark {
   std::string state;  ///< "on time", "late" or "too late"
@@ -32,11 +25,6 @@ struct Mark {
   std::vector<std::string> missing;        ///< exercises without a file
   std::vector<std::string> not_compiling;  ///< exercises
   std::map<std::string, double> checks;    ///< the points that each gave
-  std::vector<std::string> regraded = {};  ///< checks whose points a person decided
-  std::map<std::string, CriterionMark> criteria = {};
-
-  /// Makes points, deduction and mark anew, of the checks and criteria.
-  void add_up();
 };
 
 /// A student of the class; one without a mark is "missing", "not graded" or "not in the class".
@@ -53,7 +41,6 @@ struct StudentMark {
 /// The marks of a class, and a line for each folder whose mark cannot be read.
 struct ClassMarks {
   std::vector<StudentMark> students;  ///< sorted
-  double most = 0;                    ///< the points that a student can have
   std::vector<std::string> problems;
 };
 

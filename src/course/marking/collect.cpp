@@ -10,31 +10,24 @@ namespace {
 
 std::string header(const Assignment& assignment) {
   std::string line =
-      "student,state,points,deduction,mark,report,no file,not compiling,slip days,regraded,group";
+      "student,state,points,deduction,mark,report,no file,not compiling,slip days,group";
   for (const std::string& id : check_ids(assignment)) line += "," + sys::spreadsheet_field(id);
-  for (const Criterion& criterion : assignment.criteria)
-    line += "," + sys::spreadsheet_field(criterion.id);
   return line + "\r\n";
 }
 
 std::string row_of(const Mark& mark) {
-  return fmt::format(",{},{},{},{},{},{},{},{}", mark.points, mark.deduction, mark.mark,
+  return fmt::format(",{},{},{},{},{},{},{}", mark.points, mark.deduction, mark.mark,
                      mark.has_report ? "yes" : "no",
                      sys::spreadsheet_field(fmt::format("{}", fmt::join(mark.missing, " "))),
                      sys::spreadsheet_field(fmt::format("{}", fmt::join(mark.not_compiling, " "))),
-                     mark.slip_days,
-                     sys::spreadsheet_field(fmt::format("{}", fmt::join(mark.regraded, " "))));
+                     mark.slip_days);
 }
 
-/// The points of each check and criterion; those of a criterion are empty until it is marked.
+/// The points of each check.
 std::string parts_of(const Assignment& assignment, const Mark& mark) {
   std::string row;
   for (const std::string& id : check_ids(assignment)) {
     row += fmt::format(",{}", mark.checks.at(id));
-  }
-  for (const Criterion& criterion : assignment.criteria) {
-    const auto found = mark.criteria.find(criterion.id);
-    row += found == mark.criteria.end() ? "," : fmt::format(",{}", found->second.points);
   }
   return row;
 }
@@ -42,8 +35,8 @@ std::string parts_of(const Assignment& assignment, const Mark& mark) {
 }  // namespace
 
 std::string marks_csv(const Assignment& assignment, const ClassMarks& marks) {
-  const std::string no_mark(8, ',');
-  const std::string no_parts(check_ids(assignment).size() + assignment.criteria.size(), ',');
+  const std::string no_mark(7, ',');
+  const std::string no_parts(check_ids(assignment).size(), ',');
   std::string csv = header(assignment);
   for (const StudentMark& student : marks.students) {
     csv += sys::spreadsheet_field(student.student) + "," + sys::spreadsheet_field(student.state) +

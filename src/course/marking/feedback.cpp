@@ -16,25 +16,15 @@ void add_note(pugi::xml_node parent, const std::string& text) {
 
 void add_summary(pugi::xml_node body, const Assignment& assignment, const Graded& graded) {
   add_element(body, "h1", assignment.title);
-  // The release of the feedback finds mark, deduction and the note on the report by their ids, and
-  // the row of a check by its place.
   add_element(
       body, "p",
-      fmt::format("{}: {} of {} points", graded.student, mark_of(graded), assignment.points))
-      .append_attribute("id") = "mark";
+      fmt::format("{}: {} of {} points", graded.student, mark_of(graded), assignment.points));
   add_note(body, "Handed in " + lateness_text(graded) + ".");
   if (deduction_of(graded) > 0) {
-    add_element(body, "p",
-                fmt::format("Reached {}, deducted {}.", points_of(graded), deduction_of(graded)),
-                "note")
-        .append_attribute("id") = "deduction";
+    add_note(body, fmt::format("Reached {}, deducted {}.", points_of(graded), deduction_of(graded)));
   }
-  if (graded.submission.has_report) {
-    add_element(body, "p", "The report is marked by a person.", "note").append_attribute("id") =
-        "report";
-  } else {
-    add_note(body, "There is no report/report.tex.");
-  }
+  add_note(body, graded.submission.has_report ? "The report is marked by a person."
+                                              : "There is no report/report.tex.");
   for (const std::string& problem : graded.submission.problems) {
     add_element(body, "p", problem, "lost");
   }

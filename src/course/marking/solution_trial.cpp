@@ -32,9 +32,9 @@ SolutionTrial try_solution(const Assignment& assignment, const Built& built, con
     trial.losses.push_back("it does not link: " + first_line(built.link_error));
   }
   ProgramRun run(assignment.limits, built, isolation);
-  trial.results = try_checks(assignment, checks, built, variant, run);
-  trial.points = total(trial.results);
-  auto result = trial.results.begin();
+  const std::vector<CheckResult> results = try_checks(assignment, checks, built, variant, run);
+  trial.points = total(results);
+  auto result = results.begin();
   for (const Exercise& exercise : assignment.exercises) {
     for (const CheckEntry& check : exercise.checks) {
       if (!are_same_points(result->points, check.points)) {

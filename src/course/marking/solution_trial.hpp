@@ -12,8 +12,7 @@ namespace course {
 /// What a solution of the instructor's own, right or wrong, reached.
 struct SolutionTrial {
   double points = 0;
-  std::vector<CheckResult> results;  ///< in the assignment's order
-  std::vector<std::string> losses;   ///< a line for each check that does not give all its points
+  std::vector<std::string> losses;  ///< a line for each check that does not give all its points
 };
 
 /// How to run the instructor's own programs. They need not be kept from anything, but where several

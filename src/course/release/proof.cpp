@@ -9,7 +9,6 @@
 #include "course/marking/toolkit.hpp"
 #include "course/release/expected_values.hpp"
 #include "course/release/leaks.hpp"
-#include "course/release/mistake_patterns.hpp"
 #include "course/release/student_build.hpp"
 #include "course/release/wrong_solutions.hpp"
 #include "course/release/zip.hpp"
@@ -88,22 +87,12 @@ ProvedClaim Prover::full_points() const {
 
 ProvedClaim Prover::wrong_solutions() const {
   std::vector<double> points(wrong_.size());
-  std::vector<MistakePattern> patterns(wrong_.size());
   // These checks do not record, because the answers of wrong programs are no expected values.
   const Checks checks = all_checks(input_.assignment, input_.visible, input_.hidden);
   const Variant nominal = nominal_variant(input_.assignment);
   sys::for_each_parallel(wrong_.size(), input_.n_jobs, [&](std::size_t i) {
-    const SolutionTrial trial = trial_of(with_mistake(solution_, wrong_[i]), checks, nominal);
-    points[i] = trial.points;
-    patterns[i] = {.id = wrong_[i].id,
-                   .says = wrong_[i].says,
-                   .exercises = changed_exercises(input_.assignment, wrong_[i]),
-                   .points = {}};
-    for (const CheckResult& result : trial.results) patterns[i].points[result.id] = result.points;
+    points[i] = trial_of(with_mistake(solution_, wrong_[i]), checks, nominal).points;
   });
-  if (!input_.patterns.empty()) {
-    sys::write_file_atomically(input_.patterns, patterns_json(patterns));
-  }
   ProvedClaim claim{
       .says = fmt::format("each of {} wrong solutions scores what the list says", wrong_.size()),
       .faults = {}};

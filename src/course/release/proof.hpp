@@ -28,8 +28,6 @@ struct ProofInput {
   /// Whether the points that the wrong solutions score are written to the list, for somebody to
   /// review, instead of being compared with it.
   bool updates_points = false;
-  /// Where the patterns of the wrong solutions are written; may be empty.
-  std::filesystem::path patterns = {};
 };
 
 /// A claim about a handout, and a line for each reason why it does not hold; without any it holds.

@@ -22,12 +22,6 @@ std::string feedback_of(const Assignment& assignment, const Mark& mark) {
     for (const CheckEntry& check : exercise.checks) points += mark.checks.at(check.id);
     text += fmt::format("{}: {:.6g} of {:.6g}. ", exercise.title, points, exercise.points());
   }
-  for (const Criterion& criterion : assignment.criteria) {
-    const auto found = mark.criteria.find(criterion.id);
-    if (found == mark.criteria.end()) continue;
-    text += fmt::format("{}: {:.6g} of {:.6g}. ", criterion.title, found->second.points,
-                        criterion.points);
-  }
   if (mark.deduction > 0) text += fmt::format("Deducted for lateness: {}. ", mark.deduction);
   return text.substr(0, text.size() - 1);
 }

@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <optional>
+#include <set>
+#include <stdexcept>
 
 #include "course/assignment/student_text.hpp"
 #include "course/marking/toolkit.hpp"
@@ -168,6 +170,19 @@ class ReportMaker {
 Files marked_report(const Assignment& assignment, const ReportTypesetting& typesetting,
                     const ReportTask& task, const fs::path& scratch) {
   return ReportMaker(assignment, typesetting, task, scratch).made();
+}
+
+std::map<std::string, std::string> anonymous_names(const std::vector<std::string>& units,
+                                                   const std::string& seed) {
+  constexpr std::size_t n_digits = 10;
+  std::map<std::string, std::string> names;
+  std::set<std::string> known;
+  for (const std::string& unit : units) {
+    const std::string digest = sys::sha256_of_text("report\n" + seed + "\n" + unit);
+    names[unit] = "report-" + digest.substr(0, n_digits);
+    if (!known.insert(names[unit]).second) throw std::logic_error("two reports have one name");
+  }
+  return names;
 }
 
 }  // namespace course

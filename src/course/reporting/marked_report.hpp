@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/files.hpp"
@@ -29,5 +32,12 @@ struct ReportTask {
 /// cannot work, never because of what was submitted.
 Files marked_report(const Assignment& assignment, const ReportTypesetting& typesetting,
                     const ReportTask& task, const std::filesystem::path& scratch);
+
+/// The names under which markers see who handed in, by student or group: 'report-' and ten
+/// hexadecimal digits of SHA-256 of seed and student or group. Who does not know the seed cannot
+/// tell one from the other. Throws std::logic_error if two had one name, which a class of thousands
+/// never meets.
+std::map<std::string, std::string> anonymous_names(const std::vector<std::string>& units,
+                                                   const std::string& seed);
 
 }  // namespace course

@@ -303,9 +303,7 @@ void Sandbox::probe() const {
   why = why.substr(0, why.find('\n'));
   throw sys::ToolError(
       isolation_ == Isolation::sandbox
-          ? fmt::format("bubblewrap cannot keep submissions apart here: {}; --unsafe grades "
-                        "without it, with limits only",
-                        why)
+          ? fmt::format("bubblewrap cannot keep submissions apart here: {}", why)
           : fmt::format("cannot run a program within limits: {}", why));
 }
 

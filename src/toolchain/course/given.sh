@@ -21,17 +21,6 @@ add_given() {
   options+=("$3" "$path")
 }
 
-# add_decisions SCRIPT WORK: adds to the array `options` what persons decided: REGRADES, and MARKS with the seed, by which names of
-# reports are told.
-add_decisions() {
-  add_given "$1" REGRADES --regrades
-  add_given "$1" MARKS --marks
-  if [[ -n ${MARKS:-} && -n ${SEED:-} ]]; then
-    keep_seed "$2/course/seed"
-    options+=(--seed-file "$2/course/seed")
-  fi
-}
-
 # SEED_FILE=file takes the place of SEED=text, which everybody on the machine can read on the command line of make.
 if [[ -n ${SEED_FILE:-} ]]; then
   if [[ -n ${SEED:-} ]]; then

@@ -65,88 +65,36 @@ results() { # results WORK [VARIABLE=value …]
 printf 'Student,ID,SIS Login ID,Section,%s (7),Total\n' 'Surface displacements and the contact of two cylinders' >"$scratch/canvas.csv"
 printf '%s\n' 'Alice,1,alice,S,,' 'Bob,2,bob,S,,' 'Carol,3,carol,S,,' 'Frank,4,frank,S,,' >>"$scratch/canvas.csv"
 results one ROSTER=class.csv SUBMISSIONS='sub missions' CANVAS=canvas.csv
-claim 'the results are written' "$status" = 0
-claim 'and without a handout it is told what is not known' "$(says 'no mistakes are named')" = yes
+claim 'what is not graded is told' "$status $(says 'student dave handed something in that is not graded')" = '1 yes'
 claim 'Canvas gets the marks' "$(tail -n +2 "$scratch/one/results/canvas.csv" | cut -d, -f3,5 | tr -d '\r' | tr '\n' ' ')" = \
   'alice,100 bob,60 carol,90 frank,100 '
 claim 'Moodle gets the marks' "$(cut -d, -f1,2 "$scratch/one/results/moodle.csv" | tr -d '\r' | tr '\n' ' ')" = \
   'student,grade alice,100 bob,60 carol,90 frank,100 '
-claim 'the page says who is missing' "$(grep -c 'missing: 1: erin' "$scratch/one/results/results.html")" = 1
+claim 'who has a mark has a page, and nobody else' "$(cd "$scratch/one/results/feedback" && printf '%s ' *)" = \
+  'alice.html bob.html carol.html frank.html '
+claim 'with the mark' "$(grep -c 'bob: 60 of 100 points' "$scratch/one/results/feedback/bob.html")" = 1
+claim 'and they are packed' "$(bsdtar -tf "$scratch/one/results/feedback.zip" | head -1)" = feedback/alice.html
 results one CANVAS=canvas.csv COLUMN=Exam
 claim 'a column that there is not is told with its place' "$status $(says "canvas.csv:1:1: there are 0 columns named 'Exam'")" = '2 yes'
 mkdir "$scratch/none"
 results none
 claim 'without grades there are no results' "$status $(says 'make course DO=grade comes first')" = '2 yes'
 
-# A request that was granted counts in the table and on the page, and nothing goes out before everything is graded.
-mkdir "$scratch/regrades"
-printf '%s\n' 'student = "bob"' 'check = "influence-shape"' 'reason = "it is a slip of the pen"' 'outcome = "granted"' 'points = 2' \
-  'answer = "So it is."' 'marker = "br"' >"$scratch/regrades/bob.toml"
-released() { # released [VARIABLE=value …]
-  runs env "$@" HALFSPACE_COURSE="$course" WORK="$scratch/one" CALLER="$scratch" ROSTER=class.csv REGRADES=regrades \
-    bash "$source_dir/src/toolchain/course/release-feedback"
-}
-released SUBMISSIONS='sub missions'
-claim 'what is not graded keeps all feedback back' "$status $(says 'student dave handed something in that is not graded')" = '1 yes'
-claim 'then there is none' ! -e "$scratch/one/feedback"
-released
-claim 'the feedback is released' "$status" = 0
-claim 'for who has a mark, and nothing else' "$(cd "$scratch/one/feedback" && printf '%s ' *)" = 'alice.html bob.html carol.html frank.html '
-page=$scratch/one/feedback/bob.html
-claim 'with what was decided' "$(grep -c 'bob: 62 of 100 points' "$page") $(grep -c 'It now gives 2 points. So it is. (br)' "$page")" = '1 1'
-claim 'and packed' "$(bsdtar -tf "$scratch/one/feedback.zip" | head -1)" = feedback/alice.html
-sed -i 's/points = 2/points = 3/' "$scratch/regrades/bob.toml"
-released
-claim 'points that a check cannot give are told with their place' \
-  "$status $(says 'bob.toml:5:10: points: 3 is not from 0 to 2, the points of influence-shape')" = '2 yes'
-
-# Markers see reports without names, and what they give counts.
-cp -R "$source_dir/report/assignment" "$scratch/marked"
-cat >>"$scratch/marked/assignment.toml" <<EOF
-
-[[criterion]]
-id = "words"
-title = "Words"
-says = "is it said?"
-points = 6
-EOF
+# Markers see reports without names.
 course_script() { # course_script NAME VARIABLE=value …
   name=$1
   shift
-  runs env HALFSPACE_COURSE="$course" WORK="$scratch/one" CALLER="$scratch" ASSIGNMENT="$scratch/marked" ROSTER=class.csv \
+  runs env HALFSPACE_COURSE="$course" WORK="$scratch/one" CALLER="$scratch" ROSTER=class.csv \
     SEED='autumn 27' "$@" bash "$source_dir/src/toolchain/course/$name"
 }
 course_script marking SUBMISSIONS='sub missions'
-form=$scratch/one/marking/marks.csv
 claim 'what is no submission of one student is told' "$status $(says 'student dave has more than one submission')" = '1 yes'
-claim 'there is a line for each report' "$(grep -c '^report-[0-9a-f]*,words,,,' "$form")" = 2
+claim 'the instructor alone sees whose each is' "$(tail -n +2 "$scratch/one/reports.csv" | cut -d, -f1 | tr '\n' ' ')" = 'alice bob '
+claim 'by the name of its folder' -d "$scratch/one/marking/$(sed -n 's/^bob,\(report-[0-9a-f]*\)\r*$/\1/p' "$scratch/one/reports.csv")"
 claim 'whose folder has it' "$(find "$scratch/one/marking" -name report.tex | wc -l | tr -d ' ')" = 2
 claim 'each is typeset' "$(find "$scratch/one/marking" -name typeset.pdf | wc -l | tr -d ' ')" = 2
 claim 'and what does not compile is told beside it' "$(cat "$scratch"/one/marking/*/findings.txt | grep -c "'nothing' was not declared")" = 1
 claim 'and nothing tells whose it is' -z "$(find "$scratch/one/marking" -name '*alice*' -o -name '*bob*')"
-course_script results
-claim 'who forgets what markers gave is warned' \
-  "$status $(says 'warning: the rubric has criteria worth 6 points for the report, and MARKS=file (--marks)')" = '0 yes'
-cp -R "$scratch/one/feedback" "$scratch/feedback.before"
-course_script release-feedback
-claim 'and no feedback goes out without it' \
-  "$status $(says 'the rubric has criteria worth 6 points for the report, and MARKS=file (--marks)')" = '1 yes'
-claim 'then the old pages stay' -z "$(diff -r "$scratch/feedback.before" "$scratch/one/feedback" 2>&1)"
-runs "$course" collect "$scratch/one/grades" --assignment "$scratch/marked" --output "$scratch/collected.csv"
-claim 'nor is the table made without a word' "$status $(printf '%s\n' "$said" | grep -c 'warning: the rubric')" = '0 1'
-course_script results MARKS=one/marking/marks.csv
-claim 'what is not marked yet is told' "$status $(says 'the report of alice is not marked: words')" = '1 yes'
-sed 's/words,,,/words,4.5,,br/' "$form" >"$scratch/drawn.csv"
-course_script results MARKS=drawn.csv SEED=
-claim 'who forgets the seed of drawn names is told once' \
-  "$status $(printf '%s\n' "$said" | grep -c 'student: these names are drawn from the seed: give SEED_FILE=file')" = '1 1'
-sed -i 's/words,,,/words,4.5,"good, short",br/' "$form"
-course_script release-feedback MARKS=one/marking/marks.csv
-claim 'the points of the report count' "$status $(grep -c 'alice: 104.5 of 106 points' "$scratch/one/feedback/alice.html")" = '0 1'
-claim 'and so does what was written' "$(grep -c 'good, short' "$scratch/one/feedback/bob.html")" = 1
-claim 'who has no report has none of them' "$(grep -c 'carol: 90 of 106 points' "$scratch/one/feedback/carol.html")" = 1
-course_script marking SUBMISSIONS='sub missions'
-claim 'a form that holds points is not written over' "$status $(says 'holds points; move it away first') $(grep -c good "$form")" = '2 yes 2'
 
 # Copies of the solution have no line of their own; a helper under two names has.
 mkdir "$scratch/alike"

@@ -8,7 +8,6 @@
 #include "config/table.hpp"
 #include "course/assignment/variants.hpp"
 #include "course/release/make_toolkit.hpp"
-#include "course/release/mistake_patterns.hpp"
 #include "course/release/variant_check.hpp"
 #include "course/release/wrong_solutions.hpp"
 #include "course/sandbox/sandbox.hpp"
@@ -80,8 +79,7 @@ class Toy {
                                          .toolkit = toolkit(),
                                          .secret_files = {toy::folder / "hidden/hidden_checks.hpp"},
                                          .source = toy::source,
-                                         .n_jobs = 2,
-                                         .patterns = patterns()},
+                                         .n_jobs = 2},
                                         [&](const course::ProvedClaim& claim) {
                                           for (const std::string& fault : claim.faults)
                                             faults += claim.says + ": " + fault + "\n";
@@ -93,7 +91,6 @@ class Toy {
 
   std::string prove() const { return prove(course::nominal_variant(assignment())); }
 
-  fs::path patterns() const { return folder_.path() / "patterns.json"; }
 
   fs::path zip() const { return folder_.path() / "handout.zip"; }
 
@@ -114,24 +111,6 @@ BOOST_AUTO_TEST_CASE(a_students_handout_is_proved_with_its_zip) {
   toy.write_handout(ada);
 
   BOOST_TEST(toy.prove(ada, toy.zip()) == "");
-}
-
-BOOST_AUTO_TEST_CASE(the_proof_leaves_what_each_wrong_solution_scores_in_each_check) {
-  const Toy toy;
-  toy.write_handout();
-  toy.prove();
-
-  const auto patterns = course::read_patterns(toy.assignment(), toy.patterns());
-
-  const auto wrong = course::read_wrong_solutions(
-      toy.assignment(), course::texts(toy.project(), course::Edition::solution));
-  BOOST_REQUIRE(patterns.size() == wrong.size());
-  for (std::size_t i = 0; i < wrong.size(); ++i) {
-    double points = 0;
-    for (const auto& [check, its_points] : patterns[i].points) points += its_points;
-    BOOST_TEST(patterns[i].id == wrong[i].id);
-    BOOST_TEST(points == wrong[i].points);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(what_a_student_would_trip_over_is_a_fault) {

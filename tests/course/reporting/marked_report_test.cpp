@@ -426,4 +426,13 @@ BOOST_AUTO_TEST_CASE(a_machine_without_tex_is_told_as_such) {
   ::setenv("PATH", path.c_str(), 1);
 }
 
+BOOST_AUTO_TEST_CASE(names_of_reports_do_not_tell_the_student) {
+  const auto names = course::anonymous_names({"alice", "bob"}, "autumn 27");
+
+  BOOST_TEST(names.at("alice").starts_with("report-"));
+  BOOST_TEST(names.at("alice").size() == 17U);
+  BOOST_TEST(names.at("alice") != names.at("bob"));
+  BOOST_TEST(names.at("alice") != course::anonymous_names({"alice"}, "autumn 28").at("alice"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

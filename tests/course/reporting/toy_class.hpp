@@ -18,8 +18,10 @@ inline course::StudentMark student(const std::string& id, const std::vector<doub
   mark.percent = percent;
   for (std::size_t i = 0; i < checks.size(); ++i) {
     mark.checks[checks[i]] = points[i];
+    mark.points += points[i];
   }
-  mark.add_up();
+  mark.deduction = mark.points * percent / 100;
+  mark.mark = mark.points - mark.deduction;
   return {.student = id, .state = mark.state, .mark = mark};
 }
 
@@ -29,7 +31,6 @@ inline course::ClassMarks marks() {
                        student("carol", {4, 6, 0, 2.5}),
                        student("dave", {0, 0, 5, 0}),
                        {.student = "erin", .state = "missing"}},
-          .most = 20,
           .problems = {}};
 }
 
