@@ -76,6 +76,7 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.value("limit.run", Value(assignment.limits.run_seconds, integer(), "s"));
   document.value("limit.all-runs", Value(assignment.limits.submission_seconds, integer(), "s"));
   document.value("limit.report", Value(assignment.limits.report_seconds, integer(), "s"));
+  document.value("limit.processes", Value(assignment.limits.processes, integer()));
   document.value("limit.memory", Value(assignment.limits.memory_mb, integer(), "{MB}"));
   document.value("limit.output", Value(assignment.limits.output_kb, integer(), "{kB}"));
   document.value("limit.submission", Value(assignment.limits.submission_mb, integer(), "{MB}"));

@@ -15,7 +15,8 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<std::string_view, 5> endings = {".tar.gz", ".tar.xz", ".tgz", ".tar", ".zip"};
+constexpr std::array<std::string_view, 9> endings = {
+    ".tar.gz", ".tar.xz", ".tar.bz2", ".tar.zst", ".tgz", ".tbz2", ".tar", ".zip", ".7z"};
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

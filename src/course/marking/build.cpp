@@ -4,6 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "course/assignment/student_text.hpp"
@@ -40,6 +43,16 @@ std::string without_long_chains(const std::string& text) {
     result += '\n';
   }
   return result;
+}
+
+/// Whether a file may change what the headers mean that it includes: then none may stand before its
+/// own text, or `#define NDEBUG` and the like would have no effect. It looks for words, and takes a
+/// comment with one of them for a directive, which costs time and nothing else.
+bool changes_its_headers(std::string_view text) {
+  const std::string_view before = text.substr(0, std::min(text.rfind("include"), text.size()));
+  return std::ranges::any_of(std::array{"define", "undef", "ragma"}, [&](std::string_view word) {
+    return before.find(word) != before.npos;
+  });
 }
 
 /// Runs the compiler on the files of one submission.
@@ -90,6 +103,9 @@ class Compiler {
     if (cpu_seconds_ > limits_.compile_all_seconds) {
       return fmt::format("all files together take longer than {} s to compile",
                          limits_.compile_all_seconds);
+    }
+    if (changes_its_headers(sys::read_file(project_.path / file))) {
+      return message_of(run(arguments_for(file, false), object));
     }
     const JobEnd end = run(arguments_for(file, true), object);
     if (has_worked(end)) return "";
@@ -277,6 +293,16 @@ class Objects {
     return compiler_.link(with_stubs(own_), program);
   }
 
+  /// Links the file of an exercise and those that it builds on. Returns the linker's message.
+  std::string link_alone(const Exercise& exercise, const fs::path& program) const {
+    std::map<std::string, fs::path> needed;
+    for (const std::string& file : files_behind(exercise)) {
+      const auto object = own_.find(file);
+      if (object != own_.end()) needed.insert(*object);
+    }
+    return compiler_.link(with_stubs(needed), program);
+  }
+
   /// The messages, by exercise.
   std::map<std::string, std::string> errors() const {
     std::map<std::string, std::string> errors;
@@ -288,6 +314,15 @@ class Objects {
   }
 
  private:
+  /// The files of an exercise and of all that it builds on.
+  std::set<std::string> files_behind(const Exercise& exercise) const {
+    std::set<std::string> files = {exercise.file};
+    for (const std::string& id : exercise.builds_on) {
+      files.merge(files_behind(*std::ranges::find(assignment_.exercises, id, &Exercise::id)));
+    }
+    return files;
+  }
+
   std::vector<Readable> with_stubs(const std::map<std::string, fs::path>& own) const {
     std::map<std::string, fs::path> objects = own;
     for (const Exercise& exercise : assignment_.exercises) {
@@ -307,6 +342,12 @@ class Objects {
   std::map<std::string, std::string> errors_;  ///< by file
 };
 
+void make_executable(const fs::path& program) {
+  using fs::perms;
+  fs::permissions(program, perms::owner_all | perms::group_read | perms::group_exec |
+                               perms::others_read | perms::others_exec);
+}
+
 }  // namespace
 
 Built build(const Assignment& assignment, const fs::path& toolkit, const Files& files,
@@ -324,9 +365,14 @@ Built build(const Assignment& assignment, const fs::path& toolkit, const Files& 
   built.link_error = objects.link(built.program);
   built.compile_errors = objects.errors();
   if (!built.link_error.empty()) return built;
-  using fs::perms;
-  fs::permissions(built.program, perms::owner_all | perms::group_read | perms::group_exec |
-                                     perms::others_read | perms::others_exec);
+  make_executable(built.program);
+  if (other) return built;
+  for (const Exercise& exercise : assignment.exercises) {
+    const fs::path program = folder / ("program of " + exercise.id);
+    if (!objects.link_alone(exercise, program).empty()) continue;
+    make_executable(program);
+    built.alone[exercise.id] = program;
+  }
   return built;
 }
 

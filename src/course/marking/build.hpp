@@ -14,11 +14,20 @@ namespace course {
 
 /// A submission, compiled.
 struct Built {
-  std::filesystem::path program;
+  std::filesystem::path program;  ///< of all files that compile
+  /// By exercise the program of its own file, those that it builds on, and stubs in place of all
+  /// others, so that what the others do when they start or end costs nothing here. An exercise is
+  /// not there if its file needs another one to be linked.
+  std::map<std::string, std::filesystem::path> alone;
   /// The compiler's message by exercise, for each exercise whose file is missing or does not
   /// compile and is replaced by its stub.
   std::map<std::string, std::string> compile_errors;
   std::string link_error;  ///< empty if there is a program
+
+  const std::filesystem::path& program_of(const Exercise& exercise) const {
+    const auto own = alone.find(exercise.id);
+    return own == alone.end() ? program : own->second;
+  }
 };
 
 /// A program of the toolkit's project that takes the place of the one which answers questions.

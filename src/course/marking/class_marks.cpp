@@ -56,13 +56,28 @@ void read_mark(const Assignment& assignment, const fs::path& folder, Known& know
   }
 }
 
-/// Everybody who handed something in, even if it was more than one submission.
-std::vector<std::string> students_with_submission(const fs::path& submissions) {
+/// Who handed in a file that is no archive, by the roster: whose name it begins with.
+std::string student_of_file(const std::string& name, const std::optional<Roster>& roster) {
+  if (!roster) return name.substr(0, name.find('.'));
+  const auto units = units_of(*roster);
+  const auto unit =
+      std::ranges::find_if(units, [&](const auto& one) { return name.starts_with(one + "."); });
+  return unit == units.end() ? "" : *unit;
+}
+
+/// Everybody who handed something in, even if it was more than one submission or cannot be read.
+/// Who hands in with a group and did so alone is told by `list`, and has the group's mark.
+std::vector<std::string> students_with_submission(const fs::path& submissions,
+                                                  const std::optional<Roster>& roster) {
   std::vector<std::string> students;
   for (const auto& entry : fs::directory_iterator(submissions)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.')) continue;
     const bool is_folder = fs::is_directory(entry.symlink_status());
-    if (!is_folder && !names_archive(entry.path())) continue;
-    const std::string student = student_of(entry.path());
+    const std::string student = is_folder || names_archive(entry.path())
+                                    ? student_of(entry.path())
+                                    : student_of_file(name, roster);
+    if (roster && roster->contains(student) && members_of(*roster, student).empty()) continue;
     try {
       require_student_id(student);
       students.push_back(student);
@@ -107,7 +122,7 @@ ClassMarks class_marks(const Assignment& assignment, const fs::path& grades,
   Known known;
   for (const fs::path& one : folders_in(grades)) read_mark(assignment, one, known, marks.problems);
   if (submissions) {
-    for (const std::string& student : students_with_submission(*submissions)) {
+    for (const std::string& student : students_with_submission(*submissions, roster)) {
       const bool is_known = !roster || !members_of(*roster, student).empty();
       add_without_mark(known, student, is_known ? "not graded" : "not in the class");
     }

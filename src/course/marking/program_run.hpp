@@ -4,26 +4,29 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <tuple>
 
 #include "course/assignment/check.hpp"
 #include "course/marking/build.hpp"
 
 namespace course {
 
-/// The numbers that a program printed, separated by white space. Throws ProgramFailure for
-/// anything but finite decimal numbers; the message repeats nothing of what the program printed,
-/// not even how much it was.
+/// The numbers that a program printed, separated by white space; an infinity is a NaN, with which no
+/// comparison holds. Throws ProgramFailure for anything else; the message repeats nothing of what
+/// the program printed, not even how much it was.
 Numbers parse_answer(std::string_view text);
 
 /// A built submission as the checks see it. Each question is asked in two runs in the sandbox,
-/// which must agree; the same question again gets the same answer. A task that took too long is not
+/// which must agree but for roundings, since threads add up in any order; the same question again gets the same answer. A task that took too long is not
 /// asked again, and no question is asked once all runs together took Limits::submission_seconds of
 /// processor time.
 class ProgramRun {
  public:
   /// Writes its files beside the program.
   ProgramRun(const Limits& limits, const Built& built, Isolation isolation);
+
+  /// From now on this program answers, beside the first one.
+  void use(const std::filesystem::path& program) { program_ = std::filesystem::absolute(program); }
 
   /// Throws ProgramFailure if there is no answer, ToolError if the sandbox cannot be started.
   Numbers answer(const std::string& task, const Numbers& inputs);
@@ -41,7 +44,7 @@ class ProgramRun {
   Limits limits_;
   std::filesystem::path program_;
   Sandbox sandbox_;
-  std::map<std::pair<std::string, Numbers>, Answer> answers_;
+  std::map<std::tuple<std::filesystem::path, std::string, Numbers>, Answer> answers_;
   std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
   double cpu_seconds_ = 0;                       ///< of all runs so far
 };

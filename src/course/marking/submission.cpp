@@ -26,7 +26,8 @@ std::vector<std::string> wanted_files(const Assignment& assignment) {
   return {files.begin(), files.end()};
 }
 
-/// Everything in a folder, whatever its kind; links are not followed.
+/// Everything in a folder, whatever its kind, but the history of its repository; links are not
+/// followed.
 struct Contents {
   std::vector<std::string> entries;
   std::uintmax_t bytes = 0;
@@ -38,8 +39,12 @@ Contents contents_of(const fs::path& folder) {
   const auto options = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator entry(folder, options, error), end;
        !error && entry != end && contents.entries.size() < max_entries; entry.increment(error)) {
-    contents.entries.push_back(entry->path().lexically_relative(folder).generic_string());
     std::error_code unreadable;
+    if (entry->path().filename() == ".git") {
+      entry.disable_recursion_pending();
+      continue;
+    }
+    contents.entries.push_back(entry->path().lexically_relative(folder).generic_string());
     if (!entry->is_symlink(unreadable) && entry->is_regular_file(unreadable)) {
       contents.bytes += entry->file_size(unreadable);
     }
@@ -113,12 +118,35 @@ std::string place_of_the_missing(const std::vector<std::string>& entries,
   return "";
 }
 
-/// Says where the files are if none was taken.
-void explain_nothing(const std::vector<std::string>& entries,
-                     const std::vector<std::string>& wanted, Submission& submission) {
-  if (!submission.files.empty()) return;
-  std::string where = place_of_the_missing(entries, wanted);
-  if (!where.empty()) submission.problems.push_back(std::move(where));
+/// The name of a file without case and without what a browser or a system appends to it:
+/// Quadrature.cpp.txt and quadrature.cpp are alike.
+std::string like(std::string_view path) {
+  std::string name(path.substr(path.rfind('/') + 1));
+  std::ranges::transform(name, name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  if (name.ends_with(".txt")) name.resize(name.size() - 4);
+  return name;
+}
+
+/// Says what is there in place of what is missing.
+void explain_missing(const std::vector<std::string>& entries,
+                     const std::vector<std::string>& wanted, const std::string& place,
+                     Submission& submission) {
+  if (submission.files.empty()) {
+    std::string where = place_of_the_missing(entries, wanted);
+    if (!where.empty()) {
+      submission.problems.push_back(std::move(where));
+      return;
+    }
+  }
+  for (const std::string& file : wanted) {
+    if (std::ranges::find(entries, place + file) != entries.end()) continue;
+    const auto other = std::ranges::find(entries, like(file), like);
+    if (other == entries.end()) continue;
+    submission.problems.push_back(fmt::format("there is '{}', but {} is looked for",
+                                              shown_name(*other), file));
+  }
 }
 
 Submission take_folder(const Assignment& assignment, const fs::path& folder) {
@@ -133,7 +161,7 @@ Submission take_folder(const Assignment& assignment, const fs::path& folder) {
   take_files(
       wanted, place, [&](const std::string& file) { return read_beneath(folder, file, max_bytes); },
       submission);
-  explain_nothing(contents.entries, wanted, submission);
+  explain_missing(contents.entries, wanted, place, submission);
   return submission;
 }
 
@@ -151,7 +179,7 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
       std::ranges::find(archive.entries(), place + report) != archive.entries().end();
   take_files(
       wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
-  explain_nothing(archive.entries(), wanted, submission);
+  explain_missing(archive.entries(), wanted, place, submission);
   return submission;
 }
 
@@ -162,7 +190,7 @@ bool is_archive(const fs::path& path) {
   const bool is_one = fs::is_regular_file(status) && names_archive(path);
   if (!is_one && !fs::is_directory(status)) {
     throw sys::OutputError(
-        fmt::format("'{}' is neither a folder nor an archive (.zip, .tar, .tar.gz, .tgz, .tar.xz)",
+        fmt::format("'{}' is neither a folder nor an archive (.zip, .7z, .tar, .tar.gz, .tar.bz2, .tar.xz, .tar.zst)",
                     shown_name(path.string())));
   }
   return is_one;

@@ -89,6 +89,7 @@ std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& 
   const auto try_all = [&](Visibility visibility) {
     for (const Exercise& exercise : assignment.exercises) {
       const std::string why_not = obstacle(exercise, built);
+      run.use(built.program_of(exercise));
       for (const CheckEntry& entry : exercise.checks) {
         if (entry.visibility != visibility) continue;
         const Outcome outcome = why_not.empty() ? outcome_of(checks.at(entry.id), program, variant)
@@ -98,6 +99,7 @@ std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& 
     }
   };
   try_all(Visibility::visible);
+  run.use(built.program);
   if (after_public) after_public();
   try_all(Visibility::hidden);
   std::vector<CheckResult> in_order;

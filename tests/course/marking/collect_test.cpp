@@ -73,6 +73,24 @@ BOOST_AUTO_TEST_CASE(each_member_of_a_group_has_its_mark) {
                  .find("\r\nbob,on time,5.5,0,5.5,no,,,0,g7,4,1.5,0,0\r\n") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_graded_is_not_missing) {
+  const TemporaryFolder folder;
+  write_mark(folder, graded("g7"));
+  folder.write("submissions/carol.rar", "");
+  folder.write("submissions/alice/src/square.cpp", "");
+  folder.write("submissions/.listing", "");
+  const Roster roster = {{"alice", {.group = "g7"}}, {"carol", {}}, {"dave", {}}};
+
+  const ClassMarks marks = class_marks(toy_grading::assignment(), folder.path() / "grades", roster,
+                                       folder.path() / "submissions");
+
+  BOOST_REQUIRE(marks.students.size() == 3U);
+  BOOST_TEST(marks.students[0].student == "alice");
+  BOOST_TEST(marks.students[0].mark->points == 5.5);
+  BOOST_TEST(marks.students[1].state == "not graded");
+  BOOST_TEST(marks.students[2].state == "missing");
+}
+
 BOOST_AUTO_TEST_CASE(a_mark_that_is_none_is_named_and_hinders_no_other) {
   const TemporaryFolder folder;
   write_mark(folder, graded("carol"));

@@ -40,7 +40,7 @@ const std::map<std::string, std::string> reasons = {
     {"answers_hexadecimal", "no decimal number"},
     {"answers_infinity", "no decimal number"},
     {"answers_markup", "no decimal number"},
-    {"answers_nan", "infinite or NaN"},
+    {"answers_nan", "does not grow"},
     {"answers_nothing", "answered nothing"},
     {"answers_too_few", "does not grow"},
     {"answers_too_many", "does not grow"},

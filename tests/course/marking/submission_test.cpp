@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(the_report_is_taken_as_it_is_and_nothing_beside_it) {
 }
 
 BOOST_AUTO_TEST_CASE(every_kind_of_archive_gives_the_same_files) {
-  for (const char* name : {"a.zip", "a.tar", "a.tar.gz", "a.tgz", "a.tar.xz"}) {
+  for (const char* name : {"a.zip", "a.tar", "a.tar.gz", "a.tgz", "a.tar.xz", "a.tar.bz2", "a.7z"}) {
     const TemporaryFolder folder;
     folder.write("Alice's work, ü [1]/src/square.cpp", "int a;\n");
     folder.write("Alice's work, ü [1]/src/sum.cpp", "int b;\n");
@@ -208,6 +208,31 @@ BOOST_AUTO_TEST_CASE(a_folder_of_one_folder_is_that_folder) {
   BOOST_TEST(submission.files.contains("src/square.cpp"));
   BOOST_TEST(submission.problems == std::vector<std::string>{"src/sum.cpp is missing"},
              boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(the_history_of_a_repository_does_not_count) {
+  const TemporaryFolder folder;
+  folder.write("alice/src/square.cpp", "int a;\n");
+  folder.write("alice/src/sum.cpp", "int b;\n");
+  folder.write("alice/.git/objects/pack", std::string(1'200'000, 'x'));
+
+  const Submission submission = take(folder.path() / "alice");
+
+  BOOST_TEST(submission.files.size() == 2U);
+  BOOST_TEST(submission.problems.empty());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_called_like_a_missing_file_is_named) {
+  const TemporaryFolder folder;
+  folder.write("alice/src/Square.cpp", "int a;\n");
+  folder.write("alice/sum.cpp.txt", "int b;\n");
+
+  for (const fs::path& path : {folder.path() / "alice", packed(folder, "a.zip", "alice")}) {
+    const Submission submission = take(path);
+    BOOST_REQUIRE(submission.problems.size() == 4U);
+    BOOST_TEST(submission.problems[2].ends_with("src/Square.cpp', but src/square.cpp is looked for"));
+    BOOST_TEST(submission.problems[3].ends_with("sum.cpp.txt', but src/sum.cpp is looked for"));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_is_neither_folder_nor_archive_is_refused) {

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <cmath>
 
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
@@ -87,6 +88,65 @@ BOOST_AUTO_TEST_CASE(a_helper_of_the_same_name_in_two_files_costs_the_second_onl
   BOOST_TEST(!graded.built.compile_errors.contains("square"));
   BOOST_TEST(graded.built.compile_errors.at("sum").find("multiple definition of `twice(double)'") !=
              std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(what_one_file_does_when_it_starts_or_ends_costs_no_other_exercise) {
+  const std::string sum = toy_grading::solution().at("src/sum.cpp");
+  for (const char* fault :
+       {"#include <cstdlib>\nstruct Last { ~Last() { std::abort(); } } last;\n",
+        "#include <cstdlib>\nstruct First { First() { std::abort(); } } first;\n",
+        "char large[1'400'000'000];\n"}) {
+    const Graded graded = grade(with("src/sum.cpp", fault + sum));
+
+    BOOST_TEST(graded.results[0].points == 4, fault);
+    BOOST_TEST(graded.results[1].points == 6, fault);
+    BOOST_TEST(graded.results[3].points == 0, fault);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_file_that_uses_what_another_defines_is_linked_with_it) {
+  Files files = toy_grading::solution();
+  files["src/sum.cpp"] += "double twice(double x) { return 2 * x; }\n";
+  files["src/square.cpp"] =
+      "#include \"toy.hpp\"\ndouble twice(double);\n"
+      "double square(double x) { return x * twice(x) / 2; }\n";
+
+  BOOST_TEST(total(grade(files).results) == 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_macro_before_the_headers_has_its_effect) {
+  const Graded graded = grade(with("src/square.cpp",
+                                   "#define NDEBUG\n#include <cassert>\n"
+                                   "double square(double x) { assert(x > 1e9); return x * x; }\n"));
+
+  BOOST_TEST(total(graded.results) == 20);
+}
+
+BOOST_AUTO_TEST_CASE(one_number_that_is_none_leaves_the_others_to_the_check) {
+  BOOST_TEST(parse_answer("1 2.5\n").size() == 2U);
+  const Numbers numbers = parse_answer("1\nnan\n-inf\n");
+  BOOST_REQUIRE(numbers.size() == 3U);
+  BOOST_TEST(numbers[0] == 1);
+  BOOST_TEST(std::isnan(numbers[1]));
+  BOOST_TEST(std::isnan(numbers[2]));
+  BOOST_CHECK_THROW(parse_answer("1 Infinity"), ProgramFailure);
+  BOOST_CHECK_THROW(parse_answer(" \n"), ProgramFailure);
+}
+
+BOOST_AUTO_TEST_CASE(answers_that_differ_as_threads_add_up_are_the_same) {
+  const Graded graded = grade(with("src/sum.cpp",
+                                   "#include \"toy.hpp\"\n#include <chrono>\n"
+                                   "double sum(const std::vector<double>& numbers) {\n"
+                                   "  double total = 0;\n"
+                                   "  for (const double number : numbers) total += number;\n"
+                                   "  const auto now = std::chrono::steady_clock::now();\n"
+                                   "  const bool other = now.time_since_epoch().count() / 1000 % 2;\n"
+                                   "  return total * (1 + (other ? 1e-15 : 0));\n"
+                                   "}\n"));
+
+  for (const CheckResult& result : graded.results) {
+    BOOST_TEST(result.message.find("different answers") == std::string::npos);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(answers_that_differ_from_run_to_run_are_none) {
@@ -240,7 +300,7 @@ BOOST_AUTO_TEST_CASE(public_checks_count_only_as_far_as_the_hidden_ones_of_the_e
 BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
   const TemporaryFolder scratch;
 
-  const Built built{.program = scratch.path() / "program", .compile_errors = {}, .link_error = {}};
+  const Built built{.program = scratch.path() / "program", .alone = {}, .compile_errors = {}, .link_error = {}};
   BOOST_CHECK_THROW(results_of(built, toy_grading::assignment(), {}, Isolation::sandbox),
                     std::logic_error);
 }
