@@ -44,7 +44,7 @@ void claim_body(Document& document, const HalfSpaceCase& half_space, const Block
         {LimitKind::choice, 0.1, "a tenth, which a plot of contours would show"}));
   }
   document.claim("felt-throughout",
-                 {.route = "the block by finite elements of high order under the triangle, on the "
+                 {.route = "the block by finite elements of high degree under the triangle, on the "
                            "supports assumed; the share of the largest displacement is nearly "
                            "the same under the fitted load",
                   .expected = Verdict::partly,
@@ -143,27 +143,44 @@ void claim_comparison(Document& document, const HalfSpaceCase& half_space,
                                        "steps", growth)}});
 }
 
-// Whether agreement under the load tells of a sound model: a sound one of this block, under the
-// load that the paper states, against the analytical column.
-void claim_run(Document& document, const HalfSpaceCase& half_space, const BlockStudy& study) {
+// How far the analytical column is at least, under the load, from the block on these sides under
+// the load that the paper states, over the displacement of the block.
+Estimate least_apart(const HalfSpaceCase& half_space, const BlockStudy& study,
+                     block::Support sides) {
+  const block::RefinedSolution solution = study.on(sides).solve(half_space.load);
   const double a = half_space.load.half_width();
   Estimate least{HUGE_VAL, 0};
   for (const double x : half_space.points) {
     if (std::abs(x) > a * (1 + 1e-12)) continue;
-    const Estimate sound = study.under_triangle().displacement_z(x, 0);
+    const Estimate sound = solution.displacement_z(x, 0);
     const Estimate apart = abs(displacement(half_space, x) - sound) / sound;
     if (apart.value < least.value) least = apart;
   }
-  document.value("block.sound-model-apart", Value(least, percent(0)));
-  document.claim("robust-model",
-                 {.route = "our block by finite elements under the load that the paper states, "
-                           "which is a sound model: were the agreement an indicator, the "
-                           "analytical column would agree with it, too",
-                  .expected = Verdict::refuted,
-                  .criteria = {Criterion::at_most(
-                      "least difference under the load from the analytical solution, over the "
-                      "displacement of the block",
-                      Value(least, percent(0)), nearly_identical())}});
+  return least;
+}
+
+// Whether agreement under the load tells of a sound model: sound ones of this block, under the load
+// that the paper states and on each kind of sides, since those of the run are not known, against
+// the analytical column.
+void claim_run(Document& document, const HalfSpaceCase& half_space, const BlockStudy& study) {
+  std::vector<Criterion> on_supports;
+  for (const block::Support sides :
+       {block::Support::clamped, block::Support::roller, block::Support::free}) {
+    const Estimate least = least_apart(half_space, study, sides);
+    document.value("block.sound-model-apart." + name_of(sides), Value(least, percent(1)));
+    on_supports.push_back(
+        Criterion::at_most("difference", Value(least, percent(1)), nearly_identical()));
+  }
+  document.claim(
+      "robust-model",
+      {.route = "the inference, not the run, which may have been sound: sound finite-element models "
+                "of the block under the load that the paper states, with clamped sides, rollers and "
+                "free sides on a clamped bottom; were the agreement an indicator, the analytical "
+                "column would agree with them, too",
+       .expected = Verdict::refuted,
+       .criteria = {Criterion::in_each("least difference under the load from the analytical "
+                                       "solution, over the displacement of the block",
+                                       "supports", on_supports)}});
 }
 
 // The largest principal stress of a half-space at points around the ends of the fitted load, on

@@ -147,7 +147,7 @@ literate::Table repair_table(const std::vector<Row>& rows, const ContactCase& c,
   literate::Table table("contact-m-repair",
                         {Column("", integer()), Column::text("change"),
                          Column("load over $P$", fixed(3)), Column("edge over $a$", fixed(2)),
-                         Column("peak over $p_0$", fixed(3)), Column("misfit", fixed(4))});
+                         Column("peak over $p_0$", fixed(3)), Column("departure", fixed(4))});
   // Loads and pressures are as wrong as the solved system, a misfit as twice its largest pressure.
   const double error = of_system + rounded(c, 1);
   const auto solved = [&](double x) { return Estimate{x, error * std::abs(x)}; };
@@ -223,6 +223,8 @@ void describe_listing(Document& document, const ContactCase& c, const UnitSystem
   document.value("contact-m.load", Value(carried, significant(4), units.line_load));
   // each triangle but the one in the middle has a mirror image
   const double both_sides = 2 * program.line_load - input.spacing * program.pressure[0];
+  document.value("contact-m.half-load", Value({both_sides / 2, 2 * of_system * program.line_load},
+                                              significant(4), units.line_load));
   document.value("contact-m.symmetric-load", Value({both_sides, 3 * of_system * program.line_load},
                                                    significant(4), units.line_load));
   document.value("contact-m.hertz-half-width",
@@ -330,7 +332,7 @@ void claim_program(Document& document, const ContactCase& c, const UnitSystem& u
        .expected = Verdict::refuted,
        .criteria = {
            Criterion::agrees_relatively(
-               "load that its triangles carry",
+               "load of its triangles, the one in the middle whole",
                Value({carried, of_system * carried}, significant(4), units.line_load),
                Value(c.line_load, exact(), units.line_load),
                {LimitKind::choice, 1e-2, "less than a plot shows"}),
@@ -338,7 +340,7 @@ void claim_program(Document& document, const ContactCase& c, const UnitSystem& u
                              Value(share, fixed(2)).within(rounded(c, share)), Value(1, exact()),
                              Limit::theory("c/a", {{"c", input.spacing}, {"a", hertz.half_width()}},
                                            "one element: an edge is only known to a node")),
-           Criterion::at_most("misfit of the pressure to Hertz's, as a share of the load",
+           Criterion::at_most("departure of the pressure from Hertz's, as a share of the load",
                               Value({row.misfit, 4 * of_system}, percent(0)),
                               less_than_a_plot_shows())}});
 }
@@ -368,9 +370,9 @@ void claim_mended(Document& document, const ContactCase& contact, const ContactM
            peak_error("largest relative difference of the peaks", own),
            peak_error("on the finer grids", fine),
            Criterion::at_least(
-               "mean misfit of the pressures over that on the finer grids",
+               "mean departure of the pressures over that on the finer grids",
                Value({ratio, 4 * of_system / fine.misfit * ratio}, significant(2)),
-               Limit::theory("4", {}, "a fourth of the element width: order 1 or more"))}});
+               Limit::theory("4", {}, "a quarter of the element width: order 1 or more"))}});
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ void claim_small_loss(Document& document, const std::vector<Criterion>& losses, 
   document.flag("friction.loss-is-small", is_small);
   document.claim("friction-small-loss",
                  {.route = "shift and widening of the contact by the closed form for bodies that "
-                           "slide on one another",
+                           "slide on one another; the sentence is taken to be one about the "
+                           "contact, not about the stresses beneath it",
                   .expected = is_small                                     ? Verdict::confirmed
                               : each.outcome() == literate::Outcome::fails ? Verdict::refuted
                                                                            : Verdict::partly,

@@ -179,12 +179,15 @@ void tabulate(Document& document, const PrintedData& printed_data, const UnitSys
               const std::vector<Contestant>& contestants) {
   const auto& printed = printed_data.appendix2.measures;
   const char* const misfit = "misfit of displacements";
+  const char* const height = "peak";
+  const char* const deviation = "deviation, \\%";
   literate::Table table(
       "load-contest",
       {Column::text("load"), Column("largest, \\%", fixed(2)).under(misfit),
-       Column("share", fixed(2)).under(misfit), Column("$\\chi^2$", fixed(1)).under(misfit),
-       Column("peak", uncertain(), units.stress), Column("off", fixed(1)),
-       Column("resultant, \\%", fixed(2)), Column("energy, \\%", fixed(2))});
+       Column("over conv.", fixed(2)).under(misfit), Column("$\\chi^2$", fixed(1)).under(misfit),
+       Column("pressure", uncertain(), units.stress).under(height),
+       Column("from $\\sigma_{yy}$", fixed(1)).under(height),
+       Column("resultant", fixed(2)).under(deviation), Column("energy", fixed(2)).under(deviation)});
   const block::Supports own = contestants.front().supports;
   for (const Contestant& c : contestants) {
     const bool is_peaked = c.n_free == 2 || c.n_free == 0;
