@@ -317,10 +317,10 @@ void register_coarse_mesh(Document& document, const HalfSpaceCase& half_space, b
   const Estimate printed =
       abs(as_estimate(printed_data.appendix2.measures.at(shear))) / converged(shear) - 1;
   document.check("a-coarse-mesh-has-the-shear-of-the-run",
-                 {Criterion::at_least("excess of the run over that of the highest order",
+                 {Criterion::at_least("excess of the run over that of the highest degree",
                                       Value(printed / excess(high, shear), significant(2)),
                                       {LimitKind::data, 1.0, "less would be too little"}),
-                  Criterion::at_most("excess of the run over that of the lowest order",
+                  Criterion::at_most("excess of the run over that of the lowest degree",
                                      Value(printed / excess(low, shear), significant(2)),
                                      {LimitKind::data, 1.0, "more would be left to explain"})},
                  "the excess of the printed shear stress lies between those of a coarse mesh");
@@ -358,6 +358,7 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
   document.value("fit.exponent", Value(fit.best, fixed(2)));
   document.value("fit.exponent.least", Value(fit.least, fixed(2)));
   document.value("fit.exponent.most", Value(fit.most, fixed(2)));
+  document.flag("fit.exponent.ends-tried", fit.least.value <= least_exponent);
   document.claim(
       "shape-undecided",
       {.route = "two numbers fitted for each shape, on the supports assumed; the shapes that meet "
@@ -382,7 +383,7 @@ void infer_load(Document& document, const HalfSpaceCase& half_space, block::Supp
   std::vector<Contestant> contestants = contest(study, half_space, sides);
   const double a = half_space.load.half_width();
   const double peak = half_space.load.peak_pressure();
-  const Contestant round = unfitted(study, "linear, nothing fitted",
+  const Contestant round = unfitted(study, "linear, round numbers",
                                     elasticity::linear_fall(peak, six_tenths, a), peak, sides);
   register_quality(document, units, study,
                    *std::ranges::find(contestants, "uniform + triangle", &Contestant::shape));

@@ -14,17 +14,17 @@
 namespace literate {
 namespace {
 
-std::string letter_of_index(std::size_t i) {
-  constexpr std::size_t n_letters = 26;
-  const std::string last(1, static_cast<char>('a' + i % n_letters));
-  return i < n_letters ? last : letter_of_index(i / n_letters - 1) + last;
-}
-
 bool is_of(const LimitNotes::Note& note, const Criterion& criterion) {
   return note.kind == criterion.limit_kind() && note.reason == criterion.limit_reason();
 }
 
 }  // namespace
+
+std::string letter_of_index(std::size_t i) {
+  constexpr std::size_t n_letters = 26;
+  const std::string last(1, static_cast<char>('a' + i % n_letters));
+  return i < n_letters ? last : letter_of_index(i / n_letters - 1) + last;
+}
 
 LimitNotes::LimitNotes(const Registered& registered) {
   for (const auto& [id, claim] : registered.claims) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,15 +9,19 @@
 
 namespace literate {
 
+/// a to z, then aa, ab, …: the letter of the note that is the i-th, from 0.
+std::string letter_of_index(std::size_t i);
+
 /// Why limits are what they are, a note for each kind and reason. Many limits share one, so the
-/// ledger prints a letter beside the limit and explains it once.
+/// ledger prints a letter beside the limit and explains it once. PDF and page, which know the order
+/// of reading, give the letters anew in it.
 class LimitNotes {
  public:
   /// The notes of all claims, in the order of registration.
   explicit LimitNotes(const Registered& registered);
 
   struct Note {
-    std::string letter;  ///< a to z, then aa, ab, …
+    std::string letter;  ///< by letter_of_index
     LimitKind kind;
     std::string reason;
   };

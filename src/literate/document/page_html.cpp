@@ -3,6 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <regex>
+#include <stdexcept>
+
 #include "literate/document/document_tex.hpp"
 #include "literate/text/latex.hpp"
 #include "system/files.hpp"
@@ -84,6 +88,33 @@ std::string limits_html(const LimitNotes& notes) {
   for (const LimitNotes::Note& note : notes.notes()) {
     html += fmt::format("<li id=\"limit-{0}\"><strong>[{0}]</strong> <em>{1}:</em> {2}</li>\n",
                         note.letter, name_of(note.kind), plain(note.reason));
+  }
+  return html + "</ul>\n";
+}
+
+std::string lettered(const std::string& claim_html, std::vector<std::string>& order) {
+  static const std::regex link(R"re((href="#limit-([a-z]+)">\[)[a-z]+\])re");
+  std::string html;
+  auto rest = claim_html.begin();
+  for (std::sregex_iterator at(rest, claim_html.end(), link), end; at != end; ++at) {
+    const auto known = std::ranges::find(order, at->str(2));
+    const auto index = static_cast<std::size_t>(known - order.begin());
+    if (known == order.end()) order.push_back(at->str(2));
+    html += std::string(rest, (*at)[0].first) + at->str(1) + letter_of_index(index) + "]";
+    rest = (*at)[0].second;
+  }
+  return html + std::string(rest, claim_html.end());
+}
+
+std::string in_order(const std::string& limits_html, const std::vector<std::string>& order) {
+  std::string html = "<ul class=\"lit-limits\">\n";
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::string begin = fmt::format("<li id=\"limit-{}\"><strong>[", order[i]);
+    const auto at = limits_html.find(begin);
+    if (at == std::string::npos) throw std::out_of_range("no note has the letter " + order[i]);
+    const auto behind = limits_html.find(']', at);
+    html += begin + letter_of_index(i) +
+            limits_html.substr(behind, limits_html.find('\n', at) + 1 - behind);
   }
   return html + "</ul>\n";
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "literate/document/ledger.hpp"
 #include "literate/document/registered.hpp"
@@ -18,6 +19,13 @@ std::string claim_html(const Registered& registered, const LimitNotes& notes, co
 
 /// The notes of the limits, to which the entries lead.
 std::string limits_html(const LimitNotes& notes);
+
+/// An entry whose limits have the letters of the order of reading: `order` holds the letters that
+/// claim_html gave those read so far, and those that come first here are added.
+std::string lettered(const std::string& claim_html, std::vector<std::string>& order);
+
+/// The notes in that order, with the same letters. Notes that no entry needs are left out.
+std::string in_order(const std::string& limits_html, const std::vector<std::string>& order);
 
 /// The index of values, as index_tex.
 std::string index_html(const Registered& registered);

@@ -149,6 +149,7 @@ class Expander {
   const PageSources& sources_;
   Handlers commands_, environments_;
   std::set<std::string_view> definitions_;  ///< commands that count in the preamble
+  std::vector<std::string> limits_;         ///< letters of the ledger's limits as they were read
   std::set<std::string> listed_;            ///< whether ledger and index are shown: claim-, val-
   nlohmann::json registered_;               ///< names.json
   Names names_;

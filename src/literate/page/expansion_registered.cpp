@@ -6,6 +6,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <ctime>
 
+#include "literate/document/page_html.hpp"
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
 #include "literate/prose/restyle.hpp"
@@ -173,13 +174,15 @@ void Expander::know_registered() {
     listed_.insert("claim-");
     for (const std::string& id : claims_of(is_cited)) {
       const std::string html = sys::read_file(sources_.generated / "page/claims" / (id + ".html"));
-      fragment(boost::replace_all_copy(html, "@origin@", is_cited ? "paper" : "ours"));
+      fragment(
+          lettered(boost::replace_all_copy(html, "@origin@", is_cited ? "paper" : "ours"), limits_));
     }
   });
   know({"PageFile"}, [this](TexScanner& in, const TexToken&) {
     const std::string file(argument(in));
     if (file == "index.html") listed_.insert("val-");
-    fragment(sys::read_file(sources_.generated / "page" / file));
+    const std::string html = sys::read_file(sources_.generated / "page" / file);
+    fragment(file == "limits.html" ? in_order(html, limits_) : html);
   });
   know({"tab"}, [this](TexScanner& in, const TexToken&) {
     const auto long_caption = option(in);

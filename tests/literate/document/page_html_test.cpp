@@ -43,6 +43,32 @@ BOOST_AUTO_TEST_CASE(the_ledgers_entry_has_the_verdict_that_was_found) {
   BOOST_TEST(holds(limits_html(notes), "half of the last digit"));
 }
 
+BOOST_AUTO_TEST_CASE(limits_have_their_letters_and_notes_in_the_order_of_reading) {
+  Registered registered;
+  for (const char* id : {"apples", "pears"}) {
+    Claim claim = claim_of_apples(2.5);
+    claim.criteria = {Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "{kr}"),
+                                         {LimitKind::data, 2.65, std::string("that of ") + id})};
+    registered.claims.emplace_back(id, claim);
+    registered.places[{"claim", id}] = {"src/fruit.cpp", "register_fruit", 12, 3};
+  }
+  const LimitNotes notes(registered);
+  const auto html_of = [&](std::size_t i) {
+    return claim_html(registered, notes, registered.claims[i].first, registered.claims[i].second);
+  };
+
+  std::vector<std::string> order;
+  const std::string pears = lettered(html_of(1), order);
+  const std::string apples = lettered(html_of(0), order);
+  const std::string reasons = in_order(limits_html(notes), order);
+
+  BOOST_TEST(holds(pears, "href=\"#limit-b\">[a]</a>"), pears);
+  BOOST_TEST(holds(apples, "href=\"#limit-a\">[b]</a>"), apples);
+  BOOST_TEST(holds(reasons, "<li id=\"limit-b\"><strong>[a]</strong>"), reasons);
+  BOOST_TEST(holds(reasons, "<li id=\"limit-a\"><strong>[b]</strong>"), reasons);
+  BOOST_TEST(reasons.find("that of pears") < reasons.find("that of apples"), reasons);
+}
+
 BOOST_AUTO_TEST_CASE(the_index_has_every_value_with_its_error) {
   Document document;
   document.value("price", Value({2.612, 0.001}, fixed(2), "{kr}"));
