@@ -108,7 +108,8 @@ void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSyste
   };
   document.claim("same-load",
                  {.route = "the printed columns: the slope of FEA (z) over that of the analytical "
-                           "column at the outermost points, times 𝑝₀𝑎; against the 𝑝₀𝑎 of eq. (4)",
+                           "column at the outermost points, times 𝑝₀𝑎, for the same 𝐸 and 𝜈; against the 𝑝₀𝑎 of "
+                           "eq. (4)",
                   .expected = Verdict::refuted,
                   .criteria = {each_agrees(stated)}});
   document.check("slopes-tell-the-load", {each_agrees(of_summary)},
