@@ -37,7 +37,7 @@ Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
     hertz_pressure.push_back(hertz.pressure(xi * hertz.half_width()) / hertz.peak_pressure());
   }
   return {.width_cm = 11.5,
-          .height_cm = 6.6,
+          .height_cm = 5.8,
           .data = {{"nodes", {{"x", node_x}, {"pressure", pressure}}},
                    {"differences", {{"x", touching_x}, {"difference", difference}}},
                    {"hertz", {{"x", hertz_x}, {"pressure", hertz_pressure}}}}};

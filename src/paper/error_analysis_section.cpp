@@ -108,7 +108,7 @@ void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSyste
   };
   document.claim("same-load",
                  {.route = "the printed columns: the slope of FEA (z) over that of the analytical "
-                           "column at the outermost points, times 𝑝₀𝑎, for the same 𝐸 and 𝜈; against the 𝑝₀𝑎 of "
+                           "column at the outermost points, times 𝑝₀𝑎, for the same 𝐸 and ν; against the 𝑝₀𝑎 of "
                            "eq. (4)",
                   .expected = Verdict::refuted,
                   .criteria = {each_agrees(stated)}});

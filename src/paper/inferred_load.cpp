@@ -207,7 +207,7 @@ Figure peaks_figure(const PrintedData& printed_data, const UnitSystem& units,
   const Measured stress = largest_stress(printed_data);
   std::vector<double> rows, peaks, standards, shares;
   Figure figure{.width_cm = 15,
-                .height_cm = 6.8,
+                .height_cm = 6.3,
                 .data = {},
                 .numbers = {{"stress", stress.value()}, {"stress_error", stress.standard()}},
                 .texts = {{"unit", units.stress}}};
