@@ -99,6 +99,18 @@ BOOST_AUTO_TEST_CASE(an_error_is_honest_only_if_it_covers_the_truth_and_says_som
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_error_that_is_the_same_everywhere_is_no_estimate) {
+  require_failed(spoiled("gradient_by_quadrature",
+                         [](Numbers& out) {
+                           double greatest = 0;
+                           for (std::size_t i = 0; i < out.size(); i += 2) {
+                             greatest = std::max(greatest, std::abs(out[i]));
+                           }
+                           for (std::size_t i = 1; i < out.size(); i += 2) out[i] = 5e-7 * greatest;
+                         }),
+                 {"quadrature-honest"});
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_that_takes_the_second_body_for_the_first_is_wrong_for_other_pairs) {
   const Program one_body = misled("contact", [](Numbers& in) {
     in[3] = in[0];
