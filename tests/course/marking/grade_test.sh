@@ -119,7 +119,7 @@ cp "$submissions/carol.tar.gz" "$scratch/groups/g7.tar.gz"
 printf '%s\n' student,group,submitted,slip_days alice,g7,2027-01-16T23:59:00Z,2 bob,g7,2027-01-16T23:59:00Z, carol,,, >"$scratch/groups.csv"
 grade three 1 groups groups.csv
 claim 'a group is graded' "$status" = 0
-claim 'each member has its mark' "$(cut -d, -f1,5,11 "$scratch/three/grades.csv" | tr -d '\r' | tr '\n' ' ')" = \
+claim 'each member has its mark' "$(cut -d, -f1,5,10 "$scratch/three/grades.csv" | tr -d '\r' | tr '\n' ' ')" = \
   'student,mark,group alice,90,g7 bob,90,g7 carol,, '
 
 # If grading cannot begin, the old grades stay.
