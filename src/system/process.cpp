@@ -146,7 +146,7 @@ ProcessResult run(const Command& command) {
   result.exit_status = wait_for(child);
   if (!is_in_time) {
     throw ToolError(fmt::format(
-        "{}: {} has not ended after {} s and was stopped; TIMEOUT=seconds allows more, TIMEOUT= "
+        "{}: {} has not ended after {} s and was stopped; LITERATE_TIMEOUT=seconds allows more, 0 "
         "any time",
         command.limit.what, command.program,
         std::chrono::round<std::chrono::seconds>(Clock::now() - begin).count()));

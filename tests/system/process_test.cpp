@@ -68,8 +68,8 @@ BOOST_AUTO_TEST_CASE(a_child_beyond_its_limit_is_ended_with_all_that_it_started)
                         .limit = {"figure 'f'", 1}};
 
   BOOST_TEST(message_of<ToolError>([&] { run(command); }) ==
-             "figure 'f': sh has not ended after 1 s and was stopped; TIMEOUT=seconds allows more, "
-             "TIMEOUT= any time");
+             "figure 'f': sh has not ended after 1 s and was stopped; LITERATE_TIMEOUT=seconds "
+             "allows more, 0 any time");
 
   run({.program = "sleep", .arguments = {"1"}});
   BOOST_TEST(!std::filesystem::exists(scratch / "late"));

@@ -116,7 +116,8 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
   std::size_t n_used = 0;
   for (const std::size_t end : ends_in(latex)) {
     if (end <= begin) continue;
-    begin = std::min(latex.find_first_not_of(" \t\r\n", begin), end);
+    // The braces that closed what the sentence before stood in are none of this one.
+    begin = std::min(latex.find_first_not_of(" \t\r\n}", begin), end);
     const std::string_view text = latex.substr(begin, end - begin);
     Sentence sentence;
     sentence.file = file;

@@ -13,6 +13,7 @@
 #include "system/csv.hpp"
 #include "system/nearest_name.hpp"
 #include "system/pattern.hpp"
+#include "system/utf8.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -155,6 +156,19 @@ bool holds_a_number(const std::vector<sys::CsvRow>& rows, const Fields& fields) 
   });
 }
 
+/// Throws SourceError at the first field with a byte that is no UTF-8.
+void require_utf8(const std::vector<sys::CsvRow>& rows) {
+  for (const sys::CsvRow& row : rows) {
+    for (const sys::CsvField& field : row) {
+      for (std::string_view rest = field.text; !rest.empty();) {
+        const sys::Utf8Character next = sys::first_character(rest);
+        if (!next.code_point) throw sys::SourceError(field.place + ": this text is not UTF-8");
+        rest.remove_prefix(next.bytes.size());
+      }
+    }
+  }
+}
+
 struct ReadFiles {
   NumbersAndScript sources;
   std::vector<sys::CsvRow> rows;
@@ -165,6 +179,7 @@ ReadFiles read_files(const fs::path& file, const fs::path& script, const fs::pat
   try {
     NumbersAndScript sources = with_script(file, read_numbers(file), script, root);
     auto rows = sys::parse_csv(sources.numbers.text, file.string(), sys::CsvComments::number_sign);
+    require_utf8(rows);
     return {std::move(sources), std::move(rows)};
   } catch (const sys::InputError& error) {
     throw ImportError(fmt::format("{}, for table '{}'", error.what(), table));

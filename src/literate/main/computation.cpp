@@ -112,7 +112,7 @@ class Clock {
       if (limit_ && *limit_ > 0 && passed >= seconds(*limit_)) {
         command_line::complain(
             fmt::format("the computation has not ended after {} s and was stopped; {}; "
-                        "TIMEOUT=seconds allows more, TIMEOUT= any time",
+                        "LITERATE_TIMEOUT=seconds allows more, 0 any time",
                         passed.count(), how_far()),
             sys::ExitCode::failed);
         std::_Exit(static_cast<int>(sys::ExitCode::failed));

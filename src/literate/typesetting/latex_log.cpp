@@ -49,6 +49,7 @@ class OpenFiles {
   void read(std::string_view line) {
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (line[i] == '(') files_.push_back(file_at(line.substr(i + 1)));
+      if (first_.empty() && !files_.empty()) first_ = files_.back();
       if (line[i] == ')' && !files_.empty()) files_.pop_back();
     }
   }
@@ -60,6 +61,9 @@ class OpenFiles {
     return named == files_.rend() ? std::string_view{} : *named;
   }
 
+  /// The document itself, whose name stays known when it is closed.
+  std::string_view first() const { return first_; }
+
  private:
   static std::string file_at(std::string_view text) {
     if (text.starts_with('"')) return std::string(text.substr(1, text.find('"', 1) - 1));
@@ -69,6 +73,7 @@ class OpenFiles {
   }
 
   std::vector<std::string> files_;
+  std::string first_;
 };
 
 /// Knows the text of an overfull or underfull box, which follows up to an empty line: neither its
@@ -162,13 +167,28 @@ std::vector<std::string> latex_errors(std::string_view log, std::string_view sou
   return errors;
 }
 
+/// What TeX says behind «\end occurred inside a group» of one that nobody closed, as «### simple
+/// group (level 1) entered at line 3 ({)»; empty for any other line. TeX does not tell the file.
+std::string open_group_in(std::string_view line) {
+  constexpr std::string_view words = " entered at line ";
+  const auto at = line.find(words);
+  if (!line.starts_with("### ") || at == line.npos) return "";
+  const std::string_view number = digits_at(line.substr(at + words.size()));
+  const std::string_view opened = line.substr(at + words.size() + number.size());
+  return fmt::format(
+      "the group that begins in line {} of this file, or of one that it reads, is not closed{}",
+      number, opened);
+}
+
 std::vector<std::string> latex_defects(std::string_view log, std::string_view source_label) {
   std::vector<std::string> defects;
   OpenFiles files;
   BoxContents boxes;
   for (const std::string_view line : sys::lines_of(log)) {
     if (boxes.hold(line)) continue;
-    if (is_defect(line)) {
+    if (const std::string group = open_group_in(line); !group.empty()) {
+      defects.push_back(labelled(files.first(), source_label) + ": " + group);
+    } else if (is_defect(line)) {
       const std::string file =
           files.current().empty() ? "" : labelled(files.current(), source_label) + ":";
       const std::string_view number = line_number_in(line);

@@ -271,13 +271,17 @@ Typeset typeset(const TypesetOptions& options) {
   // is told, since what is left may be the cause of it.
   const LatexFolder folder(options);
   const bool is_from_nothing = !folder.is_as_left();
-  if (is_from_nothing) folder.clear();
+  const auto begin_from_nothing = [&] {
+    folder.clear();
+    fs::remove_all(at_width_dir(options));  // one of these figures may be what LaTeX stopped at
+  };
+  if (is_from_nothing) begin_from_nothing();
   folder.begin();
   try {
     run_until_settled(options, preamble, is_new);
   } catch (const sys::ToolError&) {
     if (is_from_nothing) throw;
-    folder.clear();
+    begin_from_nothing();
     run_until_settled(options, preamble, true);
   }
   folder.keep();

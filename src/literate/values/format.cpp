@@ -269,11 +269,12 @@ RoundedNumber with_sides(double number, double below, double above) {
 }
 
 /// A bound beside a standard uncertainty, unless it is less than half a unit of the last digit,
-/// which rounding leaves open anyway.
-void add_bound(RoundedNumber& rounded, double bound, std::string_view what) {
+/// which rounding leaves open anyway. It holds of the number that is printed.
+void add_bound(RoundedNumber& rounded, double number, double bound, std::string_view what) {
   const int place = rounded.digits.place;
   const Decimal half{.negative = false, .digits = "5", .place = place - 1};
   if (bound < number_of(half)) return;
+  bound += std::abs(number - number_of(rounded.digits));
   rounded.beside.push_back({rounded_up_to_place(counted(bound), place), std::string(what)});
 }
 
@@ -292,7 +293,7 @@ RoundedNumber with_kinds(double number, const Uncertainty& uncertainty) {
     result.beside.push_back(
         {is_zero(nearest) ? rounded_up_to_place(standard, place) : nearest, kind});
   }
-  add_bound(result, uncertainty.bound, "at most");
+  add_bound(result, number, uncertainty.bound, "at most");
   return result;
 }
 
@@ -304,7 +305,7 @@ RoundedNumber with_uncertainty(double number, const Uncertainty& uncertainty) {
   const Decimal standard = rounded_to_digits(uncertainty.standard, n_digits_of_error);
   RoundedNumber result{rounded_to_place(number, standard.place), Style::automatic, true,
                        standard.digits};
-  add_bound(result, uncertainty.bound, "");
+  add_bound(result, number, uncertainty.bound, "");
   return result;
 }
 

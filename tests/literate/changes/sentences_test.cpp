@@ -30,6 +30,13 @@ BOOST_AUTO_TEST_CASE(full_stops_and_empty_lines_end_a_sentence) {
               {"One is here.", "Two is not!", "Three", "Four"});
 }
 
+BOOST_AUTO_TEST_CASE(a_sentence_begins_behind_the_braces_of_the_one_before) {
+  const auto found = sentences_in("\\footnote{One.}\n\nTwo is here.\n", "a.tex");
+  BOOST_REQUIRE(found.size() == 2U);
+  BOOST_TEST(found[1].latex == "Two is here.");
+  BOOST_TEST(found[1].first_line == 3);
+}
+
 BOOST_AUTO_TEST_CASE(abbreviations_decimals_and_file_names_do_not) {
   check_texts("See Fig. \\ref{a} and eq. (2), e.g. 1.5 of Contact.m alone. Next.",
               {"See Fig. \\ref{a} and eq. (2), e.g. 1.5 of Contact.m alone.", "Next."});

@@ -284,6 +284,7 @@ BOOST_AUTO_TEST_CASE(lines_that_do_not_fit_are_told) {
   BOOST_TEST(checkout.error("x,y\n1,2,3\n") ==
              path + ":2:1: the line has 3 fields, the first one has 2" + table);
   BOOST_TEST(checkout.error("x\n\"1\n") == path + ":2:1: a quote is not closed" + table);
+  BOOST_TEST(checkout.error("x,y\n1,caf\xe9\n") == path + ":2:3: this text is not UTF-8" + table);
   BOOST_TEST(checkout.error("x,y\n1,\"2\n") == path + ":2:3: a quote is not closed" + table);
   BOOST_TEST(checkout.error(std::string("x\n1\0\n", 5)) ==
              path + ":2:2: there is a zero byte" + table);

@@ -49,6 +49,18 @@ BOOST_AUTO_TEST_CASE(defects_come_with_the_file_that_was_open) {
       boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(a_group_that_is_not_closed_is_a_defect) {
+  const std::string log =
+      "(./main.tex (/usr/share/x.sty) [1] (./main.aux) )\n"
+      "(\\end occurred inside a group at level 1)\n\n"
+      "### simple group (level 1) entered at line 3 ({)\n### bottom level\n";
+
+  BOOST_TEST(latex_defects(log, "report") ==
+                 (Lines{"report/main.tex: the group that begins in line 3 of this file, or of one "
+                        "that it reads, is not closed ({)"}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(boxes_are_reported_from_a_tenth_of_a_point_on) {
   const auto overfull = [](const std::string& points) {
     return latex_defects(

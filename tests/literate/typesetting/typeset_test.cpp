@@ -315,6 +315,15 @@ BOOST_AUTO_TEST_CASE(a_width_that_is_no_longer_wanted_is_removed) {
   BOOST_TEST(!fs::exists(at_width_dir(paper.options) / former));
 }
 
+BOOST_AUTO_TEST_CASE(a_figure_that_was_mended_is_drawn_anew_at_its_width) {
+  const Paper paper("\\fig[width=3cm]{f}");
+  const fs::path drawing = at_width_dir(paper.options) / typeset(paper.options).drawn.back();
+  BOOST_REQUIRE(drawing.extension() == ".tex");
+  sys::write_file_atomically(drawing, "\\gplgaddtomacro{");
+  sys::write_file_atomically(paper.options.build_dir / "main.aux", "");  // as a run that failed left it
+  BOOST_TEST(paper.error() == "(no error)");
+}
+
 BOOST_AUTO_TEST_CASE(a_listing_of_every_language_is_typeset) {
   Paper paper("");
   std::string body;

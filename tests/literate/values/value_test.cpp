@@ -314,6 +314,9 @@ BOOST_AUTO_TEST_CASE(a_bound_beside_a_standard_uncertainty_is_printed_where_it_c
   BOOST_TEST(printed(0.49) == "994(22) psi | \\qty{994(22)}{psi}");
   BOOST_TEST(printed(2.1) ==
              "(994(22) ± 3) psi | \\ensuremath{(\\num{994(22)}\\pm\\num{3})\\,\\unit{psi}}");
+  // 5.43249 + 0.003 is 5.43549, which 5.432 ± 0.003 would not hold.
+  BOOST_TEST(Value(Measured(5.43249, 0.012, "scale") + Measured::bounded({0, 0.003}), uncertain(), "V")
+                 .printed() == "(5.432(12) ± 0.004) V");
 }
 
 BOOST_AUTO_TEST_CASE(kinds_of_uncertainty_are_told_apart_where_this_is_asked_for) {
