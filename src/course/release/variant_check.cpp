@@ -44,6 +44,7 @@ Built in_folder(const Built& built, const fs::path& folder) {
   fs::create_directories(folder);
   Built linked = built;
   linked.program = folder / "program";
+  linked.alone.clear();  // of one's own solution no file harms another
   fs::create_hard_link(built.program, linked.program);
   return linked;
 }
