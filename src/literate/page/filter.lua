@@ -126,7 +126,7 @@ local function contents(doc)
     local is_part = pandoc.utils.stringify(text):match("^Part") ~= nil
     local is_root = depth == 1 and header.level == 2
     depth = is_part and 1 or is_root and 0 or depth
-    local is_lower = not is_part and header.level > 2 + depth
+    local is_lower = not is_part and header.level > 2 + depth and #items > 0 -- a list does not begin with one
     if is_lower ~= is_inner then add(is_lower and "<ol>" or "</ol>") end
     is_inner = is_lower
     add(is_part and '<li class="lit-toc-part">' or is_root and '<li class="lit-toc-root">' or "<li>")
