@@ -7,6 +7,8 @@
 #   NAME=name        figures: this one alone, as a picture
 #   PAPER=file       check-report: the text of the paper, against which every quotation is held
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
+#   DEPTH=traced     verify: holds hashes against the manifest and runs nothing; PDF=file, of this file alone
+#   DEPTH=sampled    verify: computes some claims again, CLAIMS='id …' or drawn by SEED=number; without DEPTH all is made again
 #   SINCE=tag        changes: a tag, a commit, or the manifest of a report made elsewhere
 #   KINDS=faults,interruptions,cases ONLY=text   faults: of what kind, and of which name
 #   ONLY=id          mutants, severity: this one alone
@@ -36,7 +38,7 @@ test: ## the everyday tests, which take a few minutes
 test-all: ## every test, also those that take minutes each; continuous integration runs this
 faults: ## breaks and interrupts the making of the report in every way known, and has the next make recover
 mutants: ## plants faults, each of which must turn a test or the report red
-verify: ## makes the report again elsewhere and asks for the same bytes
+verify: ## makes the report again elsewhere and asks for the same bytes; with DEPTH less, and a certificate
 bench: ## benchmarks, build/bench/bench.json
 fresh: ## the README's two commands on the smallest Debian, made by mmdebstrap (as root; takes long)
 

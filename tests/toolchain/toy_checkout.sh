@@ -3,7 +3,7 @@
 # no time, with values from a case and a document with one table.
 # shellcheck disable=SC2154  # source_dir and scratch are shell_test.sh's
 toy="$scratch/toy checkout"
-unset MAKEFLAGS MFLAGS MAKELEVEL CASE MANIFEST TARGET V GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
+unset MAKEFLAGS MFLAGS MAKELEVEL CASE CLAIMS DEPTH MANIFEST PDF SEED TARGET V GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
 export PWD
 
 mkdir -p "$toy/src" "$toy/figures" "$toy/report/sections"
@@ -37,7 +37,7 @@ END
 cat >"$toy/typeset" <<'END'
 #!/bin/sh
 cd "$1" && TEXINPUTS=".:$2/generated:" SOURCE_DATE_EPOCH=0 pdflatex -interaction=batchmode \
-  -output-directory="$2" report.tex >"$2/said" && echo '  "date": "2001-04-23T12:00:00Z"' >"$2/manifest.json"
+  -output-directory="$2" report.tex >"$2/said" && printf '{"made_with": {"sources": {\n  "date": "2001-04-23T12:00:00Z"}}}\n' >"$2/manifest.json"
 END
 chmod +x "$toy/compute" "$toy/digest" "$toy/typeset"
 

@@ -5,9 +5,19 @@
 # shellcheck source=tests/toolchain/toy_checkout.sh
 . "$(dirname "$0")/toy_checkout.sh"
 
+toy_make verify DEPTH=traced
+claim 'traced without a manifest ends with 2' "$status" -eq 2
+claim 'it is said what is missing' "$(says "there is no manifest '$toy/build/report/manifest.json': make the paper, or give MANIFEST=, or PDF= alone")" = yes
+claim 'nothing was compiled, nor even configured' ! -e "$toy/build/release"
+toy_make verify DEPTH=deep
+claim 'a depth that there is not ends with 2' "$status" -eq 2
+claim 'those that there are are named' "$(says 'DEPTH: there is no depth deep; it is traced, sampled or full')" = yes
+claim 'nothing was made before' ! -e "$toy/build/release"
+
 toy_make verify
 claim 'the toy makes the same bytes' "$status" -eq 0
 claim 'it says so' "$(says 'the same bytes: 3 files and the PDF')" = yes
+claim 'so does the certificate' "$(grep -c '^- made again: the same bytes' "$toy/build/report/certificate-full.txt")" = 1
 
 mkdir "$scratch/my cases"
 echo 'E = 31' >"$scratch/my cases/other.toml"
@@ -36,6 +46,7 @@ for what in pwd 'date +%Z' 'locale decimal_point' umask 'basename "$HOME"'; do
   toy_make verify
   claim "a report that depends on '$what' is found out" "$status" -ne 0
   claim "the file is named for '$what', with its line" "$(says 'generated/tables/t.tex differs: line 2')" = yes
+  claim "the certificate has it" "$(grep -c '^report, full: something differs\|^- verify: generated/tables/t.tex' "$toy/build/report/certificate-full.txt")" -ge 1
 done
 
 mkdir "$scratch/without locales"
@@ -57,5 +68,27 @@ chmod +x "$toy/build/release/halfspace-report"
 echo '{}' >"$toy/one.json"
 toy_make verify MANIFEST=one.json
 claim 'the program compares the report with a manifest that is there' "$(says "typeset --against $toy/one.json")" = yes
+
+# A program that computes one claim, where the last argument's settings say.
+toy_make verify DEPTH=sampled
+claim 'a sample without a manifest that can be read ends with 2' "$status" -eq 2
+cat >"$toy/build/release/halfspace-report" <<'END'
+#!/bin/sh
+output=$(sed -n 's/^output=//p' "$2")
+mkdir -p "$output/generated"
+echo '{"claims": {"a": {"found": "refuted", "criteria": []}}}' >"$output/generated/names.json"
+END
+manifest() {
+  printf '{"project": "halfspace", "made_with": {}, "inputs": {}, "outputs": {}, "numbers": {}, "verdicts": {"claim a": "%s"}}' "$1" \
+    >"$toy/build/report/manifest.json"
+}
+manifest refuted
+toy_make verify DEPTH=sampled
+claim 'a claim that is computed again with the same verdict holds' "$status" -eq 0
+claim 'it is named' "$(says 'claims computed again: a (drawn by SEED=1)')" = yes
+manifest confirmed
+toy_make verify DEPTH=sampled CLAIMS=a
+claim 'another verdict is found' "$status" -ne 0
+claim 'both are told' "$(says 'claim a is refuted, in the manifest confirmed')" = yes
 
 finish

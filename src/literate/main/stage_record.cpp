@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/main/stage_record.hpp"
 
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -11,6 +16,25 @@
 
 namespace literate {
 namespace fs = std::filesystem;
+namespace {
+
+// What this process and all that it waited for have cost.
+std::string costs_json(std::chrono::duration<double> elapsed) {
+  double cpu_seconds = 0;
+  long peak_kilobytes = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    ::getrusage(who, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+      cpu_seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    }
+    peak_kilobytes = std::max(peak_kilobytes, usage.ru_maxrss);
+  }
+  return fmt::format("{{\"seconds\": {:.2f}, \"cpu_seconds\": {:.2f}, \"peak_memory_mb\": {}}}\n",
+                     elapsed.count(), cpu_seconds, peak_kilobytes / 1024);
+}
+
+}  // namespace
 
 StageRecord::StageRecord(fs::path record) : record_(std::move(record)) {
   if (record_.empty()) return;
@@ -31,6 +55,8 @@ StageRecord::~StageRecord() {
 void StageRecord::done(const FileDigests& files) {
   is_done_ = true;
   if (record_.empty()) return;
+  sys::write_file_atomically(record_.string() + ".costs",
+                             costs_json(std::chrono::steady_clock::now() - begin_));
   sys::Record record;
   for (const auto& [file, digest] : files) record.push_back({digest, file});
   // A record that was cut off lacks the last line.

@@ -2,6 +2,7 @@
 // The state of a stage on disk: running, done or failed.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,6 +15,10 @@ using FileDigests = std::map<std::string, std::string>;
 /// Says on disk how far a stage is. While the record exists the stage is done, and the record
 /// lists all that it read and made, and ends with the line «# done». Until then «record.unfinished»
 /// holds «running» or «failed».
+///
+/// Beside the record «record.costs» tells, as JSON, the seconds and the processor's seconds of the
+/// stage and the largest memory of a process, in MB. Nothing is made from it, and no bytes of it are
+/// compared.
 ///
 /// The constructor removes the record. A stage that is killed stays running, and one that ends
 /// without done() has failed. Without a name nothing is kept. Throws sys::OutputError for a folder
@@ -31,6 +36,7 @@ class StageRecord {
   std::filesystem::path record_;
   std::filesystem::path unfinished_;
   bool is_done_ = false;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 /// The running program's own file and the SHA-256 of what runs, which may have been replaced since.

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
@@ -14,6 +16,7 @@
 #include "literate/main/stage_record.hpp"
 #include "literate/provenance/digest.hpp"
 #include "system/files.hpp"
+#include "system/record.hpp"
 
 namespace literate {
 namespace {
@@ -35,12 +38,24 @@ FileDigests files_of(const Settings& settings, const Names& names) {
   return files;
 }
 
+// What the document may attach to the PDF, as a list that it attaches as well: so the PDF alone
+// tells whether its attachments are those that it was made with.
+void write_attached(const std::filesystem::path& generated) {
+  std::vector<std::string> files = sys::files_below(generated);
+  std::erase_if(files, [](const std::string& file) {
+    return !file.ends_with(".csv") && !file.ends_with(".gp") && !file.starts_with("imports/");
+  });
+  sys::write_if_changed(generated / attached_list,
+                        sys::record_text(sys::record_entries(generated, files)));
+}
+
 sys::ExitCode draw_changed(const Settings& settings) {
   const command_line::Stage drawing("draw");
   const std::filesystem::path generated = settings.generated();
   StageRecord record(settings.record("draw"));
   const Names names = read_names(generated / "names.json");
   const std::size_t n_drawn = draw_figures(generated, settings.figures, names.figure_places);
+  write_attached(generated);
   sys::write_if_changed(settings.digest(), digest_of(generated));
   record.done(files_of(settings, names));
   drawing.done(fmt::format("{} of {} figures", n_drawn, names.figures.size()));

@@ -15,6 +15,9 @@ class App;
 
 namespace literate {
 
+/// What `draw` writes beside the results: the SHA-256 of all that may be attached to the PDF.
+constexpr const char* attached_list = "attached.sha256";
+
 /// Adds the stages of a paper to a program as its subcommands, beside others that it may have.
 void add_stages(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
                 const Compute& compute);

@@ -68,6 +68,7 @@ std::string scripts_folder(const fs::path& root, const Settings& settings) {
 std::vector<std::string> made_files(const Names& names) {
   std::vector<std::string> files = names.files;
   std::ranges::move(drawn_files(names.figure_places), std::back_inserter(files));
+  files.emplace_back(attached_list);
   return files;
 }
 

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "system/files.hpp"
@@ -30,6 +31,17 @@ BOOST_AUTO_TEST_CASE(a_stage_is_running_then_done_or_failed) {
   }
   BOOST_TEST(!fs::exists(record));
   BOOST_TEST(sys::read_file(unfinished) == "failed\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_stage_tells_its_costs_beside_its_record) {
+  const TemporaryFolder scratch;
+
+  StageRecord(scratch / "state/draw").done({});
+
+  const auto costs = nlohmann::json::parse(sys::read_file(scratch / "state/draw.costs"));
+  BOOST_TEST(costs.at("seconds").get<double>() < 100);
+  BOOST_TEST(costs.at("cpu_seconds").get<double>() > 0);
+  BOOST_TEST(costs.at("peak_memory_mb").get<int>() > 0);
 }
 
 BOOST_AUTO_TEST_CASE(this_program_is_the_test) {
