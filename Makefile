@@ -6,6 +6,7 @@
 #   SITE=https://…   site: the address at which it will stand
 #   NAME=name        figures: this one alone, as a picture
 #   PAPER=file       check-report: the text of the paper, against which every quotation is held
+#   RECORD=1         check-report: keep the results beside the prose; commit them, and later it lists what must be read again
 #   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
 #   DEPTH=traced     verify: holds hashes against the manifest and runs nothing; PDF=file, of this file alone
 #   DEPTH=sampled    verify: computes some claims again, CLAIMS='id …' or drawn by SEED=number; without DEPTH all is made again

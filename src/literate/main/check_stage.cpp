@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "command_line/options.hpp"
+#include "literate/changes/changes.hpp"
+#include "literate/changes/reread.hpp"
 #include "literate/document/names.hpp"
 #include "literate/figures/plotted.hpp"
 #include "literate/main/stages.hpp"
@@ -72,7 +74,45 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
   return findings;
 }
 
-ExitCode run(const Settings& settings, const std::string& quoted_text) {
+// Holds the sentences against the results that they were written at, if results.json beside the
+// prose keeps those.
+ExitCode reread(const Settings& settings, const std::string& project, bool records) {
+  const std::filesystem::path names_json = settings.generated() / "names.json";
+  const std::filesystem::path record = settings.document / "results.json";
+  const Manifest now = printed_results({.project = project,
+                                        .facts = {},
+                                        .inputs = {},
+                                        .outputs = {},
+                                        .numbers = numbers_in(names_json),
+                                        .verdicts = verdicts_in(names_json),
+                                        .limits = limits_in(names_json)});
+  if (records) sys::write_if_changed(record, manifest_json(now));
+  if (!std::filesystem::exists(record)) return ExitCode::success;
+  ExitCode answer = ExitCode::success;
+  for (const Change& change : changes_between(read_manifest(record, project), now, {}, {})) {
+    if (change.kind == ChangeKind::within_error || change.kind == ChangeKind::other_digits)
+      continue;
+    answer = complain(fmt::format("results.json is not of these results, {} is another; RECORD=1 "
+                                  "writes it anew",
+                                  change.what),
+                      ExitCode::failed);
+    break;
+  }
+  const Reread found = sentences_to_reread(settings.document, now, settings.output / "changes");
+  print(found.sentences);
+  if (!found.sentences.empty()) answer = ExitCode::failed;
+  for (const std::string& why : found.unknown) {
+    complain("note: whether sentences must be read again is not known: " + why, ExitCode::success);
+  }
+  if (found.has_history) return answer;
+  return complain(
+      "what was known when a sentence was written is not known: there is no git history, "
+      "or a part of one ('git fetch --unshallow' brings the rest)",
+      ExitCode::bad_input);
+}
+
+ExitCode run(const Settings& settings, const Paper& paper, const std::string& quoted_text,
+             bool records) {
   const Names names = read_names(settings.generated() / "names.json");
   ReferenceReport references = check_references(settings.document, names);
   std::ranges::move(missing_inputs(settings.document, settings.generated()),
@@ -97,22 +137,30 @@ ExitCode run(const Settings& settings, const std::string& quoted_text) {
   for (const std::string& note : names.claim_notes) {
     complain("note: " + note, ExitCode::success);
   }
+  const ExitCode of_sentences = reread(settings, paper.project, records);
   const ExitCode of_faults = command_line::answer_faults(names.faults);
   if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
   if (!references.unused.empty() || !findings.empty()) return ExitCode::failed;
-  return of_faults;
+  return of_sentences == ExitCode::success ? of_faults : of_sentences;
 }
 
 }  // namespace
 
-void add_check_stage(CLI::App& program, ExitCode& exit_code) {
+void add_check_stage(CLI::App& program, ExitCode& exit_code, const Paper& paper) {
   const auto quoted_text = std::make_shared<std::string>();
+  const auto records = std::make_shared<bool>(false);
   add_stage(
       program, exit_code, "check",
       "Check the prose of the document against what `compute` wrote: unknown names, unused ones, "
-      "missing parts, typed numbers, points that no figure shows, quotations, what does not hold",
-      [quoted_text](const Settings& settings) { return run(settings, *quoted_text); },
-      [quoted_text](CLI::App& command) {
+      "missing parts, typed numbers, points that no figure shows, quotations, sentences to be read "
+      "again, what does not hold",
+      [quoted_text, records, &paper](const Settings& settings) {
+        return run(settings, paper, *quoted_text, *records);
+      },
+      [quoted_text, records](CLI::App& command) {
+        command_line::add_switch(
+            command, "--record", *records,
+            "Write the results beside the prose, for later lists of sentences");
         command_line::add_text(command, "--quoted-text", *quoted_text, "FILE",
                                "The text that is quoted: hold every quotation against it");
       });

@@ -17,8 +17,8 @@ using FileDigests = std::map<std::string, std::string>;
 /// holds «running» or «failed».
 ///
 /// Beside the record «record.costs» tells, as JSON, the seconds and the processor's seconds of the
-/// stage and the largest memory of a process, in MB. Nothing is made from it, and no bytes of it are
-/// compared.
+/// stage and the largest memory of a process, in MB. Nothing is made from it, and no bytes of it
+/// are compared.
 ///
 /// The constructor removes the record. A stage that is killed stays running, and one that ends
 /// without done() has failed. Without a name nothing is kept. Throws sys::OutputError for a folder

@@ -104,7 +104,7 @@ void add_stages(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
   add_compute_stage(program, exit_code, paper, compute);
   add_draw_stage(program, exit_code);
   add_typeset_stage(program, exit_code, paper);
-  add_check_stage(program, exit_code);
+  add_check_stage(program, exit_code, paper);
   add_page_stages(program, exit_code);
   add_describe_stage(program, exit_code, paper);
 }

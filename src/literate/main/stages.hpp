@@ -33,7 +33,7 @@ void add_compute_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper&
                        const Compute& compute);
 void add_draw_stage(CLI::App& program, sys::ExitCode& exit_code);
 void add_typeset_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper);
-void add_check_stage(CLI::App& program, sys::ExitCode& exit_code);
+void add_check_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper);
 void add_page_stages(CLI::App& program, sys::ExitCode& exit_code);
 void add_describe_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper);
 

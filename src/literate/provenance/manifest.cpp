@@ -48,11 +48,11 @@ std::map<std::string, ManifestNumber> numbers_of(const json& values) {
   return numbers;
 }
 
-json parsed(const fs::path& file) {
+json parsed(const std::string& text, const std::string& file) {
   try {
-    return json::parse(sys::read_file(file));
+    return json::parse(text);
   } catch (const json::exception&) {
-    throw sys::OutputError(fmt::format("'{}' is not JSON", file.string()));
+    throw sys::OutputError(fmt::format("'{}' is not JSON", file));
   }
 }
 
@@ -60,7 +60,7 @@ json parsed(const fs::path& file) {
 template <typename Read>
 auto from_names(const fs::path& names_json, Read read) {
   try {
-    return read(parsed(names_json));
+    return read(parsed(sys::read_file(names_json), names_json.string()));
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a list of names", names_json.string()));
   }
@@ -142,11 +142,16 @@ std::string manifest_json(const Manifest& manifest) {
 }
 
 Manifest read_manifest(const fs::path& file, const std::string& project) {
-  const json text = parsed(file);
+  return manifest_of(sys::read_file(file), file.string(), project);
+}
+
+Manifest manifest_of(const std::string& json_text, const std::string& file,
+                     const std::string& project) {
+  const json text = parsed(json_text, file);
   try {
     if (text.at("project") != project) {
-      throw sys::OutputError(fmt::format("'{}' is the manifest of another project, {}",
-                                         file.string(), text.at("project").dump()));
+      throw sys::OutputError(fmt::format("'{}' is the manifest of another project, {}", file,
+                                         text.at("project").dump()));
     }
     return {.project = project,
             .facts = text.at("made_with").get<std::map<std::string, Manifest::Texts>>(),
@@ -156,7 +161,7 @@ Manifest read_manifest(const fs::path& file, const std::string& project) {
             .verdicts = text.at("verdicts").get<Manifest::Texts>(),
             .limits = text.value("limits", Manifest::Texts())};
   } catch (const json::exception&) {
-    throw sys::OutputError(fmt::format("'{}' is not a manifest", file.string()));
+    throw sys::OutputError(fmt::format("'{}' is not a manifest", file));
   }
 }
 

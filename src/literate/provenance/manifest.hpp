@@ -68,6 +68,10 @@ bool agree(const ManifestNumber& a, const ManifestNumber& b);
 /// not JSON or not a manifest, or belongs to another project.
 Manifest read_manifest(const std::filesystem::path& file, const std::string& project);
 
+/// The same of a text, which messages call `file`.
+Manifest manifest_of(const std::string& json_text, const std::string& file,
+                     const std::string& project);
+
 /// How a document differs from the same one made elsewhere.
 struct ManifestComparison {
   std::vector<std::string> changed_outputs;  ///< files whose bytes differ or that one of them lacks

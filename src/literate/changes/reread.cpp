@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/reread.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "literate/changes/changes.hpp"
+#include "system/csv.hpp"
+#include "system/decimal.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
+
+namespace literate {
+namespace fs = std::filesystem;
+namespace {
+
+/// What git says, run in a folder; none if it fails.
+std::optional<std::string> git(const fs::path& folder, std::vector<std::string> arguments) {
+  // Whoever owns the checkout.
+  arguments.insert(arguments.begin(), {"-c", "safe.directory=*"});
+  const sys::ProcessResult result =
+      sys::run({.program = "git", .arguments = arguments, .working_directory = folder});
+  if (result.exit_status != 0) return std::nullopt;
+  return result.output;
+}
+
+/// A commit that wrote lines of a file.
+struct Commit {
+  std::string id;
+  std::int64_t authored = 0, committed = 0;
+  bool is_first = false;  ///< of the history that there is
+
+  bool is_made() const { return id.find_first_not_of('0') != std::string::npos; }
+};
+
+/// The commit of each line of a file, as `git blame --porcelain` writes them.
+std::vector<Commit> commits_of_lines(const std::string& blame) {
+  std::map<std::string, Commit> commits;
+  std::vector<std::string> ids;
+  std::istringstream lines(blame);
+  std::string line, id;
+  const auto time = [&] { return sys::parsed<std::int64_t>(line.substr(line.find(' ') + 1)); };
+  while (std::getline(lines, line)) {
+    if (line.starts_with('\t')) {
+      ids.push_back(std::exchange(id, ""));
+    } else if (id.empty()) {
+      id = line.substr(0, line.find(' '));
+      commits[id].id = id;
+    } else if (line.starts_with("author-time ")) {
+      commits[id].authored = time().value_or(0);
+    } else if (line.starts_with("committer-time ")) {
+      commits[id].committed = time().value_or(0);
+    } else if (line == "boundary") {
+      commits[id].is_first = true;
+    }
+  }
+  std::vector<Commit> of_lines;
+  for (const std::string& of_line : ids) of_lines.push_back(commits[of_line]);
+  return of_lines;
+}
+
+/// The commit that last changed the words of a sentence; one that is not made yet if they are new.
+Commit last_commit(const Sentence& sentence, const std::vector<Commit>& of_lines) {
+  Commit last;
+  for (int line = sentence.first_line; line <= sentence.last_line; ++line) {
+    if (line < 1 || static_cast<std::size_t>(line) > of_lines.size()) return {};
+    const Commit& commit = of_lines[static_cast<std::size_t>(line) - 1];
+    if (!commit.is_made()) return commit;
+    if (last.id.empty() || commit.committed > last.committed) last = commit;
+  }
+  return last;
+}
+
+/// The results at a commit, or why they are not known.
+struct Former {
+  std::optional<Manifest> results = {};
+  std::string unknown = {};
+};
+
+Former results_at(const Commit& commit, const fs::path& document, const std::string& project,
+                  const fs::path& former) {
+  if (commit.is_first) return {.unknown = "the history that there is begins with it"};
+  const fs::path made = former / commit.id / "paper/manifest.json";
+  try {
+    if (fs::exists(made)) return {.results = printed_results(read_manifest(made, project))};
+    const auto text = git(document, {"show", commit.id + ":./results.json"});
+    if (!text) return {.unknown = "it has no results.json"};
+    // Words that a rebase put upon other results were not read beside them.
+    const auto recorded =
+        git(document, {"log", "-1", "--format=%ct", commit.id, "--", "results.json"});
+    const auto when = sys::parsed<std::int64_t>(sys::stripped(recorded.value_or("")));
+    if (commit.authored < commit.committed && (!when || *when > commit.authored)) {
+      return {.unknown = "it was rewritten, and its results may be newer than its words"};
+    }
+    return {.results = printed_results(manifest_of(*text, commit.id + ":results.json", project))};
+  } catch (const sys::OutputError& error) {
+    return {.unknown = error.what()};
+  }
+}
+
+std::string digest_of_words(const Sentence& sentence) {
+  return sys::sha256_of_text(sentence.latex).substr(0, 12);
+}
+
+/// The lines of read.csv, without the reader.
+std::set<std::vector<std::string>> ticks_in(const fs::path& file) {
+  std::set<std::vector<std::string>> ticks;
+  if (!fs::exists(file)) return ticks;
+  for (const sys::CsvRow& row : sys::parse_csv(sys::read_file(file), file.filename().string())) {
+    if (row.size() != 4 || row[3].text.empty()) {
+      throw sys::SourceError(row[0].place + ": a line is «sentence,what,printed,reader»");
+    }
+    ticks.insert({row[0].text, row[1].text, row[2].text});
+  }
+  return ticks;
+}
+
+bool is_to_be_read(const Change& change) {
+  return change.kind == ChangeKind::beyond_error || change.kind == ChangeKind::other_verdict;
+}
+
+}  // namespace
+
+Manifest printed_results(Manifest manifest) {
+  std::erase_if(manifest.numbers,
+                [](const auto& entry) { return entry.first.starts_with("table "); });
+  std::erase_if(manifest.verdicts,
+                [](const auto& entry) { return entry.first.starts_with("check "); });
+  manifest.facts = {};
+  manifest.inputs = manifest.outputs = {};
+  return manifest;
+}
+
+Reread sentences_to_reread(const fs::path& document, const Manifest& now, const fs::path& former) {
+  Reread found;
+  try {
+    const auto is_shallow = git(document, {"rev-parse", "--is-shallow-repository"});
+    if (!is_shallow || !git(document, {"rev-parse", "--verify", "HEAD"})) {
+      return {.unknown = {"it is no git repository with a commit"}, .has_history = false};
+    }
+    found.has_history = is_shallow->starts_with("false");
+  } catch (const sys::ToolError& error) {
+    return {.unknown = {error.what()}, .has_history = false};
+  }
+
+  // The sentences by the commit that wrote them.
+  std::map<std::string, std::pair<Commit, std::vector<Sentence>>> written;
+  std::map<std::string, std::vector<Commit>> of_files;
+  for (const Sentence& sentence : sentences_below(document)) {
+    const bool prints = std::ranges::any_of(sentence.names, [](const std::string& name) {
+      return name.starts_with("value ") || name.starts_with("claim ");
+    });
+    if (!prints) continue;
+    if (!of_files.contains(sentence.file)) {
+      const auto blame = git(document, {"blame", "-w", "-M", "--porcelain", "--", sentence.file});
+      of_files[sentence.file] = commits_of_lines(blame.value_or(""));
+    }
+    const Commit commit = last_commit(sentence, of_files[sentence.file]);
+    if (!commit.is_made()) continue;
+    auto& [of_these, sentences] = written[commit.id];
+    of_these = commit;
+    sentences.push_back(sentence);
+  }
+
+  const auto ticks = ticks_in(document / "read.csv");
+  const Manifest results = printed_results(now);
+  for (const auto& [id, entry] : written) {
+    const auto& [commit, sentences] = entry;
+    const Former then = results_at(commit, document, now.project, former);
+    const std::string at = id.substr(0, 12);
+    if (!then.results) {
+      found.unknown.push_back(fmt::format("{} sentences of commit {}, the first at {}:{}: {}",
+                                          sentences.size(), at, sentences.front().file,
+                                          sentences.front().first_line, then.unknown));
+      continue;
+    }
+    for (const Change& change : changes_between(*then.results, results, {}, sentences)) {
+      if (!is_to_be_read(change)) continue;
+      for (const Sentence& sentence : change.printed_in) {
+        const std::string digest = digest_of_words(sentence);
+        if (ticks.contains({digest, change.what, change.after})) continue;
+        found.sentences.push_back(fmt::format(
+            "{}:{}: read this sentence again: {} is {}, and was {} when it was written, at {}; "
+            "then "
+            "change it, or write into read.csv: {}",
+            sentence.file, sentence.first_line, change.what, change.after, change.before, at,
+            sys::stripped(sys::csv_line({digest, change.what, change.after, "your name"}))));
+      }
+    }
+  }
+  std::ranges::sort(found.sentences);
+  return found;
+}
+
+}  // namespace literate

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/reread.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
+#include "temporary_folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(reread_test)
+
+using namespace literate;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const std::string first_words = "The peak is \\val{peak}.\n\nIt holds \\claim{far}.\n";
+
+Manifest results(double peak, const std::string& verdict = "confirmed") {
+  Manifest manifest;
+  manifest.project = "rod";
+  manifest.numbers = {{"peak",
+                       {.number = peak,
+                        .abs_error = 0.1,
+                        .printed = std::to_string(static_cast<int>(peak)) + " psi"}}};
+  manifest.verdicts = {{"claim far", verdict}};
+  return manifest;
+}
+
+// A paper in a repository of its own, whose first commit has no words yet.
+class Paper {
+ public:
+  Paper() {
+    git({"init", "-q", "-b", "main"});
+    write("a.tex", "\\documentclass{article}\n");
+    commit();
+  }
+
+  void write(const std::string& file, const std::string& text) const {
+    sys::write_file_atomically(folder() / file, text);
+  }
+  void record(const Manifest& now) const { write("results.json", manifest_json(now)); }
+
+  // Each commit is a minute later than the one before.
+  void commit() {
+    minutes_ += 1;
+    git({"add", "-A"});
+    git({"commit", "-qm", "more"});
+  }
+  void git(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"-c", "user.name=t", "-c", "user.email=t@example.org",
+                                         "-c", "commit.gpgsign=false"});
+    const std::string date = "2026-11-01T10:" + std::to_string(10 + minutes_) + ":00Z";
+    const auto said =
+        sys::run({.program = "git",
+                  .arguments = arguments,
+                  .working_directory = scratch_.path(),
+                  .environment = {{"GIT_AUTHOR_DATE", date}, {"GIT_COMMITTER_DATE", date}}});
+    BOOST_TEST_REQUIRE(said.exit_status == 0, said.output);
+  }
+  void wait() { minutes_ += 1; }
+
+  Reread reread(const Manifest& now) const {
+    return sentences_to_reread(folder(), now, scratch_ / "former");
+  }
+  fs::path folder() const { return scratch_.path(); }
+
+ private:
+  TemporaryFolder scratch_;
+  int minutes_ = 0;
+};
+
+// One whose words were written beside a peak of 10 psi.
+struct Written : Paper {
+  Written() {
+    write("a.tex", first_words);
+    record(results(10));
+    commit();
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_value_that_moved_beyond_its_error_is_listed_with_its_sentence) {
+  const Written paper;
+
+  const Reread found = paper.reread(results(12));
+
+  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
+  BOOST_TEST(holds(found.sentences[0],
+                   "a.tex:1: read this sentence again: value peak is 12 psi, and was 10 psi"));
+  BOOST_TEST(found.unknown.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_value_that_moved_within_its_error_is_not) {
+  BOOST_TEST(Written().reread(results(10.15)).sentences.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_verdict_that_turned_is_listed) {
+  const Reread found = Written().reread(results(10, "refuted"));
+
+  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
+  BOOST_TEST(holds(found.sentences[0],
+                   "a.tex:3: read this sentence again: claim far is refuted, and was confirmed"));
+}
+
+BOOST_AUTO_TEST_CASE(a_value_that_came_back_is_not_listed) {
+  Written paper;
+  paper.record(results(12));
+  paper.commit();
+  paper.record(results(10));
+  paper.commit();
+
+  BOOST_TEST(paper.reread(results(10)).sentences.empty());
+}
+
+BOOST_AUTO_TEST_CASE(other_words_are_read_where_they_are_written) {
+  Written paper;
+  paper.record(results(12));
+  paper.write("a.tex", "The largest is \\val{peak}.\n\nIt holds \\claim{far}.\n");
+
+  BOOST_TEST(paper.reread(results(12)).sentences.empty());  // not committed yet
+  paper.commit();
+  BOOST_TEST(paper.reread(results(12)).sentences.empty());
+  BOOST_TEST(paper.reread(results(10)).sentences.size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(another_indentation_and_another_file_are_no_other_words) {
+  Written paper;
+  paper.record(results(12));
+  paper.write("a.tex", "The   peak is  \\val{peak}.\n\nIt holds \\claim{far}.\n");
+  paper.commit();
+  paper.git({"mv", "a.tex", "b.tex"});
+  paper.commit();
+
+  const Reread found = paper.reread(results(12));
+
+  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
+  BOOST_TEST(holds(found.sentences[0], "b.tex:1: "));
+}
+
+BOOST_AUTO_TEST_CASE(a_value_with_another_name_was_read_by_who_gave_it) {
+  Written paper;
+  Manifest now = results(10);
+  now.numbers["summit"] = now.numbers["peak"];
+  now.numbers.erase("peak");
+  paper.record(now);
+  paper.write("a.tex", "The peak is \\val{summit}.\n\nIt holds \\claim{far}.\n");
+  paper.commit();
+
+  const Reread found = paper.reread(now);
+
+  BOOST_TEST(found.sentences.empty());
+  BOOST_TEST(found.unknown.empty());
+}
+
+BOOST_AUTO_TEST_CASE(words_that_were_rebased_upon_newer_results_are_not_known) {
+  Written paper;
+  paper.git({"switch", "-qc", "words"});
+  paper.write("a.tex", "About ten: \\val{peak}.\n\nIt holds \\claim{far}.\n");
+  paper.commit();
+  paper.git({"switch", "-q", "main"});
+  paper.record(results(12));
+  paper.commit();
+  paper.git({"switch", "-q", "words"});
+  paper.wait();
+  paper.git({"rebase", "-q", "main"});
+
+  const Reread found = paper.reread(results(12));
+
+  BOOST_TEST(found.sentences.empty());
+  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
+  BOOST_TEST(holds(found.unknown[0], "the first at a.tex:1: it was rewritten"));
+}
+
+BOOST_AUTO_TEST_CASE(words_that_were_rebased_upon_the_same_results_are_known) {
+  Written paper;
+  paper.git({"switch", "-qc", "words"});
+  paper.write("a.tex", "About ten: \\val{peak}.\n\nIt holds \\claim{far}.\n");
+  paper.commit();
+  paper.git({"switch", "-q", "main"});
+  paper.write("other", "text");
+  paper.commit();
+  paper.git({"switch", "-q", "words"});
+  paper.wait();
+  paper.git({"rebase", "-q", "main"});
+
+  const Reread found = paper.reread(results(12));
+
+  BOOST_TEST(found.unknown.empty());
+  BOOST_TEST(found.sentences.size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(words_are_not_known_where_history_begins_with_them) {
+  Written paper;
+  paper.git({"checkout", "-q", "--orphan", "squashed"});
+  paper.commit();
+
+  const Reread found = paper.reread(results(10));
+
+  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
+  BOOST_TEST(holds(found.unknown[0], "2 sentences of commit "), found.unknown[0]);
+  BOOST_TEST(holds(found.unknown[0], "the history that there is begins with it"));
+}
+
+BOOST_AUTO_TEST_CASE(words_from_before_the_record_are_not_known) {
+  Paper paper;
+  paper.write("a.tex", first_words);
+  paper.commit();
+  paper.record(results(10));
+  paper.commit();
+
+  const Reread found = paper.reread(results(10));
+
+  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
+  BOOST_TEST(holds(found.unknown[0], "it has no results.json"));
+}
+
+BOOST_AUTO_TEST_CASE(without_history_nothing_is_known) {
+  const TemporaryFolder scratch;
+  sys::write_file_atomically(scratch / "plain/a.tex", first_words);
+  const Written paper;
+  sys::run(
+      {.program = "git",
+       .arguments = {"clone", "-q", "--depth=1", "file://" + fs::canonical(paper.folder()).string(),
+                     (scratch / "shallow").string()}});
+
+  const Reread plain = sentences_to_reread(scratch / "plain", results(12), scratch / "former");
+  const Reread shallow = sentences_to_reread(scratch / "shallow", results(12), scratch / "former");
+
+  BOOST_TEST(!plain.has_history);
+  BOOST_TEST(plain.unknown.size() == 1U);
+  BOOST_TEST(!shallow.has_history);
+  BOOST_TEST(shallow.unknown.size() == 1U);
+  BOOST_TEST(shallow.sentences.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_reader_ticks_a_sentence_off_at_the_values_that_it_prints) {
+  const Written paper;
+  const std::string said = paper.reread(results(12)).sentences.at(0);
+  const std::string tick = said.substr(said.find("read.csv: ") + 10);
+  BOOST_TEST(holds(tick, ",value peak,12 psi,your name"), tick);
+
+  paper.write("read.csv", tick + "\n");
+
+  BOOST_TEST(paper.reread(results(12)).sentences.empty());
+  BOOST_TEST(paper.reread(results(13)).sentences.size() == 1U);
+  paper.write("read.csv", "a,b\n");
+  BOOST_CHECK_THROW(paper.reread(results(12)), sys::SourceError);
+}
+
+BOOST_AUTO_TEST_CASE(results_are_those_that_sentences_print) {
+  Manifest all = results(10);
+  all.inputs = {{"a.cpp", "1"}};
+  all.outputs = {{"rod.pdf", "2"}};
+  all.numbers["table t, row 1, column 1"] = {.number = 1, .abs_error = 0, .printed = "1"};
+  all.verdicts["check k"] = "passed";
+
+  BOOST_TEST(manifest_json(printed_results(all)) == manifest_json(results(10)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
