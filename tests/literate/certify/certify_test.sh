@@ -62,9 +62,10 @@ certify() {
 certificate=out/certificate-traced
 json() { python3 -c 'import json, sys; print(eval(sys.argv[2], {"c": json.load(open(sys.argv[1]))}))' "$certificate.json" "$1"; }
 
-begin=$(date +%s%N)
+TIMEFORMAT=%U
+seconds=$({ time certify traced; } 2>&1)
+claim 'traced takes less than a second of the processor' "${seconds%.*}" -eq 0
 certify traced
-claim 'traced takes a second at most, on a busy machine five' "$((($(date +%s%N) - begin) / 1000000))" -lt 5000
 claim 'what is as it was made holds' "$status" -eq 0
 claim 'the certificate says what was checked' "$(json 'sorted(c["checked"])')" = \
   "['PDF', 'attachments', 'generated files', 'limits', 'sources', 'values', 'verdicts']"

@@ -342,6 +342,26 @@ BOOST_AUTO_TEST_CASE(check_fails_prose_that_leaves_a_value_out) {
   BOOST_TEST(answer.errors.ends_with(": value 'sum' is registered and not used\n"), answer.errors);
 }
 
+BOOST_AUTO_TEST_CASE(check_tells_what_it_cannot_know_without_git_and_a_record_of_other_results) {
+  const Workplace place;
+  place.compute(register_sum);
+
+  const Answer recorded =
+      place.run({"check", place.path("toy.settings"), "--record"}, register_sum);
+  std::string record = sys::read_file(place.path("paper/results.json"));
+  record.replace(record.find("\"sum\"") + 1, 3, "old");
+  sys::write_file_atomically(place.path("paper/results.json"), record);
+  const Answer stale = place.stage("check", register_sum);
+
+  BOOST_TEST(recorded.exit_code == 2);
+  BOOST_TEST(
+      recorded.errors.find("not known: it is no git repository with a commit") != std::string::npos,
+      recorded.errors);
+  BOOST_TEST(stale.errors.find("results.json is not of these results, value sum is another") !=
+                 std::string::npos,
+             stale.errors);
+}
+
 BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_bad_input) {
   const Workplace place;
   BOOST_TEST(place.run({}, register_sum).exit_code == 2);
