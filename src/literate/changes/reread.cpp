@@ -173,14 +173,18 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
 
   const auto ticks = ticks_in(document / "read.csv");
   const Manifest results = printed_results(now);
+  std::map<std::string, std::pair<std::size_t, std::string>> unknown;  // by reason
   for (const auto& [id, entry] : written) {
     const auto& [commit, sentences] = entry;
     const Former then = results_at(commit, document, now.project, former);
     const std::string at = id.substr(0, 12);
     if (!then.results) {
-      found.unknown.push_back(fmt::format("{} sentences of commit {}, the first at {}:{}: {}",
-                                          sentences.size(), at, sentences.front().file,
-                                          sentences.front().first_line, then.unknown));
+      auto& [n_unknown, first] = unknown[then.unknown];
+      if (n_unknown == 0) {
+        first = fmt::format("{}:{} of commit {}", sentences.front().file,
+                            sentences.front().first_line, at);
+      }
+      n_unknown += sentences.size();
       continue;
     }
     for (const Change& change : changes_between(*then.results, results, {}, sentences)) {
@@ -196,6 +200,10 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
             sys::stripped(sys::csv_line({digest, change.what, change.after, "your name"}))));
       }
     }
+  }
+  for (const auto& [reason, sentences] : unknown) {
+    found.unknown.push_back(
+        fmt::format("{} sentences, such as {}: {}", sentences.first, sentences.second, reason));
   }
   std::ranges::sort(found.sentences);
   return found;

@@ -91,7 +91,7 @@ tampered 'a value' 'generated files: generated/names.json has other bytes' 'sed 
 tampered 'a value of the manifest' "values: length is [3.0, '3 m', 0.5], in the manifest [4, '3 m', 0.5]" 'sed -i "s/\"number\": 3/\"number\": 4/" out/manifest.json'
 tampered 'a verdict of the manifest' 'verdicts: claim b is confirmed, in the manifest refuted' 'sed -i "/claim b/s/confirmed/refuted/" out/manifest.json'
 tampered 'a table' 'generated files: generated/tables/t.tex has other bytes' 'echo "1 & 3" >out/generated/tables/t.tex'
-tampered 'a table that was put beside' 'generated/tables/u.tex is not in the manifest' 'echo 1 >out/generated/tables/u.tex'
+tampered 'a table that was put beside' 'generated/tables/u.tex is not recorded' 'echo 1 >out/generated/tables/u.tex'
 tampered 'a source' 'sources: src/one.cpp has other bytes' 'echo "int one = 2;" >src/one.cpp'
 tampered 'a source that is gone' 'sources: src/one.cpp is not there' 'rm src/one.cpp'
 tampered 'a case' 'sources: case.toml has other bytes' 'echo "side = 4" >case.toml'
