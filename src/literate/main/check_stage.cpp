@@ -79,17 +79,20 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
 ExitCode reread(const Settings& settings, const std::string& project, bool records) {
   const std::filesystem::path names_json = settings.generated() / "names.json";
   const std::filesystem::path record = settings.document / "results.json";
-  const Manifest now = printed_results({.project = project,
-                                        .facts = {},
-                                        .inputs = {},
-                                        .outputs = {},
-                                        .numbers = numbers_in(names_json),
-                                        .verdicts = verdicts_in(names_json),
-                                        .limits = limits_in(names_json)});
+  Manifest now = printed_results({.project = project,
+                                  .facts = {},
+                                  .inputs = {},
+                                  .outputs = {},
+                                  .numbers = numbers_in(names_json),
+                                  .verdicts = verdicts_in(names_json),
+                                  .limits = limits_in(names_json)});
+  now.facts["case"] = {{"name", settings.case_file.filename().string()}};
   if (records) sys::write_if_changed(record, manifest_json(now));
   if (!std::filesystem::exists(record)) return ExitCode::success;
+  const Manifest recorded = read_manifest(record, project);
+  if (recorded.facts != now.facts) return ExitCode::success;  // the sentences are of another case
   ExitCode answer = ExitCode::success;
-  for (const Change& change : changes_between(read_manifest(record, project), now, {}, {})) {
+  for (const Change& change : changes_between(recorded, now, {}, {})) {
     if (change.kind == ChangeKind::within_error || change.kind == ChangeKind::other_digits)
       continue;
     answer = complain(fmt::format("results.json is not of these results, {} is another; RECORD=1 "

@@ -352,6 +352,9 @@ BOOST_AUTO_TEST_CASE(check_tells_what_it_cannot_know_without_git_and_a_record_of
   record.replace(record.find("\"sum\"") + 1, 3, "old");
   sys::write_file_atomically(place.path("paper/results.json"), record);
   const Answer stale = place.stage("check", register_sum);
+  record.insert(record.find("\"name\": \"") + 9, "other-");
+  sys::write_file_atomically(place.path("paper/results.json"), record);
+  const Answer of_another_case = place.stage("check", register_sum);
 
   BOOST_TEST(recorded.exit_code == 2);
   BOOST_TEST(
@@ -360,6 +363,7 @@ BOOST_AUTO_TEST_CASE(check_tells_what_it_cannot_know_without_git_and_a_record_of
   BOOST_TEST(stale.errors.find("results.json is not of these results, value sum is another") !=
                  std::string::npos,
              stale.errors);
+  BOOST_TEST(of_another_case.errors == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_bad_input) {
