@@ -85,8 +85,8 @@ inline Numbers inputs_of(const Cylinders& c) {
 
 inline Answer ask(const Program& program, const Cylinders& c) {
   const std::size_t n_before_pressures = 2;
-  const Numbers numbers = finite_answer(program, "contact", inputs_of(c),
-                                        n_before_pressures + static_cast<std::size_t>(c.n_nodes));
+  const Numbers numbers = nonzero_answer(program, "contact", inputs_of(c),
+                                         n_before_pressures + static_cast<std::size_t>(c.n_nodes));
   return {
       numbers[0], numbers[1],
       Numbers(numbers.begin() + static_cast<std::ptrdiff_t>(n_before_pressures), numbers.end())};
@@ -138,10 +138,10 @@ inline Outcome contact_pressure_has_the_shape(const Program& program, const Vari
   for (std::size_t i = 0; i < n; ++i) {
     is_symmetric = is_symmetric && near(p[i], p[n - 1 - i], pressure_roundings * top);
   }
-  const auto least = std::min_element(p.begin(), p.end());
 
   Tally tally("the pressure");
-  tally.part(top > 0 && *least >= 0, "is nowhere negative");
+  tally.part(top > 0 && std::all_of(p.begin(), p.end(), [](double at) { return at >= 0; }),
+             "is nowhere negative");
   tally.part(is_symmetric, "is symmetric");
   tally.part(top > 0 && near(p[n / 2], top, pressure_roundings * top), "is greatest in the middle");
   tally.part(top > 0 && p.front() == 0 && p.back() == 0, "is zero at the ends of the grid");
@@ -211,6 +211,7 @@ inline double half_width_on(const Program& program, Cylinders c, double a, int s
 inline Outcome contact_half_width_converges(const Program& program, const Variant& variant) {
   const Cylinders c = cylinders_of(variant);
   const double a = ask(program, c).half_width;
+  if (!(a > 0)) return {0, "the half-width is not above 0"};
   Tally tally("each halving of the spacing changes the half-width by a quarter of the last change");
   for (const int spacings : {8, 12}) {
     const double coarse = half_width_on(program, c, a, spacings);

@@ -40,16 +40,6 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
   return numbers;
 }
 
-course::Numbers finite_answer(const course::Program& program, const std::string& task,
-                              const course::Numbers& inputs, std::size_t count) {
-  course::Numbers numbers = nonzero_answer(program, task, inputs, count);
-  if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) {
-    throw NoAnswer("task " + task + ": one of the " + std::to_string(count) +
-                   " numbers is not finite");
-  }
-  return numbers;
-}
-
 course::Checks guarded(course::Checks checks) {
   for (auto& [id, check] : checks) {
     check = [unguarded = std::move(check)](const course::Program& program,

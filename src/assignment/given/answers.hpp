@@ -20,11 +20,7 @@ namespace assignment {
 course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
                                const course::Numbers& inputs, std::size_t count);
 
-/// As above, and all of the numbers are finite.
-course::Numbers finite_answer(const course::Program& program, const std::string& task,
-                              const course::Numbers& inputs, std::size_t count);
-
-/// The same checks, which give share 0 and a message where finite_answer or nonzero_answer throws.
+/// The same checks, which give share 0 and a message where nonzero_answer throws.
 course::Checks guarded(course::Checks checks);
 
 /// Counts the parts of a check that hold. Each part counts the same.
