@@ -2,6 +2,7 @@
 #include "course/assignment/student.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<std::string_view, 9> endings = {
-    ".tar.gz", ".tar.xz", ".tar.bz2", ".tar.zst", ".tgz", ".tbz2", ".tar", ".zip", ".7z"};
+    ".zip", ".7z", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".tar.zst"};
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -46,6 +47,10 @@ void require_student_id(const std::string& student) {
       "student \"{}\": an id consists of 1 to 64 letters, digits, '.', '_', '-' and '@', does not "
       "begin with '.', '-' or '@' and does not end with .part, .zip or another archive's ending",
       shown_name(student)));
+}
+
+std::string archive_endings() {
+  return fmt::format("{}", fmt::join(endings, ", "));
 }
 
 bool names_archive(const fs::path& path) {

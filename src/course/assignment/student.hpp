@@ -12,8 +12,10 @@ namespace course {
 /// folder.
 void require_student_id(const std::string& student);
 
-/// Whether a file's name ends as that of an archive that can be read: .zip, .7z, .tar, .tar.gz,
-/// .tgz, .tar.bz2, .tbz2, .tar.xz or .tar.zst, also in capitals.
+/// The endings of archives that can be read, ".zip, .7z, …".
+std::string archive_endings();
+
+/// Whether a file's name ends with one of them, also in capitals.
 bool names_archive(const std::filesystem::path& path);
 
 /// The student from whom a submission is: the name of its folder, or of its archive without the

@@ -92,9 +92,10 @@ bool leads_out(const std::string& name) {
 
 Archive::Archive(const Limits& limits, fs::path file, fs::path work, Isolation isolation)
     : limits_(limits), file_(std::move(file)), work_(std::move(work)), sandbox_(isolation, work_) {
-  if (fs::file_size(file_) > static_cast<std::uintmax_t>(limits.submission_mb) * 1'048'576) {
-    throw std::invalid_argument(
-        fmt::format("the submission is larger than {} MB", limits.submission_mb));
+  // The history of a repository, which is not read, may be in it.
+  const int most_mb = 10 * limits.submission_mb;
+  if (fs::file_size(file_) > static_cast<std::uintmax_t>(most_mb) * 1'048'576) {
+    throw std::invalid_argument(fmt::format("the archive is larger than {} MB", most_mb));
   }
   list();
 }

@@ -19,8 +19,7 @@ std::string refusal(const fs::path& path, const std::optional<Roster>& roster) {
   const fs::file_status status = fs::symlink_status(path);
   const std::string name = shown_name(path.filename().string());
   if (!fs::is_directory(status) && !(fs::is_regular_file(status) && names_archive(path))) {
-    return fmt::format(
-        "'{}' is neither a folder nor an archive (.zip, .7z, .tar, .tar.gz, .tar.bz2, .tar.xz, .tar.zst)", name);
+    return fmt::format("'{}' is neither a folder nor an archive ({})", name, archive_endings());
   }
   const std::string student = student_of(path);
   try {

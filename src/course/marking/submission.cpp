@@ -144,8 +144,8 @@ void explain_missing(const std::vector<std::string>& entries,
     if (std::ranges::find(entries, place + file) != entries.end()) continue;
     const auto other = std::ranges::find(entries, like(file), like);
     if (other == entries.end()) continue;
-    submission.problems.push_back(fmt::format("there is '{}', but {} is looked for",
-                                              shown_name(*other), file));
+    submission.problems.push_back(
+        fmt::format("there is '{}', but {} is looked for", shown_name(*other), file));
   }
 }
 
@@ -189,9 +189,8 @@ bool is_archive(const fs::path& path) {
   const fs::file_status status = fs::symlink_status(path, error);
   const bool is_one = fs::is_regular_file(status) && names_archive(path);
   if (!is_one && !fs::is_directory(status)) {
-    throw sys::OutputError(
-        fmt::format("'{}' is neither a folder nor an archive (.zip, .7z, .tar, .tar.gz, .tar.bz2, .tar.xz, .tar.zst)",
-                    shown_name(path.string())));
+    throw sys::OutputError(fmt::format("'{}' is neither a folder nor an archive ({})",
+                                       shown_name(path.string()), archive_endings()));
   }
   return is_one;
 }
@@ -211,9 +210,9 @@ std::string place_of_files(const std::vector<std::string>& entries,
     }
   }
   if (places.size() <= 1) return places.empty() ? "" : *places.begin();
-  throw std::invalid_argument(
-      fmt::format("the submission holds the files twice, in '{}' and in '{}'",
-                  shown_name(*places.begin()), shown_name(*std::next(places.begin()))));
+  throw std::invalid_argument(fmt::format(
+      "the submission holds files in two places, '{}' and '{}', of which one is looked for",
+      shown_name(*places.begin()), shown_name(*std::next(places.begin()))));
 }
 
 std::string fault_of(std::string_view text) {

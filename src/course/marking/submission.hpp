@@ -22,9 +22,9 @@ struct Submission {
 /// Takes the exercises' files from a folder or archive and reads nothing else in it. They may
 /// be at the top or in one folder below. A file that is no regular text file within the limits is
 /// left out with a line in `problems`, and so are all files of an archive that cannot be read. If
-/// none is found, a line says where else there is one, or that there is an archive; for each that is
-/// missing, a line names what is called alike. `work` is a
-/// folder for the sandbox. Throws OutputError if the submission is neither a folder nor an archive.
+/// none is found, a line says where else there is one, or that there is an archive; for each that
+/// is missing, a line names what is called alike. `work` is a folder for the sandbox. Throws
+/// OutputError if the submission is neither a folder nor an archive.
 Submission take_submission(const Assignment& assignment, const std::filesystem::path& submission,
                            const std::filesystem::path& work, Isolation isolation);
 

@@ -50,7 +50,7 @@ const std::map<std::string, std::string> reasons = {
     {"archive_is_empty", "the archive is empty"},
     {"archive_is_none", "the archive cannot be read"},
     {"archive_of_odd_names", "src/square.cpp is missing"},
-    {"archive_of_two", "holds the files twice"},
+    {"archive_of_two", "holds files in two places"},
     {"archive_through_link", "does not grow"},
     {"asks_for_the_plugin", "undefined reference to `square(double)"},
     {"asserts_the_date", "src/square.cpp:4:10: error: 'nothing' was not declared"},

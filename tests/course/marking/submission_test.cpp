@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cstdint>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -113,7 +114,8 @@ BOOST_AUTO_TEST_CASE(the_report_is_taken_as_it_is_and_nothing_beside_it) {
 }
 
 BOOST_AUTO_TEST_CASE(every_kind_of_archive_gives_the_same_files) {
-  for (const char* name : {"a.zip", "a.tar", "a.tar.gz", "a.tgz", "a.tar.xz", "a.tar.bz2", "a.7z"}) {
+  for (const char* name :
+       {"a.zip", "a.tar", "a.tar.gz", "a.tgz", "a.tar.xz", "a.tar.bz2", "a.7z"}) {
     const TemporaryFolder folder;
     folder.write("Alice's work, ü [1]/src/square.cpp", "int a;\n");
     folder.write("Alice's work, ü [1]/src/sum.cpp", "int b;\n");
@@ -222,6 +224,43 @@ BOOST_AUTO_TEST_CASE(the_history_of_a_repository_does_not_count) {
   BOOST_TEST(submission.problems.empty());
 }
 
+BOOST_AUTO_TEST_CASE(the_history_in_an_archive_does_not_count) {
+  const TemporaryFolder folder;
+  std::string noise(1'200'000, '\0');
+  std::mt19937 generator;
+  for (char& byte : noise) byte = static_cast<char>(generator());
+  folder.write("alice/src/square.cpp", "int a;\n");
+  folder.write("alice/src/sum.cpp", "int b;\n");
+  folder.write("alice/.git/objects/pack", noise);
+
+  for (const char* name : {"a.zip", "a.tar.gz", "a.tar.xz", "a.7z"}) {
+    const Submission submission = take(packed(folder, name, "alice"));
+
+    BOOST_TEST(submission.files.size() == 2U, name);
+    BOOST_TEST(submission.problems.empty(), name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(files_without_their_folder_or_in_two_places_are_named) {
+  const TemporaryFolder folder;
+  folder.write("flat/square.cpp", "int a;\n");
+  folder.write("flat/sum.cpp", "int b;\n");
+  folder.write("top/src/square.cpp", "int a;\n");
+  folder.write("top/work/src/sum.cpp", "int b;\n");
+  folder.write("two/a/src/square.cpp", "int a;\n");
+  folder.write("two/b/src/sum.cpp", "int b;\n");
+
+  const auto problems_of = [&](const char* name) { return take(folder.path() / name).problems; };
+
+  BOOST_REQUIRE(problems_of("flat").size() == 4U);
+  BOOST_TEST(problems_of("flat")[2] == "there is 'square.cpp', but src/square.cpp is looked for");
+  BOOST_REQUIRE(problems_of("top").size() == 2U);
+  BOOST_TEST(problems_of("top")[1] == "there is 'work/src/sum.cpp', but src/sum.cpp is looked for");
+  BOOST_REQUIRE(problems_of("two").size() == 1U);
+  BOOST_TEST(problems_of("two")[0] ==
+             "the submission holds files in two places, 'a/' and 'b/', of which one is looked for");
+}
+
 BOOST_AUTO_TEST_CASE(what_is_called_like_a_missing_file_is_named) {
   const TemporaryFolder folder;
   folder.write("alice/src/Square.cpp", "int a;\n");
@@ -230,7 +269,8 @@ BOOST_AUTO_TEST_CASE(what_is_called_like_a_missing_file_is_named) {
   for (const fs::path& path : {folder.path() / "alice", packed(folder, "a.zip", "alice")}) {
     const Submission submission = take(path);
     BOOST_REQUIRE(submission.problems.size() == 4U);
-    BOOST_TEST(submission.problems[2].ends_with("src/Square.cpp', but src/square.cpp is looked for"));
+    BOOST_TEST(
+        submission.problems[2].ends_with("src/Square.cpp', but src/square.cpp is looked for"));
     BOOST_TEST(submission.problems[3].ends_with("sum.cpp.txt', but src/sum.cpp is looked for"));
   }
 }
@@ -246,8 +286,8 @@ BOOST_AUTO_TEST_CASE(what_is_neither_folder_nor_archive_is_refused) {
 BOOST_AUTO_TEST_CASE(an_archive_larger_than_allowed_is_not_opened) {
   const TemporaryFolder folder;
 
-  BOOST_TEST(problem_of(folder.write("a.zip", std::string(1'200'000, 'x'))) ==
-             "the submission is larger than 1 MB");
+  BOOST_TEST(problem_of(folder.write("a.zip", std::string(11'000'000, 'x'))) ==
+             "the archive is larger than 10 MB");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_archive_says_so_in_one_line) {
