@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a student's program answers. This header is part of the handout and is included by the file
-// with main() alone.
+// How a student's program is asked and answers. This header is part of the handout and is included
+// by the file with main() alone.
 #pragma once
 
 #include <unistd.h>
 
 #include <cstdio>
+#include <istream>
+#include <stdexcept>
 #include <vector>
 
 namespace course {
@@ -20,6 +22,26 @@ __attribute__((constructor(101))) inline void keep_answers_apart() {
   if (answer_descriptor >= 0) return;
   answer_descriptor = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
+/// The numbers of each question; a ';' stands between two of them. Only the last one is to be
+/// answered: the others are computed before it in the same process, in which no function may
+/// remember anything of them that changes its answer.
+inline std::vector<std::vector<double>> read_questions(std::istream& in) {
+  std::vector<std::vector<double>> questions(1);
+  while (in >> std::ws && in.peek() != std::istream::traits_type::eof()) {
+    if (in.peek() == ';') {
+      in.get();
+      questions.emplace_back();
+      continue;
+    }
+    double number = 0;
+    if (!(in >> number)) {
+      throw std::invalid_argument("standard input holds something that is no number");
+    }
+    questions.back().push_back(number);
+  }
+  return questions;
 }
 
 /// Writes an answer, a number in each line, with all digits of a double. Returns whether it could

@@ -115,15 +115,20 @@ class Compiler {
     return message_of(run(arguments_for(file, false), object));
   }
 
+  /// Whether objects need nothing but each other and what is given.
+  bool are_complete(const std::vector<Readable>& objects) const {
+    std::vector<std::string> arguments = {"-Wl,--defsym=main=0"};
+    add_what_is_linked(objects, arguments);
+    return has_worked(run(arguments, scratch_ / "complete", objects));
+  }
+
   /// Links objects with the given ones. Returns the linker's message, empty if it worked.
   std::string link(const std::vector<Readable>& objects, const fs::path& program) const {
     std::vector<Readable> readable = objects;
     if (other_main_) readable.push_back(*other_main_);
     std::vector<std::string> arguments;
     if (!other_main_) arguments.push_back(in_sandbox(toolkit_.main_object()));
-    for (const Readable& object : readable) arguments.push_back(sandbox_.place(object));
-    arguments.push_back(in_sandbox(toolkit_.archive()));
-    for (const std::string& flag : link_flags()) arguments.push_back(flag);
+    add_what_is_linked(readable, arguments);
     return message_of(run(arguments, program, readable));
   }
 
@@ -151,6 +156,13 @@ class Compiler {
   /// The path by which a job finds a file of the toolkit.
   std::string in_sandbox(const fs::path& file) const {
     return sandbox_.place(given_) + "/" + file.lexically_relative(toolkit_.folder).string();
+  }
+
+  void add_what_is_linked(const std::vector<Readable>& objects,
+                          std::vector<std::string>& arguments) const {
+    for (const Readable& object : objects) arguments.push_back(sandbox_.place(object));
+    arguments.push_back(in_sandbox(toolkit_.archive()));
+    for (const std::string& flag : link_flags()) arguments.push_back(flag);
   }
 
   std::vector<std::string> arguments_for(const std::string& file, bool is_precompiled) const {
@@ -231,10 +243,18 @@ class Compiler {
     std::string excess = excess_of(end);
     if (!excess.empty()) return excess;
     const std::string text = without_long_chains(beginning_of(errors(), 16 * max_message));
+    const bool misses_a_header = text.find("No such file or directory\n") != text.npos &&
+                                 text.find("#include \"") != text.npos;
+    const std::string hint =
+        misses_a_header
+            ? "Only the exercises' own files are taken from a submission: what stands in "
+              "another file must stand in them.\n"
+            : "";
     return shown(without(without(without(text, project_.path.string() + "/", ""),
                                  toolkit_.folder.string() + "/", ""),
                          sandbox_.scratch() + "/", ""),
-                 max_message);
+                 max_message) +
+           hint;
   }
 
   std::string too_large() const {
@@ -293,14 +313,16 @@ class Objects {
     return compiler_.link(with_stubs(own_), program);
   }
 
-  /// Links the file of an exercise and those that it builds on. Returns the linker's message.
-  std::string link_alone(const Exercise& exercise, const fs::path& program) const {
+  /// Links the file of an exercise and those that it builds on, with stubs in place of all others.
+  /// Returns whether that is a program: it is none if one of them calls a function of the others.
+  bool link_alone(const Exercise& exercise, const fs::path& program) const {
     std::map<std::string, fs::path> needed;
     for (const std::string& file : files_behind(exercise)) {
       const auto object = own_.find(file);
-      if (object != own_.end()) needed.insert(*object);
+      needed[file] = object == own_.end() ? compiler_.toolkit().stub_of(file) : object->second;
     }
-    return compiler_.link(with_stubs(needed), program);
+    return compiler_.are_complete(readable(needed)) &&
+           compiler_.link(with_stubs(needed), program).empty();
   }
 
   /// The messages, by exercise.
@@ -326,8 +348,12 @@ class Objects {
   std::vector<Readable> with_stubs(const std::map<std::string, fs::path>& own) const {
     std::map<std::string, fs::path> objects = own;
     for (const Exercise& exercise : assignment_.exercises) {
-      objects.emplace(exercise.file, compiler_.toolkit().stub_of(exercise));
+      objects.emplace(exercise.file, compiler_.toolkit().stub_of(exercise.file));
     }
+    return readable(objects);
+  }
+
+  static std::vector<Readable> readable(const std::map<std::string, fs::path>& objects) {
     std::vector<Readable> readable;
     for (const auto& [file, object] : objects) {
       readable.push_back({object, "/objects/" + fs::path(file).filename().string() + ".o"});
@@ -369,7 +395,7 @@ Built build(const Assignment& assignment, const fs::path& toolkit, const Files& 
   if (other) return built;
   for (const Exercise& exercise : assignment.exercises) {
     const fs::path program = folder / ("program of " + exercise.id);
-    if (!objects.link_alone(exercise, program).empty()) continue;
+    if (!objects.link_alone(exercise, program)) continue;
     make_executable(program);
     built.alone[exercise.id] = program;
   }

@@ -5,20 +5,23 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "course/assignment/check.hpp"
 #include "course/marking/build.hpp"
 
 namespace course {
 
-/// The numbers that a program printed, separated by white space; an infinity is a NaN, with which no
-/// comparison holds. Throws ProgramFailure for anything else; the message repeats nothing of what
-/// the program printed, not even how much it was.
+/// The numbers that a program printed, separated by white space; an infinity is a NaN, with which
+/// no comparison holds. Throws ProgramFailure for anything else; the message repeats nothing of
+/// what the program printed, not even how much it was.
 Numbers parse_answer(std::string_view text);
 
 /// A built submission as the checks see it. Each question is asked in two runs in the sandbox,
-/// which must agree but for roundings, since threads add up in any order; the same question again gets the same answer. A task that took too long is not
-/// asked again, and no question is asked once all runs together took Limits::submission_seconds of
+/// which must agree but for roundings, since threads add up in any order. If both are quick, the
+/// second run computes the task's last question first, of which a function must not remember
+/// anything. The same question again gets the same answer. A task that took too long is not asked
+/// again, and no question is asked once all runs together took Limits::submission_seconds of
 /// processor time.
 class ProgramRun {
  public:
@@ -35,16 +38,21 @@ class ProgramRun {
   struct Answer {
     Numbers numbers;
     std::string failure;
+    double cpu_seconds = 0;
   };
   Answer ask(const std::string& task, const Numbers& inputs);
-  Answer ask_once(const std::string& task, const Numbers& inputs);
-  JobEnd run(const std::string& task, const Numbers& inputs);
+  Answer ask_once(const std::string& task, const Numbers& inputs, const Numbers& before);
+  JobEnd run(const std::string& task, const Numbers& inputs, const Numbers& before);
   std::string failure_of(const JobEnd& end) const;
+  std::string with_errors(const std::string& failure) const;
 
   Limits limits_;
   std::filesystem::path program_;
+  bool tells_errors_;
   Sandbox sandbox_;
   std::map<std::tuple<std::filesystem::path, std::string, Numbers>, Answer> answers_;
+  std::map<std::pair<std::filesystem::path, std::string>, Numbers>
+      last_;                                     ///< quick question of a task
   std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
   double cpu_seconds_ = 0;                       ///< of all runs so far
 };

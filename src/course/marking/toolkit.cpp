@@ -8,8 +8,8 @@
 namespace course {
 namespace fs = std::filesystem;
 
-fs::path Toolkit::stub_of(const Exercise& exercise) const {
-  return folder / "stubs" / (exercise.file + ".o");
+fs::path Toolkit::stub_of(const std::string& file) const {
+  return folder / "stubs" / (file + ".o");
 }
 
 std::vector<std::string> compile_flags(const std::string& project) {
@@ -36,7 +36,7 @@ Toolkit open_toolkit(const Assignment& assignment, const fs::path& folder) {
         fmt::format("'{}' is no toolkit; `halfspace-course toolkit` makes one", folder.string()));
   }
   for (const Exercise& exercise : assignment.exercises) {
-    if (!fs::exists(toolkit.stub_of(exercise))) {
+    if (!fs::exists(toolkit.stub_of(exercise.file))) {
       throw sys::OutputError(
           fmt::format("the toolkit '{}' is of another assignment: it has no stub of {}",
                       folder.string(), exercise.file));

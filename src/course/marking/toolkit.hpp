@@ -16,7 +16,7 @@ struct Toolkit {
   std::filesystem::path folder;
 
   std::filesystem::path project() const { return folder / "project"; }
-  std::filesystem::path stub_of(const Exercise& exercise) const;
+  std::filesystem::path stub_of(const std::string& file) const;
   /// The report as students get it: the program of its numbers, scripts of its drawings. It is not
   /// there if the assignment has no report.
   std::filesystem::path report() const { return project() / "report"; }

@@ -101,6 +101,9 @@ std::vector<std::string> as_user(unsigned user) {
           "--bounding-set=-all"};
 }
 
+/// The stack of a thread, of which hardly any is used.
+constexpr long stack_mb = 8;
+
 /// The start of a command line that runs the rest within limits. Processor time is limited, so
 /// that a busy machine does nobody an injustice; what sleeps is ended by run_child. So is what uses
 /// too much processor time, by the time for which it really ran. The kernel's limit counts whole
@@ -110,8 +113,9 @@ std::vector<std::string> within_limits(const Job& job) {
   return {"/usr/bin/prlimit",
           "--core=0",
           "--nofile=64",
+          fmt::format("--stack={}", stack_mb * 1048576L),
           fmt::format("--cpu={}:{}", 2 * job.seconds + 1, 2 * job.seconds + 2),
-          fmt::format("--as={}", job.memory_mb * 1048576L),
+          fmt::format("--as={}", (job.memory_mb + stack_mb * job.processes) * 1048576L),
           fmt::format("--fsize={}", job.file_kb * 1024L)};
 }
 
@@ -245,9 +249,10 @@ std::vector<std::string> Sandbox::command(const Job& job) const {
 }
 
 // SOURCE_DATE_EPOCH is what a compiler takes for __DATE__ and __TIME__, which a message could tell.
+// MALLOC_ARENA_MAX keeps threads from reserving 64 MB of address space each.
 std::vector<std::string> Sandbox::environment() const {
-  return {"PATH=/usr/bin:/bin", "LC_ALL=C", "HOME=" + scratch(), "TMPDIR=" + scratch(),
-          "SOURCE_DATE_EPOCH=0"};
+  return {"PATH=/usr/bin:/bin",  "LC_ALL=C",          "HOME=" + scratch(), "TMPDIR=" + scratch(),
+          "SOURCE_DATE_EPOCH=0", "MALLOC_ARENA_MAX=2"};
 }
 
 JobEnd Sandbox::run(const Job& job) const {
@@ -301,10 +306,9 @@ void Sandbox::probe() const {
   if (end.ending == Ending::normal && end.status == 0) return;
   std::string why = sys::read_file(errors);
   why = why.substr(0, why.find('\n'));
-  throw sys::ToolError(
-      isolation_ == Isolation::sandbox
-          ? fmt::format("bubblewrap cannot keep submissions apart here: {}", why)
-          : fmt::format("cannot run a program within limits: {}", why));
+  throw sys::ToolError(isolation_ == Isolation::sandbox
+                           ? fmt::format("bubblewrap cannot keep submissions apart here: {}", why)
+                           : fmt::format("cannot run a program within limits: {}", why));
 }
 
 }  // namespace course

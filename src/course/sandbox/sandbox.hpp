@@ -28,10 +28,12 @@ struct Job {
   /// them wants a processor.
   int seconds = 5;
   double waiting_seconds = 0;  ///< instead of that twice as much; 0: twice as much
-  int memory_mb = 1024;  ///< of address space for each process, and of memory for all together
-  int processes = 32;    ///< and threads
-  int file_kb = 256;     ///< of each file and stream it writes
-  int scratch_mb = 0;    ///< size of scratch(); 0: the job can write nothing but its streams
+  /// Of memory for all together, and, with a stack for each of `processes`, of address space for
+  /// each.
+  int memory_mb = 1024;
+  int processes = 32;  ///< and threads
+  int file_kb = 256;   ///< of each file and stream it writes
+  int scratch_mb = 0;  ///< size of scratch(); 0: the job can write nothing but its streams
 };
 
 enum class Ending { normal, too_slow, too_large, too_many_processes, too_much_output, crash };

@@ -114,6 +114,70 @@ BOOST_AUTO_TEST_CASE(a_file_that_uses_what_another_defines_is_linked_with_it) {
   BOOST_TEST(total(grade(files).results) == 20);
 }
 
+BOOST_AUTO_TEST_CASE(a_file_may_call_the_students_own_function_of_any_other_exercise) {
+  const Graded graded =
+      grade(with("src/square.cpp",
+                 "#include \"toy.hpp\"\n"
+                 "double square(double x) { return sum({x * x / 2, x * x / 2}); }\n"));
+
+  BOOST_TEST(total(graded.results) == 20);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_program_says_when_it_fails_is_in_the_message) {
+  const Graded asserts = grade(with("src/square.cpp",
+                                    "#include <cassert>\n"
+                                    "double square(double x) { assert(x > 9); return x * x; }\n"));
+  const Graded throws =
+      grade(with("src/square.cpp",
+                 "#include <stdexcept>\n"
+                 "double square(double) { throw std::runtime_error(\"no end\"); }\n"));
+
+  for (const std::size_t check : {0U, 1U}) {
+    BOOST_TEST(asserts.results[check].message ==
+               "the program crashed (SIGABRT) and said: program: src/square.cpp:2: double "
+               "square(double): Assertion `x > 9' failed.");
+    BOOST_TEST(
+        throws.results[check].message ==
+        "the program crashed (SIGABRT) and said: terminate called after throwing an instance "
+        "of 'std::runtime_error'; what():  no end");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(as_many_threads_as_are_allowed_may_use_memory) {
+  Assignment assignment = toy_grading::assignment();
+  assignment.limits.processes = 72;
+  const std::string sum =
+      "#include \"toy.hpp\"\n#include <thread>\n"
+      "double sum(const std::vector<double>& numbers) {\n"
+      "  std::vector<double> parts(64);\n"
+      "  std::vector<std::thread> threads;\n"
+      "  for (double& part : parts) {\n"
+      "    threads.emplace_back([&] {\n"
+      "      for (double number : std::vector<double>(numbers)) part += number / 64;\n"
+      "    });\n"
+      "  }\n"
+      "  double total = 0;\n"
+      "  for (std::size_t i = 0; i < parts.size(); ++i) { threads[i].join(); total += parts[i]; }\n"
+      "  return total;\n"
+      "}\n";
+
+  const Graded few = grade(with("src/sum.cpp", sum));
+  const Graded graded = grade(with("src/sum.cpp", sum), assignment);
+
+  BOOST_TEST(few.results[2].message ==
+             "the program starts more than 8 processes and threads, or they need more than 512 MB");
+  BOOST_TEST(graded.results[2].message == "");
+  BOOST_TEST(graded.results[2].points == 5);
+}
+
+BOOST_AUTO_TEST_CASE(who_includes_a_header_of_their_own_is_told_that_it_is_not_taken) {
+  const Graded graded = grade(with("src/square.cpp", "#include \"helper.hpp\"\n"));
+
+  BOOST_TEST(graded.built.compile_errors.at("square").ends_with(
+      "Only the exercises' own files are taken from a submission: what stands in another file must "
+      "stand in them.\n"));
+}
+
 BOOST_AUTO_TEST_CASE(a_macro_before_the_headers_has_its_effect) {
   const Graded graded = grade(with("src/square.cpp",
                                    "#define NDEBUG\n#include <cassert>\n"
@@ -134,15 +198,16 @@ BOOST_AUTO_TEST_CASE(one_number_that_is_none_leaves_the_others_to_the_check) {
 }
 
 BOOST_AUTO_TEST_CASE(answers_that_differ_as_threads_add_up_are_the_same) {
-  const Graded graded = grade(with("src/sum.cpp",
-                                   "#include \"toy.hpp\"\n#include <chrono>\n"
-                                   "double sum(const std::vector<double>& numbers) {\n"
-                                   "  double total = 0;\n"
-                                   "  for (const double number : numbers) total += number;\n"
-                                   "  const auto now = std::chrono::steady_clock::now();\n"
-                                   "  const bool other = now.time_since_epoch().count() / 1000 % 2;\n"
-                                   "  return total * (1 + (other ? 1e-15 : 0));\n"
-                                   "}\n"));
+  const Graded graded =
+      grade(with("src/sum.cpp",
+                 "#include \"toy.hpp\"\n#include <chrono>\n"
+                 "double sum(const std::vector<double>& numbers) {\n"
+                 "  double total = 0;\n"
+                 "  for (const double number : numbers) total += number;\n"
+                 "  const auto now = std::chrono::steady_clock::now();\n"
+                 "  const bool other = now.time_since_epoch().count() / 1000 % 2;\n"
+                 "  return total * (1 + (other ? 1e-15 : 0));\n"
+                 "}\n"));
 
   for (const CheckResult& result : graded.results) {
     BOOST_TEST(result.message.find("different answers") == std::string::npos);
@@ -160,6 +225,27 @@ BOOST_AUTO_TEST_CASE(answers_that_differ_from_run_to_run_are_none) {
   BOOST_TEST(graded.results[0].message ==
              "the program gives different answers to the same question");
   BOOST_TEST(total(graded.results) == 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_function_that_remembers_an_earlier_question_answers_wrong) {
+  const std::string begin =
+      "#include <map>\n#include <numeric>\n#include \"toy.hpp\"\n"
+      "double sum(const std::vector<double>& numbers) {\n";
+  const Graded stale = grade(
+      with("src/sum.cpp", begin + "  static const double total =\n"
+                                  "      std::accumulate(numbers.begin(), numbers.end(), 0.0);\n"
+                                  "  return total;\n}\n"));
+  const Graded keyed = grade(
+      with("src/sum.cpp",
+           begin + "  static std::map<std::vector<double>, double> known;\n"
+                   "  const auto sum = std::accumulate(numbers.begin(), numbers.end(), 0.0);\n"
+                   "  return known.emplace(numbers, sum).first->second;\n}\n"));
+
+  BOOST_TEST(stale.results[3].message ==
+             "the program gives different answers to the same question, asked alone and after "
+             "another one");
+  BOOST_TEST(total(stale.results) == 10);
+  BOOST_TEST(total(keyed.results) == 20);
 }
 
 BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
@@ -300,7 +386,8 @@ BOOST_AUTO_TEST_CASE(public_checks_count_only_as_far_as_the_hidden_ones_of_the_e
 BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
   const TemporaryFolder scratch;
 
-  const Built built{.program = scratch.path() / "program", .alone = {}, .compile_errors = {}, .link_error = {}};
+  const Built built{
+      .program = scratch.path() / "program", .alone = {}, .compile_errors = {}, .link_error = {}};
   BOOST_CHECK_THROW(results_of(built, toy_grading::assignment(), {}, Isolation::sandbox),
                     std::logic_error);
 }

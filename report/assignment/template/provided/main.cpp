@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // build/assignment TASK: reads numbers from standard input and prints the answer, one number a
-// line. Without TASK it lists the tasks. What your
-// functions print goes to standard error and is no part of the answer. The exit code is 2, with a line on standard error, for
-// an input that does not fit. GSL does not abort here when a quadrature fails, but returns an error
-// code.
+// line. Of several questions, with a ';' between them, the last one is answered, after the others.
+// Without TASK it lists the tasks. What your functions print goes to standard error and is no part
+// of the answer. The exit code is 2, with a line on standard error, for an input that does not fit.
+// GSL does not abort here when a quadrature fails, but returns an error code.
 #include <gsl/gsl_errno.h>
 
 #include <exception>
@@ -14,25 +14,16 @@
 #include "course/assignment/answer_channel.hpp"
 #include "tasks.hpp"
 
-namespace {
-
-std::vector<double> read_numbers(std::istream& in) {
-  std::vector<double> numbers;
-  double number = 0;
-  while (in >> number) numbers.push_back(number);
-  if (!in.eof()) throw std::invalid_argument("standard input holds something that is no number");
-  return numbers;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   gsl_set_error_handler_off();
   try {
     if (argc != 2) {
       throw std::invalid_argument("usage: assignment TASK < numbers\n" + list_of_tasks());
     }
-    if (course::write_answer(run_task(argv[1], read_numbers(std::cin)))) return 0;
+    std::vector<double> answer;
+    for (const auto& numbers : course::read_questions(std::cin))
+      answer = run_task(argv[1], numbers);
+    if (course::write_answer(answer)) return 0;
     throw std::runtime_error("the answer cannot be written");
   } catch (const std::exception& e) {
     std::cerr << "assignment: " << e.what() << '\n';
