@@ -66,11 +66,13 @@ ExitCode likeness(const LikenessOptions& options, int percent) {
     export_to(staging.path() / "submissions" / entry.student, all.back().files);
   }
   const course::ScratchFolder work;
-  const auto pairs = course::like_pairs(assignment, all, course::known_lines(expected), percent,
-                                        work.path(), isolation);
-  sys::write_file_atomically(staging.path() / "pairs.csv", course::pairs_csv(pairs));
+  const course::Likeness likeness = course::likeness_of(
+      assignment, all, course::known_lines(expected), percent, work.path(), isolation);
+  sys::write_file_atomically(staging.path() / "pairs.csv", course::pairs_csv(likeness.pairs));
   staging.publish(former);
-  return answer_faults(listing.problems);
+  std::vector<std::string> problems = listing.problems;
+  problems.insert(problems.end(), likeness.problems.begin(), likeness.problems.end());
+  return answer_faults(problems);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -49,7 +50,8 @@ Shares shares_in(std::string_view output) {
   return shares;
 }
 
-/// The shares of all files in a folder, which are named 0.cpp, 1.cpp and so on.
+/// The shares of all files in a folder, which are named 0.cpp, 1.cpp and so on. Throws
+/// std::runtime_error if sim_c++ fails.
 Shares compare(const fs::path& folder, std::size_t n_files, const fs::path& work,
                Isolation isolation) {
   const Sandbox sandbox(isolation, work);
@@ -66,8 +68,11 @@ Shares compare(const fs::path& folder, std::size_t n_files, const fs::path& work
   for (std::size_t i = 0; i < n_files; ++i) job.command.push_back(fmt::format("{}.cpp", i));
   const JobEnd end = sandbox.run(job);
   if (end.ending != Ending::normal || end.status != 0) {
-    const std::string why = sys::read_file(job.errors);
-    throw sys::ToolError("sim_c++ failed: " + why.substr(0, why.find('\n')));
+    const std::string said = sys::read_file(job.errors);
+    std::string why = said.substr(0, said.find('\n'));
+    if (end.ending == Ending::too_slow) why = fmt::format("it takes longer than {} s", job.seconds);
+    if (end.ending == Ending::too_large) why = fmt::format("it takes over {} MB", job.memory_mb);
+    throw std::runtime_error("sim_c++ failed: " + why);
   }
   return shares_in(sys::read_file(job.output));
 }
@@ -115,30 +120,44 @@ std::string own_lines(std::string_view text, const std::set<std::string>& known)
   return own;
 }
 
-std::vector<LikePair> like_pairs(const Assignment& assignment, const std::vector<Written>& all,
-                                 const std::set<std::string>& known, int percent,
-                                 const fs::path& work, Isolation isolation) {
-  std::vector<LikePair> pairs;
+Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& all,
+                     const std::set<std::string>& known, int percent, const fs::path& work,
+                     Isolation isolation) {
+  constexpr std::size_t most_kb = 32;
+  Likeness likeness;
   for (const Exercise& exercise : assignment.exercises) {
     const fs::path folder = work / exercise.id;
     std::vector<std::string> units;
     for (const Written& written : all) {
       const auto file = written.files.find(exercise.file);
       if (file == written.files.end()) continue;
-      sys::write_file_atomically(folder / fmt::format("{}.cpp", units.size()),
-                                 own_lines(file->second, known));
+      const std::string own = own_lines(file->second, known);
+      if (own.size() > most_kb * 1024) {
+        likeness.problems.push_back(fmt::format(
+            "{} of {} is not compared: {} kB of it are neither given nor expected, more than {} kB",
+            exercise.file, written.unit, own.size() / 1024, most_kb));
+        continue;
+      }
+      sys::write_file_atomically(folder / fmt::format("{}.cpp", units.size()), own);
       units.push_back(written.unit);
     }
     if (units.size() < 2) continue;
-    const Shares shares = compare(folder, units.size(), work, isolation);
-    const auto more = pairs_of(exercise.id, units, shares, percent);
-    pairs.insert(pairs.end(), more.begin(), more.end());
+    try {
+      const Shares shares = compare(folder, units.size(), work, isolation);
+      const auto more = pairs_of(exercise.id, units, shares, percent);
+      likeness.pairs.insert(likeness.pairs.end(), more.begin(), more.end());
+    } catch (const sys::ToolError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      likeness.problems.push_back(
+          fmt::format("{} is not compared: {}", exercise.file, error.what()));
+    }
   }
-  std::ranges::stable_sort(pairs, [](const LikePair& a, const LikePair& b) {
+  std::ranges::stable_sort(likeness.pairs, [](const LikePair& a, const LikePair& b) {
     return std::tie(b.percent_of_first, b.percent_of_second) <
            std::tie(a.percent_of_first, a.percent_of_second);
   });
-  return pairs;
+  return likeness;
 }
 
 std::string pairs_csv(const std::vector<LikePair>& pairs) {

@@ -27,6 +27,12 @@ struct LikePair {
   int percent_of_second = 0;
 };
 
+/// The pairs that are alike, and a line for each text that was not compared.
+struct Likeness {
+  std::vector<LikePair> pairs;  ///< the most alike first
+  std::vector<std::string> problems;
+};
+
 /// The lines of some texts without blanks, by which what everybody has, or may well write, is told
 /// from what somebody wrote.
 std::set<std::string> known_lines(const std::vector<Files>& files);
@@ -36,12 +42,12 @@ std::string own_lines(std::string_view text, const std::set<std::string>& known)
 
 /// Compares what students wrote, exercise by exercise, without the known lines, by sim_c++ of the
 /// package similarity-tester: layout, comments, names and numbers do not count, and runs of fewer
-/// than its 24 tokens neither. Returns the pairs with at least `percent` of the tokens of one of
-/// them in common, the most alike first. `work` is an empty folder. Throws sys::ToolError if
-/// sim_c++ is missing or fails.
-std::vector<LikePair> like_pairs(const Assignment& assignment, const std::vector<Written>& all,
-                                 const std::set<std::string>& known, int percent,
-                                 const std::filesystem::path& work, Isolation isolation);
+/// than its 24 tokens neither. Finds the pairs with at least `percent` of the tokens of one of them
+/// in common. What is left of a text may have 32 kB, many times as much as an honest solution, or
+/// it is not compared. `work` is an empty folder. Throws sys::ToolError if sim_c++ is missing.
+Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& all,
+                     const std::set<std::string>& known, int percent,
+                     const std::filesystem::path& work, Isolation isolation);
 
 /// A table with a line for each pair.
 std::string pairs_csv(const std::vector<LikePair>& pairs);

@@ -41,16 +41,21 @@ const std::string other =
     "  switch (int(q)) { case 1: return p; default: break; }\n  p.x[0] += p.x[1] - p.x[2];\n"
     "  return p;\n}\n";
 
-std::vector<LikePair> pairs(const std::vector<std::string>& texts,
-                            const std::set<std::string>& known, int percent = 50) {
+Likeness likeness(const std::vector<std::string>& texts, const std::set<std::string>& known = {},
+                  int percent = 50) {
   const TemporaryFolder work;
   const std::vector<std::string> units = {"alice", "bob", "carol", "dave"};
   std::vector<Written> all;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     all.push_back({units[i], {{"src/square.cpp", texts[i]}}});
   }
-  return like_pairs(toy_grading::assignment(), all, known, percent, work.path(),
-                    Isolation::sandbox);
+  return likeness_of(toy_grading::assignment(), all, known, percent, work.path(),
+                     Isolation::sandbox);
+}
+
+std::vector<LikePair> pairs(const std::vector<std::string>& texts,
+                            const std::set<std::string>& known, int percent = 50) {
+  return likeness(texts, known, percent).pairs;
 }
 
 }  // namespace
@@ -84,6 +89,21 @@ BOOST_AUTO_TEST_CASE(a_part_that_was_taken_is_that_of_the_shorter_text) {
 BOOST_AUTO_TEST_CASE(who_wrote_nothing_of_their_own_is_like_nobody) {
   BOOST_TEST(pairs({given, given, ""}, known_lines({{{"src/square.cpp", given}}})).empty());
   BOOST_TEST(pairs({first}, {}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_text_that_is_too_long_hinders_no_other_from_being_compared) {
+  std::string huge;
+  while (huge.size() < 250 * 1024) huge += "a + b, ";
+
+  const Likeness found = likeness({huge, first, huge + "c", copied});
+
+  BOOST_REQUIRE(found.pairs.size() == 1U);
+  BOOST_TEST((std::set<std::string>{found.pairs[0].first, found.pairs[0].second} ==
+              std::set<std::string>{"bob", "dave"}));
+  BOOST_REQUIRE(found.problems.size() == 2U);
+  BOOST_TEST(found.problems[0] ==
+             "src/square.cpp of alice is not compared: 250 kB of it are neither given nor "
+             "expected, more than 32 kB");
 }
 
 BOOST_AUTO_TEST_CASE(lines_are_known_whatever_their_blanks) {
