@@ -3,8 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <set>
@@ -123,6 +125,16 @@ Manifest::Texts figures_in(const Manifest& manifest) {
   return figures;
 }
 
+/// As `sort -V` sorts: row 2 before row 10; values before cells.
+std::vector<Change> sorted(std::vector<Change> changes) {
+  std::ranges::stable_sort(changes, [](const Change& a, const Change& b) {
+    const bool is_cell = a.what.starts_with(of_tables);
+    if (is_cell != b.what.starts_with(of_tables)) return !is_cell;
+    return strverscmp(a.what.c_str(), b.what.c_str()) < 0;
+  });
+  return changes;
+}
+
 /// Digests tell a reader nothing.
 std::vector<Change> without_digests(std::vector<Change> changes) {
   for (Change& change : changes) change.before = change.after = "";
@@ -149,12 +161,13 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
                                     const std::vector<Sentence>& sentences_after) {
   // Manifests of earlier versions tell of no limits.
   const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
-  std::vector<Change> all = of_numbers(before.numbers, after.numbers);
+  std::vector<Change> all = sorted(of_numbers(before.numbers, after.numbers));
   for (auto&& more :
        {without_digests(of_texts(figures_in(before), figures_in(after), ChangeKind::other_bytes)),
         of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
         of_texts(before.limits, limits, ChangeKind::other_limit)}) {
-    all.insert(all.end(), more.begin(), more.end());
+    const std::vector<Change> in_order = sorted(more);
+    all.insert(all.end(), in_order.begin(), in_order.end());
   }
   for (Change& change : all) {
     const std::string name = asked_for(change.what.substr(0, change.what.find(": ")));

@@ -13,10 +13,6 @@
 namespace literate {
 namespace {
 
-std::string place_of(const Sentence& sentence) {
-  return fmt::format("{}:{}", sentence.file, sentence.first_line);
-}
-
 /// «992.8 psi, was 994.1 psi», as far as there is something to say.
 std::string difference(const Change& change) {
   if (change.kind == ChangeKind::renamed) return "was " + change.before;
@@ -94,7 +90,7 @@ std::string changes_csv(const std::vector<Change>& changes) {
   for (const Change& change : changes) {
     if (change.printed_in.empty()) add(change, "", "");
     for (const Sentence& sentence : change.printed_in) {
-      add(change, sentence.file, std::to_string(sentence.first_line));
+      add(change, path_of(sentence), std::to_string(sentence.first_line));
     }
   }
   return csv;

@@ -12,26 +12,16 @@
 #include <utility>
 
 #include "literate/changes/changes.hpp"
+#include "literate/changes/history.hpp"
 #include "system/csv.hpp"
 #include "system/decimal.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
-#include "system/process.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
-
-/// What git says, run in a folder; none if it fails.
-std::optional<std::string> git(const fs::path& folder, std::vector<std::string> arguments) {
-  // Whoever owns the checkout.
-  arguments.insert(arguments.begin(), {"-c", "safe.directory=*"});
-  const sys::ProcessResult result =
-      sys::run({.program = "git", .arguments = arguments, .working_directory = folder});
-  if (result.exit_status != 0) return std::nullopt;
-  return result.output;
-}
 
 /// A commit that wrote lines of a file.
 struct Commit {
@@ -181,8 +171,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
     if (!then.results) {
       auto& [n_unknown, first] = unknown[then.unknown];
       if (n_unknown == 0) {
-        first = fmt::format("{}:{} of commit {}", sentences.front().file,
-                            sentences.front().first_line, at);
+        first = fmt::format("{} of commit {}", place_of(sentences.front()), at);
       }
       n_unknown += sentences.size();
       continue;
@@ -193,10 +182,9 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
         const std::string digest = digest_of_words(sentence);
         if (ticks.contains({digest, change.what, change.after})) continue;
         found.sentences.push_back(fmt::format(
-            "{}:{}: read this sentence again: {} is {}, and was {} when it was written, at {}; "
-            "then "
+            "{}: read this sentence again: {} is {}, and was {} when it was written, at {}; then "
             "change it, or write into read.csv: {}",
-            sentence.file, sentence.first_line, change.what, change.after, change.before, at,
+            place_of(sentence), change.what, change.after, change.before, at,
             sys::stripped(sys::csv_line({digest, change.what, change.after, "your name"}))));
       }
     }

@@ -19,7 +19,7 @@ namespace literate {
 namespace {
 
 /// What the argument of a command names.
-const std::map<std::string, std::string> kinds{
+const std::map<std::string, std::string> named_by{
     {"val", "value"},         {"rawval", "value"},    {"tab", "table"},
     {"fig", "figure"},        {"claim", "claim"},     {"finding", "claim"},
     {"findingsays", "claim"}, {"statement", "claim"}, {"verdict", "claim"}};
@@ -106,7 +106,7 @@ std::string without_comments(std::string_view text) {
 
 std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file) {
   std::set<std::string> commands;
-  for (const auto& [command, kind] : kinds) commands.insert(command);
+  for (const auto& [command, kind] : named_by) commands.insert(command);
   const std::vector<TexCommand> uses = commands_in(latex, commands);
 
   constexpr std::string_view beginning = "\\begin{document}";
@@ -124,7 +124,7 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
     sentence.latex = without_comments(text);
     for (; n_used < uses.size() && uses[n_used].end <= end; ++n_used) {
       if (uses[n_used].end < begin) continue;
-      sentence.names.insert(kinds.at(uses[n_used].name) + " " + uses[n_used].argument);
+      sentence.names.insert(named_by.at(uses[n_used].name) + " " + uses[n_used].argument);
     }
     const bool has_letter = std::ranges::any_of(sentence.latex, sys::is_letter);
     const bool is_environment =
@@ -146,7 +146,16 @@ std::vector<Sentence> sentences_below(const std::filesystem::path& document) {
   for (const std::string& file : document_files(document)) {
     std::ranges::move(sentences_in(sys::read_file(document / file), file), std::back_inserter(all));
   }
+  for (Sentence& sentence : all) sentence.folder = source_label(document);
   return all;
+}
+
+std::string path_of(const Sentence& sentence) {
+  return sentence.folder.empty() ? sentence.file : sentence.folder + "/" + sentence.file;
+}
+
+std::string place_of(const Sentence& sentence) {
+  return path_of(sentence) + ":" + std::to_string(sentence.first_line);
 }
 
 }  // namespace literate

@@ -16,7 +16,13 @@ struct Sentence {
   int last_line = 0;
   std::string latex;            ///< in one line, without comments
   std::set<std::string> names;  ///< that it prints: «value x», «table x», «figure x», «claim x»
+  std::string folder = {};      ///< what messages call the document's folder, if it is known
 };
+
+/// The file of a sentence as messages name it, «report/sections/a.tex», and its place there,
+/// «report/sections/a.tex:12».
+std::string path_of(const Sentence& sentence);
+std::string place_of(const Sentence& sentence);
 
 /// Splits a LaTeX text into sentences, in order.
 ///

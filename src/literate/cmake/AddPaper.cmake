@@ -109,6 +109,7 @@ function(literate_document_files document result)
   foreach(ending IN ITEMS tex bib sty cls bst png jpg jpeg pdf)
     list(APPEND patterns "${document}/*.${ending}")
   endforeach()
+  list(APPEND patterns "${document}/results.json") # whose ages of limits the ledger prints
   file(GLOB_RECURSE files CONFIGURE_DEPENDS LIST_DIRECTORIES false ${patterns})
   foreach(file IN LISTS files)
     cmake_path(GET file PARENT_PATH folder)

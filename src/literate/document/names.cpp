@@ -185,6 +185,11 @@ std::map<std::string, NamedClaim> claims_in(const json& entries) {
                            .place = claim.at("place"),
                            .expected = claim.at("expected"),
                            .found = claim.at("found")};
+    for (const json& criterion : claim.at("criteria")) {
+      claims[entry.key()].limits.push_back({.quantity = criterion.at("name"),
+                                            .condition = criterion.at("condition"),
+                                            .reason = criterion.at("reason")});
+    }
   }
   return claims;
 }

@@ -13,12 +13,20 @@
 
 namespace literate {
 
+/// A limit of a claim, which decides one of its criteria.
+struct NamedLimit {
+  std::string quantity;   ///< the name of the criterion
+  std::string condition;  ///< «at most 1 %»
+  std::string reason;     ///< «choice: a tenth»
+};
+
 /// What names.json says of a claim.
 struct NamedClaim {
   int number = 0;        ///< in the order of registration, from 1
   std::string place;     ///< «file:line:column» of its registration
   std::string expected;  ///< verdict
   std::string found;
+  std::vector<NamedLimit> limits = {};  ///< in the order of the criteria
 };
 
 /// A text of the program that reaches the document, and where it was registered.

@@ -27,8 +27,9 @@ std::string code(const std::string& text) {
   return "<code>" + tex(escape_latex(text)) + "</code>";
 }
 
-/// Three cells of a row: what was found, the limit, the margin.
-std::string criterion_html(const Criterion& criterion, const std::string& letter, Verdict verdict) {
+/// Three cells of the i-th row, from 1: what was found, the limit, the margin and the limit's age.
+std::string criterion_html(const Criterion& criterion, const std::string& letter, Verdict verdict,
+                           std::size_t i) {
   const std::string outcome(name_of(criterion.outcome()));
   std::string html = fmt::format(
       "<td data-outcome=\"{}\">{}: <strong>{}</strong></td>"
@@ -41,7 +42,7 @@ std::string criterion_html(const Criterion& criterion, const std::string& letter
   } else if (!all_alike) {
     html += ", " + outcome;
   }
-  return html + "</td>";
+  return html + fmt::format("@age:{}@</td>", i);
 }
 
 std::string error_of(const Value& value) {
@@ -74,11 +75,11 @@ std::string claim_html(const Registered& registered, const LimitNotes& notes, co
       n_rows, found.substr(0, found.find(' ')), found,
       found == expected ? "" : ", <strong>not " + expected + " as expected</strong>",
       severity_text(registered, id));
-  for (const Criterion& criterion : claim.criteria) {
-    const bool is_first = &criterion == &claim.criteria.front();
-    html += (is_first ? "" : "<tr>") +
-            criterion_html(criterion, notes.letter_of(criterion), claim.found()) +
-            (is_first ? decided : "") + "</tr>\n";
+  for (std::size_t i = 0; i < n_rows; ++i) {
+    const Criterion& criterion = claim.criteria[i];
+    html += (i == 0 ? "" : "<tr>") +
+            criterion_html(criterion, notes.letter_of(criterion), claim.found(), i + 1) +
+            (i == 0 ? decided : "") + "</tr>\n";
   }
   return html + "</tbody></table>\n</article>\n";
 }

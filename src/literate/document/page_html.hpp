@@ -13,7 +13,7 @@
 namespace literate {
 
 /// An entry of the ledger. \LedgerNumber, \LedgerSentence and \LedgerSource are what the document
-/// says of the claim; @origin@ is who states it.
+/// says of the claim; @origin@ is who states it, and @age:1@ the age of its first limit.
 std::string claim_html(const Registered& registered, const LimitNotes& notes, const std::string& id,
                        const Claim& claim);
 

@@ -10,6 +10,7 @@
 
 #include "command_line/options.hpp"
 #include "literate/changes/changes.hpp"
+#include "literate/changes/dated_limits.hpp"
 #include "literate/changes/reread.hpp"
 #include "literate/document/names.hpp"
 #include "literate/figures/plotted.hpp"
@@ -74,9 +75,10 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
   return findings;
 }
 
-// Holds the sentences against the results that they were written at, if results.json beside the
-// prose keeps those.
-ExitCode reread(const Settings& settings, const std::string& project, bool records) {
+// Holds the sentences against the results that they were written at, and limits against the first
+// results that they judged, if results.json beside the prose keeps those.
+ExitCode reread(const Settings& settings, const std::string& project, const Names& names,
+                bool records) {
   const std::filesystem::path names_json = settings.generated() / "names.json";
   const std::filesystem::path record = settings.document / "results.json";
   Manifest now = printed_results({.project = project,
@@ -87,10 +89,18 @@ ExitCode reread(const Settings& settings, const std::string& project, bool recor
                                   .verdicts = verdicts_in(names_json),
                                   .limits = limits_in(names_json)});
   now.facts["case"] = {{"name", settings.case_file.filename().string()}};
+  now.inputs["case"] = names.case_sha256;
+  if (!records) {
+    if (!std::filesystem::exists(record)) return ExitCode::success;
+    // The sentences may be of another case.
+    if (read_manifest(record, project).facts != now.facts) return ExitCode::success;
+  }
+  const Reread found = sentences_to_reread(settings.document, now, settings.output / "changes");
+  DatedLimits dated;
+  if (found.has_history) dated = dated_limits(settings.document, now, names);
+  now.ages = dated.ages;
   if (records) sys::write_if_changed(record, manifest_json(now));
-  if (!std::filesystem::exists(record)) return ExitCode::success;
   const Manifest recorded = read_manifest(record, project);
-  if (recorded.facts != now.facts) return ExitCode::success;  // the sentences are of another case
   ExitCode answer = ExitCode::success;
   for (const Change& change : changes_between(recorded, now, {}, {})) {
     if (change.kind == ChangeKind::within_error || change.kind == ChangeKind::other_digits)
@@ -101,7 +111,14 @@ ExitCode reread(const Settings& settings, const std::string& project, bool recor
                       ExitCode::failed);
     break;
   }
-  const Reread found = sentences_to_reread(settings.document, now, settings.output / "changes");
+  if (found.has_history && recorded.ages != now.ages) {
+    answer =
+        complain("results.json tells other ages of limits than git does; RECORD=1 writes it anew",
+                 ExitCode::failed);
+  }
+  for (const std::string& limit : dated.chosen_after) {
+    complain("note: " + limit, ExitCode::success);
+  }
   print(found.sentences);
   if (!found.sentences.empty()) answer = ExitCode::failed;
   for (const std::string& why : found.unknown) {
@@ -109,8 +126,9 @@ ExitCode reread(const Settings& settings, const std::string& project, bool recor
   }
   if (found.has_history) return answer;
   return complain(
-      "what was known when a sentence was written is not known: there is no git history, "
-      "or a part of one ('git fetch --unshallow' brings the rest)",
+      "what was known when a sentence was written, or a limit chosen, is not known: there is no "
+      "git "
+      "history, or a part of one ('git fetch --unshallow' brings the rest)",
       ExitCode::bad_input);
 }
 
@@ -140,7 +158,7 @@ ExitCode run(const Settings& settings, const Paper& paper, const std::string& qu
   for (const std::string& note : names.claim_notes) {
     complain("note: " + note, ExitCode::success);
   }
-  const ExitCode of_sentences = reread(settings, paper.project, records);
+  const ExitCode of_sentences = reread(settings, paper.project, names, records);
   const ExitCode of_faults = command_line::answer_faults(names.faults);
   if (!references.errors.empty() || !restyled.errors.empty()) return ExitCode::bad_input;
   if (!references.unused.empty() || !findings.empty()) return ExitCode::failed;

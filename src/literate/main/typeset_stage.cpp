@@ -87,7 +87,7 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
   const std::string prefix = folder == "." ? "" : folder + "/";
   files.merge(digests(document, document_files(document), prefix));
   for (const auto& [file, digest] :
-       sources_below(document, ".", {".bib", ".sty", "quotations.toml"})) {
+       sources_below(document, ".", {".bib", ".sty", "quotations.toml", "results.json"})) {
     files[prefix + file.substr(2)] = digest;
   }
   files.merge(digests(document, images_of(document), prefix));
@@ -204,7 +204,7 @@ FileDigests prose_of(const Settings& settings) {
     const bool is_read =
         file.find('/') == file.npos &&
         (file.ends_with(".bib") || file.ends_with(".sty") || file.ends_with(".cls") ||
-         file.ends_with(".bst") || file == "quotations.toml");
+         file.ends_with(".bst") || file == "quotations.toml" || file == "results.json");
     if (is_read) files[prefix + file] = sys::sha256_of_file(document / file);
   }
   return files;

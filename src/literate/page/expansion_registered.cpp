@@ -9,6 +9,7 @@
 #include "literate/document/page_html.hpp"
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
+#include "literate/prose/recorded_ages.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
@@ -172,10 +173,17 @@ void Expander::know_registered() {
   know({"PageLedger"}, [this](TexScanner& in, const TexToken&) {
     const bool is_cited = argument(in) == "cited";
     listed_.insert("claim-");
+    const RecordedAges ages(sources_.document, names_);
     for (const std::string& id : claims_of(is_cited)) {
-      const std::string html = sys::read_file(sources_.generated / "page/claims" / (id + ".html"));
-      fragment(
-          lettered(boost::replace_all_copy(html, "@origin@", is_cited ? "paper" : "ours"), limits_));
+      std::string html = sys::read_file(sources_.generated / "page/claims" / (id + ".html"));
+      const std::vector<std::string>& of_limits = ages.of(id);
+      for (std::size_t i = 0; i < of_limits.size(); ++i) {
+        const std::string& age = of_limits[i];
+        boost::replace_all(html, fmt::format("@age:{}@", i + 1),
+                           age.empty() ? "" : fmt::format(", <strong>limit {}</strong>", age));
+      }
+      fragment(lettered(boost::replace_all_copy(html, "@origin@", is_cited ? "paper" : "ours"),
+                        limits_));
     }
   });
   know({"PageFile"}, [this](TexScanner& in, const TexToken&) {

@@ -10,6 +10,7 @@
 
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/quotations.hpp"
+#include "literate/prose/recorded_ages.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -190,7 +191,8 @@ void write_statements(const std::filesystem::path& document, const Names& names,
                       const std::filesystem::path& file) {
   std::filesystem::create_directories(file.parent_path());
   sys::write_if_changed(file, quotations_tex(read_quotations(document)) +
-                                  statements_tex(statements_below(document), names));
+                                  statements_tex(statements_below(document), names) +
+                                  RecordedAges(document, names).latex());
 }
 
 }  // namespace literate

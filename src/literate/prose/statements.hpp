@@ -52,7 +52,8 @@ std::vector<NumberedStatement> numbered_statements(const std::vector<Statement>&
 /// how many of each part of the ledger have which verdict.
 std::string statements_tex(const std::vector<Statement>& statements, const Names& names);
 
-/// Writes what the document's folder says of claims and quotations, if it changed, for LaTeX.
+/// Writes what the document's folder says of claims, quotations and ages of limits, if it changed,
+/// for LaTeX.
 void write_statements(const std::filesystem::path& document, const Names& names,
                       const std::filesystem::path& file);
 

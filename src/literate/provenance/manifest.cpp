@@ -131,13 +131,14 @@ Manifest::Texts imported_files(const fs::path& names_json) {
 }
 
 std::string manifest_json(const Manifest& manifest) {
-  const json text{{"project", manifest.project},
-                  {"made_with", manifest.facts},
-                  {"inputs", manifest.inputs},
-                  {"outputs", manifest.outputs},
-                  {"numbers", numbers_json(manifest.numbers)},
-                  {"verdicts", manifest.verdicts},
-                  {"limits", manifest.limits}};
+  json text{{"project", manifest.project},
+            {"made_with", manifest.facts},
+            {"inputs", manifest.inputs},
+            {"outputs", manifest.outputs},
+            {"numbers", numbers_json(manifest.numbers)},
+            {"verdicts", manifest.verdicts},
+            {"limits", manifest.limits}};
+  if (!manifest.ages.empty()) text["ages"] = manifest.ages;
   return text.dump(2) + "\n";
 }
 
@@ -159,7 +160,8 @@ Manifest manifest_of(const std::string& json_text, const std::string& file,
             .outputs = text.at("outputs").get<Manifest::Texts>(),
             .numbers = numbers_of(text.at("numbers")),
             .verdicts = text.at("verdicts").get<Manifest::Texts>(),
-            .limits = text.value("limits", Manifest::Texts())};
+            .limits = text.value("limits", Manifest::Texts()),
+            .ages = text.value("ages", Manifest::Texts())};
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a manifest", file));
   }

@@ -32,6 +32,7 @@ struct Manifest {
   std::map<std::string, ManifestNumber> numbers;
   Texts verdicts;     ///< of each claim, and whether each check passed
   Texts limits = {};  ///< of each claim's criteria, «claim x: quantity»: «at most 1 %»
+  Texts ages = {};    ///< of limits, by the same names, as dated_limits() tells them
 };
 
 /// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file

@@ -106,6 +106,21 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   check_told(after, ChangeKind::added, "claim two", "", "confirmed");
 }
 
+BOOST_AUTO_TEST_CASE(changes_are_told_in_the_order_of_their_numbers) {
+  Manifest before = state(), after = state();
+  for (const char* row : {"1", "2", "10"}) {
+    after.numbers[std::string("table a, row ") + row + ", column 1"] = {
+        .number = 1, .abs_error = {}, .printed = "1"};
+    before.limits[std::string("claim one: part ") + row] = "at most 1";
+  }
+  std::vector<std::string> told;
+  for (const Change& change : changes_between(before, after, {}, {})) told.push_back(change.what);
+  const std::vector<std::string> wanted{"table a, row 1, column 1",  "table a, row 2, column 1",
+                                        "table a, row 10, column 1", "claim one: part 1",
+                                        "claim one: part 2",         "claim one: part 10"};
+  BOOST_TEST(told == wanted, boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(a_standard_uncertainty_counts_as_the_error_of_a_number) {
   Manifest after = state();
   after.numbers["fit"].number = 5.9;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/changes/dated_limits.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "literate/changes/history.hpp"
+#include "literate/prose/recorded_ages.hpp"
+#include "system/error.hpp"
+#include "system/lines.hpp"
+
+namespace literate {
+namespace {
+
+/// A record, and the commit that has it.
+struct Record {
+  std::string commit;
+  Manifest results;
+};
+
+/// All records of the history, the oldest first; none if one cannot be read.
+std::vector<Record> records_in(const std::filesystem::path& document, const std::string& project) {
+  const std::string commits = git(document, {"log", "--diff-filter=AM", "--topo-order", "--reverse",
+                                             "--format=%H", "--", "results.json"})
+                                  .value_or("");
+  std::vector<Record> records;
+  std::vector<std::string> show{"show"};
+  for (const std::string_view line : sys::lines_of(commits)) {
+    if (line.empty()) continue;
+    records.push_back({.commit = std::string(line), .results = {}});
+    show.push_back(records.back().commit + ":./results.json");
+  }
+  if (records.empty()) return {};
+  const auto texts = git(document, show);
+  if (!texts) return {};
+  std::istringstream stream(*texts);
+  try {
+    for (Record& record : records) {
+      nlohmann::json text;
+      stream >> text;
+      record.results = manifest_of(text.dump(), record.commit + ":results.json", project);
+    }
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  } catch (const sys::OutputError&) {
+    return {};
+  }
+  return records;
+}
+
+/// One limit through the records.
+class Dated {
+ public:
+  Dated(const std::vector<Record>& records, const std::string& claim, const NamedLimit& limit)
+      : records_(records),
+        claim_("claim " + claim),
+        what_(claim_ + ": " + limit.quantity),
+        condition_(limit.condition),
+        is_computed_(limit.reason.starts_with("theory:") || limit.reason.starts_with("method:")) {
+    while (came_ < records.size() && limit_in(came_) != condition_) ++came_;
+    while (judged_ < records.size() && !judges(judged_)) ++judged_;
+  }
+
+  /// The record with a result at another limit, if this one was chosen after it.
+  std::optional<std::size_t> chosen_after() const {
+    if (is_computed_ || came_ == records_.size()) return std::nullopt;
+    const Manifest::Texts& of_case = records_[came_].results.inputs;
+    for (std::size_t i = judged_; i < came_; ++i) {
+      const bool is_same_case = !of_case.empty() && records_[i].results.inputs == of_case;
+      if (judges(i) && is_same_case) return i;
+    }
+    return std::nullopt;
+  }
+
+  bool is_older() const {
+    if (came_ == 0 || came_ >= judged_ || judged_ == records_.size()) return false;
+    for (std::size_t i = came_; i < records_.size(); ++i) {
+      if (limit_in(i) != condition_) return false;
+    }
+    return true;
+  }
+
+  const std::string& what() const { return what_; }
+  const std::string& condition() const { return condition_; }
+  std::string limit_in(std::size_t i) const {
+    const auto found = records_[i].results.limits.find(what_);
+    return found == records_[i].results.limits.end() ? "" : found->second;
+  }
+  const std::string& commit() const { return records_[came_].commit; }
+
+ private:
+  /// Whether the criterion has a result there: a claim of one criterion that is undecided has none.
+  bool judges(std::size_t i) const {
+    const Manifest& results = records_[i].results;
+    if (!results.limits.contains(what_)) return false;
+    const auto verdict = results.verdicts.find(claim_);
+    const auto n_criteria = std::ranges::count_if(results.limits, [this](const auto& limit) {
+      return limit.first.starts_with(claim_ + ": ");
+    });
+    return n_criteria > 1 || verdict == results.verdicts.end() || verdict->second != "undecided";
+  }
+
+  const std::vector<Record>& records_;
+  std::string claim_, what_, condition_;
+  bool is_computed_;
+  std::size_t came_ = 0;    // the first record with this limit
+  std::size_t judged_ = 0;  // the first with a result
+};
+
+}  // namespace
+
+DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& now,
+                         const Names& names) {
+  std::vector<Record> records = records_in(document, now.project);
+  if (records.empty()) return {};
+  records.push_back({.commit = "", .results = now});
+  const auto at = [](const std::string& commit) {
+    return commit.empty() ? "and is not committed yet" : "at commit " + commit.substr(0, 12);
+  };
+  DatedLimits dated;
+  for (const auto& [id, claim] : names.claims) {
+    for (const NamedLimit& limit : claim.limits) {
+      const Dated one(records, id, limit);
+      if (const auto first = one.chosen_after()) {
+        dated.ages[one.what()] = chosen_after;
+        dated.chosen_after.push_back(fmt::format(
+            "{}: {}: the limit was chosen after the result: '{}' came {}, and commit {} has a "
+            "result at '{}'",
+            claim.place, one.what(), one.condition(), at(one.commit()),
+            records[*first].commit.substr(0, 12), one.limit_in(*first)));
+      } else if (one.is_older()) {
+        dated.ages[one.what()] = older_than_result;
+      }
+    }
+  }
+  return dated;
+}
+
+}  // namespace literate
