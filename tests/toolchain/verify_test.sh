@@ -17,6 +17,7 @@ claim 'nothing was made before' ! -e "$toy/build/release"
 toy_make verify
 claim 'the toy makes the same bytes' "$status" -eq 0
 claim 'it says so' "$(says 'the same bytes: 3 files and the PDF')" = yes
+claim 'what was handed in before is not claimed' "$(grep -c '^- what was handed in before this run' "$toy/build/report/certificate-full.txt")" = 1
 claim 'so does the certificate' "$(grep -c '^- made again: the same bytes' "$toy/build/report/certificate-full.txt")" = 1
 
 mkdir "$scratch/my cases"

@@ -120,7 +120,7 @@ DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& 
   if (records.empty()) return {};
   records.push_back({.commit = "", .results = now});
   const auto at = [](const std::string& commit) {
-    return commit.empty() ? "and is not committed yet" : "at commit " + commit.substr(0, 12);
+    return commit.empty() ? "is not committed yet" : "came at commit " + commit.substr(0, 12);
   };
   DatedLimits dated;
   for (const auto& [id, claim] : names.claims) {
@@ -129,7 +129,7 @@ DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& 
       if (const auto first = one.chosen_after()) {
         dated.ages[one.what()] = chosen_after;
         dated.chosen_after.push_back(fmt::format(
-            "{}: {}: the limit was chosen after the result: '{}' came {}, and commit {} has a "
+            "{}: {}: the limit was chosen after the result: '{}' {}, and commit {} has a "
             "result at '{}'",
             claim.place, one.what(), one.condition(), at(one.commit()),
             records[*first].commit.substr(0, 12), one.limit_in(*first)));

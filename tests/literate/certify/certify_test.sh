@@ -148,6 +148,12 @@ names confirmed 2 >again/names.json
 sampled CLAIMS='a b'
 claim 'and so is a limit' "$status $(says 'limits: claim b: n is at most 2, in the manifest at most 1')" = '1 yes'
 names confirmed 1 >again/names.json
+cp -r src "$scratch"
+echo 'int one = 2;' >src/one.cpp
+sampled CLAIMS=a
+claim 'a source that was tampered with is found by a sample' "$status $(says 'sources: src/one.cpp has other bytes')" = '1 yes'
+rm -r src
+mv "$scratch/src" .
 echo '% more' >>out/rod.pdf
 echo '1 & 3' >out/generated/tables/t.tex
 sampled CLAIMS=a

@@ -106,6 +106,18 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   check_told(after, ChangeKind::added, "claim two", "", "confirmed");
 }
 
+BOOST_AUTO_TEST_CASE(whatever_number_moves_is_named) {
+  for (const auto& [name, number] : state().numbers) {
+    for (const double moved : {1.5 * number.number, -number.number, number.number + 1e-13}) {
+      Manifest after = state();
+      after.numbers[name].number = moved;
+      const auto changes = changes_to(after);
+      BOOST_TEST_REQUIRE(changes.size() == 1U, name);
+      BOOST_TEST(changes[0].what.ends_with(name));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(changes_are_told_in_the_order_of_their_numbers) {
   Manifest before = state(), after = state();
   for (const char* row : {"1", "2", "10"}) {

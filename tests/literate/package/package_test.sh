@@ -96,6 +96,35 @@ runs make changes SINCE=../theirs.json CASE=../other.toml
 claim 'what another case moves is told with the sentences that print it' \
   "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
 runs make configured # its own case again
+
+# A limit that is changed when its result is known
+committed() { git add -A && git -c user.name=t -c user.email=t@example.org -c commit.gpgsign=false commit -qm more; }
+runs make check RECORD=1
+claim 'the results are recorded' "$status" -eq 0 -a -s paper/results.json
+committed
+commit=$(git rev-parse HEAD | cut -c 1-12)
+sed -i 's/LimitKind::data, 0.1, "a tenth"/LimitKind::data, 0.15, "a tenth"/' src/*.cpp
+runs make check
+claim 'a record of another limit is told' "$status$(says 'results.json is not of these results, claim longer: excess is another')" = 2yes
+runs make check RECORD=1
+claim 'a limit that was chosen after the result is told with the commits' "$status$(says "claim longer: excess: the limit was chosen after the result: 'at least 15 %' is not committed yet, and commit $commit has a result at 'at least 10 %'")" = 0yes
+committed
+runs make
+claim 'the ledger says so, of this limit alone' "$(pdftotext build/rod/rod.pdf - | tr '\n' ' ' | grep -o 'limit chosen after the result' | wc -l)" -eq 1
+runs make check
+claim 'git and the record agree' "$status" -eq 0
+cp build/rod/rod.pdf ../whole.pdf
+git rev-parse HEAD >.git/shallow
+rm build/rod/rod.pdf build/rod/state/typeset
+runs make
+claim 'a shallow clone has the same PDF' "$(cmp build/rod/rod.pdf ../whole.pdf && echo same)" = same
+runs make check
+claim 'what it cannot know is told' "$status$(says 'or a limit chosen, is not known: there is no git history, or a part of one')" = 2yes
+rm .git/shallow
+mkdir ../bin
+ln -s "$(command -v gnuplot)" ../bin
+runs env PATH="$scratch/bin" build/rod_program check build/rod.settings
+claim 'nor is it without git' "$status$(says 'or a limit chosen, is not known: there is no git history')" = 2yes
 if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
   runs ninja -C build rod-site
   claim 'its page and its site are made' "$status" -eq 0 -a -s build/rod/site/index.html
