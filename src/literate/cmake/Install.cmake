@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(versioned "literate-${LITERATE_VERSION}")
 set(headers "${CMAKE_INSTALL_INCLUDEDIR}/${versioned}")
 
-set(libraries errors system estimate config command_line literate)
+set(libraries errors system estimate least_squares config command_line literate)
 foreach(library IN LISTS libraries)
   target_include_directories(${library} INTERFACE "$<INSTALL_INTERFACE:${headers}>")
 endforeach()
@@ -19,7 +19,7 @@ foreach(folder IN ITEMS literate system config)
     FILES_MATCHING PATTERN "*.hpp" PATTERN template EXCLUDE PATTERN program EXCLUDE)
 endforeach()
 install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" "${HALFSPACE_ROOT}/src/numerics/estimate_algebra.hpp"
-  "${HALFSPACE_ROOT}/src/numerics/measured.hpp" DESTINATION "${headers}/numerics")
+  "${HALFSPACE_ROOT}/src/numerics/least_squares.hpp" "${HALFSPACE_ROOT}/src/numerics/measured.hpp" DESTINATION "${headers}/numerics")
 
 # The same folders as in the sources, so that scripts and CMake find each other in either.
 set(share "share/${versioned}")

@@ -4,6 +4,8 @@
 include(CMakeFindDependencyMacro)
 find_dependency(Boost 1.74 CONFIG COMPONENTS filesystem iostreams)
 find_dependency(CLI11)
+find_dependency(Eigen3 CONFIG)
+find_dependency(GSL)
 find_dependency(OpenSSL COMPONENTS Crypto)
 find_dependency(Threads)
 find_dependency(fmt)
