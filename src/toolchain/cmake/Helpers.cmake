@@ -200,10 +200,14 @@ endfunction()
 
 # label_test(test label [TARGET program] [COST seconds]): who runs the CTest test. `unit`: `make test` and the
 # sanitizers; `everyday`: `make test`; `slow`: `make test-all` alone, which runs every test. TARGET is the program that
-# the test needs and that is compiled for it.
+# the test needs and that is compiled for it. Unit tests that need none have the label `script` as well: another build of the
+# same sources, as with the sanitizers, has nothing to add to them.
 function(label_test test label)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "TARGET;COST" "")
   set_property(TEST "${test}" PROPERTY LABELS ${label})
+  if(label STREQUAL "unit" AND NOT arg_TARGET)
+    set_property(TEST "${test}" APPEND PROPERTY LABELS script)
+  endif()
   if(DEFINED arg_COST)
     set_property(TEST "${test}" PROPERTY COST ${arg_COST})
   endif()
