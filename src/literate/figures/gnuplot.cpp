@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "system/error.hpp"
@@ -144,6 +146,33 @@ void require_whole(const ScriptRun& run, const std::string& script, const std::s
       script, run.name + extension, ends, registration(run)));
 }
 
+/// The statements of a script with the lines on which they begin; a backslash continues a line.
+std::vector<std::pair<int, std::string>> statements_of(std::string_view script) {
+  std::vector<std::pair<int, std::string>> statements;
+  int number = 0;
+  bool continues = false;
+  for (const std::string_view line : sys::lines_of(script)) {
+    ++number;
+    if (!continues) statements.emplace_back(number, "");
+    continues = line.ends_with('\\');
+    statements.back().second += line.substr(0, line.size() - (continues ? 1 : 0));
+  }
+  return statements;
+}
+
+/// The file that a statement plots by its name; empty for none. Registered data have names of their
+/// own, and «», «+», «++» and «-» are no files.
+std::string plotted_file(const std::string& statement) {
+  static const sys::Pattern plots(R"re((?:^|[;{)])\s*(?:s?p(?:l(?:ot?)?)?|rep\w*|sta\w*)\b\s*)re");
+  static const sys::Pattern source(
+      R"re((?:^|,)\s*(?:for\s*\[[^\]]*\]\s*|\[[^\]]*\]\s*)*(["'](?!(?:\+\+?|-)?["'])[^"']+["'])\s*)re"
+      R"re((?:$|[,;#]|(?:using|u|with|w|title|t|notitle|every|index|matrix|binary|smooth|skip|axes|l[cstw])\b))re");
+  const auto plotted = plots.find_in(statement);
+  if (!plotted) return "";
+  const auto found = source.find_in(plotted->rest);
+  return found ? std::string(found->parts[1]) : "";
+}
+
 }  // namespace
 
 void require_draws_only(std::string_view script, const std::string& file) {
@@ -158,6 +187,14 @@ void require_draws_only(std::string_view script, const std::string& file) {
     throw sys::InputError(fmt::format(
         "{}:{}: '{}' has no place in a figure's script: it draws from its data, to its own output",
         file, number, found->parts[1].empty() ? found->parts[2] : found->parts[1]));
+  }
+  for (const auto& [line, statement] : statements_of(script)) {
+    const std::string name = plotted_file(statement);
+    if (name.empty()) continue;
+    throw sys::InputError(fmt::format(
+        "{}:{}: {} is plotted from a file, and a figure draws from its registered data: give them "
+        "to document.figure()",
+        file, line, name));
   }
 }
 

@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(what_a_script_reads_must_be_registered) {
   BOOST_TEST(has(said("set xrange [0:half_widht]\nplot x\n"), "figures/f.gp:2: 'half_widht'"));
   BOOST_TEST(has(said("plot curve using \"x\":\"w\", x\n"), "figures/f.gp:2: the data have no"));
   BOOST_TEST(
-      has(said("plot sin(x), 'none.csv'\n"), "figures/f.gp:2: there are no data 'none.csv'"));
+      has(said("plot sin(x), 'none.csv'\n"), "figures/f.gp:2: 'none.csv' is plotted from a file"));
 }
 
 BOOST_AUTO_TEST_CASE(a_curve_that_gnuplot_only_warns_about_is_an_error) {

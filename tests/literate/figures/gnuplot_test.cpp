@@ -39,6 +39,24 @@ BOOST_AUTO_TEST_CASE(what_only_looks_like_such_a_command_is_left_alone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(data_are_plotted_by_their_names_and_not_from_files) {
+  for (const std::string command :
+       {"plot 'x.csv' using 1:2", "plot \\\n  \"x.csv\"", "splot [0:1] [0:2] 'x'", "p 'x' w l",
+        "plot periods using 1:2, \\\n  '/tmp/x.csv' using 1:2 title 'x'", "stats 'x.csv'",
+        "set grid; plot for [i=1:2] 'x' using 1:i", "plot f(x), 'x' with lines", "plot f, 'x', g"}) {
+    const std::string said = refusal_of("set grid\n" + command + "\n");
+    BOOST_TEST(said.starts_with("figures/f.gp:2: "), command << ": " << said);
+    BOOST_TEST(said.find("is plotted from a file") != said.npos, said);
+  }
+  for (const std::string command :
+       {"plot periods using \"angle\":\"integral\" with lines title 'a, b', g(x) title \"c\"",
+        "plot '+' using 1:(f($1))", "splot '++' using 1:2:3", "plot d using 1:2, '' using 1:3",
+        "plot x title sprintf('%g', 2)", "set label 'a', 'b' with", "print 'x'",
+        "plot d using (column('x')):(strcol('y')) title 'x'"}) {
+    BOOST_TEST(refusal_of(command) == "(no error)", command);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_command_of_several_lines_is_told_at_its_first) {
   const TemporaryFolder scratch;
   scratch.write("script.gp", "set grid\nplot x, \\\n  y \\\n  with linse\nset tics\n");
