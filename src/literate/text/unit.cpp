@@ -165,7 +165,11 @@ class Reader {
       if (!take(")")) refuse("a parenthesis is not closed");
       return factors;
     }
-    if (rest_.starts_with('1') && !digit_follows(1) && !rest_.starts_with("1.")) {
+    if (rest_.starts_with('1')) {
+      static const std::regex longer("^1([0-9.]|[eE][-+]?[0-9])");
+      if (std::regex_search(rest_.begin(), rest_.end(), longer)) {
+        refuse("a number stands there for a name");
+      }
       rest_.remove_prefix(1);
       return {};
     }

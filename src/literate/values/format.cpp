@@ -326,17 +326,18 @@ Estimate estimate_of(double number, const std::optional<Uncertainty>& uncertaint
   return {number, uncertainty->error()};
 }
 
-/// Whether a number is known not to be zero, although it is rounded to it.
-bool is_lost_by_rounding(const Decimal& digits, Estimate estimate) {
-  return is_zero(digits) && std::abs(estimate.value) > estimate.abs_error;
+/// Whether a number is rounded to zero, and this is not all that there is to say: it is known not to
+/// be zero, it has a standard uncertainty, which is no bound, or nothing is left but zeros before
+/// the point, such as 0 · 10² of 12 ± 34.
+bool is_lost_by_rounding(const Decimal& digits, Estimate estimate,
+                         const std::optional<Uncertainty>& uncertainty) {
+  if (!is_zero(digits)) return false;
+  return std::abs(estimate.value) > estimate.abs_error ||
+         (uncertainty && uncertainty->standard > 0) ||
+         (digits.place > 0 && estimate.abs_error > 0);
 }
 
 }  // namespace
-
-/// Whether nothing is left but zeros before the point, such as 0 · 10² of 12 ± 34.
-bool is_zero_of_more(const Decimal& digits, Estimate estimate) {
-  return is_zero(digits) && digits.place > 0 && estimate.abs_error > 0;
-}
 
 RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place) {
   const Estimate estimate = estimate_of(number, uncertainty);
@@ -345,14 +346,14 @@ RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncert
                              ? exact_to_place(number, place)
                              : rounded_to_place(number, earned_place(estimate.abs_error, place));
   RoundedNumber rounded{digits, Style::plain, estimate.abs_error > 0};
-  if (!is_zero(digits) || number == 0) return rounded;
-  if (const auto first = first_digits(estimate)) {
+  if (!is_zero(digits)) return rounded;
+  if (const auto first = number != 0 ? first_digits(estimate) : std::nullopt) {
     rounded.digits = *first;
     rounded.style = Style::automatic;
-  } else if (is_lost_by_rounding(digits, estimate)) {
-    return with_uncertainty(number, *uncertainty);
+    return rounded;
   }
-  return rounded;
+  return is_lost_by_rounding(digits, estimate, uncertainty) ? with_uncertainty(number, *uncertainty)
+                                                            : rounded;
 }
 
 namespace {
@@ -396,11 +397,8 @@ RoundedNumber bound_above(const Format& format, Estimate estimate) {
 RoundedNumber to_nearest(const Format& format, Estimate estimate,
                          const std::optional<Uncertainty>& uncertainty) {
   if (format.notation() == Notation::fixed) {
-    const RoundedNumber rounded = rounded_at(estimate.value, uncertainty,
-                                             -format.digits() - (format.is_percentage() ? 2 : 0));
-    return is_zero_of_more(rounded.digits, estimate)
-               ? with_uncertainty(estimate.value, *uncertainty)
-               : rounded;
+    return rounded_at(estimate.value, uncertainty,
+                      -format.digits() - (format.is_percentage() ? 2 : 0));
   }
   const auto to_digits = [&] {
     const int lowest = lowest_place(estimate, format.digits());
@@ -411,7 +409,7 @@ RoundedNumber to_nearest(const Format& format, Estimate estimate,
   const Decimal digits = format.notation() == Notation::supported
                              ? supported_digits(estimate, format.digits())
                              : to_digits();
-  if (is_lost_by_rounding(digits, estimate) || is_zero_of_more(digits, estimate)) {
+  if (is_lost_by_rounding(digits, estimate, uncertainty)) {
     return with_uncertainty(estimate.value, *uncertainty);
   }
   return {digits, Style::automatic, estimate.abs_error > 0};

@@ -28,8 +28,9 @@ Notation notation_of(std::string_view name);
 /// no digit whose place is less than the error, and so perhaps fewer than the format names. A
 /// number that fixed() would print as zero, though it is not, prints its first digits instead: two
 /// of them, or as many as its error supports. One that is greater than its error, although the
-/// error supports none of its digits, prints as uncertain() does, -0.0047 ± 0.0018, and so does one
-/// of which nothing but zeros before the point would be left, 12 ± 34.
+/// error supports none of its digits, prints as uncertain() does, -0.0047 ± 0.0018, and so do one
+/// that would be zero and has a standard uncertainty, which is no bound, -0.6(16), and one of which
+/// nothing but zeros before the point would be left, 12 ± 34.
 class Format {
  public:
   /// The same format for a ratio that is printed in per cent: 0.125 as 12.5 %.

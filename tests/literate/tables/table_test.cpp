@@ -137,6 +137,9 @@ BOOST_AUTO_TEST_CASE(a_cell_that_is_not_zero_is_not_printed_as_zero) {
   BOOST_TEST(printed(Column("x", fixed(2)).exact(), 0.004) == "0.004");
   BOOST_TEST(printed(Column("x", fixed(3)), Estimate{-3e-4, 1e-2}) == "0.00");
   BOOST_TEST(printed(Column("x", fixed(3)).exact(), 0.0) == "0.000");
+  BOOST_TEST(printed(Column("x", fixed(2)), numerics::Measured(-0.64, 1.55, "scatter")) ==
+             "-0.6(16)");
+  BOOST_TEST(printed(Column("x", fixed(2)), Estimate{4.9, 5.1}) == "4.9±5.1");
 }
 
 BOOST_AUTO_TEST_CASE(an_exact_number_is_not_rounded) {

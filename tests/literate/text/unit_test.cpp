@@ -101,6 +101,9 @@ BOOST_AUTO_TEST_CASE(a_unit_that_cannot_be_printed_is_refused_with_how_one_is_sp
   is_told("10 m", "a number stands there for a name");
   is_told("m 2", "a number stands there for a name");
   is_told("L/(100 km)", "a number stands there for a name");
+  is_told("1e3 m", "a number stands there for a name");
+  is_told("1e-3 m", "a number stands there for a name");
+  is_told("1.5 m", "a number stands there for a name");
   is_told("m^x", "a power is a whole number");
   is_told("m^", "a power is a whole number");
   is_told("m⁻", "a power is a whole number");

@@ -103,6 +103,14 @@ BOOST_AUTO_TEST_CASE(a_number_greater_than_its_error_is_not_printed_as_zero) {
   BOOST_TEST(Value({-0.00173, 0.00473}, fixed(2)).printed() == "0.00");
 }
 
+// A bound says all with «0»; a standard uncertainty is none, and a reader wants it.
+BOOST_AUTO_TEST_CASE(a_standard_uncertainty_stands_behind_a_number_that_it_exceeds) {
+  const auto scattered = [](double value, double u) { return numerics::Measured(value, u, "scatter"); };
+  BOOST_TEST(Value(scattered(-0.6356, 1.5532), significant(2)).printed() == "-0.6(16)");
+  BOOST_TEST(Value(scattered(-0.6356, 1.5532), fixed(2)).printed() == "-0.6(16)");
+  BOOST_TEST(Value(scattered(0, 0.25), fixed(2), "m").printed() == "0.00(25) m");
+}
+
 BOOST_AUTO_TEST_CASE(an_exact_zero_has_no_power_of_ten) {
   BOOST_TEST(Value(0, scientific(2).in_percent()).printed() == "0 %");
   BOOST_TEST(Value(0, scientific(2).rounded_up().in_percent()).latex() == "\\qty{0}{\\percent}");
