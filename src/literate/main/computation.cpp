@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
@@ -87,6 +88,28 @@ class CrashTeller {
   std::array<struct sigaction, crashes.size()> former_{};
 };
 
+std::atomic<bool> is_computing = false;
+
+/// Nothing would be written, and yet the program would end as one that has done its work.
+void refuse_to_exit() {
+  if (!is_computing) return;
+  command_line::complain("the computation ended the program by exit(); " + how_far(),
+                         sys::ExitCode::failed);
+  std::_Exit(static_cast<int>(sys::ExitCode::failed));
+}
+
+/// While it lives, the program may not exit.
+class ExitGuard {
+ public:
+  ExitGuard() {
+    [[maybe_unused]] static const int registered_once = std::atexit(refuse_to_exit);
+    is_computing = true;
+  }
+  ~ExitGuard() { is_computing = false; }
+  ExitGuard(const ExitGuard&) = delete;
+  ExitGuard& operator=(const ExitGuard&) = delete;
+};
+
 /// While it lives, a line on the terminal tells how long the computation takes, and it is ended
 /// when its time is over.
 class Clock {
@@ -136,6 +159,7 @@ class Clock {
 
 void compute_guarded(Document& document, const Inputs& inputs, const Compute& compute) {
   const CrashTeller crash_teller;
+  const ExitGuard exit_guard;
   const Clock clock;
   try {
     compute(document, inputs);

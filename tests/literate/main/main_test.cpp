@@ -214,6 +214,24 @@ int status_of(const std::function<void()>& act) {
   return status;
 }
 
+BOOST_AUTO_TEST_CASE(a_computation_that_ends_the_program_by_exit_has_failed) {
+  const Workplace place;
+
+  const int status = status_of([&] {
+    place.compute([](literate::Document& document, const literate::Inputs& inputs) {
+      register_sum(document, inputs);
+      std::exit(0);
+    });
+  });
+
+  BOOST_TEST(WEXITSTATUS(status) == 1);
+  const std::string said = sys::read_file(place.path("said"));
+  BOOST_TEST(said.find("the computation ended the program by exit(); the last thing registered was "
+                       "value 'sum'") != said.npos,
+             said);
+  BOOST_TEST(!fs::exists(place.path("generated/names.json")));
+}
+
 BOOST_AUTO_TEST_CASE(a_crash_is_told_with_how_far_all_came) {
   const Workplace place;
 
