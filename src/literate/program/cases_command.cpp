@@ -43,10 +43,10 @@ Case read_case(const fs::path& folder) {
               .exit_code = std::string(sys::lines_of(sys::read_file(folder / "exit_code")).front()),
               .names = json::object(),
               .parameters = {}};
-  const fs::path file = folder / "generated/names.json";
-  // A case that failed may have left the names of a run before.
-  const bool is_computed = result.exit_code == "0" || result.exit_code == "1";
-  if (is_computed && fs::exists(file)) result.names = json::parse(sys::read_file(file));
+  // A case that could not be computed may have left the names of a run before.
+  if (fs::exists(folder / "computed")) {
+    result.names = json::parse(sys::read_file(folder / "generated/names.json"));
+  }
   if (fs::exists(folder / "case.toml")) {
     try {
       result.parameters = config::entries_of(folder / "case.toml");

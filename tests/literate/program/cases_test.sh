@@ -9,6 +9,7 @@ cd "$scratch" || exit 1
 a_case() {
   mkdir -p "$1/generated"
   echo "$2" >"$1/exit_code"
+  touch "$1/computed"
   cat >"$1/generated/names.json" <<END
 {"values": {"deflection-of-the-free-end": {"number": 1.5, "printed": "$3", "abs_error": 0.3, "below": 0.2, "above": 0.3},
             "title-of-this-case": {"printed": "a"}},
@@ -34,6 +35,13 @@ claim 'a key that is asked for stands there' "$(cut -d, -f4 cases.csv | tr '\n' 
 echo 'not = ' >two/case.toml
 runs "$literate" cases one two --output cases.csv
 claim 'a case file that cannot be read leaves the others' "$(sed -n 3p cases.csv)" = 'two,1,,,2.5 mm,1.5,0.3,0.2,0.3,refuted'
+
+echo 2 >two/exit_code
+runs "$literate" cases one two --output cases.csv
+claim 'a case that was computed and whose prose is wrong has its values' "$(sed -n 3p cases.csv)" = 'two,2,,,2.5 mm,1.5,0.3,0.2,0.3,refuted'
+rm two/computed
+runs "$literate" cases one two --output cases.csv
+claim 'one that could not be computed has none of a run before' "$(sed -n 3p cases.csv)" = 'two,2,,,,,,,,'
 
 runs "$literate" cases one two --keys titel --output other.csv
 claim 'a key that no case has is refused with 2' "$status $(says "no case has a value 'titel'")" = '2 yes'
