@@ -73,6 +73,12 @@ runs cmake --build build
 runs cmake --build build
 claim 'half a file is not taken for whole by the next build' "$status" -eq 1
 
+echo 'echo half >measured.csv; exec sleep 60' >measure.sh
+LITERATE_TIMEOUT=1 runs cmake --build build
+claim 'a script that takes longer than LITERATE_TIMEOUT is stopped, and told with its line' \
+  "$status $(says 'measured: CMakeLists.txt:4: sh measure.sh has not ended after 1 s and was stopped')" = '1 yes'
+claim 'and its half file is not left' ! -e measured.csv
+
 sed -i 's/sh measure.sh/sh mesure.sh/' CMakeLists.txt
 runs cmake -S . -B build -G Ninja
 claim 'a command that names no script is refused' "$status $(says "no word of 'sh;mesure.sh' is a file")" = '1 yes'
