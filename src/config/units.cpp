@@ -189,6 +189,10 @@ double conversion_factor(const std::string& from, const std::string& to) {
   const bool is_factor = cv_convert_double(converter.get(), 0) == 0 &&
                          std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) <=
                              4 * std::numeric_limits<double>::epsilon() * std::abs(factor);
+  if (cv_convert_double(converter.get(), 2) == factor / 2) {
+    throw UnitError(fmt::format(
+        "\"{}\" is the reciprocal of \"{}\", and only a factor converts units", from, to));
+  }
   if (!is_factor) {
     throw UnitError(fmt::format(
         "\"{}\" and \"{}\" count from different zeros, and only a factor converts units: give the "

@@ -47,6 +47,9 @@ BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
       BOOST_CHECK_THROW(conversion_factor(unit, "in"), UnitError);
     }
   }
+  BOOST_CHECK_EXCEPTION(conversion_factor("h", "s-1"), UnitError, [](const UnitError& error) {
+    return std::string(error.what()).starts_with("\"h\" is the reciprocal of \"s-1\"");
+  });
   BOOST_TEST(conversion_factor("12 in", "in") == 12);
   BOOST_TEST(conversion_factor("1e-3 in", "in") == 1e-3);
 }

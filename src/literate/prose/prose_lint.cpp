@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "config/units.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/prose.hpp"
 #include "literate/text/characters.hpp"
@@ -24,9 +25,16 @@ const sys::Pattern& unit() {
   static const sys::Pattern pattern(
       R"re(^(\s|~|\\[,;: ]|[{}]|-)*)re"
       R"re((\\%|per ?cent\b|(µ|°|[kMG]?Pa|[kM]?N|[numcdk]?m|kg|mg|ms|[kM]?Hz|[kMG]B|[mk]?J|kW|kV|lbf|lb|psi|ksi)re"
-      R"re(|s|ft|rad|mrad|K|pounds?|inch(es)?|feet|degrees?|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?)re"
-      R"re(|hours?|newtons?|pascals?)(?![A-Za-z])))re");
+      R"re(|s|min|h|ft|rad|mrad|K|[kMG]?eV|m?bar|m?mol|ml|pounds?|inch(es)?|feet|degrees?)re"
+      R"re(|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?|hours?|days?|weeks?|years?|newtons?|pascals?)(?![A-Za-z])))re");
   return pattern;
+}
+
+/// Whether a tie or a thin space and a name that UDUNITS knows follow: who sets them means a unit.
+bool is_tied_to_unit(std::string_view text) {
+  static const sys::Pattern name("^(?:~|\\\\,)\\s*([A-Za-zµΩ]+)(?![A-Za-z])");
+  const auto found = name.find_in(text);
+  return found && config::is_unit(std::string(found->parts[1]));
 }
 
 /// «in» is a unit only after a tie or a thin space, or at the end of a clause.
@@ -35,11 +43,11 @@ const sys::Pattern& inches() {
   return pattern;
 }
 
-/// A number at the start of a text, with whole part, decimals and power of ten as groups. Of
-/// $12\times 10^{3}$ the sign is blank here.
+/// A number at the start of a text, with whole part, decimals and power of ten as groups; digits in
+/// parentheses are its uncertainty. Of $12\times 10^{3}$ the sign is blank here.
 const sys::Pattern& numeral() {
   static const sys::Pattern pattern(
-      R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?([eE][+-]?\d+|\s+10\^(?:\{[+-]?\d+\}|\d))?)re");
+      R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?(?:\(\d+\))?([eE][+-]?\d+|\s+10\^(?:\{[+-]?\d+\}|\d))?)re");
   return pattern;
 }
 
@@ -60,7 +68,7 @@ struct Surroundings {
 };
 
 bool begins_with_unit(std::string_view text) {
-  return unit().is_in(text) || inches().is_in(text);
+  return unit().is_in(text) || inches().is_in(text) || is_tied_to_unit(text);
 }
 
 bool has_unit(const Surroundings& around) {

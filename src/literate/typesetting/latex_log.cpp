@@ -156,6 +156,10 @@ std::vector<std::string> latex_errors(std::string_view log, std::string_view sou
       const std::string place =
           labelled(line.substr(0, line.find(": Emergency stop") + 2), source_label);
       errors.back().replace(0, 2, place);
+    } else if (wants_place && errors.back() == "! Emergency stop." && line.starts_with("<*> ")) {
+      // TeX has read the main file to its end and asks what comes now.
+      errors.back() = "the document ends without \\end{document}";
+      wants_place = false;
     } else if (is_error(line) && !is_end) {
       errors.push_back(labelled(line, source_label));
       wants_place = true;

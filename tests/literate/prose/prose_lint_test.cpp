@@ -46,6 +46,9 @@ BOOST_AUTO_TEST_CASE(a_number_with_a_unit_is_a_result_however_short) {
   BOOST_TEST(found_in("\\qty{2}{mm}, $2\\,\\mathrm{MPa}$, $3$ mm, $-4~\\text{in}$") == "2 2 3 4 ");
   BOOST_TEST(found_in("$7\\ \\text{s}$, $8\\,\\text{s}$, 9~s, $6\\;\\mathrm{s}$") == "7 8 9 6 ");
   BOOST_TEST(found_in("$12\\times 10^{3}$ Pa, $1.2\\cdot10^5\\,\\text{Pa}$, 3 MPa") == "12 1.2 3 ");
+  BOOST_TEST(found_in("3.5~min, 4 min, 5~h, 6 days, 7 eV, 8~eV, 4.0(2)~s, 9\\,mol, 2~hectare") ==
+             "3.5 4 5 6 7 8 4.0 9 2 ");
+  BOOST_TEST(found_in("row 2~of the table, 3~to 4~and 5\\,more") == "");
   BOOST_TEST(found_in("row 2 in the table, 3 Kings, 2 nodes, 4 nothing, $2\\,m$, 5 minus 3") == "");
 }
 

@@ -153,6 +153,18 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_there_is_told_where_it_is_asked_for) {
              boost::test_tools::per_element());
 }
 
+// As pdfTeX 1.40.24 writes it.
+BOOST_AUTO_TEST_CASE(a_document_that_does_not_end_is_told_as_such) {
+  const auto errors = latex_errors(
+      "LaTeX Font Info:    ... okay on input line 1.\n)\n! Emergency stop.\n<*> main.tex\n\n"
+      "Here is how much of TeX's memory you used:\n"
+      "!  ==> Fatal error occurred, no output PDF file produced!\n",
+      "report");
+
+  BOOST_TEST(errors == Lines{"the document ends without \\end{document}"},
+             boost::test_tools::per_element());
+}
+
 // As BibTeX 0.99d of TeX Live 2022 writes it.
 BOOST_AUTO_TEST_CASE(errors_of_bibtex_come_with_file_and_line) {
   const std::string log =
