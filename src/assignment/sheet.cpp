@@ -72,7 +72,6 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
   document.flag("late.has-slip-days", assignment.late.slip_days > 0);
   document.value("late.slip-days", Value(assignment.late.slip_days, integer()));
   document.value("limit.compile", Value(assignment.limits.compile_seconds, integer(), "s"));
-  document.value("limit.compile-all", Value(assignment.limits.compile_all_seconds, integer(), "s"));
   document.value("limit.run", Value(assignment.limits.run_seconds, integer(), "s"));
   document.value("limit.all-runs", Value(assignment.limits.submission_seconds, integer(), "s"));
   document.value("limit.report", Value(assignment.limits.report_seconds, integer(), "s"));

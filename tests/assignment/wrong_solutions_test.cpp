@@ -5,13 +5,8 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <set>
-#include <utility>
 
-#include "assignment/curves.hpp"
-#include "assignment/hidden_checks.hpp"
 #include "assignment/programs.hpp"
-#include "assignment/public_checks.hpp"
-#include "course/assignment/check_list.hpp"
 #include "course/release/handout.hpp"
 #include "system/files.hpp"
 
@@ -82,27 +77,6 @@ BOOST_AUTO_TEST_CASE(make_check_lists_every_exercise_with_the_title_of_the_sheet
     const std::string line = "{\"" + std::to_string(++number) + ". " + exercise.title + "\", ";
     BOOST_TEST(program.find(line) != std::string::npos, line);
   }
-}
-
-// No solution that keeps the limit of each task loses points by the limit of all of them together.
-BOOST_AUTO_TEST_CASE(each_question_may_take_as_long_as_a_task_may) {
-  std::set<std::pair<std::string, course::Numbers>> questions;
-  const course::Program counting = [&](const std::string& task, const course::Numbers& inputs) {
-    questions.emplace(task, inputs);
-    return programs::right(task, inputs);
-  };
-  const course::Variant variant = course::nominal_variant(description);
-  for (const auto& [id, check] :
-       course::all_checks(description, assignment::public_checks(), assignment::hidden_checks())) {
-    check(counting, variant);
-  }
-  assignment::curves(counting, variant);
-  BOOST_TEST(questions.size() > 50U);
-
-  constexpr std::size_t times_asked = 2;
-  const auto seconds = static_cast<std::size_t>(description.limits.run_seconds);
-  BOOST_TEST(static_cast<std::size_t>(description.limits.submission_seconds) >=
-             times_asked * questions.size() * seconds);
 }
 
 BOOST_AUTO_TEST_CASE(every_exercise_is_made_wrong_at_least_twice) {

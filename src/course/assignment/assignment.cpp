@@ -108,7 +108,6 @@ Limits read_limits(const Table& table) {
     if (table.has(key)) limit = integer(table, key, 1, most);
   };
   read("compile_seconds", limits.compile_seconds, day);
-  read("compile_all_seconds", limits.compile_all_seconds, day);
   read("run_seconds", limits.run_seconds, day);
   read("submission_seconds", limits.submission_seconds, day);
   read("report_seconds", limits.report_seconds, day);

@@ -63,11 +63,11 @@ struct LatePolicy {
 
 /// What a submission may use at most.
 struct Limits {
-  int compile_seconds = 20;       ///< of processor time, for one file
-  int compile_all_seconds = 100;  ///< of processor time, for all files and the linker together
-  int run_seconds = 5;            ///< of processor time, for one answer
-  int submission_seconds = 600;   ///< of processor time, for all answers together
-  int report_seconds = 60;  ///< of processor time, for each: numbers, a drawing, a pass of LaTeX
+  // Of processor time; in those for all together counts, too, what passes while none is wanted.
+  int compile_seconds = 20;      ///< for one file
+  int run_seconds = 5;           ///< for one answer
+  int submission_seconds = 120;  ///< for compiling, linking and all answers together
+  int report_seconds = 30;       ///< for a report's numbers and drawings, and as much for LaTeX
   int memory_mb = 1024;
   int processes = 32;
   int output_kb = 256;

@@ -23,6 +23,7 @@ struct Built {
   /// compile and is replaced by its stub.
   std::map<std::string, std::string> compile_errors;
   std::string link_error;  ///< empty if there is a program
+  double seconds = 0;      ///< that it took, as JobEnd::seconds
 
   const std::filesystem::path& program_of(const Exercise& exercise) const {
     const auto own = alone.find(exercise.id);

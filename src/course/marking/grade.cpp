@@ -56,7 +56,7 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
                             scratch.path() / "build", task.isolation);
   graded.compile_errors = built.compile_errors;
   graded.link_error = built.link_error;
-  ProgramRun run(assignment.limits, built, task.isolation);
+  ProgramRun run(assignment, built, task.isolation);
   std::vector<std::string> pictures;
   const auto draw = [&] {
     if (built.link_error.empty()) pictures = pictures_of(assignment, task, run);

@@ -74,11 +74,15 @@ Numbers parse_answer(std::string_view text) {
   return numbers;
 }
 
-ProgramRun::ProgramRun(const Limits& limits, const Built& built, Isolation isolation)
-    : limits_(limits),
-      program_(fs::absolute(built.program)),
+ProgramRun::ProgramRun(const Assignment& assignment, const Built& built, Isolation isolation)
+    : limits_(assignment.limits),
+      exercise_seconds_(std::max(1, limits_.submission_seconds /
+                                        static_cast<int>(assignment.exercises.size() + 1))),
+      common_(fs::absolute(built.program)),
+      program_(common_),
       tells_errors_(isolation == Isolation::sandbox),
-      sandbox_(isolation, program_.parent_path()) {}
+      sandbox_(isolation, program_.parent_path()),
+      seconds_(built.seconds) {}
 
 std::string ProgramRun::failure_of(const JobEnd& end) const {
   switch (end.ending) {
@@ -132,25 +136,37 @@ JobEnd ProgramRun::run(const std::string& task, const Numbers& inputs, const Num
   job.input = folder / "input";
   job.output = folder / "output";
   job.errors = folder / "errors";
-  job.seconds = before.empty() ? limits_.run_seconds : 2 * limits_.run_seconds;
+  const int left = std::max(1, limits_.submission_seconds - static_cast<int>(seconds_));
+  job.seconds = std::min(left, before.empty() ? limits_.run_seconds : 2 * limits_.run_seconds);
   job.memory_mb = limits_.memory_mb;
   job.processes = limits_.processes;
   job.file_kb = limits_.output_kb;
   const JobEnd end = sandbox_.run(job);
-  cpu_seconds_ += end.cpu_seconds;
+  seconds_ += end.seconds;
+  seconds_of_[program_] += end.seconds;
   return end;
+}
+
+/// Which limit of several answers was exceeded; empty if none was.
+std::string ProgramRun::excess() const {
+  if (seconds_ > limits_.submission_seconds) {
+    return fmt::format("compiling and all answers together took more than {} s",
+                       limits_.submission_seconds);
+  }
+  const auto spent = seconds_of_.find(program_);
+  if (program_ == common_ || spent == seconds_of_.end() || spent->second <= exercise_seconds_) {
+    return "";
+  }
+  return fmt::format("all answers of the exercise together took more than {} s",
+                     exercise_seconds_);
 }
 
 ProgramRun::Answer ProgramRun::ask_once(const std::string& task, const Numbers& inputs,
                                         const Numbers& before) {
-  if (cpu_seconds_ > limits_.submission_seconds) {
-    return {{},
-            fmt::format("all answers together took more than {} s of processor time",
-                        limits_.submission_seconds),
-            0};
-  }
+  std::string excess = this->excess();
+  if (!excess.empty()) return {{}, std::move(excess), 0};
   const JobEnd end = run(task, inputs, before);
-  Answer answer{{}, failure_of(end), end.cpu_seconds};
+  Answer answer{{}, failure_of(end), end.seconds};
   if (end.ending == Ending::too_slow) given_up_[task] = answer.failure;
   if (!answer.failure.empty()) return answer;
   try {
@@ -165,12 +181,12 @@ ProgramRun::Answer ProgramRun::ask_once(const std::string& task, const Numbers& 
 ProgramRun::Answer ProgramRun::ask(const std::string& task, const Numbers& inputs) {
   const Answer first = ask_once(task, inputs, {});
   if (!first.failure.empty()) return first;
-  const bool is_quick = first.cpu_seconds < 0.25 * limits_.run_seconds;
+  const bool is_quick = first.seconds < 0.25 * limits_.run_seconds;
   Numbers& last = last_[{program_, task}];
   const Numbers before = is_quick ? last : Numbers{};
   if (is_quick) last = inputs;
   const Answer second = ask_once(task, inputs, before);
-  const bool is_over = given_up_.contains(task) || cpu_seconds_ > limits_.submission_seconds;
+  const bool is_over = given_up_.contains(task) || !excess().empty();
   if (!second.failure.empty() && is_over) return second;
   if (second.failure.empty() && is_same(first.numbers, second.numbers)) return first;
   const std::string failure = "the program gives different answers to the same question";

@@ -21,12 +21,13 @@ Numbers parse_answer(std::string_view text);
 /// which must agree but for roundings, since threads add up in any order. If both are quick, the
 /// second run computes the task's last question first, of which a function must not remember
 /// anything. The same question again gets the same answer. A task that took too long is not asked
-/// again, and no question is asked once all runs together took Limits::submission_seconds of
-/// processor time.
+/// again. No question is asked once compiling and all runs together took
+/// Limits::submission_seconds, nor one of an exercise whose own program took its share of them, so
+/// that a slow exercise leaves the others their time.
 class ProgramRun {
  public:
   /// Writes its files beside the program.
-  ProgramRun(const Limits& limits, const Built& built, Isolation isolation);
+  ProgramRun(const Assignment& assignment, const Built& built, Isolation isolation);
 
   /// From now on this program answers, beside the first one.
   void use(const std::filesystem::path& program) { program_ = std::filesystem::absolute(program); }
@@ -38,23 +39,26 @@ class ProgramRun {
   struct Answer {
     Numbers numbers;
     std::string failure;
-    double cpu_seconds = 0;
+    double seconds = 0;
   };
   Answer ask(const std::string& task, const Numbers& inputs);
   Answer ask_once(const std::string& task, const Numbers& inputs, const Numbers& before);
   JobEnd run(const std::string& task, const Numbers& inputs, const Numbers& before);
   std::string failure_of(const JobEnd& end) const;
+  std::string excess() const;
   std::string with_errors(const std::string& failure) const;
 
   Limits limits_;
-  std::filesystem::path program_;
+  int exercise_seconds_;
+  std::filesystem::path common_, program_;
   bool tells_errors_;
   Sandbox sandbox_;
   std::map<std::tuple<std::filesystem::path, std::string, Numbers>, Answer> answers_;
   std::map<std::pair<std::filesystem::path, std::string>, Numbers>
       last_;                                     ///< quick question of a task
   std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
-  double cpu_seconds_ = 0;                       ///< of all runs so far
+  double seconds_;                               ///< of compiling and all runs so far
+  std::map<std::filesystem::path, double> seconds_of_;  ///< by program
 };
 
 }  // namespace course

@@ -31,7 +31,7 @@ SolutionTrial try_solution(const Assignment& assignment, const Built& built, con
   if (!built.link_error.empty()) {
     trial.losses.push_back("it does not link: " + first_line(built.link_error));
   }
-  ProgramRun run(assignment.limits, built, isolation);
+  ProgramRun run(assignment, built, isolation);
   const std::vector<CheckResult> results = try_checks(assignment, checks, built, variant, run);
   trial.points = total(results);
   auto result = results.begin();

@@ -62,13 +62,14 @@ class CanvasExport {
 
   const std::vector<sys::CsvRow>& rows() const { return rows_; }
 
-  /// The student of a row; empty in lines that are about the columns.
-  std::string student_of(const sys::CsvRow& row) const {
+  /// The ids of a row's student; none in lines that are about the columns.
+  std::vector<std::string> ids_of(const sys::CsvRow& row) const {
+    std::vector<std::string> ids;
     for (const char* name : {"SIS Login ID", "SIS User ID"}) {
       const auto column = find(name);
-      if (column && !row[*column].text.empty()) return row[*column].text;
+      if (column && !row[*column].text.empty()) ids.push_back(row[*column].text);
     }
-    return "";
+    return ids;
   }
 
  private:
@@ -110,10 +111,10 @@ FilledGradebook canvas_csv(const Assignment& assignment, const ClassMarks& marks
   add_line(gradebook.rows()[0], sys::spreadsheet_field(gradebook.rows()[0][mark_column].text));
   for (std::size_t i = 1; i < gradebook.rows().size(); ++i) {
     const sys::CsvRow& row = gradebook.rows()[i];
-    const std::string student = gradebook.student_of(row);
-    if (student.empty()) continue;
-    const auto mark = open.extract(student);
-    add_line(row, mark ? fmt::format("{}", mark.mapped()) : "");
+    const std::vector<std::string> ids = gradebook.ids_of(row);
+    if (ids.empty()) continue;
+    const auto id = std::ranges::find_if(ids, [&](const auto& one) { return open.contains(one); });
+    add_line(row, id == ids.end() ? "" : fmt::format("{}", open.extract(*id).mapped()));
   }
   for (const auto& [student, mark] : open) {
     filled.problems.push_back(

@@ -36,7 +36,8 @@ class ReportMaker {
         typesetting_(typesetting),
         task_(task),
         scratch_(scratch),
-        folder_(scratch / "report") {}
+        folder_(scratch / "report"),
+        seconds_left_(assignment.limits.report_seconds) {}
 
   Files made() {
     for (const char* name : {"report.tex", "report.pdf"}) {
@@ -84,7 +85,8 @@ class ReportMaker {
     const fs::path numbers_folder = scratch_ / "numbers";
     fs::create_directories(numbers_folder);
     const ReportNumbers numbers = report_numbers(assignment_, task_.toolkit, task_.exercises,
-                                                 task_.variant, numbers_folder, task_.isolation);
+                                                 task_.variant, numbers_folder, task_.isolation,
+                                                 seconds_left_);
     for (const std::string& problem : numbers.problems) tell(problem);
     const std::string computed = text_of(numbers.files, "numbers.tex");
     texts_.computed = of_this_size(computed);
@@ -112,7 +114,7 @@ class ReportMaker {
     }
     make_readable(folder_);
     for (const std::string& name : names) {
-      const std::string failure = typesetting_.draw(folder_, name);
+      const std::string failure = typesetting_.draw(folder_, name, seconds_left_);
       if (!failure.empty()) tell(failure);
     }
   }
@@ -163,6 +165,7 @@ class ReportMaker {
   Files given_;
   ReportTexts texts_;
   std::string findings_;
+  double seconds_left_;  ///< for program and drawings
 };
 
 }  // namespace

@@ -62,9 +62,10 @@ class FiguresRun {
     limits_.file_kb = 1024 * limits_.submission_mb;
   }
 
-  ReportNumbers run(const fs::path& program) const {
+  ReportNumbers run(const fs::path& program, double& seconds_left) const {
     ReportNumbers numbers;
-    const JobEnd end = run_in_sandbox(program);
+    const JobEnd end = run_in_sandbox(program, std::max(1, static_cast<int>(seconds_left)));
+    seconds_left -= end.seconds;
     const std::string said = shown(beginning_of(work_ / "errors", most_said), most_said);
     for (const std::string_view line : sys::lines_of(said)) {
       numbers.problems.push_back(fmt::format("{}: {}", program_file, line));
@@ -80,7 +81,7 @@ class FiguresRun {
   }
 
  private:
-  JobEnd run_in_sandbox(const fs::path& program) const {
+  JobEnd run_in_sandbox(const fs::path& program, int seconds) const {
     const Readable readable{program, "/program"};
     Job job;
     job.command = {"/bin/sh",
@@ -93,7 +94,8 @@ class FiguresRun {
     job.readable = {readable};
     job.output = archive();
     job.errors = work_ / "errors";
-    job.seconds = limits_.report_seconds;
+    job.seconds = seconds;
+    job.waiting_seconds = seconds;
     job.memory_mb = limits_.memory_mb;
     job.processes = limits_.processes;
     job.file_kb = limits_.file_kb;
@@ -146,11 +148,11 @@ class FiguresRun {
 
 /// Runs the program twice, and tells what differs.
 ReportNumbers run_twice(const Assignment& assignment, const fs::path& program,
-                        const fs::path& scratch, Isolation isolation) {
+                        const fs::path& scratch, Isolation isolation, double& seconds_left) {
   const auto run = [&](const char* name) {
     const fs::path work = scratch / name;
     fs::create_directories(work);
-    return FiguresRun(assignment, work, isolation).run(program);
+    return FiguresRun(assignment, work, isolation).run(program, seconds_left);
   };
   ReportNumbers numbers = run("figures");
   if (numbers.files.empty()) return numbers;
@@ -168,13 +170,13 @@ ReportNumbers run_twice(const Assignment& assignment, const fs::path& program,
 
 ReportNumbers report_numbers(const Assignment& assignment, const fs::path& toolkit,
                              const Files& exercises, const Variant& variant,
-                             const fs::path& scratch, Isolation isolation) {
+                             const fs::path& scratch, Isolation isolation, double& seconds_left) {
   if (!fs::exists(open_toolkit(assignment, toolkit).project() / program_file)) return {};
   const OtherMain figures{program_file, {{variant_file, variant_header(assignment, variant)}}};
   const Built built = build(assignment, toolkit, exercises, scratch / "build", isolation, figures);
   ReportNumbers numbers;
   if (built.link_error.empty()) {
-    numbers = run_twice(assignment, built.program, scratch, isolation);
+    numbers = run_twice(assignment, built.program, scratch, isolation, seconds_left);
     if (!numbers.files.empty() && !numbers.files.contains("numbers.tex")) {
       numbers.problems.push_back(fmt::format("{}: there is no numbers.tex", program_file));
     }

@@ -21,10 +21,12 @@ struct ReportNumbers {
 /// Compiles the handout's report/figures.cpp with the student's numbers and files, and runs it in
 /// the sandbox, as `make figures` of the handout does; a second run must give the same. Of the
 /// files that it leaves numbers.tex and NAME.dat are taken. `toolkit` is the toolkit's folder,
-/// `scratch` an empty one. Nothing is computed if the handout has no such program. Throws ToolError
+/// `scratch` an empty one. The program may take `seconds_left`, of which what it takes is
+/// subtracted. Nothing is computed if the handout has no such program. Throws ToolError
 /// if compiler or sandbox cannot work, never because of what was submitted.
 ReportNumbers report_numbers(const Assignment& assignment, const std::filesystem::path& toolkit,
                              const Files& exercises, const Variant& variant,
-                             const std::filesystem::path& scratch, Isolation isolation);
+                             const std::filesystem::path& scratch, Isolation isolation,
+                             double& seconds_left);
 
 }  // namespace course

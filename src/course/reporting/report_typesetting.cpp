@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 
@@ -102,11 +103,13 @@ ReportTypesetting::Product ReportTypesetting::run(const fs::path& folder, const 
           beginning_of(job.errors, most_of_log)};
 }
 
-std::string ReportTypesetting::draw(const fs::path& folder, const std::string& name) const {
+std::string ReportTypesetting::draw(const fs::path& folder, const std::string& name,
+                                    double& seconds_left) const {
   const Product drawn =
       run(folder, gnuplot_script,
           {sandbox_.place({folder, "/report"}), sandbox_.scratch() + "/drawn", name},
-          assignment_.limits.report_seconds);
+          std::max(1, static_cast<int>(seconds_left)));
+  seconds_left -= drawn.end.seconds;
   const bool has_worked = drawn.end.ending == Ending::normal && drawn.end.status == 0;
   if (has_worked && drawn.output.starts_with("%PDF")) {
     sys::write_file_atomically(folder / "generated" / (name + ".pdf"), drawn.output);
@@ -122,11 +125,12 @@ std::string ReportTypesetting::draw(const fs::path& folder, const std::string& n
 }
 
 ReportTypesetting::Product ReportTypesetting::latex(const fs::path& folder) const {
-  const int seconds = assignment_.limits.report_seconds;
+  const int seconds_of_a_pass = std::max(1, assignment_.limits.report_seconds / 2);
   const auto date = assignment_.deadline.time_since_epoch();
   return run(folder, latex_script,
-             {sandbox_.scratch(), fmt::format("{}", seconds), fmt::format("{}", date.count())},
-             3 * seconds);  // two passes, and what runs beside them
+             {sandbox_.scratch(), fmt::format("{}", seconds_of_a_pass),
+              fmt::format("{}", date.count())},
+             2 * seconds_of_a_pass + 2);  // two passes, and what runs beside them
 }
 
 Typeset ReportTypesetting::typeset(const fs::path& folder) const {
@@ -138,7 +142,7 @@ Typeset ReportTypesetting::typeset(const fs::path& folder) const {
   const int status = made.end.status;
   const auto is_ended_by = [&](int signal) { return ending == Ending::crash && status == signal; };
   if (ending == Ending::too_slow || is_ended_by(SIGXCPU)) {
-    typeset.problem = fmt::format("LaTeX takes longer than {} s", limits.report_seconds);
+    typeset.problem = fmt::format("two passes of LaTeX take longer than {} s", limits.report_seconds);
   } else if (ending == Ending::too_large) {
     typeset.problem = fmt::format("LaTeX uses more than {} MB of memory", limits.memory_mb);
   } else if (ending == Ending::too_much_output) {
@@ -162,7 +166,8 @@ void ReportTypesetting::require_tools() const {
                              "\\documentclass{article}\\begin{document}x\\end{document}\n");
   fs::create_directories(folder / "generated");
   make_readable(folder);
-  const std::string failure = draw(folder, "trial");
+  double seconds = assignment_.limits.report_seconds;
+  const std::string failure = draw(folder, "trial", seconds);
   if (!failure.empty()) throw sys::ToolError("gnuplot does not work in the sandbox: " + failure);
   const Typeset made = typeset(folder);
   if (!made.pdf.empty()) return;

@@ -17,9 +17,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <map>
+#include <random>
 #include <thread>
-#include <utility>
 
 #include "course/sandbox/usage.hpp"
 #include "course/sandbox/write_fence.hpp"
@@ -158,6 +157,7 @@ void end_when_it_ends(pid_t watcher) {
                          int reports, pid_t watcher) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  ::signal(SIGCHLD, SIG_DFL);  // which a child that the filter holds cannot change
   end_when_it_ends(watcher);
   Report report;
   pid_t child = 0;
@@ -207,32 +207,36 @@ class Attended {
   Attended& operator=(const Attended&) = delete;
   ~Attended() { end_all(); }
 
-  /// Waits for the child's end, and looks at what it uses 20 times a second, since limits of single
-  /// processes do not count what many of them hold together. Time counts as waiting if none of them
-  /// wanted a processor and none was used: on a busy machine a process that waits for its turn does
-  /// not wait in this sense.
+  /// Waits for the child's end, and looks at what it uses some 20 times a second, since limits of
+  /// single processes do not count what many of them hold together. Time in which no processor was
+  /// used counts as waiting if none of them wanted one: on a busy machine a process that waits for
+  /// its turn does not wait in this sense. The looks come at random, so that none can be ready for
+  /// them and sleep between.
   Excess watch(const Child& child) {
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
     constexpr Seconds longest_look{0.25};  // five times as long as it is between two looks
+    std::minstd_rand random(std::random_device{}());
+    std::uniform_int_distribution<int> until_next(10, 90);  // milliseconds
     pollfd poll{pipe_.reading.number(), POLLIN, 0};
     Clock::time_point last = Clock::now();
-    Seconds waited{};
     Seconds in_all{};
-    for (int ready = 0; (ready = ::poll(&poll, 1, 50)) <= 0;) {
+    for (int ready = 0; (ready = ::poll(&poll, 1, until_next(random))) <= 0;) {
       if (ready < 0 && errno != EINTR) break;
       const Usage usage = usage_of(sys::descendants(attendant_));
       const Clock::time_point now = Clock::now();
       const Seconds seen = std::min(Seconds(now - last), longest_look);
-      const double cpu_seconds = std::max(usage.cpu_seconds, seen_seconds(usage));
-      if (usage.is_waiting && cpu_seconds <= cpu_seconds_) waited += seen;
+      const double used = std::max(0.0, usage.cpu_seconds - cpu_seconds_);
+      if (usage.is_waiting) waiting_seconds_ += std::max(0.0, seen.count() - used);
       in_all += seen;
       last = now;
-      cpu_seconds_ = cpu_seconds;
-      if (child.waiting_seconds > 0 && waited.count() > child.waiting_seconds) return Excess::time;
+      cpu_seconds_ += used;
+      if (child.waiting_seconds > 0 && waiting_seconds_ > child.waiting_seconds) {
+        return Excess::time;
+      }
       if (child.clock_seconds > 0 && in_all.count() > child.clock_seconds) return Excess::time;
       if (child.memory_mb > 0 && usage.bytes > child.memory_mb * 1'048'576) return Excess::memory;
-      if (child.cpu_seconds > 0 && cpu_seconds > child.cpu_seconds) return Excess::time;
+      if (child.cpu_seconds > 0 && cpu_seconds_ > child.cpu_seconds) return Excess::time;
       if (child.tasks > 0 && usage.tasks > child.tasks) return Excess::tasks;
       if (has_ended()) break;  // something else killed the attendant
     }
@@ -249,19 +253,9 @@ class Attended {
 
   /// The processor time of all processes, after end().
   double cpu_seconds() const { return cpu_seconds_; }
+  double waiting_seconds() const { return waiting_seconds_; }
 
  private:
-  /// The time of all processes that were ever seen, each as it was when last seen. The kernel's own
-  /// sum leaves out children whose end their parent ignores.
-  double seen_seconds(const Usage& usage) {
-    for (const ProcessTime& time : usage.times) {
-      double& last = seen_[{time.process, time.start}];
-      seen_sum_ += time.seconds - last;
-      last = time.seconds;
-    }
-    return seen_sum_;
-  }
-
   /// The next that the attendant sent; T{} if it was killed before.
   template <class T>
   T received() const {
@@ -287,8 +281,7 @@ class Attended {
   sys::Pipe pipe_;
   pid_t attendant_ = 0;
   double cpu_seconds_ = 0;
-  std::map<std::pair<pid_t, unsigned long long>, double> seen_;  ///< by process and its start
-  double seen_sum_ = 0;
+  double waiting_seconds_ = 0;
   bool is_over_ = false;
 };
 
@@ -305,6 +298,7 @@ ChildEnd run_child(const Child& child) {
   }
   if (report.error != 0) throw sys::cannot_start(child.command.front(), report.error);
   end.cpu_seconds = attended.cpu_seconds();
+  end.waiting_seconds = attended.waiting_seconds();
   if (end.excess == Excess::none) end.status = sys::shell_status(report.status);
   return end;
 }

@@ -38,7 +38,8 @@ enum class Excess { none, memory, time, tasks };
 struct ChildEnd {
   int status = 0;  ///< exit status, or 128 + the number of the signal that ended it
   Excess excess = Excess::none;
-  double cpu_seconds = 0;  ///< of the child and all its descendants
+  double cpu_seconds = 0;      ///< of the child and all its descendants
+  double waiting_seconds = 0;  ///< in which none of them wanted a processor
 };
 
 /// Runs a child to its end and then ends all processes that it leaves behind, daemons included.

@@ -49,10 +49,10 @@ std::vector<std::string> folders_above(const fs::path& path) {
 
 /// A job has so many times its processor time by the clock, which it can only need where it hardly
 /// ever gets a processor.
-constexpr int most_by_the_clock = 60;
+constexpr int most_by_the_clock = 20;
 
 JobEnd ending_of(const ChildEnd& end, const Job& job) {
-  JobEnd ending{.cpu_seconds = end.cpu_seconds};
+  JobEnd ending{.seconds = end.cpu_seconds + end.waiting_seconds};
   const int status = end.status;
   // The status alone would not tell, since a program may end itself by the signals that end what
   // took too long. The kernel's own account is behind by a few clock ticks.

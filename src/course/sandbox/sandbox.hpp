@@ -41,7 +41,7 @@ enum class Ending { normal, too_slow, too_large, too_many_processes, too_much_ou
 struct JobEnd {
   Ending ending = Ending::normal;
   int status = 0;  ///< the exit status after a normal end, the signal's number after a crash
-  double cpu_seconds = 0;
+  double seconds = 0;  ///< of processor time, and in which nothing wanted a processor
 };
 
 /// Runs jobs within limits and so that they reach no file, process or network but their own.

@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 
 #include <cerrno>
+#include <csignal>
 #include <memory>
 
 #include "system/descriptor.hpp"
@@ -26,6 +27,9 @@ scmp_arg_cmp argument_is(unsigned argument, int value, int bits) {
   return {argument, SCMP_CMP_MASKED_EQ, static_cast<scmp_datum_t>(bits),
           static_cast<scmp_datum_t>(value)};
 }
+
+/// Which libseccomp before 2.5.5 does not know; it has one number on all machines.
+constexpr int cachestat = 451;
 
 void add_rules(scmp_filter_ctx filter) {
   for (const int call :
@@ -58,11 +62,16 @@ void add_rules(scmp_filter_ctx filter) {
         SCMP_SYS(memfd_create),
         SCMP_SYS(memfd_secret),
         SCMP_SYS(io_setup),
-        SCMP_SYS(preadv2),  // tells whether somebody read a file before
-        SCMP_SYS(mincore),  // as well
+        SCMP_SYS(preadv2),    // tells whether somebody read a file before
+        SCMP_SYS(mincore),    // as well
+        cachestat,            // as well
         SCMP_SYS(setxattr),
         SCMP_SYS(lsetxattr),
-        SCMP_SYS(fsetxattr)}) {
+        SCMP_SYS(fsetxattr),
+        SCMP_SYS(setpriority),  // who lets all others go first holds its place for ever
+        SCMP_SYS(sched_setattr),
+        SCMP_SYS(sched_setparam),
+        SCMP_SYS(sched_setscheduler)}) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0);
   }
   // No mapping that is shared: what it holds stays in memory, where nothing counts it, even if only
@@ -72,8 +81,13 @@ void add_rules(scmp_filter_ctx filter) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mmap), 1,
                      argument_is(3, kind, kind_of_mapping));
   }
-  // No lock, lease or notice of a file that all jobs see: another one would hear of it.
-  for (const int command : {F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW, F_SETLEASE, F_NOTIFY}) {
+  // The kernel adds the time of no child to its parent's whose end that ignores.
+  seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(rt_sigaction), 1,
+                   argument_is(0, SIGCHLD));
+  // No lock, lease or notice of a file that all jobs see, and no hint that stays with it: another
+  // one would hear of it.
+  for (const int command : {F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW, F_SETLEASE, F_NOTIFY,
+                            F_SET_RW_HINT, F_SET_FILE_RW_HINT}) {
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl), 1, argument_is(1, command));
   }
   // No new user namespace. A filter cannot see the flags of clone3, so clone3 is refused as a

@@ -24,11 +24,12 @@ std::vector<std::string> statistics_of(pid_t process) {
   return {std::istream_iterator<std::string>(rest), {}};
 }
 
-/// Whether no thread of a process is on a processor, in the queue for one, or at a disk.
+/// Whether no thread of a process is on a processor or in the queue for one. At a disk it waits: a
+/// parent in vfork looks the same.
 bool waits(pid_t process) {
   for (const pid_t thread : sys::processes_in(fmt::format("/proc/{}/task", process))) {
     const std::vector<std::string> fields = statistics_of(thread);
-    if (!fields.empty() && (fields[0] == "R" || fields[0] == "D")) return false;
+    if (!fields.empty() && fields[0] == "R") return false;
   }
   return true;
 }
@@ -44,9 +45,6 @@ Usage usage_of(const std::vector<pid_t>& processes) {
     if (fields.size() < 22) continue;  // it has ended
     if (usage.is_waiting) usage.is_waiting = waits(process);
     for (std::size_t i = 11; i < 15; ++i) usage.cpu_seconds += std::stod(fields[i]) / ticks;
-    usage.times.push_back({.process = process,
-                           .start = std::stoull(fields[19]),
-                           .seconds = (std::stod(fields[11]) + std::stod(fields[12])) / ticks});
     usage.tasks += std::stoul(fields[17]);
     usage.bytes += std::stoul(fields[21]) * page;
   }

@@ -8,20 +8,12 @@
 
 namespace course {
 
-/// The processor time of a process, without that of its children.
-struct ProcessTime {
-  pid_t process = 0;
-  unsigned long long start = 0;  ///< when it began, since numbers of processes are used again
-  double seconds = 0;
-};
-
 /// What some processes use together.
 struct Usage {
-  std::size_t bytes = 0;           ///< of memory; a page that two processes share counts twice
-  double cpu_seconds = 0;          ///< including that of their children that have ended
-  std::size_t tasks = 0;           ///< processes and threads
-  std::vector<ProcessTime> times;  ///< of each
-  bool is_waiting = true;          ///< whether none of them wants a processor or a disk
+  std::size_t bytes = 0;   ///< of memory; a page that two processes share counts twice
+  double cpu_seconds = 0;  ///< including that of their children that have ended
+  std::size_t tasks = 0;   ///< processes and threads
+  bool is_waiting = true;  ///< whether none of them wants a processor
 };
 
 Usage usage_of(const std::vector<pid_t>& processes);

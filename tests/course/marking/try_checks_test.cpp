@@ -22,7 +22,7 @@ struct Graded {
 
 std::vector<CheckResult> results_of(const Built& built, const Assignment& assignment,
                                     const Checks& checks, Isolation isolation) {
-  ProgramRun run(assignment.limits, built, isolation);
+  ProgramRun run(assignment, built, isolation);
   return try_checks(assignment, checks, built, Variant{}, run);
 }
 
@@ -248,36 +248,40 @@ BOOST_AUTO_TEST_CASE(a_function_that_remembers_an_earlier_question_answers_wrong
   BOOST_TEST(total(keyed.results) == 20);
 }
 
-BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
+// Whether it computes or sleeps.
+BOOST_AUTO_TEST_CASE(an_exercise_that_takes_too_long_in_all_is_asked_no_more_and_hinders_no_other) {
   Assignment assignment = toy_grading::assignment();
   assignment.limits.run_seconds = 5;
-  assignment.limits.submission_seconds = 1;
+  assignment.limits.submission_seconds = 12;
 
-  const Graded graded = grade(with("src/square.cpp",
-                                   "#include <ctime>\n"
-                                   "double square(double x) {\n"
-                                   "  const auto end = std::clock() + CLOCKS_PER_SEC * 2 / 5;\n"
-                                   "  while (std::clock() < end) {}\n"
-                                   "  return x * x;\n"
-                                   "}\n"),
-                              assignment);
+  for (const char* spend :
+       {"const auto end = std::clock() + 2 * CLOCKS_PER_SEC; while (std::clock() < end) {}",
+        "usleep(2000000);"}) {
+    const Graded graded =
+        grade(with("src/square.cpp", std::string("#include <unistd.h>\n#include <ctime>\n"
+                                                 "double square(double x) { static int n = 0;\n") +
+                                         "if (n++ % 3 == 0) { " + spend + " }\n return x * x; }\n"),
+              assignment);
 
-  BOOST_TEST(graded.results[0].message ==
-             "all answers together took more than 1 s of processor time");
-  BOOST_TEST(graded.results[3].message == graded.results[0].message);
-  BOOST_TEST(total(graded.results) == 0);
+    BOOST_TEST(graded.results[1].message ==
+               "all answers of the exercise together took more than 4 s");
+    BOOST_TEST(total(graded.results) == 10);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(time_by_the_clock_is_not_counted_in_all) {
-  Assignment assignment = toy_grading::assignment();
-  assignment.limits.submission_seconds = 1;
+BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
+  const Assignment assignment = toy_grading::assignment();
+  const TemporaryFolder folder;
+  Built built = build(assignment, toy_grading::toolkit(), toy_grading::solution(), folder.path(),
+                      Isolation::sandbox);
+  BOOST_TEST(built.seconds > 0);
+  built.seconds = 120.5;
+  ProgramRun run(assignment, built, Isolation::sandbox);
 
-  const Graded graded = grade(with("src/square.cpp",
-                                   "#include <unistd.h>\n"
-                                   "double square(double x) { usleep(400000); return x * x; }\n"),
-                              assignment);
+  const auto results = try_checks(assignment, toy_grading::checks(), built, Variant{}, run);
 
-  BOOST_TEST(total(graded.results) == 20);
+  BOOST_TEST(results[3].message == "compiling and all answers together took more than 120 s");
+  BOOST_TEST(total(results) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(no_message_of_the_compiler_tells_when_it_ran) {
@@ -297,7 +301,7 @@ BOOST_AUTO_TEST_CASE(no_message_of_the_compiler_tells_when_it_ran) {
 
 BOOST_AUTO_TEST_CASE(all_files_together_have_a_limit_to_compile) {
   Assignment assignment = toy_grading::assignment();
-  assignment.limits.compile_all_seconds = 1;
+  assignment.limits.submission_seconds = 2;
   Files files =
       with("src/square.cpp", sys::read_file(std::filesystem::path(HALFSPACE_SOURCE_DIR) /
                                             "tests/course/hostile/constexpr_bomb/src/square.cpp"));
@@ -313,7 +317,7 @@ BOOST_AUTO_TEST_CASE(hidden_questions_are_asked_when_all_public_answers_are_know
   const TemporaryFolder folder;
   const Built built = build(assignment, toy_grading::toolkit(), toy_grading::solution(),
                             folder.path(), Isolation::sandbox);
-  ProgramRun run(assignment.limits, built, Isolation::sandbox);
+  ProgramRun run(assignment, built, Isolation::sandbox);
   std::vector<std::string> order;
   Checks checks;
   for (const Exercise& exercise : assignment.exercises) {
