@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "app/contact_options.hpp"
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/solver.hpp"
 

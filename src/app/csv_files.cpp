@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 #include "system/csv.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

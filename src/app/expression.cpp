@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 #include "system/error.hpp"
 
 namespace app {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 
 namespace app {
 namespace {

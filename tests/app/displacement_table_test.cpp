@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 
 BOOST_AUTO_TEST_SUITE(displacement_table_test)
 

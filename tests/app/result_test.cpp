@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 #include "message_of.hpp"
 #include "random_inputs.hpp"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "block/element_stiffness.hpp"
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 #include "config/table.hpp"
 #include "contact/contact_search.hpp"
 #include "numerics/quadrature.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "literate/claims/phrase.hpp"
+#include "literate/claims/found.hpp"
 #include "literate/values/value.hpp"
 #include "numerics/estimate.hpp"
 

@@ -15,7 +15,6 @@
 #include "literate/document/registered.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/embedded_texts.hpp"
-#include "literate/text/name.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/staging.hpp"

@@ -58,4 +58,9 @@ std::string excerpt_hashes_source(const std::vector<Excerpt>& excerpts, std::str
 void require_compiled(const std::vector<Excerpt>& excerpts,
                       const std::vector<CompiledExcerpt>& compiled);
 
+/// All files below a folder of a paper's sources, sorted, as generic paths relative to it; without
+/// those of folders below that are a paper of their own (whose CMakeLists.txt calls
+/// literate_add_paper). Throws sys::OutputError.
+std::vector<std::string> paper_sources(const std::filesystem::path& folder);
+
 }  // namespace literate

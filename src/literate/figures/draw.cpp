@@ -11,7 +11,6 @@
 #include "system/files.hpp"
 #include "system/parallel.hpp"
 #include "system/process.hpp"
-#include "system/record.hpp"
 #include "system/staging.hpp"
 
 namespace literate {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "literate/imports/imported_table.hpp"
+#include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
-#include "literate/text/name.hpp"
 #include "system/csv.hpp"
 #include "system/nearest_name.hpp"
 #include "system/pattern.hpp"

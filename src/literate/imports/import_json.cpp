@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "literate/imports/imported_table.hpp"
-#include "literate/text/name.hpp"
+#include "literate/text/characters.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/main/computation.hpp"
-
 #include <cxxabi.h>
 #include <fmt/core.h>
 #include <unistd.h>
@@ -21,6 +19,7 @@
 
 #include "command_line/exit_codes.hpp"
 #include "literate/document/registered.hpp"
+#include "literate/main/stages.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
 #include "system/require.hpp"

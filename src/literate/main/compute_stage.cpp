@@ -11,7 +11,6 @@
 #include "command_line/exit_codes.hpp"
 #include "command_line/stage.hpp"
 #include "literate/excerpts/excerpt.hpp"
-#include "literate/main/computation.hpp"
 #include "literate/main/stage_record.hpp"
 #include "literate/main/stages.hpp"
 #include "system/error.hpp"

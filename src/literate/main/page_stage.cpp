@@ -14,13 +14,11 @@
 #include "literate/deposit/citation.hpp"
 #include "literate/document/names.hpp"
 #include "literate/main/stages.hpp"
-#include "literate/page/citation_tags.hpp"
 #include "literate/page/one_file.hpp"
 #include "literate/page/page.hpp"
 #include "literate/page/page_data.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

@@ -9,9 +9,11 @@
 
 #include <boost/version.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -65,6 +67,22 @@ std::string processor() {
   if (__builtin_cpu_supports("avx512f")) text += " avx512f";
 #endif
   return text;
+}
+
+Repository read_repository(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "repository.json";
+  try {
+    const auto facts = nlohmann::json::parse(sys::read_file(file));
+    const auto& engine = facts.at("engine");
+    return {.commit = facts.at("commit").get<std::string>(),
+            .modified = facts.at("modified").get<bool>(),
+            .date = facts.at("date").get<std::string>(),
+            .engine_commit = engine.at("commit").get<std::string>(),
+            .engine_modified = engine.at("modified").get<bool>()};
+  } catch (const nlohmann::json::exception&) {
+    throw sys::OutputError(
+        fmt::format("'{}' does not tell the state of a repository", file.string()));
+  }
 }
 
 }  // namespace literate

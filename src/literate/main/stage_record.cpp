@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -70,6 +70,39 @@ FileDigests this_program() {
   std::string file = fs::read_symlink("/proc/self/exe").string();
   if (file.ends_with(replaced)) file.erase(file.size() - replaced.size());
   return {{file, sys::sha256_of_file("/proc/self/exe")}};
+}
+
+std::string digest_of(const fs::path& folder) {
+  return sys::record_text(sys::record_entries(folder, sys::files_below(folder)));
+}
+
+void require_as_made(const fs::path& folder, const fs::path& digest_file,
+                     const std::vector<std::string>& made) {
+  for (const std::string& file : sys::files_below(folder)) {
+    if (std::ranges::find(made, file) != made.end()) continue;
+    throw sys::OutputError(
+        fmt::format("'{}' was not made by the program but could be taken for its output; "
+                    "move it elsewhere",
+                    (folder / file).string()));
+  }
+
+  const auto record = sys::parse_record(sys::read_file(digest_file));
+  if (!record) {
+    throw sys::OutputError(fmt::format("'{}' is not a list of digests", digest_file.string()));
+  }
+  std::set<std::string> named;
+  for (const sys::RecordEntry& entry : *record) {
+    named.insert(entry.name);
+    if (sys::is_as_recorded(folder, entry)) continue;
+    throw sys::OutputError(
+        fmt::format("'{}' was changed after it was made; 'make report' makes it again",
+                    (folder / entry.name).string()));
+  }
+  for (const std::string& file : made) {
+    if (named.contains(file)) continue;
+    throw sys::OutputError(fmt::format("'{}' does not name '{}'; 'make report' makes both again",
+                                       digest_file.string(), (folder / file).string()));
+  }
 }
 
 }  // namespace literate

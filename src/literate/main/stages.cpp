@@ -14,9 +14,7 @@
 #include "literate/document/names.hpp"
 #include "literate/figures/draw.hpp"
 #include "literate/main/stage_record.hpp"
-#include "literate/provenance/digest.hpp"
 #include "system/files.hpp"
-#include "system/record.hpp"
 
 namespace literate {
 namespace {
@@ -107,6 +105,17 @@ void add_stages(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
   add_check_stage(program, exit_code, paper);
   add_page_stages(program, exit_code);
   add_describe_stage(program, exit_code, paper);
+}
+
+int main(int argc, char** argv, const Paper& paper, const Compute& compute) {
+  return command_line::run_program(
+      {.name = paper.project,
+       .description = "Computes, typesets and checks the paper " + paper.project + ".",
+       .version = version_text(paper)},
+      {[&](CLI::App& program, sys::ExitCode& exit_code) {
+        add_stages(program, exit_code, paper, compute);
+      }},
+      argc, argv);
 }
 
 }  // namespace literate

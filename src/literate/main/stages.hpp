@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "literate/main/computation.hpp"
+#include "literate/main/main.hpp"
 #include "literate/main/paper.hpp"
 #include "literate/main/settings.hpp"
 #include "system/error.hpp"
@@ -28,6 +28,15 @@ void add_stage(CLI::App& program, sys::ExitCode& exit_code, const std::string& n
                const std::string& description,
                const std::function<sys::ExitCode(const Settings&)>& run,
                const std::function<void(CLI::App& command)>& add_flags = {});
+
+/// Computes. On a terminal a line tells every ten seconds for how long, and what was registered
+/// last.
+///
+/// An exception that says nothing of where it comes from becomes a sys::ComputationError with its
+/// type and what was registered last. A signal that ends the program, as after a wrong pointer, is
+/// told with the same. If LITERATE_TIMEOUT, a number of seconds, is set and they are over, the
+/// program ends with 1 and a line: no computation can be ended from outside in another way.
+void compute_guarded(Document& document, const Inputs& inputs, const Compute& compute);
 
 void add_compute_stage(CLI::App& program, sys::ExitCode& exit_code, const Paper& paper,
                        const Compute& compute);

@@ -15,11 +15,22 @@
 
 #include "literate/document/names.hpp"
 #include "literate/page/latex_numbers.hpp"
-#include "literate/page/page_sources.hpp"
 #include "literate/prose/statements.hpp"
 #include "literate/prose/tex_scanner.hpp"
 
 namespace literate {
+
+/// What a page is made of.
+struct PageSources {
+  std::filesystem::path document;   ///< folder of the LaTeX document
+  std::string main_file;            ///< in it
+  std::filesystem::path generated;  ///< what `compute` and `draw` wrote
+  std::filesystem::path aux;        ///< of the PDF, with all its numbers
+  std::filesystem::path engine;     ///< folder with filter.lua
+  std::filesystem::path build;      ///< folder for the files that pandoc reads
+  std::string known = {};           ///< definitions for what LaTeX does and a page does not
+  std::string repository = {};      ///< the state of the repository, \LiterateRepository
+};
 
 /// HTML around a piece of LaTeX. In the LaTeX it is \href{lit:number}{piece}; a block is a center
 /// environment that begins with an empty one.

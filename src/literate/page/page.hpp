@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "literate/page/page_sources.hpp"
+#include "literate/page/expansion.hpp"
 
 namespace literate {
 

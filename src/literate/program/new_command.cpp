@@ -7,8 +7,8 @@
 #include <string>
 
 #include "command_line/options.hpp"
+#include "literate/main/paper.hpp"
 #include "literate/program/commands.hpp"
-#include "literate/provenance/repository.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

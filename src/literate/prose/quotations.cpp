@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "literate/prose/document_files.hpp"
+#include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
-#include "literate/text/name.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 

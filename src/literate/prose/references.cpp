@@ -3,10 +3,14 @@
 
 #include <fmt/core.h>
 
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/quotations.hpp"
@@ -14,7 +18,9 @@
 #include "literate/prose/tex_commands.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 #include "system/nearest_name.hpp"
+#include "system/pattern.hpp"
 
 namespace literate {
 namespace {
@@ -101,6 +107,120 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     }
   }
   return report;
+}
+
+namespace {
+
+/// A folder of generated files, the command that reads one of them, and what that is called.
+struct GeneratedKind {
+  const char* folder;
+  const char* command;
+  const char* noun;
+};
+constexpr std::array<GeneratedKind, 3> kinds{
+    {{"tables", "tab", "table"}, {"figures", "fig", "figure"}, {"excerpts", "excerpt", "excerpt"}}};
+
+/// The places at which the document gives a command a name, each «folder/file.tex:line».
+std::vector<std::string> uses(const char* command, std::string_view name,
+                              const std::filesystem::path& source_dir) {
+  std::vector<std::string> places;
+  for (const std::string& file : document_files(source_dir)) {
+    for (const TexCommand& use : commands_in(sys::read_file(source_dir / file), {command})) {
+      if (use.argument != name) continue;
+      places.push_back(fmt::format("{}/{}:{}", source_label(source_dir), file, use.line));
+    }
+  }
+  return places;
+}
+
+/// The first brace that nothing closes, «folder/file.tex:line:column: »; empty if there is none.
+std::string place_of_open_brace(const std::filesystem::path& source_dir) {
+  for (const std::string& file : document_files(source_dir)) {
+    const std::string text = sys::read_file(source_dir / file);
+    std::vector<std::string_view> open;
+    TexScanner scanner(text);
+    while (const auto token = scanner.next()) {
+      if (token->kind == TexKind::open) open.push_back(token->text);
+      if (token->kind == TexKind::close && !open.empty()) open.pop_back();
+    }
+    if (open.empty()) continue;
+    const TexPlace place = place_in(text, open.back());
+    return fmt::format("{}/{}:{}:{}: ", source_label(source_dir), file, place.line, place.column);
+  }
+  return {};
+}
+
+/// The lines of a paragraph that ends in line `last`, as far as they stand in this text. TeX tells
+/// only the number of the line where it began, which may be a line of another file, such as that of
+/// a table. No paragraph reaches across the begin or the end of a float.
+std::pair<int, int> paragraph_before(std::string_view text, int first, int last) {
+  static const sys::Pattern float_ends(
+      R"(^\s*\\(begin|end)\{(?:sub|wrap|sideways)?(?:table|figure)\*?\})");
+  int begin = 1, number = 0;
+  for (const std::string_view line : sys::lines_of(text)) {
+    if (++number >= last) break;
+    if (sys::stripped(line).empty()) begin = number + 1;
+    if (const auto found = float_ends.find_in(line)) begin = number + (found->parts[1] == "end");
+  }
+  return {first >= begin && first <= last ? first : begin, last};
+}
+
+/// Tells a box that does not fit at the first figure or table in its lines, and names them all:
+/// «report/a.tex:12: in figure 'name': Overfull …».
+std::string with_name_of_box(const std::string& message, const std::filesystem::path& source_dir) {
+  static const sys::Pattern box(
+      R"(^([^\n]+\.tex):(\d+): (Overfull [^\n]*?(?:at lines? (\d+)(?:--(\d+))?)[^\n]*)$)");
+  const auto match = box.find_in(message);
+  if (!match) return message;
+  const std::vector<std::string_view>& parts = match->parts;
+  const std::string label = source_label(source_dir) + "/";
+  if (!parts[1].starts_with(label)) return message;
+  const std::filesystem::path file = source_dir / parts[1].substr(label.size());
+  if (!std::filesystem::is_regular_file(file)) return message;
+  const std::string text = sys::read_file(file);
+  const int told = std::stoi(std::string(parts[4]));
+  const auto [first, last] =
+      paragraph_before(text, told, parts[5].empty() ? told : std::stoi(std::string(parts[5])));
+  int line = first;
+  std::vector<std::string> names;
+  for (const TexCommand& use : commands_in(text, {"fig", "tab", "includegraphics"})) {
+    if (use.line < first || use.line > last) continue;
+    if (names.empty()) line = use.line;
+    const char* const noun = use.name == "fig" ? "figure" : use.name == "tab" ? "table" : "picture";
+    names.push_back(fmt::format("{} '{}'", noun, use.argument));
+  }
+  const std::string in = names.empty() ? "" : fmt::format("in {}: ", fmt::join(names, ", "));
+  return fmt::format("{}:{}: {}{}", parts[1], line, in, parts[3]);
+}
+
+}  // namespace
+
+std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir) {
+  // Only the first line is rewritten. The lines after it show the place in the generated file.
+  static const sys::Pattern generated(
+      R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.(?:tex|txt)(?::\d+)?):\s*([^\n]*))");
+  static const sys::Pattern twice(R"(LaTeX Warning: Label `([^']+)' multiply defined)");
+  if (const auto label = twice.find_in(message)) {
+    const std::vector<std::string> places = uses("label", label->parts[1], source_dir);
+    if (places.size() < 2) return message;
+    return fmt::format("{}: label '{}' is defined more than once", fmt::join(places, " and "),
+                       label->parts[1]);
+  }
+  if (message.starts_with("! File ended while scanning")) {
+    const std::string place = place_of_open_brace(source_dir);
+    return place.empty() ? message : place + "this brace is not closed\n  " + message;
+  }
+  const auto match = generated.find_in(message);
+  if (!match) return with_name_of_box(message, source_dir);
+  const std::vector<std::string_view>& parts = match->parts;
+  for (const GeneratedKind& kind : kinds) {
+    if (parts[2] != kind.folder) continue;
+    const std::vector<std::string> places = uses(kind.command, parts[3], source_dir);
+    if (places.empty()) return message;
+    return fmt::format("{}: in {} '{}': {} ({}){}", fmt::join(places, " or "), kind.noun, parts[3],
+                       parts[4], parts[1], match->rest);
+  }
+  return message;
 }
 
 }  // namespace literate

@@ -26,4 +26,17 @@ std::string_view character_of(std::string_view command);
 /// The mappings as a `literate` setting for the listings package.
 std::string listings_characters();
 
+/// Whether a text can be a key, as in `\val{…}`: letters, digits, hyphens, underscores and dots, of
+/// which the first is a letter or digit.
+bool is_key(std::string_view text);
+
+/// Whether a text is a key without a dot, so that LaTeX can complete it to a file name.
+bool is_file_name(std::string_view text);
+
+/// Throws std::logic_error naming a text that is not a key.
+void require_key(std::string_view text);
+
+/// Throws std::logic_error naming a text that is not a file name.
+void require_file_name(std::string_view text);
+
 }  // namespace literate

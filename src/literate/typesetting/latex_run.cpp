@@ -2,6 +2,15 @@
 #include "literate/typesetting/latex_run.hpp"
 
 #include <fmt/core.h>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "literate/text/embedded_texts.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+#include "system/process.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -29,6 +38,155 @@ std::map<std::string, std::string> latex_environment(const TypesetOptions& optio
 
 fs::path in_build_dir(const TypesetOptions& options, const char* extension) {
   return options.build_dir / fs::path(options.main_file).filename().replace_extension(extension);
+}
+
+namespace {
+
+constexpr std::string_view format_record = "preamble.sha256";
+constexpr std::string_view no_format = "-";
+constexpr std::string_view file_prefix = "file ";
+constexpr int preamble_seconds = 300;  // the slowest seen took 3
+
+/// Where the body begins, and the text of the main file up to there.
+struct Preamble {
+  int body_line = 0;
+  std::string text;
+};
+
+std::optional<Preamble> preamble_of(const TypesetOptions& options) {
+  const std::string text = sys::read_file(options.source_dir / options.main_file);
+  Preamble preamble;
+  for (const std::string_view line : sys::lines_of(text)) {
+    ++preamble.body_line;
+    preamble.text.append(line).append("\n");
+    if (sys::stripped(line).starts_with("\\begin{document}")) return preamble;
+  }
+  return std::nullopt;
+}
+
+/// The names of the TeX files right in a folder: one more could be read instead of another.
+std::string tex_files_in(const fs::path& folder) {
+  static const std::set<std::string> endings = {".tex", ".sty", ".cls", ".clo", ".cfg",
+                                                ".def", ".fd",  ".ldf", ".map", ".enc"};
+  std::set<std::string> names;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (endings.contains(entry.path().extension())) names.insert(entry.path().filename());
+    }
+  }
+  std::string text;
+  for (const std::string& name : names) text += name + "\n";
+  return sys::sha256_of_text(text);
+}
+
+/// A format in its folder, and the record of what it was made from.
+class PreambleCache {
+ public:
+  PreambleCache(const TypesetOptions& options, Preamble preamble)
+      : options_(&options),
+        preamble_(std::move(preamble)),
+        folder_(options.build_dir / "preamble"),
+        stem_(fs::path(options.main_file).filename().replace_extension().string()) {}
+
+  PreambleFormat up_to_date() const {
+    const std::string known = fs::is_regular_file(folder_ / format_record)
+                                  ? sys::read_file(folder_ / format_record)
+                                  : std::string();
+    if (!known.empty() && known == record(files_named_in(known), has_format(known))) {
+      return {folder_, has_format(known), false};
+    }
+    fs::create_directories(folder_);
+    fs::remove(folder_ / format_record);
+    const bool is_usable = dump();
+    // The record is written last, so that an interruption leaves none.
+    sys::write_file_atomically(folder_ / format_record, record(files_read(), is_usable));
+    return {folder_, is_usable, true};
+  }
+
+ private:
+  /// A line «SHA-256  name» for the format and for all that it depends on.
+  std::string record(const std::set<std::string>& files, bool is_usable) const {
+    const std::string format =
+        is_usable ? sys::record_entry(folder_, "preamble.fmt").digest : std::string(no_format);
+    sys::Record record = {{format, "format"},
+                          {sys::sha256_of_text(keep_preamble_tex), "engine"},
+                          {fmt::format("{}", options_->source_date_epoch), "date"},
+                          {sys::sha256_of_text(preamble_.text), "preamble"},
+                          {tex_files_in(options_->source_dir), "document"},
+                          {tex_files_in(options_->generated_dir), "generated"}};
+    for (const std::string& file : files) {
+      record.push_back(
+          {sys::record_entry(options_->source_dir, file).digest, std::string(file_prefix) + file});
+    }
+    return sys::record_text(record);
+  }
+
+  static bool has_format(const std::string& known) { return !known.starts_with(no_format); }
+
+  static std::set<std::string> files_named_in(const std::string& known) {
+    std::set<std::string> files;
+    for (const auto& [digest, name] : sys::parse_record(known).value_or(sys::Record())) {
+      if (name.starts_with(file_prefix)) files.insert(name.substr(file_prefix.size()));
+    }
+    return files;
+  }
+
+  /// The files that LaTeX read, as its record names them, from the document's folder on.
+  std::set<std::string> files_read() const {
+    std::set<std::string> files;
+    const fs::path recorder = folder_ / (stem_ + ".fls");
+    if (!fs::is_regular_file(recorder)) return files;
+    const std::string text = sys::read_file(recorder);
+    for (std::string_view line : sys::lines_of(text)) {
+      if (!line.starts_with("INPUT ")) continue;
+      line.remove_prefix(6);
+      if (line.starts_with("./")) line.remove_prefix(2);
+      if (line != options_->main_file && !line.ends_with("/keep_preamble.tex")) {
+        files.emplace(line);
+      }
+    }
+    return files;
+  }
+
+  /// Runs iniTeX up to \begin{document}; returns whether that made a format which can be kept.
+  bool dump() const {
+    sys::write_file_atomically(folder_ / "keep_preamble.tex", keep_preamble_tex);
+    const std::string build = seen_from(options_->source_dir, options_->build_dir);
+    auto environment = latex_environment(*options_);
+    // What earlier passes wrote is found as in a pass, so that reading it is noticed.
+    environment["TEXINPUTS"] += fmt::format("{}/preamble:{}:", build, build);
+    const sys::ProcessResult result = sys::run(
+        {"pdflatex",
+         {"-ini", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error", "-recorder",
+          "-jobname=" + stem_, fmt::format("-output-directory={}/preamble", build), "&pdflatex",
+          fmt::format("\\def\\LiterateBodyLine{{{}}}\\csname @@input\\endcsname "
+                      "keep_preamble.tex \\csname @@input\\endcsname \"{}\"",
+                      preamble_.body_line, options_->main_file)},
+         options_->source_dir,
+         environment,
+         sys::TimeLimit{fmt::format("LaTeX on the preamble of {}", options_->main_file),
+                        preamble_seconds}});
+    const fs::path made = folder_ / (stem_ + ".fmt");
+    if (result.exit_status != 0 || !fs::is_regular_file(made)) return false;
+    for (const std::string& file : files_read()) {
+      if (file.starts_with(build + "/" + stem_ + ".")) return false;
+    }
+    fs::rename(made, folder_ / "preamble.fmt");
+    return true;
+  }
+
+  const TypesetOptions* options_;
+  Preamble preamble_;
+  fs::path folder_;
+  std::string stem_;
+};
+
+}  // namespace
+
+PreambleFormat keep_preamble(const TypesetOptions& options) {
+  const auto preamble = preamble_of(options);
+  if (!preamble) return {};
+  return PreambleCache(options, *preamble).up_to_date();
 }
 
 }  // namespace literate

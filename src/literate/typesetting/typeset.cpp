@@ -12,16 +12,15 @@
 
 #include "literate/figures/draw.hpp"
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/place_of_use.hpp"
+#include "literate/prose/references.hpp"
 #include "literate/text/embedded_texts.hpp"
 #include "literate/typesetting/latex_log.hpp"
-#include "literate/typesetting/preamble_format.hpp"
+#include "literate/typesetting/latex_run.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/pattern.hpp"
 #include "system/process.hpp"
-#include "system/record.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

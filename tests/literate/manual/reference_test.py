@@ -102,7 +102,7 @@ listed = {
     "src/literate/figures/figure.hpp": r"^  (?:double|std::map<.*>) (\w+) = |^struct (FigureData)",
     "src/literate/imports/import_json.hpp": r"^void (\w+)\(|^  std::.* (\w+) = ",
     "src/literate/imports/import_csv.hpp": r"^void (\w+)\(",
-    "src/literate/main/computation.hpp": r"^  std::\S+ (\w+);",
+    "src/literate/main/main.hpp": r"^  std::\S+ (\w+);",
     "src/config/table.hpp": r"^  (?:\[\[noreturn\]\] )?[\w:<>]+ (\w+)\(.*const;",
 }
 for header, pattern in listed.items():

@@ -9,7 +9,6 @@
 #include "literate/figures/draw.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/typesetting/latex_run.hpp"
-#include "literate/typesetting/preamble_format.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -320,7 +319,8 @@ BOOST_AUTO_TEST_CASE(a_figure_that_was_mended_is_drawn_anew_at_its_width) {
   const fs::path drawing = at_width_dir(paper.options) / typeset(paper.options).drawn.back();
   BOOST_REQUIRE(drawing.extension() == ".tex");
   sys::write_file_atomically(drawing, "\\gplgaddtomacro{");
-  sys::write_file_atomically(paper.options.build_dir / "main.aux", "");  // as a run that failed left it
+  sys::write_file_atomically(paper.options.build_dir / "main.aux",
+                             "");  // as a run that failed left it
   BOOST_TEST(paper.error() == "(no error)");
 }
 

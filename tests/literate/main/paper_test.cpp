@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/provenance/repository.hpp"
+#include "literate/main/paper.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -8,7 +8,7 @@
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(repository_test)
+BOOST_AUTO_TEST_SUITE(paper_test)
 
 using namespace literate;
 

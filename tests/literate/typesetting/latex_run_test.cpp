@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/typesetting/preamble_format.hpp"
+#include "literate/typesetting/latex_run.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(preamble_format_test)
+BOOST_AUTO_TEST_SUITE(latex_run_test)
 
 using namespace literate;
 namespace fs = std::filesystem;

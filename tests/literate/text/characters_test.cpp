@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/text/name.hpp"
+#include "literate/text/characters.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
 #include "message_of.hpp"
 
-BOOST_AUTO_TEST_SUITE(name_test)
+BOOST_AUTO_TEST_SUITE(characters_test)
 
 using namespace literate;
 

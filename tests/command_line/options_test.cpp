@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command_line/number_text.hpp"
+#include "command_line/options.hpp"
 
 #include <bit>
 #include <boost/test/unit_test.hpp>
@@ -12,7 +12,7 @@
 #include "random_inputs.hpp"
 #include "temporary_folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(number_text_test)
+BOOST_AUTO_TEST_SUITE(options_test)
 
 using command_line::parse_number;
 using command_line::parse_numbers;
