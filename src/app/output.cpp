@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 #include "command_line/options.hpp"
 #include "literate/figures/gnuplot.hpp"
@@ -42,33 +44,24 @@ class ScratchFolder {
   fs::path path_;
 };
 
-std::string terminal_for(const std::string& ending) {
-  if (ending == ".svg") {
-    return "set terminal svg size 50 * width_cm, 50 * height_cm dynamic background '#ffffff' "
-           "font 'Helvetica,16'";
-  }
-  if (ending == ".png") {
-    return "set terminal pngcairo size 60 * width_cm, 60 * height_cm font 'Helvetica,16'";
-  }
-  if (ending == ".pdf") return "set terminal pdfcairo size width_cm cm, height_cm cm";
-  return "set terminal dumb noenhanced size 79, 24";
+// The kinds of pictures, and what a terminal shows.
+const std::vector<literate::Canvas>& canvases() {
+  static const std::vector<literate::Canvas> all = {
+      {"svg size 50 * width_cm, 50 * height_cm dynamic background '#ffffff' font 'Helvetica,16'",
+       ".svg"},
+      {"pngcairo size 60 * width_cm, 60 * height_cm font 'Helvetica,16'", ".png"},
+      {"pdfcairo size width_cm cm, height_cm cm", ".pdf"}};
+  return all;
 }
+const literate::Canvas terminal_canvas{"dumb noenhanced size 79, 24", ".txt"};
 
-// The script that the engine writes for LaTeX, with this terminal and output instead.
-std::string with_terminal(const std::string& script, const std::string& ending,
-                          const std::string& output) {
-  std::string text;
-  for (const std::string_view line : sys::lines_of(script)) {
-    if (line.starts_with("set terminal ")) {
-      text += terminal_for(ending);
-    } else if (line.starts_with("set output ")) {
-      text += fmt::format("set output '{}'", output);
-    } else {
-      text += line;
-    }
-    text += '\n';
-  }
-  return text;
+// What a picture of this name is drawn on; none if its ending is of no kind.
+const literate::Canvas* canvas_of(const std::string& picture) {
+  if (picture == terminal_name) return &terminal_canvas;
+  const auto& all = canvases();
+  const auto found =
+      std::ranges::find(all, fs::path(picture).extension().string(), &literate::Canvas::ending);
+  return found == all.end() ? nullptr : &*found;
 }
 
 // A gnuplot script of the folder plots beside the program. It is no part of the program, since a
@@ -121,8 +114,7 @@ void Output::require_drawable() const {
     if (format_ == "table") return;
     throw sys::InputError("--plot -: needs --format table, which it stands below");
   }
-  const std::string ending = fs::path(plot_).extension().string();
-  if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
+  if (canvas_of(plot_) == nullptr) {
     throw sys::InputError(
         fmt::format("--plot {}: must end with .svg, .png or .pdf, or be -", plot_));
   }
@@ -145,19 +137,16 @@ void Output::draw(const std::string& script, literate::Figure figure) const {
   const bool is_terminal = plot_ == terminal_name;
   if (is_terminal) figure.numbers["in_terminal"] = 1;
   literate::require_drawable(figure);
-  const std::string ending = is_terminal ? ".txt" : fs::path(plot_).extension().string();
+  const literate::Canvas& canvas = *canvas_of(plot_);
 
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "figure";
-  literate::write_figure(folder, script, figure);
-  const fs::path main_script = folder / (script + ".gp");
-  sys::write_file_atomically(main_script,
-                             with_terminal(sys::read_file(main_script), ending, script + ending));
+  literate::write_figure(folder, script, figure, canvas);
   sys::write_file_atomically(scratch.path() / "style.gp", plot_script("style"));
   sys::write_file_atomically(folder / "script.gp", plot_script(script));
 
   const sys::ProcessResult result = literate::run_gnuplot(folder, script);
-  const fs::path drawn = folder / (script + ending);
+  const fs::path drawn = folder / (script + canvas.ending);
   std::error_code ignored;
   const bool is_there = fs::is_regular_file(drawn, ignored) && fs::file_size(drawn, ignored) > 0;
   if (result.exit_status != 0 || !is_there) {

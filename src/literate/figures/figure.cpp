@@ -91,15 +91,16 @@ std::string csv(const FigureData& data) {
   return text;
 }
 
-void write_prelude(std::ostream& script, const std::string& name, const Figure& figure) {
+void write_prelude(std::ostream& script, const std::string& name, const Figure& figure,
+                   const Canvas& canvas) {
   script << "# What the program says about figure " << name << "; gnuplot " << name
          << ".gp draws it.\nset encoding utf8\n"
          << "if (!exists('height_cm')) height_cm = exists('width_cm') ? width_cm * "
          << floating_point(figure.height_cm) << " / " << floating_point(figure.width_cm) << " : "
          << floating_point(figure.height_cm) << "\n"
          << "if (!exists('width_cm')) width_cm = " << floating_point(figure.width_cm) << "\n"
-         << "set terminal cairolatex pdf size width_cm cm, height_cm cm\n"
-         << "set output '" << name << ".tex'\n"
+         << "set terminal " << canvas.terminal << "\n"
+         << "set output '" << name << canvas.ending << "'\n"
          << "set datafile separator comma\n";
   for (const auto& [block, data] : figure.data) script << block << " = '" << block << ".csv'\n";
   for (const auto& [key, number] : figure.numbers) {
@@ -139,7 +140,8 @@ void require_drawable(const Figure& figure) {
   }
 }
 
-void write_figure(const fs::path& folder, const std::string& name, const Figure& figure) {
+void write_figure(const fs::path& folder, const std::string& name, const Figure& figure,
+                  const Canvas& canvas) {
   for (const auto& [block, data] : figure.data) {
     sys::write_file_atomically(folder / (block + ".csv"), csv(data));
   }
@@ -148,7 +150,7 @@ void write_figure(const fs::path& folder, const std::string& name, const Figure&
     fs::create_directories(folder);
     gnuplotio::Gnuplot script(fmt::format(">{}", file.string()));
     script.imbue(std::locale::classic());
-    write_prelude(script, name, figure);
+    write_prelude(script, name, figure, canvas);
     script.flush();
     if (script) return;
   } catch (const std::ios_base::failure&) {
@@ -158,7 +160,7 @@ void write_figure(const fs::path& folder, const std::string& name, const Figure&
   }
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  write_prelude(text, name, figure);
+  write_prelude(text, name, figure, canvas);
   sys::write_file_atomically(file, text.str());
 }
 

@@ -55,11 +55,21 @@ struct Figure {
 /// several lines.
 void require_drawable(const Figure& figure);
 
+/// What gnuplot draws on: a terminal, which may use the variables width_cm and height_cm, and how
+/// the names of its files end.
+struct Canvas {
+  std::string terminal;
+  std::string ending;
+};
+
+/// A PDF with labels that LaTeX sets.
+inline const Canvas latex_canvas{"cairolatex pdf size width_cm cm, height_cm cm", ".tex"};
+
 /// Writes what a script reads of a figure to the folder: name.gp, which sets the terminal and all
 /// variables and loads ../style.gp and script.gp, and a file block.csv for each block of data, with
 /// the names of the columns in its first line and digits that read back as the same doubles. The
 /// same figure makes the same bytes in any locale. Throws sys::OutputError.
 void write_figure(const std::filesystem::path& folder, const std::string& name,
-                  const Figure& figure);
+                  const Figure& figure, const Canvas& canvas = latex_canvas);
 
 }  // namespace literate
