@@ -38,14 +38,7 @@ double PrintedNumber::last_place() const {
 }
 
 bool PrintedNumber::agrees_with(double number) const {
-  return n_agreeing_digits(number) == n_digits_;
-}
-
-int PrintedNumber::n_agreeing_digits(double number) const {
-  for (int n = n_digits_; n > 0; --n) {
-    if (rounded(number, n) == rounded(value_, n)) return n;
-  }
-  return 0;
+  return rounded(number, n_digits_) == rounded(value_, n_digits_);
 }
 
 }  // namespace config

@@ -28,10 +28,6 @@ class PrintedNumber {
   /// Whether `number`, rounded to the last printed place, prints the same digits.
   bool agrees_with(double number) const;
 
-  /// Counts the leading digits that agree when `number` and the printed number are rounded to the
-  /// same number of digits; at most n_digits().
-  int n_agreeing_digits(double number) const;
-
  private:
   std::string text_;
   double value_ = 0;
