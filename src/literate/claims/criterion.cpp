@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "literate/claims/formula.hpp"
-#include "literate/claims/found.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
 
@@ -257,30 +256,26 @@ void Criterion::decide(const Estimate& tested, bool is_upper_limit, const Value&
   }
 }
 
-Criterion Criterion::at_most(std::string name, Value quantity, Limit limit, Location location) {
+Criterion Criterion::bounded(Side side, std::string name, Value quantity, Limit limit,
+                             Location location) {
   const std::string place = caller_of(location, name);
   const Estimate tested = counted(place, require_measured(place, quantity), limit);
   Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
-  criterion.condition_ =
-      phrase("at most {}", limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.limit_phrase_ =
-      at_most_in_signs(limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.decide(tested, true, criterion.quantity_, place);
-  criterion.found_ = found_of(criterion, criterion.limit_, Side::at_most);
+  const bool is_upper = side == Side::at_most;
+  const Value bound = limit_like(criterion.limit_.number(), criterion.quantity_);
+  criterion.condition_ = phrase(is_upper ? "at most {}" : "at least {}", bound);
+  criterion.limit_phrase_ = is_upper ? at_most_in_signs(bound) : in_signs("≥", "\\ge", bound);
+  criterion.decide(tested, is_upper, criterion.quantity_, place);
+  criterion.found_ = found_of(criterion, criterion.limit_, side);
   return criterion;
 }
 
+Criterion Criterion::at_most(std::string name, Value quantity, Limit limit, Location location) {
+  return bounded(Side::at_most, std::move(name), std::move(quantity), std::move(limit), location);
+}
+
 Criterion Criterion::at_least(std::string name, Value quantity, Limit limit, Location location) {
-  const std::string place = caller_of(location, name);
-  const Estimate tested = counted(place, require_measured(place, quantity), limit);
-  Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
-  criterion.condition_ =
-      phrase("at least {}", limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.limit_phrase_ =
-      in_signs("≥", "\\ge", limit_like(criterion.limit_.number(), criterion.quantity_));
-  criterion.decide(tested, false, criterion.quantity_, place);
-  criterion.found_ = found_of(criterion, criterion.limit_, Side::at_least);
-  return criterion;
+  return bounded(Side::at_least, std::move(name), std::move(quantity), std::move(limit), location);
 }
 
 Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance,
