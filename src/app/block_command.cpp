@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <chrono>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -15,6 +14,7 @@
 #include "block/exports.hpp"
 #include "block/rectangle.hpp"
 #include "command_line/options.hpp"
+#include "command_line/stage.hpp"
 #include "parameters/case.hpp"
 #include "system/files.hpp"
 #include "system/require.hpp"
@@ -176,11 +176,11 @@ ExitCode run(const BlockOptions& options) {
   const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,
                                  {problem.load}, problem.discretization);
   const block::SupportedBlock supported = analysis.on(problem.supports);
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   const block::RefinedSolution solution = supported.solve(problem.load);
-  const std::chrono::duration<double> solving = std::chrono::steady_clock::now() - begin;
+  const double solving = stopwatch.seconds();
   const Seconds seconds = {analysis.fine()->seconds(), supported.fine().assembly_seconds(),
-                           supported.fine().factorization_seconds(), solving.count()};
+                           supported.fine().factorization_seconds(), solving};
   block::MeasureOptions measure_options;
   measure_options.surface_points = problem.from_file.half_space.points;
   const Measures measures = solution.measures(measure_options);

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,10 +43,18 @@ inline constexpr double small_ratio = 0.1;
 /// curvature, 0 where none is known; none if it is.
 std::vector<std::string> half_space_warnings(double half_width, double least_radius);
 
+/// The names of elements, as a flag takes them.
+template <class Elements>
+std::vector<std::string> names_of(const Elements& elements) {
+  std::vector<std::string> names;
+  for (const auto element : elements) names.emplace_back(name_of(element));
+  return names;
+}
+
 /// The element of this name.
-template <class Element>
-Element element_named(const std::string& name, std::initializer_list<Element> elements) {
-  return *std::ranges::find(elements, name, [](Element element) { return name_of(element); });
+template <class Elements>
+auto element_named(const std::string& name, const Elements& elements) {
+  return *std::ranges::find(elements, name, [](auto element) { return name_of(element); });
 }
 
 /// Throws sys::InputError for flags of a contact that want or exclude one another.

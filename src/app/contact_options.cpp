@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -14,7 +15,14 @@
 #include "system/require.hpp"
 
 namespace app {
+namespace {
+
+using line_contact::Element;
 using parameters::CylinderCase;
+
+constexpr std::array elements{Element::triangular, Element::uniform, Element::point};
+
+}  // namespace
 
 ContactOptions::Body::Body(CLI::App& command, const std::string& number)
     : material(command, number),
@@ -37,7 +45,7 @@ ContactOptions::ContactOptions(CLI::App& command)
                  "Error of the pressure allowed to fft, relative to the peak [1e-10]"),
       friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
       tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
-  add_choice(command, "--element", element_, {"triangular", "uniform", "point"},
+  add_choice(command, "--element", element_, names_of(elements),
              "What stands at a node for the pressure around it");
   add_choice(command, "--method", method_, {"matrix-inversion", "variational", "fft"},
              "How to solve [matrix-inversion up to 1000 nodes, then fft]");
@@ -110,8 +118,6 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
   const elasticity::Material material1 = body1_.material.or_else(given.body1);
   const elasticity::Material material2 = body2_.material.or_else(given.body2);
   const double modulus = elasticity::contact_modulus(material1, material2);
-  using line_contact::Element;
-  const auto elements = {Element::triangular, Element::uniform, Element::point};
   ContactInput input{.material1 = material1,
                      .material2 = material2,
                      .problem = {line_contact::Profile::parabola(1),

@@ -3,29 +3,23 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "app/contact_options.hpp"
 #include "command_line/options.hpp"
+#include "command_line/stage.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/solver.hpp"
 
 namespace app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 // Prints a line on standard error for every second that a solve takes, if somebody sees it on a
 // terminal: what is written to a file does not depend on the speed of the machine.
 line_contact::ProgressReport progress_line() {
   if (::isatty(STDERR_FILENO) == 0) return {};
-  return [start = Clock::now(), shown = 0.0](const line_contact::Progress& progress) mutable {
-    const double seconds = seconds_since(start);
+  return [stopwatch = Stopwatch(), shown = 0.0](const line_contact::Progress& progress) mutable {
+    const double seconds = stopwatch.seconds();
     if (seconds < shown + 1) return;
     shown = seconds;
     fmt::print(stderr,
@@ -82,7 +76,7 @@ std::vector<std::string> validity_warnings(const ContactInput& input, const Solv
 }
 
 SolvedContact solve(const ContactInput& input) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   const line_contact::Method method = method_of(input);
   announce_long_solve(input);
   SolvedContact solved{.solution = input.line_load
@@ -106,7 +100,7 @@ SolvedContact solve(const ContactInput& input) {
     solved.slopes =
         line_contact::surface_slopes(input.problem, solved.solution, solved.friction->shear, beta);
   }
-  solved.seconds = seconds_since(start);
+  solved.seconds = stopwatch.seconds();
   return solved;
 }
 

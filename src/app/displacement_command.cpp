@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +15,7 @@
 #include "app/load_choices.hpp"
 #include "app/output.hpp"
 #include "command_line/options.hpp"
+#include "command_line/stage.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "parameters/case.hpp"
@@ -106,62 +107,41 @@ elasticity::LoadNumbers numbers_of(const DisplacementOptions& options,
   return app::numbers_of(options.shape, of_case);
 }
 
-// The surface under the load, as its closed forms and the quadrature have it.
-struct BothWays {
-  elasticity::ClosedSurface closed;
-  elasticity::SurfaceQuadrature quadrature;
-  bool is_normal;
+// A function of x on the surface, by quadrature and in closed form.
+struct SurfaceFunction {
+  std::function<numerics::Estimate(double)> quadrature;
+  std::function<double(double)> closed_form;  // empty if there is none
 
-  numerics::Estimate gradient(double x) const {
-    return is_normal ? quadrature.normal_gradient(x) : quadrature.tangential_gradient(x);
-  }
-  numerics::Estimate displacement(double x) const {
-    return is_normal ? quadrature.normal_displacement(x) : quadrature.tangential_displacement(x);
-  }
-  const std::function<double(double)>& closed_gradient() const {
-    return is_normal ? closed.normal_gradient : closed.tangential_gradient;
-  }
-  const std::function<double(double)>& closed_displacement() const {
-    return is_normal ? closed.normal_displacement : closed.tangential_displacement;
-  }
-
-  DisplacementRow at(double x) const {
-    const auto value = [x](const std::function<double(double)>& form) -> std::optional<double> {
-      if (!form) return std::nullopt;
-      return form(x);
-    };
-    return {.x = x,
-            .gradient_quadrature = gradient(x),
-            .gradient_closed_form = value(closed_gradient()),
-            .displacement_quadrature = displacement(x),
-            .displacement_closed_form = value(closed_displacement())};
+  BothWays at(double x) const {
+    return {quadrature(x), closed_form ? std::optional(closed_form(x)) : std::nullopt};
   }
 };
 
 // The displacement at the points, and between them in closed form, or else by quadrature.
-literate::Figure displacement_figure(const BothWays& surface, bool has_force,
+literate::Figure displacement_figure(const SurfaceFunction& displacement, bool has_force,
                                      const std::vector<DisplacementRow>& rows,
+                                     const std::string& component,
                                      const config::UnitSystem& units) {
   std::vector<double> x, u, curve_x, curve_u;
   for (const DisplacementRow& row : rows) {
     x.push_back(row.x);
-    u.push_back(row.displacement_quadrature.value);
+    u.push_back(row.displacement.quadrature.value);
   }
-  const auto& closed = surface.closed_displacement();
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   constexpr int n = 400;
   for (int i = 0; i <= n; ++i) {
     const double at = *low + (*high - *low) * i / n;
     if (at == 0 && has_force) continue;  // infinite there
     curve_x.push_back(at);
-    curve_u.push_back(closed ? closed(at) : surface.displacement(at).value);
+    curve_u.push_back(displacement.closed_form ? displacement.closed_form(at)
+                                               : displacement.quadrature(at).value);
   }
   return {.width_cm = 14,
           .height_cm = 9,
           .data = {{"points", {{"x", x}, {"u", u}}}, {"curve", {{"x", curve_x}, {"u", curve_u}}}},
           .texts = {{"unit", units.length},
-                    {"component", surface.is_normal ? "u_z" : "u_x"},
-                    {"line", closed ? "closed form" : "quadrature"}}};
+                    {"component", component},
+                    {"line", displacement.closed_form ? "closed form" : "quadrature"}}};
 }
 
 ExitCode run(const DisplacementOptions& options) {
@@ -182,26 +162,40 @@ ExitCode run(const DisplacementOptions& options) {
   }
   const std::vector<double> points = points_of(options, from_file, known.load);
 
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   const auto n_evaluations = std::make_shared<long>(0);
-  const BothWays surface{
-      known.surface ? known.surface(material, zero_at) : elasticity::ClosedSurface(),
-      {material, counted(known.load, n_evaluations), zero_at},
-      !is_tangential};
+  const elasticity::SurfaceQuadrature quadrature(material, counted(known.load, n_evaluations),
+                                                 zero_at);
+  const elasticity::ClosedSurface closed =
+      known.surface ? known.surface(material, zero_at) : elasticity::ClosedSurface();
+  SurfaceFunction gradient{[&](double x) { return quadrature.normal_gradient(x); },
+                           closed.normal_gradient};
+  SurfaceFunction displacement{[&](double x) { return quadrature.normal_displacement(x); },
+                               closed.normal_displacement};
+  if (is_tangential) {
+    gradient = {[&](double x) { return quadrature.tangential_gradient(x); },
+                closed.tangential_gradient};
+    displacement = {[&](double x) { return quadrature.tangential_displacement(x); },
+                    closed.tangential_displacement};
+  }
   std::vector<DisplacementRow> rows;
   for (const double x : points) {
     *n_evaluations = 0;
-    rows.push_back(surface.at(x));
-    rows.back().n_evaluations = *n_evaluations;
+    rows.push_back({.x = x,
+                    .gradient = gradient.at(x),
+                    .displacement = displacement.at(x),
+                    .n_evaluations = *n_evaluations});
   }
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   Result result = displacement_result(
       rows, units,
       {.closed_form =
            is_tangential ? "Johnson 2.24a, 2.25a with the load's own integral" : choice.source,
-       .seconds = elapsed.count()});
+       .seconds = stopwatch.seconds()});
   if (!rows.empty()) {
-    result.figure = [&] { return displacement_figure(surface, has_force, rows, units); };
+    result.figure = [&] {
+      return displacement_figure(displacement, has_force, rows, is_tangential ? "u_x" : "u_z",
+                                 units);
+    };
   }
   return options.output.print(result);
 }

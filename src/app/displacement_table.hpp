@@ -11,14 +11,16 @@
 
 namespace app {
 
-/// The two ways to the same numbers at one point: eq. (2) by quadrature, and in closed form, where
-/// there is one.
+/// A number at one point both ways: eq. (2) by quadrature, and in closed form, where there is one.
+struct BothWays {
+  numerics::Estimate quadrature = {};
+  std::optional<double> closed_form = {};
+};
+
 struct DisplacementRow {
   double x;
-  numerics::Estimate gradient_quadrature = {};
-  std::optional<double> gradient_closed_form = {};
-  numerics::Estimate displacement_quadrature = {};
-  std::optional<double> displacement_closed_form = {};
+  BothWays gradient = {};
+  BothWays displacement = {};
   long n_evaluations = 0;  ///< of the load, for both quadratures
 };
 
@@ -29,8 +31,8 @@ struct DisplacementNotes {
 };
 
 /// |quadrature − closed form| over the error: the quadrature's estimate and four roundings of the
-/// closed form.
-double difference_over_error(const numerics::Estimate& quadrature, double closed_form);
+/// closed form. 0 where there is no closed form.
+double difference_over_error(const BothWays& number);
 
 /// A row a point, without columns of closed forms if there are none; for people 13 significant
 /// digits, the difference over the error and the evaluations of the load, and below the table what

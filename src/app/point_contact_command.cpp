@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -200,27 +201,17 @@ std::string notes_of(const PointContactInput& input, const SolvedPointContact& s
 }
 
 // The pressure at any point: that of the nearest node, 0 outside the grid.
-class PressureAt {
- public:
-  explicit PressureAt(const point_contact::Solution& solution) : solution_(solution) {}
-
-  double operator()(const Vector2& at) const {
-    const point_contact::Grid& grid = solution_.grid;
-    const Vector2 from_centre = at - grid.centre;
-    const auto j = static_cast<Eigen::Index>(
-        std::llround(from_centre.y() / grid.between_rows().y() + middle(grid.n2)));
-    if (j < 0 || j >= grid.n2) return 0;
-    const auto i = static_cast<Eigen::Index>(
-        std::llround(from_centre.x() / grid.lattice.first.x() + middle(grid.n1) - grid.shift(j)));
-    if (i < 0 || i >= grid.n1) return 0;
-    return solution_.pressure[grid.index(i, j)];
-  }
-
- private:
-  static double middle(Eigen::Index n) { return static_cast<double>(n - 1) / 2; }
-
-  const point_contact::Solution& solution_;
-};
+double pressure_at(const point_contact::Solution& solution, const Vector2& at) {
+  const point_contact::Grid& grid = solution.grid;
+  const auto middle = [](Eigen::Index n) { return static_cast<double>(n - 1) / 2; };
+  const Vector2 from_centre = at - grid.centre;
+  const auto j = static_cast<Eigen::Index>(
+      std::llround(from_centre.y() / grid.between_rows().y() + middle(grid.n2)));
+  if (j < 0 || j >= grid.n2) return 0;
+  const auto i = static_cast<Eigen::Index>(
+      std::llround(from_centre.x() / grid.lattice.first.x() + middle(grid.n1) - grid.shift(j)));
+  return i < 0 || i >= grid.n1 ? 0 : solution.pressure[grid.index(i, j)];
+}
 
 // Half the sides of the rectangle about the origin that holds the contact, with a little room.
 Vector2 half_sides_of(const point_contact::Solution& solution) {
@@ -235,24 +226,34 @@ Vector2 half_sides_of(const point_contact::Solution& solution) {
   return room * half;
 }
 
+// The i-th of n coordinates from -half_side to half_side.
+double coordinate(int i, int n, double half_side) {
+  return half_side * (2.0 * i / (n - 1) - 1);
+}
+
+// The pressure at n points of an axis.
+literate::FigureData curve(int n, double half_side, const std::function<double(double)>& pressure) {
+  std::vector<double> along, values;
+  for (int i = 0; i < n; ++i) {
+    along.push_back(coordinate(i, n, half_side));
+    values.push_back(pressure(along.back()));
+  }
+  return {{"s", along}, {"pressure", values}};
+}
+
 literate::Figure point_contact_figure(const PointContactInput& input,
                                       const SolvedPointContact& solved,
                                       const config::UnitSystem& units) {
   const point_contact::Solution& s = solved.solution;
-  const PressureAt pressure_at(s);
   const Vector2 half = half_sides_of(s);
-  const auto coordinate = [](int i, int n, double half_side) {
-    return half_side * (2.0 * i / (n - 1) - 1);
-  };
 
   constexpr int n_across = 200;
   std::vector<double> x, y, pressure;
   for (int j = 0; j < n_across; ++j) {
     for (int i = 0; i < n_across; ++i) {
-      const Vector2 at(coordinate(i, n_across, half.x()), coordinate(j, n_across, half.y()));
-      x.push_back(at.x());
-      y.push_back(at.y());
-      pressure.push_back(pressure_at(at));
+      x.push_back(coordinate(i, n_across, half.x()));
+      y.push_back(coordinate(j, n_across, half.y()));
+      pressure.push_back(pressure_at(s, {x.back(), y.back()}));
     }
   }
   literate::Figure figure{.width_cm = 20,
@@ -263,27 +264,16 @@ literate::Figure point_contact_figure(const PointContactInput& input,
 
   for (const int axis : {0, 1}) {
     constexpr int n_along = 61;
-    std::vector<double> along, values;
-    for (int i = 0; i < n_along; ++i) {
-      Vector2 at = Vector2::Zero();
-      at[axis] = coordinate(i, n_along, half[axis]);
-      along.push_back(at[axis]);
-      values.push_back(pressure_at(at));
-    }
-    figure.data[axis == 0 ? "along_x" : "along_y"] = {{"s", along}, {"pressure", values}};
+    figure.data[axis == 0 ? "along_x" : "along_y"] = curve(
+        n_along, half[axis], [&](double at) { return pressure_at(s, at * Vector2::Unit(axis)); });
     if (!input.curvatures || !input.closed_form) continue;
-    const double width =
-        axis == 0 ? input.closed_form->half_width_x : input.closed_form->half_width_y;
+    const PointClosedForm& exact = *input.closed_form;
+    const double width = axis == 0 ? exact.half_width_x : exact.half_width_y;
     constexpr int n_exact = 401;
-    along.clear();
-    values.clear();
-    for (int i = 0; i < n_exact; ++i) {
-      along.push_back(coordinate(i, n_exact, half[axis]));
-      const double share = along.back() / width;
-      values.push_back(input.closed_form->peak_pressure *
-                       std::sqrt(std::max(0.0, 1 - share * share)));
-    }
-    figure.data[axis == 0 ? "closed_x" : "closed_y"] = {{"s", along}, {"pressure", values}};
+    figure.data[axis == 0 ? "closed_x" : "closed_y"] = curve(n_exact, half[axis], [&](double at) {
+      const double share = at / width;
+      return exact.peak_pressure * std::sqrt(std::max(0.0, 1 - share * share));
+    });
   }
   return figure;
 }

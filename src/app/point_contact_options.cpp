@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -18,7 +19,11 @@ namespace app {
 namespace {
 
 using parameters::CylinderCase;
+using point_contact::Element;
 using point_contact::Profile;
+
+constexpr std::array elements{Element::pyramid, Element::bilinear, Element::uniform,
+                              Element::point};
 
 // Threads beyond this are not used.
 constexpr long most_threads = 64;
@@ -53,7 +58,7 @@ PointContactOptions::PointContactOptions(CLI::App& command)
       tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
   add_choice(command, "--grid", grid_, {"hexagonal", "square"},
              "Nodes as corners of equilateral triangles or of squares");
-  add_choice(command, "--element", element_, {"pyramid", "bilinear", "uniform", "point"},
+  add_choice(command, "--element", element_, names_of(elements),
              "What stands at a node for the pressure around it");
   add_choice(command, "--method", method_, {"fft", "variational", "matrix-inversion"},
              "How to solve; the last two are references for small grids");
@@ -180,8 +185,6 @@ PointContactInput PointContactOptions::read(
   const elasticity::Material material1 = body1_.material.or_else(given.body1);
   const elasticity::Material material2 = body2_.material.or_else(given.body2);
   const double modulus = elasticity::contact_modulus(material1, material2);
-  using point_contact::Element;
-  const auto elements = {Element::pyramid, Element::bilinear, Element::uniform, Element::point};
   PointContactInput input{
       .material1 = material1,
       .material2 = material2,

@@ -2,10 +2,10 @@
 #include <fmt/core.h>
 
 #include <Eigen/Eigenvalues>
-#include <chrono>
 #include <cmath>
 
 #include "app/point_contact_options.hpp"
+#include "command_line/stage.hpp"
 #include "point_contact/closed_forms/spheres.hpp"
 #include "point_contact/solver/beneath.hpp"
 #include "point_contact/solver/methods.hpp"
@@ -71,7 +71,7 @@ point_contact::Vector2 half_widths_of(const PointContactInput& input,
 }
 
 SolvedPointContact solve(const PointContactInput& input) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   SolvedPointContact solved{
       .solution = frictionless(input), .friction = {}, .tangential_displacement = {}, .seconds = 0};
   require_resolved(solved.solution);
@@ -86,8 +86,7 @@ SolvedPointContact solve(const PointContactInput& input) {
   } else if (input.friction) {
     solved.friction = point_contact::sliding(solved.solution, *input.friction);
   }
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  solved.seconds = elapsed.count();
+  solved.seconds = stopwatch.seconds();
   solved.stresses = stresses_beneath(input, solved.solution);
   return solved;
 }

@@ -10,6 +10,17 @@
 
 namespace command_line {
 
+/// How long something takes, from here on.
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
 /// A stage of a longer command: prints one line with its name and time when it is done. On a
 /// terminal its name stands there already while it runs.
 class Stage {
@@ -21,14 +32,13 @@ class Stage {
   }
 
   void done(const std::string& what) const {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    fmt::print("{:<9} {:>6.1f} s  {}\n", name_, elapsed.count(), what);
+    fmt::print("{:<9} {:>6.1f} s  {}\n", name_, stopwatch_.seconds(), what);
     std::fflush(stdout);
   }
 
  private:
   std::string name_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Stopwatch stopwatch_;
 };
 
 }  // namespace command_line
