@@ -67,6 +67,9 @@ std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumb
     if (before.printed == after.printed) return std::nullopt;
     return ChangeKind::other_digits;
   }
+  // Of a number that stands as it is nobody knows an error within which it could have moved.
+  const bool has_errors = before.abs_error && after.abs_error;
+  if (!has_errors && before.printed == after.printed) return ChangeKind::other_digits;
   return is_within_errors(before, after) ? ChangeKind::within_error : ChangeKind::beyond_error;
 }
 

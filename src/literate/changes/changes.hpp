@@ -16,7 +16,7 @@ enum class ChangeKind {
   renamed,       ///< the same number under another name
   beyond_error,  ///< it moved by more than both errors together, or has no error and prints another
   within_error,  ///< it moved by less
-  other_digits,  ///< the same number, printed in another way
+  other_digits,  ///< the same number printed in another way, or one without an error printed alike
   other_bytes,   ///< of a figure: its data or its drawing
   other_verdict,
   other_limit  ///< of a criterion

@@ -9,6 +9,7 @@
 
 #include "literate/claims/formula.hpp"
 #include "literate/text/latex.hpp"
+#include "literate/text/unit.hpp"
 #include "literate/values/decimal.hpp"
 
 namespace literate {
@@ -33,6 +34,27 @@ Measured require_measured(const std::string& place, const Value& quantity) {
     throw std::invalid_argument(fmt::format("{}: {}", place, error.what()));
   }
   return quantity.measured().value();
+}
+
+/// The unit of number(), of which a percentage has none.
+std::string unit_of(const Value& quantity) {
+  const std::string unit = plain_unit(quantity.unit());
+  return unit.empty() ? "no unit" : unit;
+}
+
+void require_one_unit(const std::string& place, const Value& computed, const Value& stated) {
+  if (unit_of(computed) == unit_of(stated)) return;
+  throw std::invalid_argument(
+      fmt::format("{}: {} has {} and {} has {}: give both in one unit", place, computed.printed(),
+                  unit_of(computed), stated.printed(), unit_of(stated)));
+}
+
+/// The difference of two quantities of one unit.
+Measured difference_between(const std::string& place, const Value& computed, const Value& stated) {
+  const Measured c = require_measured(place, computed);
+  const Measured s = require_measured(place, stated);
+  require_one_unit(place, computed, stated);
+  return c - s;
 }
 
 /// How many standard uncertainties count; of a quantity that has none it does not matter.
@@ -281,8 +303,7 @@ Criterion Criterion::at_least(std::string name, Value quantity, Limit limit, Loc
 Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance,
                             Location location) {
   const std::string place = caller_of(location, name);
-  const Measured apart =
-      magnitude(require_measured(place, computed) - require_measured(place, stated));
+  const Measured apart = magnitude(difference_between(place, computed, stated));
   const Estimate tested = counted(place, apart, tolerance);
   const Value difference = difference_of(computed, apart);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
@@ -307,6 +328,7 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   const std::string place = caller_of(location, name);
   const Measured c = require_measured(place, computed);
   const Measured s = require_measured(place, stated);
+  require_one_unit(place, computed, stated);
   if (!(std::abs(s.value()) > s.bounded().abs_error + s.standard())) {
     throw std::invalid_argument(place + ": a relative difference from zero");
   }
@@ -334,8 +356,7 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
 Criterion Criterion::differs(std::string name, Value computed, Value stated, Limit limit,
                              Location location) {
   const std::string place = caller_of(location, name);
-  const Measured apart =
-      magnitude(require_measured(place, computed) - require_measured(place, stated));
+  const Measured apart = magnitude(difference_between(place, computed, stated));
   const Estimate tested = counted(place, apart, limit);
   const Value difference = difference_of(computed, apart);
   Criterion criterion(std::move(name), std::move(computed), std::move(limit));

@@ -115,7 +115,7 @@ class Criterion {
 
   /// |computed − stated| ≤ tolerance, in the quantities' unit. The error of the difference is the
   /// sum of both bounds; what both are uncertain by from one source cancels. A tolerance of 0 asks
-  /// for equality, such as of counts.
+  /// for equality, such as of counts. Here and below, quantities of two units are refused.
   static Criterion agrees(std::string name, Value computed, Value stated, Limit tolerance,
                           Location location = Location::current());
 

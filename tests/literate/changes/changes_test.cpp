@@ -81,6 +81,10 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   check_told(after, ChangeKind::other_digits, "value peak", "10.0 psi", "10.00 psi");
 
   after = state();
+  after.numbers["count"].number = 7.2;
+  check_told(after, ChangeKind::other_digits, "value count", "7", "7");
+
+  after = state();
   after.numbers["table a, row 1, column 2"].number = 4;
   after.numbers["table a, row 1, column 2"].printed = "4";
   check_told(after, ChangeKind::beyond_error, "table a, row 1, column 2", "3", "4");

@@ -237,6 +237,30 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_zero_asks_for_equality) {
   BOOST_TEST(share.computed() == "share: 0.50001, 1.0e-5 from 0.50");
 }
 
+BOOST_AUTO_TEST_CASE(quantities_of_two_units_are_not_compared) {
+  const auto refusal = [](const Value& computed, const Value& stated) {
+    const Limit limit{LimitKind::choice, 0.1, "a tenth"};
+    return message_of<std::invalid_argument>(
+               [&] { Criterion::agrees("mass", computed, stated, limit); }) +
+           message_of<std::invalid_argument>(
+               [&] { Criterion::agrees_relatively("mass", computed, stated, limit); }) +
+           message_of<std::invalid_argument>(
+               [&] { Criterion::differs("mass", computed, stated, limit); });
+  };
+  const std::string none = "(no error)(no error)(no error)";
+  const Value kg(5, exact(), "kg");
+
+  const std::string said = refusal(kg, Value(5, exact(), "s"));
+  BOOST_TEST(said.find(": mass: 5 kg has kg and 5 s has s: give both in one unit") != said.npos,
+             said);
+  for (const Value& other : {Value(5, exact(), "g"), Value(5, exact()), Value(5, exact(), "%")}) {
+    BOOST_TEST(refusal(kg, other).find("(no error)") == std::string::npos, other.printed());
+  }
+  BOOST_TEST(refusal(Value(0.5, exact().in_percent()), Value(50, exact(), "percent")) != none);
+  BOOST_TEST(refusal(Value(2, exact(), "m2"), Value(2, exact(), "m^2")) == none);
+  BOOST_TEST(refusal(Value(0.5, exact().in_percent()), Value(0.5, exact())) == none);
+}
+
 BOOST_AUTO_TEST_CASE(numbers_differ_if_what_is_not_known_of_them_leaves_them_apart) {
   const auto differ = [](double computed, double abs_error, double limit) {
     return Criterion::differs("load", Value({computed, abs_error}, significant(3), "N"),
