@@ -56,17 +56,26 @@ bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The text of every page of a document with this claim; the preamble and the first page as asked.
+// The text of every page of a document with this claim; the preamble and the first page as asked,
+// and as many pages as are asked for.
 std::vector<std::string> pages_with(Verdict found, const std::string& preamble = "",
-                                    const std::string& first = "Apples \\claim{apples}.") {
+                                    const std::string& first = "Apples \\claim{apples}.",
+                                    int n_others = 0, int n_pages = 3) {
   const TemporaryFolder scratch;
   Document document = document_with(found);
+  std::string others;
+  for (int i = 0; i < n_others; ++i) {
+    const std::string id = "other-" + std::to_string(i);
+    document.claim(id, claim_of_apples(Verdict::confirmed));
+    others += "\\statement[market]{" + id + "}{Another costs 2.6.}\\claim{" + id + "}";
+  }
   document.value("unused", Value(1, integer()));
   document.write(scratch / "generated");
   sys::write_file_atomically(
       scratch / "text/main.tex",
       "\\documentclass{article}\\usepackage{literate,hyperref}\n" + preamble +
           "\n\\begin{document}\\statement[market, stall~3]{apples}{An apple costs 2.6.}" + first +
+          others +
           "\\newpage More.\\newpage\n"
           "\\claimledger\\end{document}\n");
   write_statements(scratch / "text", read_names(scratch / "generated/names.json"),
@@ -77,7 +86,8 @@ std::vector<std::string> pages_with(Verdict found, const std::string& preamble =
            .build_dir = scratch / "latex",
            .output_pdf = scratch / "main.pdf"});
   std::vector<std::string> pages;
-  for (const char* page : {"1", "2", "3"}) {
+  for (int i = 1; i <= n_pages; ++i) {
+    const std::string page = std::to_string(i);
     const sys::ProcessResult text = sys::run(
         {.program = "pdftotext",
          .arguments = {"-layout", "-f", page, "-l", page, (scratch / "main.pdf").string(), "-"}});
@@ -216,6 +226,19 @@ BOOST_AUTO_TEST_CASE(the_document_shows_the_verdict_where_it_is_claimed_and_in_t
     BOOST_TEST(holds(pages[2], part), part << " is not in " << pages[2]);
   }
   for (const std::string& page : pages) BOOST_TEST(!holds(page, "Not to be trusted"), page);
+}
+
+BOOST_AUTO_TEST_CASE(the_head_of_the_ledger_stands_once_on_each_of_its_pages) {
+  constexpr int n_others = 25;
+  const std::vector<std::string> pages =
+      pages_with(Verdict::confirmed, "", "Apples \\claim{apples}.", n_others, 5);
+
+  const std::string head = "statement and test";
+  for (std::size_t i = 2; i < pages.size(); ++i) {
+    const auto at = pages[i].find(head);
+    BOOST_TEST(at != std::string::npos, "page " << i + 1 << ": " << pages[i]);
+    BOOST_TEST(pages[i].find(head, at + 1) == std::string::npos, pages[i]);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_document_that_wants_verdicts_in_its_margin_has_whole_sentences) {

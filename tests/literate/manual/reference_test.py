@@ -36,7 +36,7 @@ sty = text_of("src/literate/document/literate.sty")
 defined = set(re.findall(r"\\(?:newcommand|DeclareRobustCommand|def)\*?\{?\\([A-Za-z]+)(?![A-Za-z@])", sty))
 macros = {name for name in defined if not name.startswith("Literate")}
 macros |= {"LiterateCitedName", "LiterateClaimPlacement", "LiterateFindingsHead", "LiterateLedgerHead", "LiterateLedgerPlace",
-           "LiterateLedgerSize", "LiterateLimitAges", "LiterateLimitsName", "LiterateListingPlacement", "LiterateOwnName",
+           "LiterateLedgerSize", "LiterateLimitAges", "LiterateLimits", "LiterateLimitsName", "LiterateListingPlacement", "LiterateOwnName",
            "LiterateSourceUrl"}  # which a document may redefine
 macros |= set(re.findall(r'"(LiteratePicture)"', text_of("src/literate/page/expansion_definitions.cpp")))  # of page.tex
 of_latex = {"author", "begin", "caption", "cite", "columnwidth", "documentclass", "degree", "emph", "end", "ifdim", "includegraphics",

@@ -321,7 +321,7 @@ def left_out(output, document, main, page, names):
             sheets[what].append(sheet)
 
     def where(what, unused):
-        return tokens("p. " + ", ".join(sheets[what])) if what in sheets else tokens(unused)
+        return tokens(("pp. " if len(sheets[what]) > 1 else "p. ") + ", ".join(sheets[what])) if what in sheets else tokens(unused)
 
     defined = re.findall(r"\\renewcommand\*?\\LiterateLedgerPlace\[3\](.*)", prose)
     place = arguments(defined[-1])[0] if defined else "#1 #2 #3"
