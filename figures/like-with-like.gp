@@ -26,7 +26,7 @@ set arrow from x_of(half_width),graph 0 to x_of(half_width),graph 1 nohead lc rg
 set multiplot
 
 set lmargin at screen 0.09
-set rmargin at screen 0.48
+set rmargin at screen 0.475
 set yrange [0:1.12 * highest]
 set ytics tick_step(highest)
 set ylabel sprintf('$u_z$ (%s)', u_unit)
@@ -39,7 +39,7 @@ plot curves using (x_of(column("x"))):(of("half_space")) with lines ls 1, \
      printed using (x_of(column("x"))):(of("u_z")) with points ls 11, \
      printed using (x_of(column("x"))):(of("analytical")) with points ls 13
 
-set lmargin at screen 0.60
+set lmargin at screen 0.625
 set rmargin at screen 0.99
 set yrange [-1.2 * datum:1.3 * datum]
 set ytics tick_step(datum)
@@ -48,8 +48,8 @@ set label 1 'datum' at 0.5 * end,1.14 * datum
 set label 2 'sum' at 0.62 * end,0.62 * datum
 set label 3 'load' at 0.62 * end,-0.86 * datum
 plot 0 with lines lc rgb grey lw 0.8, \
-     curves using (x_of(column("x"))):(difference("half_space", "block_stated")) with lines ls 3, \
-     curves using (x_of(column("x"))):(difference("block_stated", "block_fitted")) with lines ls 2, \
+     curves using (x_of(column("x"))):(difference("half_space", "block_stated")) with lines ls 3 lc rgb dim, \
+     curves using (x_of(column("x"))):(difference("block_stated", "block_fitted")) with lines ls 2 lc rgb dim, \
      curves using (x_of(column("x"))):(difference("half_space", "block_fitted")) with lines ls 1, \
      printed using (x_of(column("x"))):(difference("analytical", "u_z")) with points lc rgb ink pt 7 ps 0.5
 unset multiplot

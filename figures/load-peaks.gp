@@ -25,7 +25,7 @@ set rmargin at screen 0.96
 set xtics auto
 set xrange [*:*]
 set xtics 100
-set xlabel sprintf('peak $\pm\,\sigma$ (%s)', unit)
+set xlabel sprintf('peak pressure (%s)', unit)
 set object 1 rectangle from first stress - stress_error,graph 0 to first stress + stress_error,graph 1 \
   fc rgb shade fs solid noborder behind
 plot loads using "peak":"row":"standard" with xerrorbars lc rgb ink lw 1.6 pt 7 ps 0.5

@@ -8,10 +8,11 @@ along(line) = real(word(line, 1))
 down(line) = real(word(line, 2))
 unset surface
 set contour base
-eval 'set cntrparam levels discrete ' . levels
+eval 'set cntrparam levels discrete ' . still_levels
 set table $still_contours
 splot still using "x":"z":"tau" with lines
 unset table
+eval 'set cntrparam levels discrete ' . sliding_levels
 set table $sliding_contours
 splot sliding using "x":"z":"tau" with lines
 unset table

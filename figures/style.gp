@@ -6,6 +6,7 @@ ink = '#1b1b3a'
 rust = '#c1440e'
 blue = '#2a84a6'
 plum = '#8e4585'
+dim = '#6e6e6e'
 grey = '#9a9a9a'
 shade = '#dcdcdc'
 set palette maxcolors 10 defined (0 '#f7f4e9', 0.5 '#5fa8a8', 1 '#1b1b3a')

@@ -7,7 +7,10 @@ set xrange [-3:3]
 set yrange [-3.2:3.2]
 set xtics 1
 set ytics 1
-set key top right samplen 1.8
-plot loads using "x":"concentrated" with lines ls 3 title 'concentrated', \
-     loads using "x":"uniform" with lines ls 2 title 'uniform', \
-     loads using "x":"triangular" with lines ls 1 title 'triangular'
+unset key
+set label 'concentrated' at -0.2,2.6 left
+set label 'uniform' at -1.15,2.6 right
+set label 'triangular' at 0.05,1.3 left
+plot loads using "x":"concentrated" with lines ls 3, \
+     loads using "x":"uniform" with lines ls 2, \
+     loads using "x":"triangular" with lines ls 1

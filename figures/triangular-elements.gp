@@ -12,11 +12,11 @@ set rmargin 1
 set arrow from first - 0.5,0 to last + 0.9,0 as 2
 set label '$x$' at last + 1.0,0
 set arrow from 0,0 to 0,1.22 as 2
-set label '$p$' at 0.15,1.22
+set label '$p$' at -0.15,1.22 right
 
 # The paper's labels: p₀ in the middle, p_j and c at a node on the right.
 set label '$O$' at 0,-0.08 center
-set label '$p_0$' at -0.15,1.06 right
+set label '$p_0$' at 0.18,1.06 left
 set label '$p_j$' at x_j + 0.12,p_j + 0.07
 set arrow from x_j,-0.1 to x_j + 1,-0.1 as 1
 set label '$c$' at x_j + 0.5,-0.18 center

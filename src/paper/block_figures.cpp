@@ -100,7 +100,7 @@ Figure like_with_like(const HalfSpaceCase& h, const UnitSystem& units, const Blo
     return values;
   };
   return {.width_cm = 15.4,
-          .height_cm = 5.6,
+          .height_cm = 5.2,
           .data = {{"curves",
                     {{"x", x},
                      {"half_space", half_space},

@@ -143,7 +143,8 @@ void compare_greatest(Document& document, const PiecewiseLinearTraction& tractio
   document.value("stresses.depth", Value(closed_form(exact.depth / a), fixed(6)));
   document.value("stresses.shear-error",
                  Value(Estimate{shear_error, shear_bound}, scientific(1).rounded_up()));
-  document.value("stresses.depth-error", Value(Estimate{depth_error, depth_bound}, scientific(1)));
+  document.value("stresses.depth-error",
+                 Value(Estimate{depth_error, depth_bound}, scientific(1).rounded_up()));
   const double square = std::pow(solution.grid.spacing / a, 2);
   document.claim(
       "mcewen",
@@ -293,9 +294,12 @@ void add_field(Figure& figure, const std::string& name, const Solution& solution
   peak.add(greatest.x / a, greatest.z / a, greatest.shear / p0);
   // The high levels are met on the way from the largest shear to a lower corner, the low ones on
   // the way up beside the contact.
+  std::vector<double> levels;
   for (const double level : shear_levels) {
-    constexpr double too_near = 0.01;  // to the cross, on which its number would stand
+    constexpr double too_near =
+        0.01;  // to the cross, with which contour and number would run together
     if (level > greatest.shear / p0 - too_near) continue;
+    levels.push_back(level);
     const bool is_high = level > 0.12;
     add_label(labels, traction, hertz, level,
               is_high ? ShearPoint{greatest.x / a, greatest.z / a, 0} : ShearPoint{-1.6, 1.2, 0},
@@ -304,6 +308,7 @@ void add_field(Figure& figure, const std::string& name, const Solution& solution
   figure.data[name] = {FigureData(field).columns, n_along_x + 1};
   figure.data[name + "_labels"] = labels;
   figure.data[name + "_greatest"] = peak;
+  figure.texts[name + "_levels"] = fmt::format("{}", fmt::join(levels, ", "));
   figure.numbers[name + "_friction"] = mu;
 }
 
@@ -311,7 +316,6 @@ Figure shear_figure(const Solution& solution, const Hertz& hertz, double mu) {
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   Figure figure{.width_cm = 15.4, .height_cm = 4.6};
-  figure.texts["levels"] = fmt::format("{}", fmt::join(shear_levels, ", "));
   add_field(figure, "still", solution, hertz, 0);
   add_field(figure, "sliding", solution, hertz, mu);
 
