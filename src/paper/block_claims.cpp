@@ -46,7 +46,7 @@ void claim_body(Document& document, const HalfSpaceCase& half_space, const Block
   document.claim("felt-throughout",
                  {.route = "the block by finite elements of high degree under the triangle, on the "
                            "supports assumed; the share of the largest displacement is nearly "
-                           "the same under the fitted load",
+                           "the same under the inferred load",
                   .expected = Verdict::partly,
                   .criteria = {Criterion::in_each(
                       "displacement a quarter, a half and three quarters of the way down, over the "
@@ -98,7 +98,7 @@ void claim_size(Document& document, const HalfSpaceCase& half_space, const Block
   const Limit unaffected(LimitKind::choice, 1e-2,
                          "a tenth of the convergence that the run asks for");
   document.value("block.larger.level", Value(level, scientific(3), units.length));
-  document.value("block.larger.shape", Value(shape, scientific(2), units.length));
+  document.value("block.larger.shape", Value(shape, scientific(2).rounded_up(), units.length));
   document.value("block.larger.share", Value(level / middle, percent(0)));
   document.claim(
       "geometry-large-enough",
@@ -173,10 +173,11 @@ void claim_run(Document& document, const HalfSpaceCase& half_space, const BlockS
   }
   document.claim(
       "robust-model",
-      {.route = "the inference, not the run, which may have been sound: sound finite-element models "
-                "of the block under the load that the paper states, with clamped sides, rollers and "
-                "free sides on a clamped bottom; were the agreement an indicator, the analytical "
-                "column would agree with them, too",
+      {.route =
+           "the inference, not the run, which may have been sound: sound finite-element models "
+           "of the block under the load that the paper states, with clamped sides, rollers and "
+           "free sides on a clamped bottom; were the agreement an indicator, the analytical "
+           "column would agree with them, too",
        .expected = Verdict::refuted,
        .criteria = {Criterion::in_each("least difference under the load from the analytical "
                                        "solution, over the displacement of the block",

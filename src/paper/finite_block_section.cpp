@@ -81,11 +81,28 @@ Cell description_of(const std::string& name) {
   return Cell::latex("\\code{" + escaped(name) + "}");
 }
 
-// A printed measure with four digits.
-Cell shortened(const PrintedNumber& number) {
+// A printed measure with four digits, and its unit with the power of ten of a small one.
+struct Shortened {
+  Cell number;
+  Cell unit;
+};
+
+Shortened shortened(const PrintedNumber& number, const std::string& unit) {
   constexpr double least_plain = 1e-2;
-  const bool is_small = std::abs(number.value()) < least_plain;
-  return Cell::latex(Value(number.value(), is_small ? scientific(4) : significant(4)).latex());
+  constexpr int n_digits = 4;
+  const int decade = static_cast<int>(std::floor(std::log10(std::abs(number.value()))));
+  const int power = std::abs(number.value()) < least_plain ? decade : 0;
+  const int place = decade - power - n_digits + 1;
+  const double rounded_number =
+      std::round(number.value() * std::pow(10.0, -power - place)) * std::pow(10.0, place);
+  return {Cell::quoted(rounded_number, place),
+          Cell::latex(power == 0 ? unit : fmt::format("$10^{{{}}}$\\,{}", power, unit))};
+}
+
+std::string unit_of(const std::string& measure, const UnitSystem& units) {
+  if (measure == "resultant_load_y") return units.line_load;
+  if (measure == "strain_energy") return units.force + "\\," + units.length + "/" + units.length;
+  return measure == "max_disp_x" ? units.length : units.stress;
 }
 
 // The displacements at the points of the case, measure1, measure2, …, in one row: those that are
@@ -110,23 +127,25 @@ void add_displacements(literate::Table& table, const PrintedData& printed_data,
     most_convergence = std::max(most_convergence, converged->second.value());
   }
   const auto text = [](double percent) { return Value(percent, fixed(1)).latex(); };
-  table.add_row({"displacements at the points", "",
+  table.add_row({"displacements at the points", "", "",
                  Cell::latex(text(least_convergence) + "--" + text(most_convergence)), worst_stated,
                  worst_fitted});
 }
 
-// Every printed measure beside the computed one, under the stated load and under the fitted one.
-void tabulate_measures(Document& document, const PrintedData& printed_data, const BlockStudy& study,
-                       const std::vector<MeasureEstimate>& fitted) {
+// Every printed measure beside the computed one, under the stated load and under the inferred one.
+void tabulate_measures(Document& document, const UnitSystem& units, const PrintedData& printed_data,
+                       const BlockStudy& study, const std::vector<MeasureEstimate>& fitted) {
   const auto& printed = printed_data.appendix2.measures;
   const auto stated = study.under_triangle().measures(study.measure_options());
   const char* const group = "deviation from the printed value";
   literate::Table table("appendix2",
                         {Column::text("measure"), Column("value", fixed(0)).under("printed"),
-                         Column("convergence, \\%", fixed(1)).under("printed"),
-                         Column("triangle, \\%", fixed(1)).under(group),
-                         Column("fitted load, \\%", fixed(2)).under(group)});
+                         Column::text("unit").under("printed"),
+                         Column("convergence (\\%)", fixed(1)).under("printed"),
+                         Column("triangle (\\%)", fixed(1)).under(group),
+                         Column("inferred load (\\%)", fixed(2)).under(group)});
   long n_beyond = 0;
+  Estimate most_beyond;
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const std::string& name = fitted[i].name;
     if (name == "measure1") add_displacements(table, printed_data, stated, fitted);
@@ -145,8 +164,10 @@ void tabulate_measures(Document& document, const PrintedData& printed_data, cons
     const bool is_beyond =
         is_told && has_limit(fitted[i]) && by.value - by.abs_error > converged->second.value();
     n_beyond += is_beyond ? 1 : 0;
+    if (is_beyond && name != "max_stress_xy" && by.value > most_beyond.value) most_beyond = by;
     const Cell deviation = off(fitted[i].value);
-    table.add_row({description_of(name), shortened(found->second),
+    const Shortened value = shortened(found->second, unit_of(name, units));
+    table.add_row({description_of(name), value.number, value.unit,
                    is_told ? quoted(converged->second) : Cell(), off(stated[i].value),
                    is_beyond ? deviation.marked("*") : deviation});
   }
@@ -161,6 +182,7 @@ void tabulate_measures(Document& document, const PrintedData& printed_data, cons
       "repeat another are left out.");
   document.table(table);
   document.value("fit.n-beyond", Value(n_beyond, integer()));
+  document.value("fit.most-beyond", Value(1e-2 * most_beyond, percent(1).rounded_up()));
 
   const auto value_of = [&](const std::string& name) {
     return std::ranges::find(fitted, name, &MeasureEstimate::name)->value;
@@ -300,7 +322,7 @@ void compute_finite_block(Document& document, const Case& from) {
   if (!printed_data) return;
 
   const std::vector<MeasureEstimate> fitted = study.under_fit().measures(study.measure_options());
-  tabulate_measures(document, *printed_data, study, fitted);
+  tabulate_measures(document, units, *printed_data, study, fitted);
   infer_load(document, half_space, block_case.sides, units, *printed_data, study);
   // The half-space's error is there twice, in differences of points.
   const SharesOnBothMeshes shares(

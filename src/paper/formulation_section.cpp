@@ -15,10 +15,6 @@ using elasticity::SurfaceQuadrature;
 
 void register_parameters(Document& document, const HalfSpaceCase& half_space,
                          const UnitSystem& units) {
-  document.value("units.length", Value::text(units.length));
-  document.value("units.force", Value::text(units.force));
-  document.value("units.stress", Value::text(units.stress));
-  document.value("units.line-load", Value::text(units.line_load));
   document.value("young", Value(half_space.material.young(), exact(), units.stress));
   document.value("poisson", Value(half_space.material.poisson(), exact()));
   document.value("peak-pressure", Value(half_space.load.peak_pressure(), exact(), units.stress));

@@ -244,6 +244,14 @@ ExponentFit fit_exponent(const BlockStudy& study, double half_width, Support sid
           estimate(&ExponentOnOneMesh::most), estimate(&ExponentOnOneMesh::misfit)};
 }
 
+Contestant fitted_power_fall(const BlockStudy& study, double exponent, double half_width,
+                             Support sides) {
+  const block::SupportedBlock& block = study.on(sides);
+  return fitted(study, "uniform + power", block::with_sides(sides),
+                {block.solve(elasticity::linear_fall(1, 1, half_width)),
+                 block.solve(elasticity::power_fall(1, exponent, half_width))});
+}
+
 Contestant unfitted(const BlockStudy& study, const std::string& shape, const elasticity::Load& load,
                     double peak, Support sides) {
   const RefinedSolution solution = study.on(sides).solve(load);

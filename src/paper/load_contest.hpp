@@ -56,6 +56,10 @@ constexpr double most_exponent = 4;
 ExponentFit fit_exponent(const BlockStudy& study, double half_width, block::Support sides,
                          double allowed);
 
+/// The load 1 − |x/a|ᵐ on a uniform pressure, both fitted.
+Contestant fitted_power_fall(const BlockStudy& study, double exponent, double half_width,
+                             block::Support sides);
+
 /// A load as it is, without any fit, with its largest pressure.
 Contestant unfitted(const BlockStudy& study, const std::string& shape, const elasticity::Load& load,
                     double peak, block::Support sides);
