@@ -175,6 +175,39 @@ void verify_by_hertz(Document& document, const ContactCase& c,
        .criteria = criteria});
 }
 
+// Hertz's numbers, and how far the elements are from them on one grid and at most on many.
+void tabulate_hertz(Document& document, const ContactCase& c, const UnitSystem& units,
+                    const std::optional<PointContactCase>& point_contact, const Hertz& hertz,
+                    const EdgeSweep& sweep) {
+  literate::Table table("hertz",
+                        {Column::text("contact"), Column::text("quantity"), Column::text("Hertz"),
+                         Column("on this grid", scientific(2)).under("relative error"),
+                         Column("at most, on all grids", scientific(2)).under("relative error")});
+  const auto closed = [&](double number, int n_digits, const std::string& unit) {
+    return Cell::latex(
+        Value(number, significant(n_digits), unit).within(rounded(c, number)).latex());
+  };
+  const auto at_most = [](const Estimate& error) {
+    return Cell::latex(Value(error, scientific(2).rounded_up()).latex());
+  };
+  const double a = hertz.half_width();
+  table.add_row({"cylinders", "peak pressure", closed(hertz.peak_pressure(), 6, units.stress),
+                 sweep.first_peak, at_most(sweep.peak)});
+  table.add_row({"", "half-width", closed(a, 5, units.length), sweep.first_half_width,
+                 at_most(sweep.half_width)});
+  if (point_contact) {
+    const point_contact::Hertz spheres = two_spheres(c, *point_contact).hertz();
+    const SphereErrors errors = sphere_errors(c, *point_contact);
+    table.add_row({"spheres", "peak pressure", closed(spheres.peak_pressure(), 4, units.stress),
+                   errors.peak, "–"});
+    table.add_row({"", "radius", closed(spheres.radius(), 4, units.length), errors.radius, "–"});
+    table.add_row(
+        {"", "approach", closed(spheres.approach(), 4, units.length), errors.approach, "–"});
+    table.note("A dash: the spheres are solved on one lattice.");
+  }
+  document.table(std::move(table));
+}
+
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
   if (body.radius.is_plane()) return Value::text("∞");
   return Value(closed_form(1 / body.radius.curvature()), significant(4), unit);
@@ -226,9 +259,6 @@ void compute_cylinders(Document& document, const Case& from) {
   const EdgeSweep sweep = sweep_edge(c, hertz, a / solution.grid.spacing);
   document.value("cylinders.peak-error", Value(sweep.peak, scientific(2).rounded_up()));
   document.value("cylinders.width-error", Value(sweep.half_width, scientific(2).rounded_up()));
-  document.value("cylinders.node-at-edge.peak-error", Value(sweep.first_peak, scientific(2)));
-  document.value("cylinders.node-at-edge.width-error",
-                 Value(sweep.first_half_width, scientific(2)));
   document.value("cylinders.sweep.grids", Value(sweep.n_grids, integer()));
   document.value("cylinders.sweep.least", Value(closed_form(sweep.least_elements), fixed(1)));
   document.value("cylinders.sweep.most", Value(closed_form(sweep.most_elements), fixed(1)));
@@ -240,14 +270,7 @@ void compute_cylinders(Document& document, const Case& from) {
 
   claim_cylinders(document, c, from.printed_data, solution, hertz);
   verify_by_hertz(document, c, from.point_contact, sweep);
-  document.value(
-      "cylinders.peak",
-      Value(Estimate{solution.peak_pressure(), pressure_error(solution) * solution.peak_pressure()},
-            significant(6), units.stress));
-  document.value(
-      "cylinders.half-width",
-      Value(Estimate{solution.half_width(), half_width_error(solution) * solution.half_width()},
-            significant(5), units.length));
+  tabulate_hertz(document, c, units, from.point_contact, hertz, sweep);
   document.figure("cylinder-pressure", pressure_figure(solution, hertz));
 }
 

@@ -105,7 +105,6 @@ void compare_with_hertz(Document& document, const ContactCase& c, const PointCon
   const SphereErrors errors = sphere_errors(c, p);
   document.value("spheres.peak-error", Value(errors.peak, scientific(2)));
   document.value("spheres.radius-error", Value(errors.radius, scientific(2)));
-  document.value("spheres.approach-error", Value(errors.approach, scientific(2)));
   Figure figure = sphere_figure(solution, hertz);
   draw_pyramid(figure);
   document.figure("sphere-pressure", std::move(figure));
