@@ -372,7 +372,7 @@ void claim_mended(Document& document, const ContactCase& contact, const ContactM
            Criterion::at_least(
                "mean departure of the pressures over that on the finer grids",
                Value({ratio, 4 * of_system / fine.misfit * ratio}, significant(2)),
-               Limit::theory("4", {}, "a quarter of the element width: order 1 or more"))}});
+               Limit::theory("4", {}, "an order of at least 1 on elements a quarter as wide"))}});
 }
 
 }  // namespace

@@ -113,8 +113,9 @@ void claim_small_loss(Document& document, const std::vector<Criterion>& losses, 
   document.flag("friction.loss-is-small", is_small);
   document.claim("friction-small-loss",
                  {.route = "shift and widening of the contact by the closed form for bodies that "
-                           "slide on one another; the sentence is taken to be one about the "
-                           "contact, not about the stresses beneath it",
+                           "slide on one another; the sentence is taken to be one about where "
+                           "the contact lies and how wide it is, not about the pressure at a given "
+                           "place or the stresses beneath",
                   .expected = is_small                                     ? Verdict::confirmed
                               : each.outcome() == literate::Outcome::fails ? Verdict::refuted
                                                                            : Verdict::partly,
@@ -124,7 +125,7 @@ void claim_small_loss(Document& document, const std::vector<Criterion>& losses, 
 void compare_pairs(Document& document, const ContactCase& c, const FrictionCase& friction,
                    const Pair& own) {
   const double mu = friction.coefficient;
-  const char* const of_contact = "contact, \\% of $a$";
+  const char* const of_contact = "contact (\\% of $a$)";
   literate::Table table("friction-pairs",
                         {Column::text("bodies"), Column("$E_1/E_2$", fixed(2)),
                          Column("$\\nu_1$", fixed(3)), Column("$\\nu_2$", fixed(3)),

@@ -75,8 +75,13 @@ std::vector<double> wide_points(double half_width) {
   return points;
 }
 
-// How often the load is evaluated for one gradient and one displacement, on average.
-void count_evaluations(Document& document, const HalfSpaceCase& c) {
+// How often the load is evaluated for one gradient and for one displacement by either route, on
+// average over the points of the case.
+struct Evaluations {
+  long gradient, displacement, from_gradient;
+};
+
+Evaluations count_evaluations(const HalfSpaceCase& c) {
   auto n_evaluations = std::make_shared<long>(0);
   const elasticity::Load load = c.load;
   std::vector<numerics::Piece> counting;
@@ -92,18 +97,12 @@ void count_evaluations(Document& document, const HalfSpaceCase& c) {
   const auto average = [&](auto&& evaluate) {
     *n_evaluations = 0;
     for (const double x : c.points) evaluate(x);
-    return static_cast<double>(*n_evaluations) / static_cast<double>(c.points.size());
+    return std::lround(static_cast<double>(*n_evaluations) / static_cast<double>(c.points.size()));
   };
-  document.value(
-      "quadrature.gradient.evaluations",
-      Value(closed_form(average([&](double x) { surface.normal_gradient(x); })), fixed(0)));
-  document.value(
-      "quadrature.displacement.evaluations",
-      Value(closed_form(average([&](double x) { surface.normal_displacement(x); })), fixed(0)));
-  document.value(
-      "quadrature.from-gradient.evaluations",
-      Value(closed_form(average([&](double x) { surface.normal_displacement_from_gradient(x); })),
-            fixed(0)));
+  return {
+      .gradient = average([&](double x) { surface.normal_gradient(x); }),
+      .displacement = average([&](double x) { surface.normal_displacement(x); }),
+      .from_gradient = average([&](double x) { surface.normal_displacement_from_gradient(x); })};
 }
 
 // The largest difference from the closed form, over a unit; wrong by what both say of themselves.
@@ -170,7 +169,7 @@ void compute_quadrature(Document& document, const Case& from) {
 
   const Comparisons gradients = compare_gradients(c, c.points);
   const Comparisons from_gradients = compare_displacements(c, c.points, true);
-  count_evaluations(document, c);
+  const Evaluations evaluations = count_evaluations(c);
 
   const std::vector<double> points = wide_points(a);
   const Comparisons wide_gradients = compare_gradients(c, points);
@@ -178,23 +177,24 @@ void compute_quadrature(Document& document, const Case& from) {
   document.value("quadrature.n-points", Value(std::ssize(points), integer()));
   document.value("quadrature.nearest-decade", Value(nearest_decade, integer()));
   document.value("quadrature.farthest-decade", Value(farthest_decade, integer()));
-  literate::Table table(
-      "quadrature", {Column::text("quantity"), Column::text("by"), Column("points", integer()),
-                     Column("difference", scientific(1)), Column("reported error", scientific(1))});
+  Comparisons all_gradients = wide_gradients;
+  all_gradients.insert(all_gradients.end(), gradients.begin(), gradients.end());
+  literate::Table table("quadrature",
+                        {Column::text("quantity"), Column::text("by"), Column("points", integer()),
+                         Column("evaluations", integer()), Column("difference", scientific(1)),
+                         Column("reported error", scientific(1))});
   const auto add = [&](const char* what, const char* by, const Comparisons& comparisons,
-                       double scale) {
+                       long n_evaluations, double scale) {
     const auto bound = [&](double number) {
       return Cell::latex(Value(number / scale, scientific(1).rounded_up()).as_is().latex());
     };
-    table.add_row({Cell::latex(what), Cell::latex(by), std::ssize(comparisons),
+    table.add_row({Cell::latex(what), Cell::latex(by), std::ssize(comparisons), n_evaluations,
                    bound(largest_difference(comparisons)), bound(largest_estimate(comparisons))});
   };
-  add("displacement", "integrating the gradient", from_gradients, unit);
-  add("displacement", "$\\ln|x - s|$", wide_displacements, unit);
-  add("gradient", "$1/(x - s)$", wide_gradients, unit / a);
+  add("displacement", "integrating the gradient", from_gradients, evaluations.from_gradient, unit);
+  add("displacement", "$\\ln|x - s|$", wide_displacements, evaluations.displacement, unit);
+  add("gradient", "$1/(x - s)$", all_gradients, evaluations.gradient, unit / a);
   document.table(table);
-  Comparisons all_gradients = wide_gradients;
-  all_gradients.insert(all_gradients.end(), gradients.begin(), gradients.end());
   claim_quadrature(document, all_gradients, wide_displacements, from_gradients, unit);
 
   const char* const reason = "ten digits of the scale, for which the quadratures are written";

@@ -139,6 +139,8 @@ void register_regions(Document& document, const ContactCase& c, const WavyCylind
   }
   const std::size_t most = std::ranges::max(counts);
   document.value("wavy.most-regions", Value(static_cast<long>(most), integer()));
+  document.value("wavy.lightest", Value(shares_of_load.front(), exact()));
+  document.value("wavy.heaviest", Value(shares_of_load.back(), exact()));
   document.value("wavy.n-loads", Value(static_cast<long>(shares_of_load.size()), integer()));
   document.check("valleys-close",
                  {Criterion::in_each("valleys closed, more or fewer than expected", "loads",

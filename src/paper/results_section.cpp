@@ -232,7 +232,7 @@ Criterion compare_figure5(Document& document, const HalfSpaceCase& c, const Unit
        column("FEA, mag.", micro, 6).under(group), column("FEA, $z$", micro, 6).under(group),
        column("analytical", micro, 6).under(group), column("error", error_unit, 3).under(group),
        column("eq.~(3)", micro, 6), column("$|$eq.~(3)$\\,-\\,$FEA, $z|$", error_unit, 3),
-       column("$\\sqrt{\\mathrm{mag.}^2-z^2}$", error_unit, 2)});
+       column("$|u_x|$", error_unit, 2)});
   long n_analytical = 0;
   std::vector<Criterion> analytical_points, errors_of_magnitude, errors_of_z;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
