@@ -98,7 +98,7 @@ void claim_size(Document& document, const HalfSpaceCase& half_space, const Block
   const Limit unaffected(LimitKind::choice, 1e-2,
                          "a tenth of the convergence that the run asks for");
   document.value("block.larger.level", Value(level, scientific(3), units.length));
-  document.value("block.larger.shape", Value(shape, scientific(2).rounded_up(), units.length));
+  document.value("block.larger.shape", Value(shape, scientific(1).rounded_up(), units.length));
   document.value("block.larger.share", Value(level / middle, percent(0)));
   document.claim(
       "geometry-large-enough",

@@ -182,7 +182,7 @@ void tabulate_measures(Document& document, const UnitSystem& units, const Printe
       "repeat another are left out.");
   document.table(table);
   document.value("fit.n-beyond", Value(n_beyond, integer()));
-  document.value("fit.most-beyond", Value(1e-2 * most_beyond, percent(1).rounded_up()));
+  document.value("fit.most-beyond", Value(1e-2 * most_beyond, percent(1)));
 
   const auto value_of = [&](const std::string& name) {
     return std::ranges::find(fitted, name, &MeasureEstimate::name)->value;

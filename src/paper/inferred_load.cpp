@@ -133,8 +133,8 @@ void register_round(Document& document, const UnitSystem& units, const PrintedDa
                  Value(closed_form(six_tenths * round.peak.value()), significant(3), units.stress));
   document.value("fit.round-resultant",
                  Value(abs(resultant_of(round)), significant(7), units.line_load));
-  document.value("fit.round-misfit", Value(round.misfit.largest, percent(2).rounded_up()));
-  document.value("fit.round-share", Value(round.misfit.largest_share, significant(2).rounded_up()));
+  document.value("fit.round-misfit", Value(round.misfit.largest, percent(2)));
+  document.value("fit.round-share", Value(round.misfit.largest_share, significant(2)));
   document.value("fit.round-chi-squared", Value(round.misfit.chi_squared, significant(2)));
   document.value("fit.round-energy", Value(energy, percent(2)));
   document.value("appendix2.largest-pressure",
@@ -398,8 +398,7 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
   document.value("contest.n-shapes", Value(n_shapes, integer()));
   document.value("contest.n-met", Value(std::ssize(meets), integer()));
   document.value("contest.n-near-stress", Value(n_near_stress, integer()));
-  document.value("contest.most-chi-squared",
-                 Value(most_chi_squared, significant(2).rounded_up()).as_is());
+  document.value("contest.most-chi-squared", Value(most_chi_squared, significant(2)).as_is());
   document.value("contest.lowest-peak", Value(lowest, uncertain(), units.stress));
   document.value("contest.highest-peak", Value(highest, uncertain(), units.stress));
   document.value("fit.exponent", Value(fit.best, fixed(2)));
