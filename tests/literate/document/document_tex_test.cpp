@@ -67,7 +67,7 @@ std::vector<std::string> pages_with(Verdict found, const std::string& preamble =
   for (int i = 0; i < n_others; ++i) {
     const std::string id = "other-" + std::to_string(i);
     document.claim(id, claim_of_apples(Verdict::confirmed));
-    others += "\\statement[market]{" + id + "}{Another costs 2.6.}\\claim{" + id + "}";
+    others += "\\statement[market]{" + id + "}{Another costs 2.6.}\n\nAnother \\claim{" + id + "}.";
   }
   document.value("unused", Value(1, integer()));
   document.write(scratch / "generated");
