@@ -46,8 +46,14 @@ course::Files report_of(const MarkingOptions& options, const course::Assignment&
   course::ReportTask task;
   task.report =
       course::take_report(assignment, entry.path, scratch.path() / "report", task.isolation);
-  const course::Submission submission =
-      course::take_submission(assignment, entry.path, scratch.path() / "exercises", task.isolation);
+  course::Submission submission;
+  try {
+    submission = course::take_submission(assignment, entry.path, scratch.path() / "exercises",
+                                         task.isolation);
+  } catch (const sys::OutputError& error) {
+    problems.emplace_back(error.what());
+    return {};
+  }
   if (!task.report.is_there()) {
     for (const std::string& problem : submission.problems) {
       problems.push_back(fmt::format("{}: there is no report: {}", entry.student, problem));
@@ -199,19 +205,20 @@ void add_marking_command(CLI::App& program, ExitCode& exit_code) {
 }
 
 void add_results_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(
-      program, "results", "Write the marks of a class for Moodle and Canvas, and each student's feedback",
-      exit_code, [](CLI::App& command) {
-        auto options = std::make_shared<ClassOptions>();
-        add_class_options(command, *options);
-        add_required_text(command, "--output", options->output, "DIR", "Folder to write to");
-        add_text(command, "--canvas", options->canvas, "FILE",
-                 "The gradebook that Canvas exported, to be filled in");
-        add_text(command, "--column", options->column, "NAME",
-                 "The column of --canvas for the marks; by default the one that begins "
-                 "with the assignment's title");
-        return [options] { return results(*options); };
-      });
+  add_command(program, "results",
+              "Write the marks of a class for Moodle and Canvas, and each student's feedback",
+              exit_code, [](CLI::App& command) {
+                auto options = std::make_shared<ClassOptions>();
+                add_class_options(command, *options);
+                add_required_text(command, "--output", options->output, "DIR",
+                                  "Folder to write to");
+                add_text(command, "--canvas", options->canvas, "FILE",
+                         "The gradebook that Canvas exported, to be filled in");
+                add_text(command, "--column", options->column, "NAME",
+                         "The column of --canvas for the marks; by default the one that begins "
+                         "with the assignment's title");
+                return [options] { return results(*options); };
+              });
 }
 
 }  // namespace course_app

@@ -59,10 +59,17 @@ ExitCode likeness(const LikenessOptions& options, int percent) {
   sys::Staging staging(options.output);
   export_to(staging.path() / "base", base);
   std::vector<course::Written> all;
+  std::vector<std::string> problems = listing.problems;
   for (const course::Entry& entry : listing.entries) {
     const course::ScratchFolder work;
-    all.push_back({entry.student,
-                   course::take_submission(assignment, entry.path, work.path(), isolation).files});
+    try {
+      all.push_back(
+          {entry.student,
+           course::take_submission(assignment, entry.path, work.path(), isolation).files});
+    } catch (const sys::OutputError& error) {
+      problems.emplace_back(error.what());
+      continue;
+    }
     export_to(staging.path() / "submissions" / entry.student, all.back().files);
   }
   const course::ScratchFolder work;
@@ -70,7 +77,6 @@ ExitCode likeness(const LikenessOptions& options, int percent) {
       assignment, all, course::known_lines(expected), percent, work.path(), isolation);
   sys::write_file_atomically(staging.path() / "pairs.csv", course::pairs_csv(likeness.pairs));
   staging.publish(former);
-  std::vector<std::string> problems = listing.problems;
   problems.insert(problems.end(), likeness.problems.begin(), likeness.problems.end());
   return answer_faults(problems);
 }

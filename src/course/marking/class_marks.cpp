@@ -122,7 +122,17 @@ ClassMarks class_marks(const Assignment& assignment, const fs::path& grades,
   Known known;
   for (const fs::path& one : folders_in(grades)) read_mark(assignment, one, known, marks.problems);
   if (submissions) {
-    for (const std::string& student : students_with_submission(*submissions, roster)) {
+    const std::vector<std::string> handed_in = students_with_submission(*submissions, roster);
+    std::erase_if(known, [&](const auto& one) {
+      const bool is_of_earlier = std::ranges::find(handed_in, one.first) == handed_in.end();
+      if (is_of_earlier) {
+        marks.problems.push_back(fmt::format(
+            "'{}' is left out, since nothing of this name was handed in: it is of an earlier run",
+            shown_name((grades / one.first).string())));
+      }
+      return is_of_earlier;
+    });
+    for (const std::string& student : handed_in) {
       const bool is_known = !roster || !members_of(*roster, student).empty();
       add_without_mark(known, student, is_known ? "not graded" : "not in the class");
     }

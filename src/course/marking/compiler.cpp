@@ -59,7 +59,7 @@ bool has_worked(const JobEnd& end) {
 }  // namespace
 
 Compiler::Compiler(const Assignment& assignment, const fs::path& toolkit, const fs::path& scratch,
-         Isolation isolation)
+                   Isolation isolation)
     : toolkit_(open_toolkit(assignment, toolkit)),
       limits_(assignment.limits),
       scratch_(scratch),
@@ -87,8 +87,7 @@ void Compiler::use(const OtherMain& other) {
   const Readable object{scratch_ / "main.o", "/main.o"};
   const std::string error = compile(other.file, object.path);
   if (!error.empty()) {
-    throw sys::ToolError(
-        fmt::format("{} of the handout does not compile: {}", other.file, error));
+    throw sys::ToolError(fmt::format("{} of the handout does not compile: {}", other.file, error));
   }
   other_main_ = object;
 }
@@ -147,13 +146,14 @@ std::string Compiler::in_sandbox(const fs::path& file) const {
 }
 
 void Compiler::add_what_is_linked(const std::vector<Readable>& objects,
-                        std::vector<std::string>& arguments) const {
+                                  std::vector<std::string>& arguments) const {
   for (const Readable& object : objects) arguments.push_back(sandbox_.place(object));
   arguments.push_back(in_sandbox(toolkit_.archive()));
   for (const std::string& flag : link_flags()) arguments.push_back(flag);
 }
 
-std::vector<std::string> Compiler::arguments_for(const std::string& file, bool is_precompiled) const {
+std::vector<std::string> Compiler::arguments_for(const std::string& file,
+                                                 bool is_precompiled) const {
   std::vector<std::string> arguments = compile_flags(sandbox_.place(project_));
   for (const char* flag : {"-fmax-errors=10", "-ftemplate-backtrace-limit=4", "-pipe", "-c"}) {
     arguments.emplace_back(flag);
@@ -169,11 +169,11 @@ std::vector<std::string> Compiler::arguments_for(const std::string& file, bool i
 /// Runs g++. The product is written to standard output, so that the job needs no writable
 /// folder outside.
 JobEnd Compiler::run(const std::vector<std::string>& arguments, const fs::path& product,
-           const std::vector<Readable>& objects) const {
+                     const std::vector<Readable>& objects) const {
   if (seconds_ > limits_.submission_seconds) return {.ending = Ending::too_slow};
   Job job;
-  job.command = {"/bin/sh", "-c", R"(out=$1; shift; g++ "$@" -o "$out" || exit; cat "$out")",
-                 "sh", sandbox_.scratch() + "/out"};
+  job.command = {"/bin/sh", "-c", R"(out=$1; shift; g++ "$@" -o "$out" || exit; cat "$out")", "sh",
+                 sandbox_.scratch() + "/out"};
   job.command.insert(job.command.end(), arguments.begin(), arguments.end());
   job.readable = {given_, project_};
   job.readable.insert(job.readable.end(), objects.begin(), objects.end());
@@ -205,8 +205,9 @@ int Compiler::seconds_for_one() const {
   return std::min(limits_.compile_seconds, std::max(least, left));
 }
 
-fs::path Compiler::errors() const { return scratch_ / "compiler.err"; }
-
+fs::path Compiler::errors() const {
+  return scratch_ / "compiler.err";
+}
 
 /// Which limit was exceeded; empty if none was.
 std::string Compiler::excess_of(const JobEnd& end) const {
@@ -221,8 +222,8 @@ std::string Compiler::excess_of(const JobEnd& end) const {
   // student is told the limit instead.
   for (const char* words :
        {"out of memory", "virtual memory", "cannot allocate", "Cannot allocate", "fatal signal",
-        "internal compiler error", "memory exhausted", "signal terminated program",
-        "ile too large", "No space left", "File size limit"}) {
+        "internal compiler error", "memory exhausted", "signal terminated program", "ile too large",
+        "No space left", "File size limit"}) {
     if (says(words)) return too_large();
   }
   return "";
@@ -236,10 +237,9 @@ std::string Compiler::message_of(const JobEnd& end) const {
   const bool misses_a_header = text.find("No such file or directory\n") != text.npos &&
                                text.find("#include \"") != text.npos;
   const std::string hint =
-      misses_a_header
-          ? "Only the exercises' own files are taken from a submission: what stands in "
-            "another file must stand in them.\n"
-          : "";
+      misses_a_header ? "Only the exercises' own files are taken from a submission: what stands in "
+                        "another file must stand in them.\n"
+                      : "";
   return shown(without(without(without(text, project_.path.string() + "/", ""),
                                toolkit_.folder.string() + "/", ""),
                        sandbox_.scratch() + "/", ""),

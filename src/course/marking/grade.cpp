@@ -33,7 +33,6 @@ void write(const Assignment& assignment, const Graded& graded,
     sys::write_file_atomically(staging.path() / name, text);
   };
   put("results.json", gradescope_json(assignment, graded));
-  put("junit.xml", junit_xml(assignment, graded));
   put("feedback.html", feedback_html(assignment, graded, pictures));
   put("log.txt", log_text(assignment, graded));
   put("mark.json", mark_json(assignment, graded));

@@ -76,8 +76,8 @@ Numbers parse_answer(std::string_view text) {
 
 ProgramRun::ProgramRun(const Assignment& assignment, const Built& built, Isolation isolation)
     : limits_(assignment.limits),
-      exercise_seconds_(std::max(1, limits_.submission_seconds /
-                                        static_cast<int>(assignment.exercises.size() + 1))),
+      exercise_seconds_(std::max(
+          1, limits_.submission_seconds / static_cast<int>(assignment.exercises.size() + 1))),
       common_(fs::absolute(built.program)),
       program_(common_),
       tells_errors_(isolation == Isolation::sandbox),
@@ -157,8 +157,7 @@ std::string ProgramRun::excess() const {
   if (program_ == common_ || spent == seconds_of_.end() || spent->second <= exercise_seconds_) {
     return "";
   }
-  return fmt::format("all answers of the exercise together took more than {} s",
-                     exercise_seconds_);
+  return fmt::format("all answers of the exercise together took more than {} s", exercise_seconds_);
 }
 
 ProgramRun::Answer ProgramRun::ask_once(const std::string& task, const Numbers& inputs,

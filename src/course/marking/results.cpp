@@ -4,8 +4,6 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-#include <pugixml.hpp>
-#include <sstream>
 
 namespace course {
 namespace {
@@ -55,38 +53,6 @@ std::string gradescope_json(const Assignment& assignment, const Graded& graded) 
     }
   }
   return json.dump(2) + "\n";
-}
-
-std::string junit_xml(const Assignment& assignment, const Graded& graded) {
-  pugi::xml_document document;
-  pugi::xml_node suites = document.append_child("testsuites");
-  suites.append_attribute("name") = assignment.title.c_str();
-  for (const Exercise& exercise : assignment.exercises) {
-    pugi::xml_node suite = suites.append_child("testsuite");
-    suite.append_attribute("name") = exercise.title.c_str();
-    suite.append_attribute("tests") = exercise.checks.size();
-    std::size_t n_failed = 0;
-    for (const CheckEntry& entry : exercise.checks) {
-      const CheckResult& result = result_of(graded, entry.id);
-      pugi::xml_node test = suite.append_child("testcase");
-      test.append_attribute("classname") = exercise.id.c_str();
-      test.append_attribute("name") = entry.says.c_str();
-      if (is_passed(entry, result)) continue;
-      ++n_failed;
-      pugi::xml_node failure = test.append_child("failure");
-      failure.append_attribute("message") =
-          fmt::format("{} of {} points", result.points, entry.points).c_str();
-      failure.text().set(message_for_student(entry, result).c_str());
-    }
-    suite.append_attribute("failures") = n_failed;
-    const auto error = graded.compile_errors.find(exercise.id);
-    if (error != graded.compile_errors.end()) {
-      suite.append_child("system-err").text().set(error->second.c_str());
-    }
-  }
-  std::ostringstream stream;
-  document.save(stream, "  ", pugi::format_default, pugi::encoding_utf8);
-  return stream.str();
 }
 
 }  // namespace course

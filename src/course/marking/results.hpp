@@ -11,7 +11,4 @@ namespace course {
 /// message.
 std::string gradescope_json(const Assignment& assignment, const Graded& graded);
 
-/// The same in the XML format of JUnit.
-std::string junit_xml(const Assignment& assignment, const Graded& graded);
-
 }  // namespace course

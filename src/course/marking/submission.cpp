@@ -73,7 +73,7 @@ template <class Read>
 Report report_of(const std::vector<std::string>& entries, const std::string& place,
                  const Read& read) {
   Report taken;
-  for (const char* file : {report, "report/report.pdf", "report/generated/numbers.tex"}) {
+  for (const char* file : {report, "report/report.pdf"}) {
     if (std::ranges::find(entries, place + file) == entries.end()) continue;
     try {
       taken.files[file] = read(place + file);
@@ -231,9 +231,8 @@ Submission take_submission(const Assignment& assignment, const fs::path& path, c
     return is_packed ? take_archive(assignment, path, work, isolation)
                      : take_folder(assignment, path);
   } catch (const std::invalid_argument& fault) {
-    Submission nothing;
-    nothing.problems.emplace_back(fault.what());
-    return nothing;
+    throw sys::OutputError(
+        fmt::format("'{}' cannot be taken: {}", shown_name(path.string()), fault.what()));
   }
 }
 

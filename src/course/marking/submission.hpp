@@ -21,17 +21,17 @@ struct Submission {
 
 /// Takes the exercises' files from a folder or archive and reads nothing else in it. They may
 /// be at the top or in one folder below. A file that is no regular text file within the limits is
-/// left out with a line in `problems`, and so are all files of an archive that cannot be read. If
-/// none is found, a line says where else there is one, or that there is an archive; for each that
-/// is missing, a line names what is called alike. `work` is a folder for the sandbox. Throws
-/// OutputError if the submission is neither a folder nor an archive.
+/// left out with a line in `problems`. If none is found, a line says where else there is one, or
+/// that there is an archive; for each that is missing, a line names what is called alike. `work` is
+/// a folder for the sandbox. Throws OutputError if the submission is neither a folder nor an
+/// archive, or cannot be taken at all: if it is empty, damaged, too large, or holds the files in
+/// two places. Then it waits for a person.
 Submission take_submission(const Assignment& assignment, const std::filesystem::path& submission,
                            const std::filesystem::path& work, Isolation isolation);
 
 /// A student's own report.
 struct Report {
-  /// report/report.tex, report/report.pdf and report/generated/numbers.tex, as far as they are
-  /// there and can be read.
+  /// report/report.tex and report/report.pdf, as far as they are there and can be read.
   Files files;
   std::string
       fault;  ///< why a report.tex that is there cannot be read, as «is larger than 20480 kB»

@@ -50,7 +50,6 @@ class ReportMaker {
     if (fault.empty()) {
       draw();
       typeset();
-      texts_.handed_in = of_this_size(text_of(task_.report.files, "report/generated/numbers.tex"));
       check();
     } else {
       tell(fmt::format("report/report.tex {}", fault));
@@ -84,9 +83,9 @@ class ReportMaker {
   void compute() {
     const fs::path numbers_folder = scratch_ / "numbers";
     fs::create_directories(numbers_folder);
-    const ReportNumbers numbers = report_numbers(assignment_, task_.toolkit, task_.exercises,
-                                                 task_.variant, numbers_folder, task_.isolation,
-                                                 seconds_left_);
+    const ReportNumbers numbers =
+        report_numbers(assignment_, task_.toolkit, task_.exercises, task_.variant, numbers_folder,
+                       task_.isolation, seconds_left_);
     for (const std::string& problem : numbers.problems) tell(problem);
     const std::string computed = text_of(numbers.files, "numbers.tex");
     texts_.computed = of_this_size(computed);

@@ -4,33 +4,37 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include "course/assignment/student_text.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "system/lines.hpp"
-#include "system/nearest_name.hpp"
 #include "system/utf8.hpp"
 
 namespace course {
 namespace {
 
 constexpr const char* report_file = "report/report.tex";
-constexpr const char* numbers_file = "report/generated/numbers.tex";
 
 /// A command that a text defines.
 struct Definition {
-  std::string name, value;
+  std::string name;
   literate::TexPlace place;
 };
+
+/// \DeclareCommandCopy, \NewExpandableDocumentCommand and their like.
+bool is_of_the_kernel(std::string_view command) {
+  return command.find("Command") != command.npos &&
+         std::ranges::any_of(std::array{"New", "Renew", "Provide", "Declare"},
+                             [&](const char* begin) { return command.starts_with(begin); });
+}
 
 bool defines(std::string_view command) {
   static const std::set<std::string_view> all = {"newcommand",
@@ -39,33 +43,23 @@ bool defines(std::string_view command) {
                                                  "renewcommand*",
                                                  "providecommand",
                                                  "providecommand*",
-                                                 "DeclareRobustCommand",
-                                                 "DeclareRobustCommand*",
-                                                 "NewDocumentCommand",
-                                                 "RenewDocumentCommand",
-                                                 "DeclareDocumentCommand",
                                                  "def",
                                                  "edef",
                                                  "gdef",
                                                  "xdef",
                                                  "let"};
-  return all.contains(command);
+  return is_of_the_kernel(command) || all.contains(command);
 }
 
-/// Finds \newcommand*\name{value}, \def\name{value} and their like.
+/// Finds \newcommand*\name, \def\name and their like.
 std::vector<Definition> definitions_in(std::string_view text) {
-  constexpr std::size_t reach = 4096;  // no number is longer
   std::vector<Definition> definitions;
   literate::TexScanner scanner(text);
   bool is_awaited = false;
   while (const auto token = scanner.next()) {
     using literate::TexKind;
     if (is_awaited && token->kind == TexKind::command) {
-      std::string_view rest = scanner.rest().substr(0, reach);
-      if (rest.starts_with('}')) rest.remove_prefix(1);
-      rest.remove_prefix(literate::group_at(rest, '[', ']').size());
-      definitions.push_back({std::string(token->name), std::string(literate::argument_at(rest)),
-                             literate::place_in(text, token->text)});
+      definitions.push_back({std::string(token->name), literate::place_in(text, token->text)});
       is_awaited = false;
     } else if (token->kind == TexKind::command) {
       is_awaited = defines(token->name);
@@ -99,78 +93,15 @@ std::optional<literate::TexPlace> place_of_no_utf8(std::string_view text) {
   return std::nullopt;
 }
 
-/// One error of the log: «file:line: message», and below it «  l.12 text up to the place».
-class LoggedError {
- public:
-  explicit LoggedError(std::string_view error) : message_(error.substr(0, error.find('\n'))) {
-    const std::string_view shows = error.substr(message_.size());
-    const auto blank = shows.find(' ', shows.find("l."));
-    if (blank != shows.npos) context_ = shows.substr(blank + 1);
-    if (context_.starts_with("...")) context_.remove_prefix(3);
-    slash_ = context_.rfind('\\');
-    if (message_.ends_with("Undefined control sequence.") && slash_ != context_.npos) {
-      unknown_ = sys::stripped(context_.substr(slash_ + 1));
-    }
-  }
-
-  /// With the column, where the log tells one, and for an unknown command the nearest of the names.
-  std::string told(const std::vector<std::string_view>& lines,
-                   const std::set<std::string>& names) const {
-    const std::string told = with_column(lines);
-    if (unknown_.empty()) return told;
-    return fmt::format("{} \\{}{}", told, unknown_, sys::suggestion(unknown_, names));
-  }
-
- private:
-  std::string with_column(const std::vector<std::string_view>& lines) const {
-    const std::string file = std::string(report_file) + ":";
-    if (!message_.starts_with(file) || context_.empty()) return std::string(message_);
-    const std::string_view rest = message_.substr(file.size());
-    std::size_t number = 0;
-    std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    if (number == 0 || number > lines.size()) return std::string(message_);
-    const std::string_view line = lines[number - 1];
-    const auto found = line.find(context_);
-    if (found == line.npos) return std::string(message_);
-    const std::size_t n_bytes = found + (unknown_.empty() ? context_.size() : slash_);
-    return fmt::format("{}{}:{}{}", file, number, sys::n_characters(line.substr(0, n_bytes)) + 1,
-                       rest.substr(rest.find(':')));
-  }
-
-  std::string_view message_, context_;
-  std::size_t slash_ = 0;  ///< in the context
-  std::string unknown_;    ///< the name of a command; empty if the error is another one
-};
-
-std::vector<std::string> told_by_latex(const ReportTexts& texts,
-                                       const std::set<std::string>& names) {
+std::vector<std::string> told_by_latex(const std::string& log) {
   constexpr std::size_t most = 100;  // as many as TeX tells
-  const std::vector<std::string_view> lines = sys::lines_of(texts.report);
   std::vector<std::string> findings;
-  for (const std::string& error : literate::latex_errors(texts.log, "report")) {
+  for (const std::string& error : literate::latex_errors(log, "report")) {
     if (findings.size() == most) {
       findings.push_back(std::string(report_file) + ": there are more errors in typeset.log");
       break;
     }
-    findings.push_back(LoggedError(error).told(lines, names));
-  }
-  return findings;
-}
-
-/// What was handed in as numbers.tex against what is computed.
-std::vector<std::string> differences(const std::vector<Definition>& handed_in,
-                                     const std::vector<Definition>& computed) {
-  std::vector<std::string> findings;
-  for (const Definition& one : handed_in) {
-    const auto same = std::ranges::find(computed, one.name, &Definition::name);
-    if (same == computed.end()) {
-      findings.push_back(at(numbers_file, one.place,
-                            fmt::format("\\{} was handed in, and is not computed", one.name)));
-    } else if (same->value != one.value) {
-      findings.push_back(at(numbers_file, one.place,
-                            fmt::format("\\{} was handed in as {}, and is computed as {}", one.name,
-                                        one.value, same->value)));
-    }
+    findings.push_back(error.substr(0, error.find('\n')));
   }
   return findings;
 }
@@ -178,17 +109,60 @@ std::vector<std::string> differences(const std::vector<Definition>& handed_in,
 /// Commands that reach under LaTeX's surface: they make names and characters of others, skip text,
 /// or read and write files. Those of pdfTeX all begin with «pdf».
 bool is_unusual(std::string_view command) {
-  static const std::set<std::string_view> all = {
-      "csname",          "expandafter",    "let",         "futurelet",     "catcode",
-      "lccode",          "uccode",         "lowercase",   "uppercase",     "scantokens",
-      "makeatletter",    "@namedef",       "@nameuse",    "iffalse",       "number",
-      "romannumeral",    "char",           "chardef",     "numexpr",       "dimexpr",
-      "openin",          "openout",        "read",        "write",         "immediate",
-      "special",         "jobname",        "endlinechar", "escapechar",    "include",
-      "everypar",        "everyeof",       "everyjob",    "ExplSyntaxOn",  "renewenvironment",
-      "primitive",       "AtEndDocument",  "batchmode",   "errorstopmode", "scrollmode",
-      "interactionmode", "AtBeginDocument"};
-  return all.contains(command) || command.starts_with("pdf");
+  static const std::set<std::string_view> all = {"csname",
+                                                 "expandafter",
+                                                 "let",
+                                                 "futurelet",
+                                                 "catcode",
+                                                 "lccode",
+                                                 "uccode",
+                                                 "lowercase",
+                                                 "uppercase",
+                                                 "scantokens",
+                                                 "makeatletter",
+                                                 "@namedef",
+                                                 "@nameuse",
+                                                 "iffalse",
+                                                 "number",
+                                                 "romannumeral",
+                                                 "char",
+                                                 "chardef",
+                                                 "numexpr",
+                                                 "dimexpr",
+                                                 "openin",
+                                                 "openout",
+                                                 "read",
+                                                 "write",
+                                                 "immediate",
+                                                 "special",
+                                                 "jobname",
+                                                 "endlinechar",
+                                                 "escapechar",
+                                                 "include",
+                                                 "everypar",
+                                                 "everyeof",
+                                                 "everyjob",
+                                                 "ExplSyntaxOn",
+                                                 "renewenvironment",
+                                                 "primitive",
+                                                 "AtEndDocument",
+                                                 "batchmode",
+                                                 "errorstopmode",
+                                                 "scrollmode",
+                                                 "interactionmode",
+                                                 "AtBeginDocument",
+                                                 "AddToHook",
+                                                 "csdef",
+                                                 "cslet",
+                                                 "letcs",
+                                                 "csuse",
+                                                 "patchcmd",
+                                                 "apptocmd",
+                                                 "pretocmd",
+                                                 "robustify",
+                                                 "newrobustcmd",
+                                                 "renewrobustcmd"};
+  return all.contains(command) || is_of_the_kernel(command) || command.starts_with("pdf");
 }
 
 /// Each of them once, where it stands first; so too notations of characters by their codes, and
@@ -235,7 +209,7 @@ std::vector<std::string> findings_of_commands(const ReportTexts& given) {
   }
   const ReportTexts texts = readable(given);
   const std::set<std::string> names = names_of(definitions_in(texts.computed));
-  append(findings, told_by_latex(texts, names));
+  append(findings, told_by_latex(texts.log));
   for (const Definition& anew : definitions_in(texts.report)) {
     if (!names.contains(anew.name)) continue;
     findings.push_back(
@@ -250,9 +224,6 @@ std::vector<std::string> findings_of_numbers(const ReportTexts& given) {
   const ReportTexts texts = readable(given);
   std::vector<std::string> findings;
   append(findings, literate::typed_numbers(texts.report, report_file));
-  if (!texts.computed.empty()) {
-    append(findings, differences(definitions_in(texts.handed_in), definitions_in(texts.computed)));
-  }
   return findings;
 }
 

@@ -127,10 +127,10 @@ std::string ReportTypesetting::draw(const fs::path& folder, const std::string& n
 ReportTypesetting::Product ReportTypesetting::latex(const fs::path& folder) const {
   const int seconds_of_a_pass = std::max(1, assignment_.limits.report_seconds / 2);
   const auto date = assignment_.deadline.time_since_epoch();
-  return run(folder, latex_script,
-             {sandbox_.scratch(), fmt::format("{}", seconds_of_a_pass),
-              fmt::format("{}", date.count())},
-             2 * seconds_of_a_pass + 2);  // two passes, and what runs beside them
+  return run(
+      folder, latex_script,
+      {sandbox_.scratch(), fmt::format("{}", seconds_of_a_pass), fmt::format("{}", date.count())},
+      2 * seconds_of_a_pass + 2);  // two passes, and what runs beside them
 }
 
 Typeset ReportTypesetting::typeset(const fs::path& folder) const {
@@ -142,7 +142,8 @@ Typeset ReportTypesetting::typeset(const fs::path& folder) const {
   const int status = made.end.status;
   const auto is_ended_by = [&](int signal) { return ending == Ending::crash && status == signal; };
   if (ending == Ending::too_slow || is_ended_by(SIGXCPU)) {
-    typeset.problem = fmt::format("two passes of LaTeX take longer than {} s", limits.report_seconds);
+    typeset.problem =
+        fmt::format("two passes of LaTeX take longer than {} s", limits.report_seconds);
   } else if (ending == Ending::too_large) {
     typeset.problem = fmt::format("LaTeX uses more than {} MB of memory", limits.memory_mb);
   } else if (ending == Ending::too_much_output) {

@@ -30,8 +30,8 @@ class ReportTypesetting {
                     Isolation isolation);
 
   /// Draws generated/`name`.pdf by the script `name`.gp of a folder that everybody can read.
-  /// It may take `seconds_left`, of which what it takes is subtracted. Returns a line that says what
-  /// failed; empty if nothing did.
+  /// It may take `seconds_left`, of which what it takes is subtracted. Returns a line that says
+  /// what failed; empty if nothing did.
   std::string draw(const std::filesystem::path& folder, const std::string& name,
                    double& seconds_left) const;
 

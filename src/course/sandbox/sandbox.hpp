@@ -40,7 +40,7 @@ enum class Ending { normal, too_slow, too_large, too_many_processes, too_much_ou
 
 struct JobEnd {
   Ending ending = Ending::normal;
-  int status = 0;  ///< the exit status after a normal end, the signal's number after a crash
+  int status = 0;      ///< the exit status after a normal end, the signal's number after a crash
   double seconds = 0;  ///< of processor time, and in which nothing wanted a processor
 };
 

@@ -62,9 +62,9 @@ void add_rules(scmp_filter_ctx filter) {
         SCMP_SYS(memfd_create),
         SCMP_SYS(memfd_secret),
         SCMP_SYS(io_setup),
-        SCMP_SYS(preadv2),    // tells whether somebody read a file before
-        SCMP_SYS(mincore),    // as well
-        cachestat,            // as well
+        SCMP_SYS(preadv2),  // tells whether somebody read a file before
+        SCMP_SYS(mincore),  // as well
+        cachestat,          // as well
         SCMP_SYS(setxattr),
         SCMP_SYS(lsetxattr),
         SCMP_SYS(fsetxattr),

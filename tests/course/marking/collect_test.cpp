@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/marking/collect.hpp"
 
+#include <fmt/core.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include "course/marking/mark.hpp"
@@ -36,14 +38,19 @@ BOOST_AUTO_TEST_CASE(every_student_has_a_line_and_it_tells_what_happened) {
   bob.compile_errors = {{"sum", "x"}, {"square", "y"}};
   bob.submission.files = {{"src/square.cpp", "y"}};
   write_mark(folder, bob);
-  folder.write("submissions/erin.zip", "");
+  write_mark(folder, graded("frank"));
+  for (const char* name : {"bob", "carol", "erin"}) {
+    folder.write(fmt::format("submissions/{}.zip", name), "");
+  }
   folder.write("submissions/zoe.zip", "");
-  const Roster roster = {{"alice", {}}, {"bob", {}}, {"carol", {}}, {"erin", {}}};
+  const Roster roster = {{"alice", {}}, {"bob", {}}, {"carol", {}}, {"erin", {}}, {"frank", {}}};
 
   const ClassMarks marks = class_marks(toy_grading::assignment(), folder.path() / "grades", roster,
                                        folder.path() / "submissions");
 
-  BOOST_TEST(marks.problems.empty());
+  BOOST_REQUIRE(marks.problems.size() == 1U);
+  BOOST_TEST(marks.problems[0].ends_with(
+      "/frank' is left out, since nothing of this name was handed in: it is of an earlier run"));
   BOOST_TEST(marks_csv(toy_grading::assignment(), marks) ==
              "student,state,points,deduction,mark,report,no file,not "
              "compiling,slip days,group,square-growth,square-values,"
@@ -52,6 +59,7 @@ BOOST_AUTO_TEST_CASE(every_student_has_a_line_and_it_tells_what_happened) {
              "bob,late,5.5,1.1,4.4,no,sum,square,0,,4,1.5,0,0\r\n"
              "carol,on time,5.5,0,5.5,no,,,0,,4,1.5,0,0\r\n"
              "erin,not graded,,,,,,,,,,,,\r\n"
+             "frank,missing,,,,,,,,,,,,\r\n"
              "zoe,not in the class,,,,,,,,,,,,\r\n");
 }
 
@@ -78,6 +86,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_graded_is_not_missing) {
   write_mark(folder, graded("g7"));
   folder.write("submissions/carol.rar", "");
   folder.write("submissions/alice/src/square.cpp", "");
+  folder.write("submissions/g7.zip", "");
   folder.write("submissions/.listing", "");
   const Roster roster = {{"alice", {.group = "g7"}}, {"carol", {}}, {"dave", {}}};
 

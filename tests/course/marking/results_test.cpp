@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that students get back: results.json, junit.xml and feedback.html.
+// The files that students get back: results.json and feedback.html.
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -59,7 +59,6 @@ BOOST_AUTO_TEST_CASE(gradescope_keeps_what_is_held_back_until_it_is_published) {
 
 BOOST_AUTO_TEST_CASE(hidden_checks_tell_their_points_and_nothing_more) {
   for (const std::string& text : {gradescope_json(toy_grading::assignment(), graded()),
-                                  junit_xml(toy_grading::assignment(), graded()),
                                   feedback_html(toy_grading::assignment(), graded(), {})}) {
     BOOST_TEST(text.find("hidden message") == text.npos, text);
     BOOST_TEST(text.find("squares at points of your own") != text.npos);
@@ -69,19 +68,11 @@ BOOST_AUTO_TEST_CASE(hidden_checks_tell_their_points_and_nothing_more) {
 }
 
 BOOST_AUTO_TEST_CASE(what_students_write_is_no_markup) {
-  for (const std::string& text : {junit_xml(toy_grading::assignment(), graded()),
-                                  feedback_html(toy_grading::assignment(), graded(), {})}) {
-    BOOST_TEST(text.find("<script>") == text.npos);
-    BOOST_TEST(text.find("<b>") == text.npos);
-    BOOST_TEST(text.find("&lt;script&gt;alert('&amp;')&lt;/script&gt;") != text.npos, text);
-  }
-}
+  const std::string text = feedback_html(toy_grading::assignment(), graded(), {});
 
-BOOST_AUTO_TEST_CASE(junit_counts_what_failed) {
-  const std::string xml = junit_xml(toy_grading::assignment(), graded());
-
-  BOOST_TEST(xml.find("<testsuite name=\"Squares\" tests=\"2\" failures=\"1\">") != xml.npos, xml);
-  BOOST_TEST(xml.find("<failure message=\"1.5 of 6 points\"") != xml.npos, xml);
+  BOOST_TEST(text.find("<script>") == text.npos);
+  BOOST_TEST(text.find("<b>") == text.npos);
+  BOOST_TEST(text.find("&lt;script&gt;alert('&amp;')&lt;/script&gt;") != text.npos, text);
 }
 
 namespace {
@@ -135,9 +126,9 @@ BOOST_AUTO_TEST_CASE(a_submission_becomes_a_folder_and_regrading_changes_no_byte
 
   BOOST_TEST(mark_of(first) == 18);
   const auto files = sys::files_below(folder.path() / "first");
-  BOOST_TEST(files == (std::vector<std::string>{"feedback.html", "junit.xml", "log.txt",
-                                                "mark.json", "results.json"}),
-             boost::test_tools::per_element());
+  BOOST_TEST(
+      files == (std::vector<std::string>{"feedback.html", "log.txt", "mark.json", "results.json"}),
+      boost::test_tools::per_element());
   for (const std::string& file : files) {
     BOOST_TEST(sys::read_file(folder.path() / "first" / file) ==
                sys::read_file(folder.path() / "second" / file));

@@ -102,10 +102,12 @@ BOOST_AUTO_TEST_CASE(a_child_that_exceeds_a_limit_is_ended_and_the_limit_named) 
   BOOST_TEST((excess_of("head -c 200000000 /dev/zero | tail -c 150000000 >/dev/null; sleep 100",
                         [](Child& child) { child.memory_mb = 50; }) == Excess::memory));
   for (const char* script :
-       {"sleep 100", "exec /usr/bin/perl -e 'while (1) { select undef, undef, undef, 0.045; "
-                     "1 for 1 .. 20000 }'"}) {
-    BOOST_TEST((excess_of(script, [](Child& child) { child.waiting_seconds = 0.3; }) == Excess::time),
-               script);
+       {"sleep 100",
+        "exec /usr/bin/perl -e 'while (1) { select undef, undef, undef, 0.045; "
+        "1 for 1 .. 20000 }'"}) {
+    BOOST_TEST(
+        (excess_of(script, [](Child& child) { child.waiting_seconds = 0.3; }) == Excess::time),
+        script);
   }
   BOOST_TEST((std::chrono::steady_clock::now() - begin < std::chrono::seconds(50)));
 }
