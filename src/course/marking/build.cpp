@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "course/marking/compiler.hpp"
 #include "system/files.hpp"
 
 namespace course {

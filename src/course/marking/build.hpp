@@ -8,6 +8,7 @@
 
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/files.hpp"
+#include "course/marking/compiler.hpp"
 #include "course/sandbox/sandbox.hpp"
 
 namespace course {
@@ -29,12 +30,6 @@ struct Built {
     const auto own = alone.find(exercise.id);
     return own == alone.end() ? program : own->second;
   }
-};
-
-/// A program of the toolkit's project that takes the place of the one which answers questions.
-struct OtherMain {
-  std::string file;  ///< with main(), in the project
-  Files files;       ///< take the place of the project's
 };
 
 /// Compiles the exercises' files into the folder `scratch`; `toolkit` is the folder of the

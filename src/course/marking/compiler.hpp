@@ -6,10 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "course/marking/build.hpp"
+#include "course/assignment/assignment.hpp"
+#include "course/assignment/files.hpp"
 #include "course/marking/toolkit.hpp"
+#include "course/sandbox/sandbox.hpp"
 
 namespace course {
+
+/// A program of the toolkit's project that takes the place of the one which answers questions.
+struct OtherMain {
+  std::string file;  ///< with main(), in the project
+  Files files;       ///< take the place of the project's
+};
 
 /// Runs the compiler on the files of one submission. All runs together may take half of
 /// Limits::submission_seconds to compile.

@@ -278,26 +278,24 @@ void Criterion::decide(const Estimate& tested, bool is_upper_limit, const Value&
   }
 }
 
-Criterion Criterion::bounded(Side side, std::string name, Value quantity, Limit limit,
-                             Location location) {
-  const std::string place = caller_of(location, name);
-  const Estimate tested = counted(place, require_measured(place, quantity), limit);
-  Criterion criterion(std::move(name), std::move(quantity), std::move(limit));
+Criterion::Criterion(Side side, std::string name, Value quantity, Limit limit, Location location)
+    : Criterion(std::move(name), std::move(quantity), std::move(limit)) {
+  const std::string place = caller_of(location, name_);
+  const Estimate tested = counted(place, require_measured(place, quantity_), limit_);
   const bool is_upper = side == Side::at_most;
-  const Value bound = limit_like(criterion.limit_.number(), criterion.quantity_);
-  criterion.condition_ = phrase(is_upper ? "at most {}" : "at least {}", bound);
-  criterion.limit_phrase_ = is_upper ? at_most_in_signs(bound) : in_signs("≥", "\\ge", bound);
-  criterion.decide(tested, is_upper, criterion.quantity_, place);
-  criterion.found_ = found_of(criterion, criterion.limit_, side);
-  return criterion;
+  const Value bound = limit_like(limit_.number(), quantity_);
+  condition_ = phrase(is_upper ? "at most {}" : "at least {}", bound);
+  limit_phrase_ = is_upper ? at_most_in_signs(bound) : in_signs("≥", "\\ge", bound);
+  decide(tested, is_upper, quantity_, place);
+  found_ = found_of(*this, limit_, side);
 }
 
 Criterion Criterion::at_most(std::string name, Value quantity, Limit limit, Location location) {
-  return bounded(Side::at_most, std::move(name), std::move(quantity), std::move(limit), location);
+  return {Side::at_most, std::move(name), std::move(quantity), std::move(limit), location};
 }
 
 Criterion Criterion::at_least(std::string name, Value quantity, Limit limit, Location location) {
-  return bounded(Side::at_least, std::move(name), std::move(quantity), std::move(limit), location);
+  return {Side::at_least, std::move(name), std::move(quantity), std::move(limit), location};
 }
 
 Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance,

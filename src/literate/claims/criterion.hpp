@@ -170,8 +170,7 @@ class Criterion {
 
  private:
   Criterion(std::string name, Value quantity, Limit limit);
-  static Criterion bounded(Side side, std::string name, Value quantity, Limit limit,
-                           Location location);
+  Criterion(Side side, std::string name, Value quantity, Limit limit, Location location);
   void decide(const numerics::Estimate& tested, bool is_upper_limit, const Value& like,
               const std::string& place);
 
