@@ -157,6 +157,7 @@ BOOST_AUTO_TEST_CASE(every_sign_that_the_engine_writes_stands_on_the_page) {
 
 BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
   require_shown({
+      {"a\\quad b\\qquad{}c \\fontsize{8}{9}\\selectfont d", {"a\u2003b\u2003\u2003c d"}},
       {"\\ifdim1cm>10pt more\\else less\\fi", {"<p>more</p>"}},
       {"\\ifdim72.2pt<1in less\\else more\\fi", {"<p>less</p>"}},
       {"\\newcommand\\n{12}\\ifnum\\n=12 more\\else less\\fi", {"<p>more</p>"}},
