@@ -152,7 +152,7 @@ const std::map<std::string, Expected> hostile = {
     {"reads_passwords", {"`/etc/passwd.tex' not found", "nothing to read"}},
     {"waits_for_an_answer", {"report/report.tex:", ""}},
     {"wants_a_package",
-     {"report/report.tex:3:7: LaTeX Error: File `no-such-package-of-anybody.sty' "
+     {"report/report.tex:3: LaTeX Error: File `no-such-package-of-anybody.sty' "
       "not found",
       ""}},
     {"writes_elsewhere", {"report/report.tex:4", ""}},
