@@ -33,6 +33,7 @@ IN_LINE = {"a", "span", "em", "strong", "code", "sup", "sub", "math", "b", "i"}
 APART = "\0"
 LEADING = 22  # points within which a line goes on beside or below
 GAP = 9  # points between words that do not follow each other
+LEDGER_HEAD = ["statement and test", "result", "limit", "margin", "verdict", "planted faults"]
 LEVELS = ["part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"]
 # What pdftotext may make of TeX's composed signs.
 SIGNS = {"∫": "zr", "∑": "xp", "∏": "yq", "√": "pqrs", "≠": "="}
@@ -381,7 +382,10 @@ def main():
     n_sheets = in_pdf["continued"] - in_page["continued"]
     long = [name for name in page.heads if name and "{longtable}" in
             (output / f"generated/tables/{name}.tex").read_text(encoding="utf-8")]
-    again = collections.Counter((["continued"] + [word for name in long for word in page.heads[name]]) * n_sheets)
+    # So is the ledger's head, which stands in the page once for each of its tables.
+    n_heads = sum(line.text.startswith(LEDGER_HEAD[0]) for line, _ in lines) - page.whole.count(", ".join(LEDGER_HEAD[:2]))
+    again = collections.Counter(tokens(" ".join(LEDGER_HEAD)) * max(n_heads, 0))
+    again += collections.Counter((["continued"] + [word for name in long for word in page.heads[name]]) * n_sheets)
     out += (in_pdf - out - in_page) & (again + marks)
     # What is left out may touch a formula in the PDF too.
     formulas = collections.Counter(word for word, _ in page.formulas) + (out - in_pdf)
