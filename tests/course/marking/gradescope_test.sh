@@ -32,6 +32,17 @@ claim 'the results are where Gradescope looks' -f "$autograder/results/results.j
 grade '{"users": [{"email": "ada@example.org"}], "assignment": {"due_date": null, "late_due_date": null}}'
 claim 'without dates nobody is late' "$status $(says --deadline) $(says --late-until)" = '0 no no'
 
+mv "$program" "$program.works"
+cat >"$program" <<'EOF'
+#!/bin/sh
+echo "halfspace-course: 'a' cannot be taken: the submission is empty" >&2
+exit 2
+EOF
+chmod +x "$program"
+grade '{"users": [{"email": "ada@example.org"}], "assignment": {}}'
+claim 'of what cannot be taken the student is told why' "$status $(grep -c 'Nothing is graded: the submission is empty' "$autograder/results/results.json")" = '0 1'
+mv "$program.works" "$program"
+
 for users in '[]' '[{"email": ""}]' 'null'; do
   grade '{"users": '"$users"', "assignment": {}}'
   claim "users $users are refused" "$status $(says 'names no user')" = '2 yes'
