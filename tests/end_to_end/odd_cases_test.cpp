@@ -57,14 +57,14 @@ BOOST_AUTO_TEST_CASE(of_the_papers_own_case_everything_is_said) {
        "of the smaller radius, which is consistent with treating the bodies as half-spaces",
        "The paper put its datum where", "5 The block acts like a half-space with its datum at",
        "The run, a plane-strain model",
-       "it is zero. Between bodies of like materials"},
+       "the sum is zero. Between bodies of like materials"},
       {"counts as a cylinder", "of this case differ", "The paper puts its datum"});
 }
 
 BOOST_AUTO_TEST_CASE(without_a_block_nothing_is_said_of_one) {
   check_report(without_table(papers_text, "block", "printed"),
                {"Two cylinders in contact are solved on grids with",
-                "only what other programs computed is kept",
+                "only the results of other programs are stored",
                 "beside the columns that the paper prints"},
                {"The block acts like", "Our model has", "The run, a plane-strain model",
                 "Three findings"});
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(two_materials_in_other_units) {
 
   check_report(text,
                {"the materials differ, and the two slopes do not cancel"},
-               {"it is zero. Between bodies", " psi", " lbf", " in wide"});
+               {"the sum is zero. Between bodies", " psi", " lbf", " in wide"});
 }
 
 BOOST_AUTO_TEST_CASE(two_bodies_that_are_nearly_incompressible) {
