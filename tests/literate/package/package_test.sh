@@ -94,7 +94,7 @@ claim 'a tag that is not there is told' "$status$(says 'changes: SINCE: there is
 sed 's/^angle = 90/angle = 91/' case.toml >../other.toml
 runs make changes SINCE=../theirs.json CASE=../other.toml
 claim 'what another case moves is told with the sentences that print it' \
-  "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
+  "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,paper/rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
 runs make configured # its own case again
 
 # A limit that is changed when its result is known
