@@ -56,18 +56,16 @@ BOOST_AUTO_TEST_CASE(of_the_papers_own_case_everything_is_said) {
       {"Their loads differ: the formula was evaluated for", "Two cylinders of radii",
        "of the smaller radius, which is consistent with treating the bodies as half-spaces",
        "The paper put its datum where", "5 The block acts like a half-space with its datum at",
-       "The run, a plane-strain model",
-       "the sum is zero. Between bodies of like materials"},
+       "The run, a plane-strain model", "the sum is zero. Between bodies of like materials"},
       {"counts as a cylinder", "of this case differ", "The paper puts its datum"});
 }
 
 BOOST_AUTO_TEST_CASE(without_a_block_nothing_is_said_of_one) {
-  check_report(without_table(papers_text, "block", "printed"),
-               {"Two cylinders in contact are solved on grids with",
-                "only the results of other programs are stored",
-                "beside the columns that the paper prints"},
-               {"The block acts like", "Our model has", "The run, a plane-strain model",
-                "Three findings"});
+  check_report(
+      without_table(papers_text, "block", "printed"),
+      {"Two cylinders in contact are solved on grids with",
+       "only the results of other programs are stored", "beside the columns that the paper prints"},
+      {"The block acts like", "Our model has", "The run, a plane-strain model", "Three findings"});
 }
 
 BOOST_AUTO_TEST_CASE(without_a_point_contact_nothing_is_said_of_one) {
@@ -111,8 +109,7 @@ BOOST_AUTO_TEST_CASE(two_materials_in_other_units) {
   text = with(text, "poisson = 0.30", "poisson = 0.499");  // the half-space and its block
   text = with(text, "order = 7", "order = 9");
 
-  check_report(text,
-               {"the materials differ, and the two slopes do not cancel"},
+  check_report(text, {"the materials differ, and the two slopes do not cancel"},
                {"the sum is zero. Between bodies", " psi", " lbf", " in wide"});
 }
 

@@ -44,9 +44,9 @@ std::string unit_of(const Value& quantity) {
 
 void require_one_unit(const std::string& place, const Value& computed, const Value& stated) {
   if (unit_of(computed) == unit_of(stated)) return;
-  throw std::invalid_argument(
-      fmt::format("{}: {} has {} and {} has {}: give both in one unit", place, computed.printed(),
-                  unit_of(computed), stated.printed(), unit_of(stated)));
+  throw std::invalid_argument(fmt::format("{}: {} has {} and {} has {}: give both in one unit",
+                                          place, computed.printed(), unit_of(computed),
+                                          stated.printed(), unit_of(stated)));
 }
 
 /// The difference of two quantities of one unit.

@@ -326,15 +326,14 @@ Estimate estimate_of(double number, const std::optional<Uncertainty>& uncertaint
   return {number, uncertainty->error()};
 }
 
-/// Whether a number is rounded to zero, and this is not all that there is to say: it is known not to
-/// be zero, it has a standard uncertainty, which is no bound, or nothing is left but zeros before
-/// the point, such as 0 · 10² of 12 ± 34.
+/// Whether a number is rounded to zero, and this is not all that there is to say: it is known not
+/// to be zero, it has a standard uncertainty, which is no bound, or nothing is left but zeros
+/// before the point, such as 0 · 10² of 12 ± 34.
 bool is_lost_by_rounding(const Decimal& digits, Estimate estimate,
                          const std::optional<Uncertainty>& uncertainty) {
   if (!is_zero(digits)) return false;
   return std::abs(estimate.value) > estimate.abs_error ||
-         (uncertainty && uncertainty->standard > 0) ||
-         (digits.place > 0 && estimate.abs_error > 0);
+         (uncertainty && uncertainty->standard > 0) || (digits.place > 0 && estimate.abs_error > 0);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE(data_are_plotted_by_their_names_and_not_from_files) {
   for (const std::string command :
        {"plot 'x.csv' using 1:2", "plot \\\n  \"x.csv\"", "splot [0:1] [0:2] 'x'", "p 'x' w l",
         "plot periods using 1:2, \\\n  '/tmp/x.csv' using 1:2 title 'x'", "stats 'x.csv'",
-        "set grid; plot for [i=1:2] 'x' using 1:i", "plot f(x), 'x' with lines", "plot f, 'x', g"}) {
+        "set grid; plot for [i=1:2] 'x' using 1:i", "plot f(x), 'x' with lines",
+        "plot f, 'x', g"}) {
     const std::string said = refusal_of("set grid\n" + command + "\n");
     BOOST_TEST(said.starts_with("figures/f.gp:2: "), command << ": " << said);
     BOOST_TEST(said.find("is plotted from a file") != said.npos, said);

@@ -25,8 +25,7 @@ BOOST_AUTO_TEST_CASE(a_unit_has_the_signs_that_its_names_stand_for) {
   BOOST_TEST(plain_unit("percent") == "%");
   BOOST_TEST(plain_unit("'") == "′");
   BOOST_TEST(plain_unit("gCO2") == "gCO₂");
-  for (const char* as_it_is :
-       {"m", "u", "lbf/in", "cup", "min", "mol", "avoirdupois_ounce", ""}) {
+  for (const char* as_it_is : {"m", "u", "lbf/in", "cup", "min", "mol", "avoirdupois_ounce", ""}) {
     BOOST_TEST(plain_unit(as_it_is) == as_it_is);
   }
   BOOST_TEST(latex_unit("lbf/in") == "lbf/in");

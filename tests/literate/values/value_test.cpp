@@ -105,7 +105,9 @@ BOOST_AUTO_TEST_CASE(a_number_greater_than_its_error_is_not_printed_as_zero) {
 
 // A bound says all with «0»; a standard uncertainty is none, and a reader wants it.
 BOOST_AUTO_TEST_CASE(a_standard_uncertainty_stands_behind_a_number_that_it_exceeds) {
-  const auto scattered = [](double value, double u) { return numerics::Measured(value, u, "scatter"); };
+  const auto scattered = [](double value, double u) {
+    return numerics::Measured(value, u, "scatter");
+  };
   BOOST_TEST(Value(scattered(-0.6356, 1.5532), significant(2)).printed() == "-0.6(16)");
   BOOST_TEST(Value(scattered(-0.6356, 1.5532), fixed(2)).printed() == "-0.6(16)");
   BOOST_TEST(Value(scattered(0, 0.25), fixed(2), "m").printed() == "0.00(25) m");
@@ -323,8 +325,9 @@ BOOST_AUTO_TEST_CASE(a_bound_beside_a_standard_uncertainty_is_printed_where_it_c
   BOOST_TEST(printed(2.1) ==
              "(994(22) ± 3) psi | \\ensuremath{(\\num{994(22)}\\pm\\num{3})\\,\\unit{psi}}");
   // 5.43249 + 0.003 is 5.43549, which 5.432 ± 0.003 would not hold.
-  BOOST_TEST(Value(Measured(5.43249, 0.012, "scale") + Measured::bounded({0, 0.003}), uncertain(), "V")
-                 .printed() == "(5.432(12) ± 0.004) V");
+  BOOST_TEST(
+      Value(Measured(5.43249, 0.012, "scale") + Measured::bounded({0, 0.003}), uncertain(), "V")
+          .printed() == "(5.432(12) ± 0.004) V");
 }
 
 BOOST_AUTO_TEST_CASE(kinds_of_uncertainty_are_told_apart_where_this_is_asked_for) {
