@@ -141,7 +141,7 @@ const std::map<std::string, Expected> hostile = {
     {"floods_pages", {"report/report.tex: LaTeX writes a file of more than 1 MB", ""}},
     {"floods_the_log", {"report/report.tex: LaTeX writes a file of more than 1 MB", ""}},
     {"forges_its_pdf", {"report/report.tex: LaTeX does not say that it wrote a page", ""}},
-    {"has_no_end", {"Emergency stop", ""}},
+    {"has_no_end", {"the document ends without \\end{document}", ""}},
     {"hides_its_errors", {"report/report.tex:4: Undefined control sequence.", ""}},
     {"hides_its_log", {"report/report.tex: LaTeX met errors that its log does not hold", "", true}},
     {"memory_bomb", {"TeX capacity exceeded", ""}},
