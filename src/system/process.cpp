@@ -122,7 +122,14 @@ std::string end_of(const ProcessResult& result) {
 
 ProcessResult run(const Command& command) {
   const auto until = deadline(command.limit);
-  const fs::path program = find_tool(command.program);
+  fs::path program = find_tool(command.program);
+  std::vector<std::string> arguments{command.program};
+  if (command.ends_with_caller) {
+    // In this order: whose caller is gone before setpriv could look has not yet blocked its signal.
+    arguments = {"setpriv", "--pdeathsig", "KILL", "env", "--block-signal=INT", program};
+    program = find_tool("setpriv");
+  }
+  arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   Pipe pipe = open_pipe();
   FileActions actions;
   actions.change_folder(command.working_directory);
@@ -130,8 +137,6 @@ ProcessResult run(const Command& command) {
   actions.duplicate(pipe.writing.number(), STDOUT_FILENO);
   actions.duplicate(pipe.writing.number(), STDERR_FILENO);
 
-  std::vector<std::string> arguments{command.program};
-  arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   std::vector<std::string> environment = merged_environment(command.environment);
   pid_t child = 0;
   const int error = posix_spawn(&child, program.c_str(), actions.get(), nullptr,

@@ -28,6 +28,9 @@ struct Command {
   /// Variables that are added to this program's own or replace them.
   std::map<std::string, std::string> environment = {};
   TimeLimit limit = {};
+  /// Whether an interrupt ends the child by ending its caller: it does not see the signal, and is
+  /// killed as soon as the calling thread is gone.
+  bool ends_with_caller = false;
 };
 
 struct ProcessResult {

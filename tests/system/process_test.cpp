@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/process.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <boost/test/unit_test.hpp>
+#include <csignal>
 #include <cstdlib>
+#include <filesystem>
 
 #include "message_of.hpp"
+#include "system/decimal.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(process_test)
@@ -73,6 +81,37 @@ BOOST_AUTO_TEST_CASE(a_child_beyond_its_limit_is_ended_with_all_that_it_started)
 
   run({.program = "sleep", .arguments = {"1"}});
   BOOST_TEST(!std::filesystem::exists(scratch / "late"));
+}
+
+// The child would note the interrupt, and go on.
+BOOST_AUTO_TEST_CASE(a_child_that_ends_with_its_caller_sees_no_interrupt_and_does_not_outlive_it) {
+  const TemporaryFolder scratch;
+  const auto noted = scratch.path() / "interrupted", begun = scratch.path() / "begun";
+  const pid_t caller = ::fork();
+  if (caller == 0) {
+    ::setpgid(0, 0);
+    run({.program = "sh",
+         .arguments = {"-c",
+                       "trap 'echo > interrupted' INT; echo $$ > part; mv part begun\n"
+                       "while :; do sleep 0.05; done"},
+         .working_directory = scratch.path(),
+         .ends_with_caller = true});
+    ::_exit(0);
+  }
+  const auto seconds = [](auto until) {
+    for (int i = 0; i < 1000 && !until(); ++i) ::usleep(10'000);
+    return until();
+  };
+  BOOST_REQUIRE(seconds([&] { return std::filesystem::exists(begun); }));
+  const pid_t child = parsed<pid_t>(lines_of(read_file(begun)).front()).value();
+
+  ::kill(-caller, SIGINT);
+  int status = 0;
+  ::waitpid(caller, &status, 0);
+
+  BOOST_TEST(WTERMSIG(status) == SIGINT);
+  BOOST_TEST(seconds([&] { return ::kill(child, 0) != 0; }));
+  BOOST_TEST(!std::filesystem::exists(noted));
 }
 
 BOOST_AUTO_TEST_CASE(a_variable_takes_the_place_of_the_limit_or_lifts_it) {

@@ -43,7 +43,8 @@ std::string svg_of(const Curve& curve, const std::filesystem::path& style) {
       sys::run({.program = "gnuplot",
                 .arguments = {"--default-settings", "curve.gp"},
                 .working_directory = scratch.path(),
-                .environment = {{"LC_ALL", "C.UTF-8"}, {"SOURCE_DATE_EPOCH", "0"}}});
+                .environment = {{"LC_ALL", "C.UTF-8"}, {"SOURCE_DATE_EPOCH", "0"}},
+                .ends_with_caller = true});
   const std::filesystem::path picture = scratch.path() / "curve.svg";
   if (result.exit_status != 0 || !std::filesystem::exists(picture)) return "";
   return sys::read_file(picture);

@@ -54,13 +54,15 @@ sys::ProcessResult run_gnuplot(const fs::path& folder, const std::string& name,
   std::vector<std::string> arguments{"--default-settings"};
   if (!settings.empty()) arguments.insert(arguments.end(), {"-e", settings});
   arguments.push_back(name + ".gp");
-  // With default settings gnuplot does not read the user's ~/.gnuplot.
+  // With default settings gnuplot does not read the user's ~/.gnuplot. Its handler of an interrupt
+  // calls what no handler may call, so that some of its runs would wait for a lock for ever.
   sys::ProcessResult result =
       sys::run({.program = "gnuplot",
                 .arguments = arguments,
                 .working_directory = folder,
                 .environment = {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC"}, {"SOURCE_DATE_EPOCH", "0"}},
-                .limit = {fmt::format("figure '{}'", name), figure_seconds}});
+                .limit = {fmt::format("figure '{}'", name), figure_seconds},
+                .ends_with_caller = true});
   const fs::path pdf = folder / (name + ".pdf");
   if (fs::is_regular_file(pdf)) fix_creation_date(pdf);
   return result;
