@@ -27,12 +27,12 @@ set multiplot
 
 set lmargin at screen 0.09
 set rmargin at screen 0.475
-set yrange [0:1.12 * highest]
+set yrange [0.22 * highest:1.12 * highest]
 set ytics tick_step(highest)
 set ylabel sprintf('$u_z$ (%s)', u_unit)
 set label 1 'half-space' at 0.52 * end,MIDDLE_HALF_SPACE_mean + 0.10 * highest
-set label 2 'block, inferred load' at 0.365 * end,MIDDLE_FITTED_mean - 0.152 * highest
-set label 3 'block, stated load' at 0.42 * end,MIDDLE_STATED_mean - 0.14 * highest
+set label 2 'block, inferred load' right at 0.97 * end,(MIDDLE_FITTED_mean + MIDDLE_STATED_mean) / 2 - 0.05 * highest
+set label 3 'block, stated load' at 0.02 * end,0.33 * highest
 plot curves using (x_of(column("x"))):(of("half_space")) with lines ls 1, \
      curves using (x_of(column("x"))):(of("block_stated")) with lines ls 3, \
      curves using (x_of(column("x"))):(of("block_fitted")) with lines ls 2, \

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,20 +84,53 @@ Measured order_of(const Study& study, const Quantity& quantity) {
   return fit_scattered_power(elements, factors_of(study, quantity, 0), places).order;
 }
 
-Measured mean_factor(const Study& study, const Quantity& quantity) {
-  return mean_of(factors_of(study, quantity, quantity.expected), places);
+// The study at every second place of the edge, from the given one on.
+Study every_second(const Study& study, std::size_t first) {
+  Study half = study;
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    half[i].errors.clear();
+    for (std::size_t k = first; k < study[i].errors.size(); k += 2) {
+      half[i].errors.push_back(study[i].errors[k]);
+    }
+  }
+  return half;
 }
 
-// How many times as large as that of uniform elements the factor of triangles is: the mean over the
-// spacings, at each of which both have the edge at the same places.
-Measured mean_ratio(const Study& triangular, const Study& uniform, const Quantity& quantity) {
-  const auto of_triangles = factors_of(triangular, quantity, quantity.expected);
-  const auto of_uniform = factors_of(uniform, quantity, quantity.expected);
-  std::vector<Estimate> ratios;
-  for (std::size_t i = 0; i < of_triangles.size(); ++i) {
-    ratios.push_back(of_triangles[i] / of_uniform[i]);
+// The mean over the spacings of what is found of a study, uncertain by its scatter and by the
+// choice of the places: half of what every second place changes. The places are the same at each
+// spacing, so that the mean does not lessen the latter.
+template <class Found>
+Measured mean_over_spacings(const Found& found) {
+  const std::vector<Estimate> first = found(0), second = found(1);
+  double squares = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    squares += std::pow((first[i].value - second[i].value) / 2, 2);
   }
-  return mean_of(ratios, places);
+  const double of_choice = std::sqrt(squares / static_cast<double>(first.size()));
+  const Measured mean = mean_of(found(std::nullopt), places);
+  return of_choice == 0 ? mean : mean + Measured(0, of_choice, "choice of the places");
+}
+
+Measured mean_factor(const Study& study, const Quantity& quantity) {
+  return mean_over_spacings([&](std::optional<std::size_t> half) {
+    return factors_of(half ? every_second(study, *half) : study, quantity, quantity.expected);
+  });
+}
+
+// How many times as large as that of uniform elements the factor of triangles is: at each spacing
+// both have the edge at the same places.
+Measured mean_ratio(const Study& triangular, const Study& uniform, const Quantity& quantity) {
+  return mean_over_spacings([&](std::optional<std::size_t> half) {
+    const auto of = [&](const Study& study) {
+      return factors_of(half ? every_second(study, *half) : study, quantity, quantity.expected);
+    };
+    const std::vector<Estimate> of_triangles = of(triangular), of_uniform = of(uniform);
+    std::vector<Estimate> ratios;
+    for (std::size_t i = 0; i < of_triangles.size(); ++i) {
+      ratios.push_back(of_triangles[i] / of_uniform[i]);
+    }
+    return ratios;
+  });
 }
 
 // On what share of the single grids triangles have the smaller error of the peak.

@@ -101,7 +101,7 @@ Shortened shortened(const PrintedNumber& number, const std::string& unit) {
 
 std::string unit_of(const std::string& measure, const UnitSystem& units) {
   if (measure == "resultant_load_y") return units.line_load;
-  if (measure == "strain_energy") return units.force + "\\," + units.length + "/" + units.length;
+  if (measure == "strain_energy") return units.force;
   return measure == "max_disp_x" ? units.length : units.stress;
 }
 
@@ -265,8 +265,11 @@ void register_datum_of_sides(Document& document, const HalfSpaceCase& half_space
   for (const block::Support sides :
        {block::Support::clamped, block::Support::roller, block::Support::free}) {
     const Estimate middle = study.on(sides).solve(half_space.load).displacement_z(0, 0);
-    document.value("shares.datum." + name_of(sides),
-                   Value(displacement(half_space, 0) - middle, scientific(3), units.length));
+    const Estimate part = displacement(half_space, 0) - middle;
+    document.value("shares.datum." + name_of(sides), Value(part, scientific(3), units.length));
+    if (sides != block::Support::free) continue;
+    document.value("block.equivalent-datum.free",
+                   Value(equivalent_datum(half_space, part), significant(2), units.length));
   }
 }
 
@@ -287,7 +290,6 @@ void register_shares(Document& document, const HalfSpaceCase& half_space,
   document.value("shares.datum", Value(datum, scientific(3), unit));
   document.value("block.equivalent-datum",
                  Value(equivalent_datum(half_space, datum), significant(2), unit));
-  document.value("block.half-size", Value(block_case.rectangle.right(), exact(), unit));
   document.flag("block.holds-datum", half_space.datum <= block_case.rectangle.right());
   const Estimate first_sum = datum + first_load + shares.part(&Share::body, 0);
   const Estimate last_sum = datum + last_load + last_body;

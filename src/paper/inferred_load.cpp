@@ -347,19 +347,35 @@ void register_coarse_mesh(Document& document, const HalfSpaceCase& half_space, b
                                          .solve(elasticity::linear_fall(peak, six_tenths, a));
     return block::measures(solution, options);
   };
-  const auto low = on_few_elements(low_order), high = on_few_elements(high_order);
   const auto excess = [&](const std::vector<block::Measure>& few, const char* name) {
     return found_in(few, name) / converged(name) - 1;
   };
   const char* const shear = "max_stress_xy";
   const char* const vertical = "max_stress_yy";
   document.value("coarse.elements", Value(coarse_mesh(mesh, a, low_order).n_elements(), integer()));
-  document.value("coarse.low-order", Value(low_order, integer()));
-  document.value("coarse.high-order", Value(high_order, integer()));
-  document.value("coarse.low-shear", Value(excess(low, shear), percent(0)));
-  document.value("coarse.high-shear", Value(excess(high, shear), percent(0)));
-  document.value("coarse.low-vertical", Value(excess(low, vertical), percent(0)));
-  document.value("coarse.high-vertical", Value(excess(high, vertical), percent(0)));
+  std::vector<Column> columns{Column::text("largest stress")};
+  std::vector<Cell> of_shear{"shear"}, of_vertical{"vertical"};
+  std::vector<std::vector<block::Measure>> found;
+  for (int order = low_order; order <= high_order; ++order) {
+    found.push_back(on_few_elements(order));
+    columns.push_back(Column(std::to_string(order), fixed(1))
+                          .under("deviation (\\%) with elements of the degree"));
+    of_shear.emplace_back(100 * excess(found.back(), shear));
+    of_vertical.emplace_back(100 * excess(found.back(), vertical));
+  }
+  const auto& low = found.front();
+  const auto& high = found.back();
+  const auto off_print = [&](const char* name) {
+    const Estimate printed = abs(as_estimate(printed_data.appendix2.measures.at(name)));
+    return 100 * (printed / converged(name) - 1);
+  };
+  columns.push_back(Column("run", fixed(1)));
+  of_shear.emplace_back(off_print(shear));
+  of_vertical.emplace_back(off_print(vertical));
+  literate::Table table("coarse-mesh", columns);
+  table.add_row(of_shear);
+  table.add_row(of_vertical);
+  document.table(std::move(table));
   const Estimate printed =
       abs(as_estimate(printed_data.appendix2.measures.at(shear))) / converged(shear) - 1;
   document.check("a-coarse-mesh-has-the-shear-of-the-run",
@@ -378,10 +394,8 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
                  const ExponentFit& fit) {
   const block::Supports own = contestants.front().supports;
   std::vector<const Contestant*> meets;
-  std::vector<Criterion> met;
   long n_near_stress = 0, n_shapes = 0;
   double most_chi_squared = 0;
-  const Limit printed(LimitKind::data, 1.0, "the convergence that is printed");
   for (const Contestant& c : contestants) {
     if (c.supports != own || c.n_free != 2) continue;
     ++n_shapes;
@@ -389,8 +403,12 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
     if (off_stress(c.peak, printed_data).value <= 2) ++n_near_stress;
     if (c.misfit.largest_share.value > 1) continue;
     meets.push_back(&c);
-    met.push_back(
-        Criterion::at_most("misfit", Value(c.misfit.largest_share, significant(2)), printed));
+  }
+  if (meets.empty()) {
+    throw sys::InputError(
+        "printed.appendix2.convergence: none of the shapes that were tried meets every "
+        "displacement "
+        "to its convergence");
   }
   const auto [least, most] =
       std::ranges::minmax_element(meets, {}, [](const Contestant* c) { return c->peak.value(); });
@@ -411,9 +429,7 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
       {.route = "two numbers fitted for each shape, on the supports assumed; the shapes that meet "
                 "every displacement to its printed convergence",
        .expected = Verdict::confirmed,
-       .criteria = {Criterion::in_each("largest misfit of these, over the printed convergence",
-                                       "shapes", met),
-                    Criterion::at_least("their number", Value(std::ssize(meets), integer()),
+       .criteria = {Criterion::at_least("their number", Value(std::ssize(meets), integer()),
                                         {LimitKind::data, 2,
                                          "a single shape would mean that the load is determined"}),
                     Criterion::at_least("the largest of their peaks over the smallest, less 1",

@@ -47,7 +47,7 @@ struct ExponentFit {
 };
 
 /// The exponents that are tried.
-constexpr double least_exponent = 0.3;
+constexpr double least_exponent = 0.1;
 constexpr double most_exponent = 4;
 
 /// Fits the exponent on the block with these sides. The displacements under 1 − |x/a|ᵐ are smooth
