@@ -14,6 +14,7 @@
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
+#include "system/proc.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(process_test)
@@ -83,35 +84,42 @@ BOOST_AUTO_TEST_CASE(a_child_beyond_its_limit_is_ended_with_all_that_it_started)
   BOOST_TEST(!std::filesystem::exists(scratch / "late"));
 }
 
-// The child would note the interrupt, and go on.
-BOOST_AUTO_TEST_CASE(a_child_that_ends_with_its_caller_sees_no_interrupt_and_does_not_outlive_it) {
+BOOST_AUTO_TEST_CASE(a_child_that_ends_with_its_caller_sees_no_interrupt) {
+  const Command blocked{
+      .program = "grep", .arguments = {"^SigBlk", "/proc/self/status"}, .ends_with_caller = true};
+  Command plain = blocked;
+  plain.ends_with_caller = false;
+
+  BOOST_TEST(run(blocked).output == "SigBlk:\t0000000000000002\n");  // SIGINT is the second
+  BOOST_TEST(run(plain).output == "SigBlk:\t0000000000000000\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_child_that_ends_with_its_caller_does_not_outlive_it) {
   const TemporaryFolder scratch;
-  const auto noted = scratch.path() / "interrupted", begun = scratch.path() / "begun";
+  const auto begun = scratch.path() / "begun";
   const pid_t caller = ::fork();
   if (caller == 0) {
     ::setpgid(0, 0);
     run({.program = "sh",
-         .arguments = {"-c",
-                       "trap 'echo > interrupted' INT; echo $$ > part; mv part begun\n"
-                       "while :; do sleep 0.05; done"},
+         .arguments = {"-c", "echo $$ > part; mv part begun; exec sleep 60"},
          .working_directory = scratch.path(),
          .ends_with_caller = true});
     ::_exit(0);
   }
-  const auto seconds = [](auto until) {
-    for (int i = 0; i < 1000 && !until(); ++i) ::usleep(10'000);
-    return until();
+  const auto comes = [](auto condition) {
+    for (int i = 0; i < 1000 && !condition(); ++i) ::usleep(10'000);
+    return condition();
   };
-  BOOST_REQUIRE(seconds([&] { return std::filesystem::exists(begun); }));
+  BOOST_REQUIRE(comes([&] { return std::filesystem::exists(begun); }));
   const pid_t child = parsed<pid_t>(lines_of(read_file(begun)).front()).value();
 
-  ::kill(-caller, SIGINT);
+  ::kill(caller, SIGTERM);
   int status = 0;
   ::waitpid(caller, &status, 0);
 
-  BOOST_TEST(WTERMSIG(status) == SIGINT);
-  BOOST_TEST(seconds([&] { return ::kill(child, 0) != 0; }));
-  BOOST_TEST(!std::filesystem::exists(noted));
+  BOOST_TEST(WTERMSIG(status) == SIGTERM);
+  const auto command_line = "/proc/" + std::to_string(child) + "/cmdline";
+  BOOST_TEST(comes([&] { return read_proc_file(command_line).empty(); }));
 }
 
 BOOST_AUTO_TEST_CASE(a_variable_takes_the_place_of_the_limit_or_lifts_it) {
