@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(gnuplot_that_is_missing_or_refuses_a_figure_leaves_all_figu
   check_undrawn();
 
   // The real gnuplot, with one wrong command at the end of each script.
-  Tools tools({"sh", "pdflatex", "latexmk"});
+  Tools tools({"sh", "env", "setpriv", "pdflatex", "latexmk"});
   tools.fake("gnuplot", "if [ \"$1\" != --version ]; then echo 'plott x' >>script.gp; fi\nexec '" +
                             sys::find_tool("gnuplot").string() + "' \"$@\"\n");
   check_tool_failed(draw,

@@ -122,7 +122,7 @@ runs make check
 claim 'what it cannot know is told' "$status$(says 'or a limit chosen, is not known: there is no git history, or a part of one')" = 2yes
 rm .git/shallow
 mkdir ../bin
-ln -s "$(command -v gnuplot)" ../bin
+for tool in gnuplot env setpriv; do ln -s "$(command -v $tool)" ../bin; done
 runs env PATH="$scratch/bin" build/rod_program check build/rod.settings
 claim 'nor is it without git' "$status$(says 'or a limit chosen, is not known: there is no git history')" = 2yes
 if [[ -z $(sh "$source_dir/src/toolchain/missing" html) ]]; then
