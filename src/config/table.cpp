@@ -328,6 +328,11 @@ using Entries = std::map<std::string, std::string>;
 std::string text_of(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   if (const auto number = node.value_exact<double>()) return fmt::format("{}", *number);
+  if (const toml::array* const list = node.as_array()) {
+    std::vector<std::string> texts;
+    for (const toml::node& element : *list) texts.push_back(text_of(element));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
   return sys::one_line(text.str());

@@ -55,6 +55,26 @@ std::string spelt_for_udunits(std::string name) {
   return name;
 }
 
+/// The part of a unit that UDUNITS-2 knows by a rounded or outdated number, as 3.785412 litres for
+/// a gallon and the charge of the electron before 2019; empty if there is none.
+std::string without_exact_factor(const std::string& unit) {
+  static const std::regex names(
+      R"((^|[^A-Za-z_])([kMGT]?eV|electron_?volts?|u|amu|(unified_)?atomic_?mass_?units?|)"
+      R"((US_)?(liquid_)?(gallon|quart|pint|cup|gill|ounce)s?|fluid_ounces?|floz|oz|)"
+      R"((table|tea)spoons?|barrels?|bbl|horsepower|torr)($|[^A-Za-z_]))");
+  std::smatch found;
+  return std::regex_search(unit, found, names) ? found[2].str() : "";
+}
+
+void require_known_factor(const std::string& from, const std::string& to) {
+  const std::string in_from = without_exact_factor(from), in_to = without_exact_factor(to);
+  if (in_from.empty() == in_to.empty()) return;
+  throw UnitError(fmt::format(
+      "\"{}\" cannot be converted into \"{}\": UDUNITS-2 knows \"{}\" by a rounded or outdated "
+      "number, so give the result itself",
+      from, to, in_from.empty() ? in_to : in_from));
+}
+
 Unit parse(const std::string& name) {
   Unit unit(ut_parse(database(), spelt_for_udunits(name).c_str(), UT_UTF8));
   if (!unit) throw UnitError(fmt::format("unknown unit \"{}\"", name));
@@ -177,6 +197,7 @@ bool is_unit(const std::string& name) {
 
 double conversion_factor(const std::string& from, const std::string& to) {
   if (from == to) return 1;
+  require_known_factor(from, to);
   const std::lock_guard lock(udunits);
   const Unit from_unit = parse(from);
   const Unit to_unit = parse(to);

@@ -40,6 +40,28 @@ BOOST_AUTO_TEST_CASE(a_unit_of_something_else_is_refused) {
   BOOST_CHECK_THROW(conversion_factor("lbf", "lbf/in"), UnitError);
 }
 
+BOOST_AUTO_TEST_CASE(a_unit_that_the_database_knows_by_a_rounded_or_outdated_number_is_refused) {
+  // By definition a gallon is 231 in³ and an electronvolt 1.602176634e-19 J (SI brochure, 2019);
+  // UDUNITS-2 has 3.785412 L and 1.60217733e-19 J.
+  for (const auto& [unit, other] : {std::pair{"gallon", "L"},
+                                    {"gallons/min", "m3/s"},
+                                    {"eV", "J"},
+                                    {"MeV", "J"},
+                                    {"u", "kg"},
+                                    {"horsepower", "W"},
+                                    {"barrel", "L"},
+                                    {"torr", "Pa"},
+                                    {"pint", "mL"}}) {
+    BOOST_TEST_CONTEXT(unit) {
+      BOOST_CHECK_THROW(conversion_factor(unit, other), UnitError);
+      BOOST_CHECK_THROW(conversion_factor(other, unit), UnitError);
+    }
+  }
+  BOOST_TEST(conversion_factor("keV", "eV") == 1000);
+  BOOST_TEST(conversion_factor("um", "m") == 1e-6);
+  BOOST_TEST(conversion_factor("mmHg", "Pa") == 133.322387415);
+}
+
 BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
   // Zero of the one must be zero of the other: no offset, no logarithm, no turn of the axis.
   for (const char* const unit : {"in @ 1", "in from 3", "lg(re 1 mm)", "-1 in", "0 in"}) {

@@ -188,12 +188,16 @@ function(literate_add_paper)
   # What the scripts of DATA read belongs to what the paper is made from.
   set(reads "")
   set(tools "")
+  set(sames "") # that the files are still what the scripts made
   foreach(file IN LISTS data)
     get_property(read GLOBAL PROPERTY "LITERATE_READ_FOR_${file}")
     list(APPEND reads ${read})
     get_property(tool GLOBAL PROPERTY "LITERATE_TOOL_FOR_${file}")
     list(APPEND tools ${tool})
+    get_property(same GLOBAL PROPERTY "LITERATE_SAME_FOR_${file}")
+    list(APPEND sames ${same})
   endforeach()
+  list(REMOVE_DUPLICATES sames)
   list(REMOVE_ITEM reads ${data} "")
   list(REMOVE_DUPLICATES reads)
   list(REMOVE_DUPLICATES tools)
@@ -259,7 +263,10 @@ latex=${arg_ENGINE}
   add_custom_command(
     OUTPUT "${generated}/names.json" "${state}/compute"
     COMMAND ${arg_PROGRAM} compute "${settings}"
-    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} ${severity_record}
+    # std::_Exit(0) tells nobody, not even the stage.
+    COMMAND sh -c "test -e \"$1\" || { echo 'the computation ended the program by itself, before it was done' >&2; exit 1; }"
+      sh "${state}/compute"
+    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} ${sames} ${severity_record}
     COMMENT "compute"
     USES_TERMINAL
     VERBATIM)
@@ -381,12 +388,25 @@ function(literate_run_script)
   list(APPEND read ${arg_READS})
   list(TRANSFORM read PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   list(TRANSFORM arg_MAKES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  list(GET arg_MAKES 0 first)
+  string(SHA256 record "${first}")
+  string(SUBSTRING "${record}" 0 16 record)
+  set(record "${CMAKE_CURRENT_BINARY_DIR}/made-${record}")
   foreach(made IN LISTS arg_MAKES)
     set_property(GLOBAL APPEND PROPERTY "LITERATE_READ_FOR_${made}" ${read})
+    set_property(GLOBAL PROPERTY "LITERATE_SAME_FOR_${made}" "${record}.same")
     set_property(GLOBAL PROPERTY "LITERATE_TOOL_FOR_${made}" ${interpreter})
   endforeach()
-  add_custom_command(OUTPUT ${arg_MAKES}
-    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
+  # What was changed by hand afterwards is not what the script made.
+  add_custom_command(OUTPUT "${record}.same"
+    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}"
+    COMMAND "${CMAKE_COMMAND}" -E touch "${record}.same"
+    DEPENDS "${record}" ${arg_MAKES}
+    WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
+    COMMENT "made"
+    VERBATIM)
+  add_custom_command(OUTPUT ${arg_MAKES} "${record}"
+    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}" ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
     DEPENDS ${read}
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
     COMMENT "${said}"

@@ -114,6 +114,7 @@ json criteria_json(const std::vector<Criterion>& criteria) {
     json entry{{"name", criterion.name()},
                {"found", criterion.found().plain},
                {"condition", criterion.condition().plain},
+               {"limit", criterion.limit_phrase().plain},
                {"reason", criterion.reason()},
                {"margin", criterion.margin().text()},
                {"outcome", name_of(criterion.outcome())}};
@@ -187,7 +188,7 @@ std::map<std::string, NamedClaim> claims_in(const json& entries) {
                            .found = claim.at("found")};
     for (const json& criterion : claim.at("criteria")) {
       claims[entry.key()].limits.push_back({.quantity = criterion.at("name"),
-                                            .condition = criterion.at("condition"),
+                                            .condition = criterion.at("limit"),
                                             .reason = criterion.at("reason")});
     }
   }

@@ -92,7 +92,7 @@ void require_earned(const ImportedColumn& column, const ImportedCell& cell,
   if (!uncertainty) {
     if (column.is_exact || column.format == NumberFormat::integer) return;
     throw ImportError(fmt::format(
-        "{}: {} comes without its error: give column '{}' an abs_error, or declare it exact",
+        "{}: {} comes without its error: give column '{}' a column abs_error or standard to its right, or declare it exact",
         cell.at, written.text, said(column)));
   }
   const double error = uncertainty->error();

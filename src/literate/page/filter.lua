@@ -53,7 +53,7 @@ local spaces = {["\\quad"] = "\u{2003}", ["\\qquad"] = "\u{2003}\u{2003}"}
 local function unknown(raw)
   if raw.format ~= "latex" then return nil end
   local space = spaces[raw.text:match("^\\%a+")]
-  if space and raw.t == "RawInline" then return pandoc.Str(space) end
+  if space then return raw.t == "RawInline" and pandoc.Str(space) or {} end
   io.stderr:write("unknown: ", (raw.text:gsub("%s+", " ")), "\n")
   return {}
 end

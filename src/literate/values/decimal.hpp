@@ -30,13 +30,13 @@ Decimal rounded_up_to_digits(double value, int n_digits);
 /// Returns the fewest digits that read back as the same double.
 Decimal shortest(double value);
 
-/// A whole number beyond ±2^53, of which there may be no double, as text; empty for any other.
+/// A whole number of ±2^53 or beyond, of which there may be no double, as text; empty for any other.
 template <std::integral Integer>
 std::string not_held(Integer number) {
   constexpr std::int64_t most = std::int64_t{1} << 53;
   if constexpr (sizeof(Integer) >= sizeof most) {
-    const bool is_below = std::signed_integral<Integer> && number < static_cast<Integer>(-most);
-    if (is_below || number > static_cast<Integer>(most)) return std::to_string(number);
+    const bool is_below = std::signed_integral<Integer> && number <= static_cast<Integer>(-most);
+    if (is_below || number >= static_cast<Integer>(most)) return std::to_string(number);
   }
   return {};
 }

@@ -279,8 +279,11 @@ void add_bound(RoundedNumber& rounded, double number, double bound, std::string_
 }
 
 /// The number with each kind of what is not known of it, to the digits of the least of them, but to
-/// no more than three of all together.
-RoundedNumber with_kinds(double number, const Uncertainty& uncertainty) {
+/// no more than three of all together. What cancels but for its rounding is none of them.
+RoundedNumber with_kinds(double number, const Uncertainty& all) {
+  Uncertainty uncertainty = all;
+  std::erase_if(uncertainty.kinds,
+                [&](const auto& kind) { return kind.second <= 1e-12 * all.standard; });
   int place = rounded_to_digits(uncertainty.standard, n_digits_of_error).place;
   const int finest = place - 1;
   for (const auto& [kind, standard] : uncertainty.kinds) {
@@ -364,6 +367,10 @@ RoundedNumber exactly(const Format& format, Estimate estimate) {
                                             name_of(format.notation())));
   }
   if (format.notation() == Notation::integer) {
+    if (std::abs(estimate.value) >= 0x1p53) {
+      throw std::invalid_argument(fmt::format(
+          "{} may be the rounding of another integer, as any number from 2^53 on", estimate.value));
+    }
     const Decimal digits = rounded_to_place(estimate.value, 0);
     if (std::trunc(estimate.value) != estimate.value) {
       throw std::invalid_argument(

@@ -9,7 +9,8 @@ cmake_minimum_required(VERSION 3.25)
 project(measured LANGUAGES NONE)
 include("$source_dir/src/literate/cmake/AddPaper.cmake")
 literate_run_script(MAKES measured.csv COMMAND sh measure.sh READS raw.txt)
-add_custom_target(all_data ALL DEPENDS "\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv")
+get_property(same GLOBAL PROPERTY "LITERATE_SAME_FOR_\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv")
+add_custom_target(all_data ALL DEPENDS "\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv" "\${same}")
 END
 # shellcheck disable=SC2016  # it is the script's
 echo 'echo run >>runs.txt; { echo x; cat raw.txt; } >measured.csv' >measure.sh
@@ -30,6 +31,17 @@ claim 'a file that the build has not made is made anew' "$(cat measured.csv)" = 
 1"
 runs cmake --build build
 claim 'what has not changed is not run again' "$(wc -l <runs.txt)" -eq 1
+edits sed -i 's/1/9/' measured.csv
+runs cmake --build build
+claim 'a file that was changed by hand is not taken for what the script made' \
+  "$status $(says 'measured: CMakeLists.txt:4: measured.csv was changed after the script had made it; delete it, and the script makes it again')" = '1 yes'
+runs cmake --build build
+claim 'nor is it by the next build' "$status $(cat measured.csv)" = '1 x
+9'
+rm measured.csv
+runs cmake --build build
+claim 'deleted, it is made again' "$status $(cat measured.csv)" = '0 x
+1'
 edits sed -i 's/echo x;/echo y;/' measure.sh
 runs cmake --build build
 claim 'a changed script is run again' "$(cat measured.csv)" = "y

@@ -63,8 +63,13 @@ BOOST_AUTO_TEST_CASE(a_whole_number_that_no_double_holds_is_refused) {
              "Value::text(\"11400714819323198485\") prints it");
   BOOST_CHECK_THROW(Value((1LL << 53) + 1, exact()).latex(), std::invalid_argument);
   BOOST_CHECK_THROW(Value(-(1LL << 53) - 1, integer()).printed(), std::invalid_argument);
-  BOOST_TEST(Value(1LL << 53, integer()).printed() == "9007199254740992");
-  BOOST_TEST(Value(-(1LL << 53), integer()).printed() == "-9007199254740992");
+  BOOST_TEST(Value((1LL << 53) - 1, integer()).printed() == "9007199254740991");
+  BOOST_TEST(Value(1 - (1LL << 53), integer()).printed() == "-9007199254740991");
+  // 2^53 itself is what 2^53 + 1 becomes in a double, and so is any greater one of some integer.
+  BOOST_CHECK_THROW(Value(1LL << 53, integer()).printed(), std::invalid_argument);
+  BOOST_CHECK_THROW(Value(static_cast<double>((1LL << 53) + 1), integer()).printed(),
+                    std::invalid_argument);
+  BOOST_CHECK_THROW(Value(-1.8e19, integer()).printed(), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(rounding_goes_by_the_exact_binary_value) {
@@ -340,6 +345,12 @@ BOOST_AUTO_TEST_CASE(kinds_of_uncertainty_are_told_apart_where_this_is_asked_for
   BOOST_TEST(Value(1e3 * load, uncertain().by_kind()).latex() ==
              "\\ensuremath{(\\num{9.936}\\pm\\num{0.088}\\mbox{ (calibration)}"
              "\\pm\\num{0.200}\\mbox{ (statistics)})\\times\\num{e5}}");
+  // What cancels leaves rounding alone, which is no kind.
+  const Measured factor = Measured(1.1, 0.02, "calibration");
+  const Measured high = factor * Measured(6.2, 0.03, "scatter/1");
+  const Measured low = factor * Measured(3.05, 0.01, "scatter/2");
+  const std::string told = Value(high / low, uncertain().by_kind()).printed();
+  BOOST_TEST(told == "2.033 ± 0.012 (scatter)");
   BOOST_CHECK_THROW(fixed(1).by_kind(), std::invalid_argument);
 }
 
