@@ -2,6 +2,7 @@
 #include "config/table.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <cmath>
