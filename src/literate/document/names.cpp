@@ -114,7 +114,7 @@ json criteria_json(const std::vector<Criterion>& criteria) {
     json entry{{"name", criterion.name()},
                {"found", criterion.found().plain},
                {"condition", criterion.condition().plain},
-               {"limit", criterion.limit_phrase().plain},
+               {"limit", criterion.limit().plain},
                {"reason", criterion.reason()},
                {"margin", criterion.margin().text()},
                {"outcome", name_of(criterion.outcome())}};
