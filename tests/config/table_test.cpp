@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(each_entry_of_a_case_is_one_text_under_its_whole_key) {
                                                        {"x", "0.1"},
                                                        {"is_on", "true"},
                                                        {"length", "39.4 in"},
-                                                       {"angles", "[ 10, 30 ]"},
+                                                       {"angles", "[10, 30]"},
                                                        {"load.peak", "30000000 psi"},
                                                        {"load.edge.x", "1"},
                                                        {"body.1.name", "first"},

@@ -91,9 +91,10 @@ void require_earned(const ImportedColumn& column, const ImportedCell& cell,
   const auto uncertainty = uncertainty_of(cell);
   if (!uncertainty) {
     if (column.is_exact || column.format == NumberFormat::integer) return;
-    throw ImportError(fmt::format(
-        "{}: {} comes without its error: give column '{}' a column abs_error or standard to its right, or declare it exact",
-        cell.at, written.text, said(column)));
+    throw ImportError(
+        fmt::format("{}: {} comes without its error: give column '{}' an abs_error or a standard, "
+                    "or declare it exact",
+                    cell.at, written.text, said(column)));
   }
   const double error = uncertainty->error();
   const int place = printed_place(column, written);

@@ -367,10 +367,6 @@ RoundedNumber exactly(const Format& format, Estimate estimate) {
                                             name_of(format.notation())));
   }
   if (format.notation() == Notation::integer) {
-    if (std::abs(estimate.value) >= 0x1p53) {
-      throw std::invalid_argument(fmt::format(
-          "{} may be the rounding of another integer, as any number from 2^53 on", estimate.value));
-    }
     const Decimal digits = rounded_to_place(estimate.value, 0);
     if (std::trunc(estimate.value) != estimate.value) {
       throw std::invalid_argument(

@@ -96,6 +96,11 @@ void Value::require_finite() const {
     throw std::invalid_argument(fmt::format("{} is not finite", *number_));
   }
   require_held(not_held_, "Value::text");
+  if (number_ && format_ && format_->notation() == Notation::integer &&
+      std::abs(*number_) >= 0x1p53) {
+    throw std::invalid_argument(fmt::format(
+        "{} may be the rounding of another integer, as any number from 2^53 on", *number_));
+  }
 }
 
 bool Value::is_told() const {

@@ -132,9 +132,11 @@ BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_unless_its_column_is_
   const std::string csv = "x (m),u\n1.5,2\n";
 
   BOOST_TEST(checkout.error(csv) ==
-             "2:1: 1.5 comes without its error: give column 'x' an abs_error, or declare it exact");
+             "2:1: 1.5 comes without its error: give column 'x' an abs_error or a standard, or "
+             "declare it exact");
   BOOST_TEST(checkout.error(csv, {"x (m)"}) ==
-             "2:5: 2 comes without its error: give column 'u' an abs_error, or declare it exact");
+             "2:5: 2 comes without its error: give column 'u' an abs_error or a standard, or "
+             "declare it exact");
   BOOST_CHECK_NO_THROW(checkout.import(csv, {"x (m)", "u"}));
   BOOST_TEST(checkout.error(csv, {"x", "u"}) == "1: there is no column 'x', which is to be exact");
   BOOST_TEST(checkout.error("u,abs_eror\n1.5,0.1\n") ==
@@ -142,7 +144,8 @@ BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_unless_its_column_is_
   BOOST_TEST(checkout.error("u,abs_eror\n1.5,0.1\n", {"u"}) ==
              "1:3: column 'abs_eror', did you mean 'abs_error'?");
   BOOST_TEST(checkout.error("u,abs_error\n1.5,\n") ==
-             "2:1: 1.5 comes without its error: give column 'u' an abs_error, or declare it exact");
+             "2:1: 1.5 comes without its error: give column 'u' an abs_error or a standard, or "
+             "declare it exact");
 }
 
 BOOST_AUTO_TEST_CASE(a_number_with_more_digits_than_a_double_holds_is_refused) {
@@ -187,9 +190,11 @@ BOOST_AUTO_TEST_CASE(a_column_that_is_declared_uncertain_prints_its_errors) {
   for (const char* part : {"{1.234(12)}", "{2.50±0.10}", "{4}"}) {
     BOOST_TEST(holds(latex, part), part << " in " << latex);
   }
-  BOOST_TEST(message_of<ImportError>([&] { import("x (s)\n1.5\n"); })
-                 .ends_with("1.5 comes without its error: give column 'x' an abs_error, or declare "
-                            "it exact"));
+  BOOST_TEST(
+      message_of<ImportError>([&] { import("x (s)\n1.5\n"); })
+          .ends_with(
+              "1.5 comes without its error: give column 'x' an abs_error or a standard, or declare "
+              "it exact"));
   BOOST_TEST(message_of<ImportError>([&] { import("x (m),abs_error\n1.5,0.1\n"); })
                  .ends_with("there is no column 'x (s)', which is to be uncertain, did you mean "
                             "'x (m)'?"));
@@ -214,7 +219,8 @@ BOOST_AUTO_TEST_CASE(a_sign_in_a_heading_is_the_same_in_messages_and_in_the_csv_
   const std::string csv = "\"θ in °, 10⁻³ of <x>\"\n1.5\n";
 
   BOOST_TEST(checkout.error("θ in °\n1.5\n") ==
-             "2:1: 1.5 comes without its error: give column 'θ in °' an abs_error, or declare it "
+             "2:1: 1.5 comes without its error: give column 'θ in °' an abs_error or a standard, "
+             "or declare it "
              "exact");
   BOOST_TEST(checkout.import(csv, {"θ in °, 10⁻³ of <x>"}).tables().at("points").csv() == csv);
 }

@@ -321,7 +321,8 @@ BOOST_AUTO_TEST_CASE(a_cell_is_checked_and_told_with_its_place) {
   BOOST_TEST(error(R"(, "digits": 2)", R"({"value": 150, "abs_error": 12})") ==
              "150 is printed to the place 1e1, more digits than its error of 12 supports");
   BOOST_TEST(error("", "1.5") ==
-             "1.5 comes without its error: give column 'x' an abs_error, or declare it exact");
+             "1.5 comes without its error: give column 'x' an abs_error or a standard, or declare "
+             "it exact");
   BOOST_TEST(error(R"(, "exact": true)", "11400714819323198485") ==
              "11400714819323198485 has more digits than a number holds: declare column 'x' to be "
              "of texts");
