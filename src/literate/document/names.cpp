@@ -113,7 +113,6 @@ json criteria_json(const std::vector<Criterion>& criteria) {
   for (const Criterion& criterion : criteria) {
     json entry{{"name", criterion.name()},
                {"found", criterion.found().plain},
-               {"condition", criterion.condition().plain},
                {"limit", criterion.limit().plain},
                {"reason", criterion.reason()},
                {"margin", criterion.margin().text()},

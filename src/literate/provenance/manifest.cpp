@@ -102,7 +102,7 @@ Manifest::Texts limits_in(const fs::path& names_json) {
     for (const auto& [id, claim] : names.at("claims").items()) {
       for (const json& criterion : claim.at("criteria")) {
         const std::string quantity = criterion.at("name");
-        limits[fmt::format("claim {}: {}", id, quantity)] = criterion.at("condition");
+        limits[fmt::format("claim {}: {}", id, quantity)] = criterion.at("limit");
       }
     }
     return limits;

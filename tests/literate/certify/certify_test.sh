@@ -24,7 +24,7 @@ printf 'key,printed,number\nlength,3 m,3\n' >out/generated/values.csv
 echo '1 & 2' >out/generated/tables/t.tex
 claims() {
   for id in a b c d; do
-    printf '%s"%s": {"found": "%s", "criteria": [{"name": "n", "condition": "at most %s"}]}' "${comma-}" $id "$1" "$2"
+    printf '%s"%s": {"found": "%s", "criteria": [{"name": "n", "limit": "≤ %s"}]}' "${comma-}" $id "$1" "$2"
     comma=', '
   done
 }
@@ -50,7 +50,7 @@ json.dump({"project": "rod", "made_with": {"sources": {"version": "1.2", "commit
            "outputs": {file: sha("out/" + file) for file in made},
            "numbers": {"length": {"number": 3, "printed": "3 m", "abs_error": 0.5}},
            "verdicts": {"check k": "passed"} | {f"claim {id}": "confirmed" for id in ids},
-           "limits": {f"claim {id}: n": "at most 1" for id in ids}}, open("out/manifest.json", "w"), indent=1)
+           "limits": {f"claim {id}: n": "≤ 1" for id in ids}}, open("out/manifest.json", "w"), indent=1)
 END
 cp -r out whole
 
@@ -146,7 +146,7 @@ claim 'a verdict that is another is found' "$status $(says 'verdicts: claim b is
 claim 'the claim is named, and no other' "$(says 'claims computed again: b (named)') $(says 'claim a')" = 'yes no'
 names confirmed 2 >again/names.json
 sampled CLAIMS='a b'
-claim 'and so is a limit' "$status $(says 'limits: claim b: n is at most 2, in the manifest at most 1')" = '1 yes'
+claim 'and so is a limit' "$status $(says 'limits: claim b: n is ≤ 2, in the manifest ≤ 1')" = '1 yes'
 names confirmed 1 >again/names.json
 cp -r src "$scratch"
 echo 'int one = 2;' >src/one.cpp

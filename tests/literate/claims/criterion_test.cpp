@@ -366,6 +366,17 @@ BOOST_AUTO_TEST_CASE(what_cannot_decide_is_refused) {
   BOOST_CHECK_THROW(limit_of(1, -1e-3), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(a_limit_is_the_same_whatever_it_is_held_against) {
+  const Limit limit(LimitKind::choice, 0.1, "a tenth");
+  const auto value = [](double x) { return Value({x, 1e-3}, fixed(2), "N"); };
+  for (const double other : {0.4, 0.402, 40.0}) {
+    BOOST_TEST(Criterion::differs("n", value(9), value(other), limit).limit().plain == "≥ 0.1 N");
+    BOOST_TEST(Criterion::agrees("n", value(9), value(other), limit).limit().plain == "≤ 0.1 N");
+    BOOST_TEST(Criterion::agrees_relatively("n", value(9), value(other), limit).limit().plain ==
+               "≤ 10 %");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(as_many_standard_uncertainties_count_as_the_limit_says) {
   const auto at_most = [](double limit, double k) {
     return Criterion::at_most("load", load(993.63, 21.9, "fit"), counting(limit, k));
