@@ -264,7 +264,7 @@ latex=${arg_ENGINE}
     OUTPUT "${generated}/names.json" "${state}/compute"
     COMMAND ${arg_PROGRAM} compute "${settings}"
     # std::_Exit(0) tells nobody, not even the stage.
-    COMMAND sh -c "test -e \"$1\" || { echo 'the computation ended the program by itself, before it was done' >&2; exit 1; }"
+    COMMAND sh -c "test -e \"$1\" || { echo '${name}: the computation ended the program by itself, before it was done' >&2; exit 1; }"
       sh "${state}/compute"
     DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} ${sames} ${severity_record}
     COMMENT "compute"

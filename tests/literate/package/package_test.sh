@@ -97,6 +97,17 @@ claim 'what another case moves is told with the sentences that print it' \
   "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,paper/rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
 runs make configured # its own case again
 
+# A computation that tells nobody that it ends, as a library's may
+cp src/main.cpp ../main.cpp
+sed -i '/^void compute(.*{$/a std::_Exit(0);' src/main.cpp
+runs make
+claim 'a computation that ends the program is told' "$status$(says 'rod: the computation ended the program by itself, before it was done')" = 2yes
+runs make
+claim 'nor are the numbers of the run before taken by the next build' "$status" -eq 2
+cp ../main.cpp src/main.cpp
+runs make
+claim 'without it the paper is made again' "$status" -eq 0
+
 # A limit that is changed when its result is known
 committed() { git add -A && git -c user.name=t -c user.email=t@example.org -c commit.gpgsign=false commit -qm more; }
 runs make check RECORD=1
