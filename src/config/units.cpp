@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "system/ascii.hpp"
 #include "system/decimal.hpp"
 
 namespace config {
@@ -55,15 +56,37 @@ std::string spelt_for_udunits(std::string name) {
   return name;
 }
 
-/// The part of a unit that UDUNITS-2 knows by a rounded or outdated number, as 3.785412 litres for
+/// The unit in a text that UDUNITS-2 knows by a rounded or outdated number, as 3.785412 litres for
 /// a gallon and the charge of the electron before 2019; empty if there is none.
-std::string without_exact_factor(const std::string& unit) {
-  static const std::regex names(
-      R"((^|[^A-Za-z_])([kMGT]?eV|electron_?volts?|u|amu|(unified_)?atomic_?mass_?units?|)"
-      R"((US_)?(liquid_)?(gallon|quart|pint|cup|gill|ounce)s?|fluid_ounces?|floz|oz|)"
-      R"((table|tea)spoons?|barrels?|bbl|horsepower|torr)($|[^A-Za-z_]))");
-  std::smatch found;
-  return std::regex_search(unit, found, names) ? found[2].str() : "";
+std::string without_exact_factor(const std::string& text) {
+  constexpr std::string_view names =
+      " "
+      "electronvolt electron_volt eV keV MeV GeV TeV unified_atomic_mass_unit "
+      "atomic_mass_unit atomicmassunit amu u astronomical_unit_BIPM_2006 ua light_year parsec "
+      "chain printers_point acre_foot board_foot circular_mil darcy assay_ton "
+      "avoirdupois_ounce troy_ounce apothecary_ounce troy_pound apothecary_pound pennyweight "
+      "long_hundredweight short_hundredweight slug denier perm_0C perm_23C bushel bu "
+      "register_ton US_dry_gallon US_dry_quart US_dry_pint dry_quart dry_pint "
+      "US_liquid_gallon liquid_gallon gallon barrel bbl firkin US_liquid_quart liquid_quart "
+      "quart US_liquid_pint liquid_pint pint pt US_liquid_cup liquid_cup cup US_liquid_gill "
+      "liquid_gill gill US_fluid_ounce US_liquid_ounce fluid_ounce liquid_ounce oz floz "
+      "tablespoon Tbl Tbsp tbsp Tblsp teaspoon tsp poundal force_ounce ounce_force ozf torr "
+      "footcandle footlambert boiler_horsepower shaft_horsepower horsepower hp "
+      "metric_horsepower water_horsepower UK_horsepower gilbert oersted Oe unit_pole e "
+      "faraday chemical_faraday physical_faraday C12_faraday statampere statcoulomb statfarad "
+      "stathenry statmho statohm statvolt ";
+  static const std::regex word("[A-Za-z_][A-Za-z_]*([0-9]+C)?");
+  for (std::sregex_iterator found(text.begin(), text.end(), word), end; found != end; ++found) {
+    const auto at = static_cast<std::size_t>(found->position());
+    if (at > 0 && sys::is_digit(text[at - 1])) continue;  // the exponent of 1e-3
+    const std::string name = found->str();
+    const std::string_view singular =
+        std::string_view(name).substr(0, name.size() - (name.ends_with('s') ? 1 : 0));
+    for (const std::string_view one : {std::string_view(name), singular}) {
+      if (names.find(fmt::format(" {} ", one)) != std::string_view::npos) return name;
+    }
+  }
+  return "";
 }
 
 void require_known_factor(const std::string& from, const std::string& to) {

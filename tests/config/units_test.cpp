@@ -51,7 +51,12 @@ BOOST_AUTO_TEST_CASE(a_unit_that_the_database_knows_by_a_rounded_or_outdated_num
                                     {"horsepower", "W"},
                                     {"barrel", "L"},
                                     {"torr", "Pa"},
-                                    {"pint", "mL"}}) {
+                                    {"pint", "mL"},
+                                    {"hp", "W"},
+                                    {"US_fluid_ounces", "mL"},
+                                    {"parsec", "m"},
+                                    {"slugs", "kg"},
+                                    {"perm_0C", "kg/(Pa.s.m2)"}}) {
     BOOST_TEST_CONTEXT(unit) {
       BOOST_CHECK_THROW(conversion_factor(unit, other), UnitError);
       BOOST_CHECK_THROW(conversion_factor(other, unit), UnitError);
@@ -60,6 +65,8 @@ BOOST_AUTO_TEST_CASE(a_unit_that_the_database_knows_by_a_rounded_or_outdated_num
   BOOST_TEST(conversion_factor("keV", "eV") == 1000);
   BOOST_TEST(conversion_factor("um", "m") == 1e-6);
   BOOST_TEST(conversion_factor("mmHg", "Pa") == 133.322387415);
+  BOOST_TEST(conversion_factor("lb", "kg") == 0.45359237);
+  BOOST_TEST(conversion_factor("astronomical_unit", "m") == 149597870700);
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
