@@ -136,8 +136,7 @@ Solution Factorization::solve(const Loading& loading) const {
   if (!std::isfinite(unbalanced / scale)) {
     throw FactorizationError(
         "the solution is not a finite number: the sizes of the load, of the material's moduli or "
-        "of "
-        "the block are beyond the range of a double");
+        "of the block are beyond the range of a double");
   }
   if (unbalanced > max_unbalanced * scale) {
     throw FactorizationError(fmt::format(

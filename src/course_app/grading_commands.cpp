@@ -129,8 +129,7 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
                          "When nothing counts any more, instead of after the assignment's days");
                 add_text(command, "--roster", options->roster, "FILE",
                          "CSV of the class with the column `student` and, as they are known, "
-                         "`submitted`, `deadline`, "
-                         "`slip_days` and `group`");
+                         "`submitted`, `deadline`, `slip_days` and `group`");
                 add_switch(command, "--container", options->is_in_container,
                            "Grade with limits and without walls, in a container that holds nothing "
                            "but this submission and its grader");

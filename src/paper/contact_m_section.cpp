@@ -151,7 +151,7 @@ constexpr double of_system = 1e-10;
 literate::Table repair_table(const std::vector<Row>& rows, const ContactCase& c,
                              const Hertz& hertz) {
   literate::Table table("contact-m-repair",
-                        {Column("", integer()), Column::text("change"),
+                        {Column("row", integer()), Column::text("change"),
                          Column("load over $P$", fixed(3)), Column("edge over $a$", fixed(2)),
                          Column("peak over $p_0$", fixed(3)), Column("departure", fixed(4))});
   // Loads and pressures are as wrong as the solved system, a misfit as twice its largest pressure.

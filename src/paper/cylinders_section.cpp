@@ -182,7 +182,7 @@ void tabulate_hertz(Document& document, const ContactCase& c, const UnitSystem& 
   literate::Table table("hertz",
                         {Column::text("contact"), Column::text("quantity"), Column::text("Hertz"),
                          Column("on this grid", scientific(2)).under("relative error"),
-                         Column("at most, on all grids", scientific(2)).under("relative error")});
+                         Column("maximum on all grids", scientific(2)).under("relative error")});
   const auto closed = [&](double number, int n_digits, const std::string& unit) {
     return Cell::latex(
         Value(number, significant(n_digits), unit).within(rounded(c, number)).latex());

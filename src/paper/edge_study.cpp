@@ -241,7 +241,7 @@ void study_edge(Document& document, const ContactCase& c, const Hertz& hertz) {
                  {.route = "powers fitted to the largest errors of the pressure against Hertz, on "
                            "grids of a dozen to a hundred elements over the half-width",
                   .expected = Verdict::confirmed,
-                  .criteria = {of_order("order, uniform grid of triangles", even, 0.5),
+                  .criteria = {of_order("order, evenly spaced grid of triangles", even, 0.5),
                                of_order("graded grid of triangles", sine, 1),
                                of_order("closer still, with parabolas and the edge as an unknown",
                                         graded.pressure, 2)}});

@@ -151,8 +151,7 @@ void check_uniform(Document& document, const HalfSpaceCase& c) {
         Limit::theory(
             "𝑑/𝑎", {{"𝑑", 1e-3 * a}, {"𝑎", a}},
             "beside the end the gradient is logarithmic, and each step adds 𝐾𝑝/𝑃 ln(1000); what "
-            "else "
-            "changes is smooth and of this order, 𝑑 the distance at which the steps begin"));
+            "else changes is smooth and of this order, 𝑑 the distance at which the steps begin"));
   };
   document.check("uniform-gradient-infinite",
                  {Criterion::in_each("what a step to a thousandth of the distance adds", "steps",

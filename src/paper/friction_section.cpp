@@ -106,7 +106,8 @@ void claim_small_loss(Document& document, const std::vector<Criterion>& losses, 
   document.value("friction.mu-of-small-loss", Value(friction_of_small_loss(), fixed(2)));
   document.value("friction.small-loss", Value(small_loss().number(), exact()));
   const Criterion each =
-      Criterion::in_each("shift and widening of the contact, over its half-width", "pairs", losses);
+      Criterion::in_each("shift and widening of the contact, over its half-width",
+                         "pairs of unlike materials", losses);
   // Up to that friction the loss of any pair is small; beyond, of some.
   const bool is_small =
       mu <= friction_of_small_loss().value || each.outcome() == literate::Outcome::holds;

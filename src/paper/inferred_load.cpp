@@ -55,6 +55,27 @@ Estimate resultant_of(const Contestant& contestant) {
   return of_refitted(contestant, [](const block::Solution& s) { return -s.applied().force.y(); });
 }
 
+// The sum p_m + p_e of a linear fall, of which ∫(p_m (1 − |x|/a) + p_e |x|/a) dx = a (p_m + p_e)
+// is the resultant, for the printed resultant.
+double printed_sum_of(const PrintedData& printed_data, double a) {
+  return std::abs(printed_data.appendix2.measures.at("resultant_load_y").value()) / a;
+}
+
+// The fitted peak if the sum p_m + p_e is known to be this one.
+Measured peak_given(const block::LinearFit& fit, double sum) {
+  return numerics::given(fit.peak, fit.peak + fit.edge, sum);
+}
+
+// The largest share of a convergence by which the linear fall with the printed resultant misses a
+// displacement, refitted on these sides.
+Estimate share_with_resultant(const BlockStudy& study, const PrintedData& printed_data, double a,
+                              block::Support sides) {
+  const double sum = printed_sum_of(printed_data, a);
+  const double peak = peak_given(study.fit_on(sides), sum).value();
+  const elasticity::Load load = elasticity::linear_fall(peak, (sum - peak) / peak, a);
+  return unfitted(study, "", load, peak, sides).misfit.largest_share;
+}
+
 // The linear fall from the displacements alone, with the resultant held, and with the stress too.
 void register_fit(Document& document, const HalfSpaceCase& half_space, const UnitSystem& units,
                   const PrintedData& printed_data, const BlockStudy& study) {
@@ -77,13 +98,11 @@ void register_fit(Document& document, const HalfSpaceCase& half_space, const Uni
   const double a = half_space.load.half_width();
   const Measured sum = fit.peak + fit.edge;
   pressure("fit.sum", sum);
-  const double printed_sum =
-      std::abs(printed_data.appendix2.measures.at("resultant_load_y").value()) / a;
-  const Measured held = numerics::given(fit.peak, sum, printed_sum);
+  const double printed_sum = printed_sum_of(printed_data, a);
+  const Measured held = peak_given(fit, printed_sum);
   const auto with_stress =
       numerics::fit_linear(Eigen::MatrixXd::Ones(2, 1), {held, largest_stress(printed_data)});
   const Measured peak_of_all = with_stress.coefficients.front();
-  // The resultant is ∫(p_m (1 − |x|/a) + p_e |x|/a) dx = a (p_m + p_e).
   const auto column = [&](const char* heading, const std::string& unit) {
     return Column(heading, uncertain(), unit);
   };
@@ -172,7 +191,7 @@ void register_round(Document& document, const UnitSystem& units, const PrintedDa
            agrees("strain energy", Value(energy_of(round), scientific(4), units.force),
                   "strain_energy", units.force,
                   {LimitKind::data, printed.convergence.at("strain_energy").value() / 100,
-                   "the convergence that is printed of the energy"}),
+                   "the printed convergence of the energy"}),
            Criterion::at_most(
                "largest vertical stress: distance from the printed one, in units of the run's "
                "stress error",
@@ -241,8 +260,8 @@ void tabulate(Document& document, const PrintedData& printed_data, const UnitSys
                    percent_off(energy_of(c), printed.at("strain_energy"))});
   }
   table.note(
-      "A dash: not compared, since these loads miss the displacements. No number has more digits "
-      "than its error supports.");
+      "A dash: not compared; these loads have only one fitted number. No number has more "
+      "digits than its error supports.");
   document.table(table);
 }
 
@@ -407,8 +426,7 @@ void claim_shape(Document& document, const BlockStudy& study, const PrintedData&
   if (meets.empty()) {
     throw sys::InputError(
         "printed.appendix2.convergence: none of the shapes that were tried meets every "
-        "displacement "
-        "to its convergence");
+        "displacement to its convergence");
   }
   const auto [least, most] =
       std::ranges::minmax_element(meets, {}, [](const Contestant* c) { return c->peak.value(); });
@@ -453,6 +471,11 @@ void infer_load(Document& document, const HalfSpaceCase& half_space, block::Supp
                                 block::Support::roller)
                            .misfit.largest_share,
                        significant(2)));
+  document.value("fit.held-share",
+                 Value(share_with_resultant(study, printed_data, a, sides), significant(2)));
+  document.value(
+      "fit.held-share-on-rollers",
+      Value(share_with_resultant(study, printed_data, a, block::Support::roller), significant(2)));
   register_quality(document, units, study,
                    *std::ranges::find(contestants, inferred, &Contestant::shape));
   register_round(document, units, printed_data, round);

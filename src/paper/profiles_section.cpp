@@ -189,7 +189,7 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
       // The edge is extrapolated from p²; errors δp₀ of p move it by less than δa.
       edges.push_back(
           Criterion::at_most("edge", Value(edge, significant(2)),
-                             {LimitKind::choice, 0.5, "what counting nodes would have"}));
+                             {LimitKind::choice, 0.5, "the error that counting nodes would have"}));
       worst_edge = std::max(worst_edge, edge, [](const Estimate& one, const Estimate& other) {
         return one.value < other.value;
       });

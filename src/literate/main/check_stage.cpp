@@ -127,8 +127,7 @@ ExitCode reread(const Settings& settings, const std::string& project, const Name
   if (found.has_history) return answer;
   return complain(
       "what was known when a sentence was written, or a limit chosen, is not known: there is no "
-      "git "
-      "history, or a part of one ('git fetch --unshallow' brings the rest)",
+      "git history, or a part of one ('git fetch --unshallow' brings the rest)",
       ExitCode::bad_input);
 }
 
