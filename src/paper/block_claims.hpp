@@ -9,6 +9,7 @@
 #include "block/analysis.hpp"
 #include "block/rectangle.hpp"
 #include "paper/block_study.hpp"
+#include "paper/load_contest.hpp"
 #include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
 
@@ -57,5 +58,16 @@ void register_block_figures(Document& document, const HalfSpaceCase& half_space,
 /// fall with round numbers and nothing fitted; other shapes and other supports.
 void infer_load(Document& document, const HalfSpaceCase& half_space, block::Support sides,
                 const UnitSystem& units, const PrintedData& printed_data, const BlockStudy& study);
+
+/// The largest shear stress, which is inside the body, under each load that meets the
+/// displacements.
+void claim_shear(Document& document, const BlockStudy& study, const PrintedData& printed_data,
+                 const UnitSystem& units, const std::vector<const Contestant*>& meets);
+
+/// What a mesh as coarse as that of the run makes of the largest stresses under the load of round
+/// numbers, beside the converged ones.
+void register_coarse_mesh(Document& document, const HalfSpaceCase& half_space, block::Support sides,
+                          const PrintedData& printed_data, const BlockStudy& study,
+                          const Contestant& round);
 
 }  // namespace paper

@@ -252,6 +252,11 @@ Contestant fitted_power_fall(const BlockStudy& study, double exponent, double ha
                  block.solve(elasticity::power_fall(1, exponent, half_width))});
 }
 
+elasticity::Load round_load(const HalfSpaceCase& half_space) {
+  return elasticity::linear_fall(half_space.load.peak_pressure(), round_edge_share,
+                                 half_space.load.half_width());
+}
+
 Contestant unfitted(const BlockStudy& study, const std::string& shape, const elasticity::Load& load,
                     double peak, Support sides) {
   const RefinedSolution solution = study.on(sides).solve(load);

@@ -60,6 +60,10 @@ ExponentFit fit_exponent(const BlockStudy& study, double half_width, block::Supp
 Contestant fitted_power_fall(const BlockStudy& study, double exponent, double half_width,
                              block::Support sides);
 
+/// The load of round numbers: the stated peak in the middle falls linearly to this share of it.
+constexpr double round_edge_share = 0.6;
+elasticity::Load round_load(const HalfSpaceCase& half_space);
+
 /// A load as it is, without any fit, with its largest pressure.
 Contestant unfitted(const BlockStudy& study, const std::string& shape, const elasticity::Load& load,
                     double peak, block::Support sides);
