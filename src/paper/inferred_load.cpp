@@ -190,7 +190,8 @@ void register_round(Document& document, const UnitSystem& units, const PrintedDa
                "largest vertical stress: distance from the printed one, in units of the run's "
                "stress error",
                Value(off_stress(round.peak, printed_data), significant(2)),
-               {LimitKind::choice, 2, "most of a normal distribution lies within"})}});
+               {LimitKind::choice, 2,
+                "most of a normal distribution lies within two standard deviations"})}});
 }
 
 // A load in few words: on other supports than the case's, these.

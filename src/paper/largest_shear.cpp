@@ -66,11 +66,12 @@ void claim_shear(Document& document, const BlockStudy& study, const PrintedData&
   document.value("contest.most-shear-excess", Value(most, percent(1)));
   document.claim(
       "convergence-is-no-bound",
-      {.route = "the largest shear stress of the block, which is inside the body, under each load "
-                "tried that meets every displacement to its printed convergence",
+      {.route = "the largest shear stress of the block, which is inside the body, under each shape "
+                "fitted on the supports assumed that meets every displacement to its printed "
+                "convergence",
        .expected = Verdict::confirmed,
        .criteria = {
-           Criterion::in_each("by how much the printed shear exceeds it", "loads", beyond)}});
+           Criterion::in_each("by how much the printed shear exceeds it", "shapes", beyond)}});
 }
 
 void register_coarse_mesh(Document& document, const HalfSpaceCase& half_space, block::Support sides,

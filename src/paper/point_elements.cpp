@@ -123,7 +123,7 @@ void claim_elements(Document& document, const std::vector<ElementStudy>& studies
   document.claim(
       "pyramids-gain-between-nodes",
       {.route = "powers fitted to the errors against Hertz: of the pressure over 𝑟 ≤ 0.8𝑎, of the "
-                "slope at eighths between the nodes",
+                "slope at eight places between the nodes",
        .expected = Verdict::confirmed,
        .criteria = criteria});
   document.value("spheres.pressure-ratio", Value(of_pyramids, uncertain()));

@@ -206,7 +206,7 @@ Limit Limit::counting(double k) const {
   }
   Limit limit = *this;
   limit.n_counted_ = k;
-  limit.reason_ += fmt::format("; {} standard uncertainties count", k);
+  limit.reason_ += fmt::format("; {} standard uncertainties are allowed for", k);
   return limit;
 }
 

@@ -174,7 +174,8 @@ Phrase agreement_phrase(const Value& computed, const Value& stated, const Value&
   const double limit = is_lost && !agrees ? std::numeric_limits<double>::infinity() : tolerance;
   const Printed apart = found_print(difference, limit, Side::at_most, k);
   const auto sentence = [&](const Value& from, const Value& to, const Printed& by) {
-    return phrase("{}, {} from {}", from, by.phrase, to);
+    const bool is_told = distance == Distance::absolute || difference.is_percentage();
+    return phrase(is_told ? "{}, {} from {}" : "{}, relatively {} from {}", from, by.phrase, to);
   };
   const auto reads_true = [&](const Value& from, const Value& to) {
     const double seen = distance_of(from, to, distance);

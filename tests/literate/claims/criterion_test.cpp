@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_i
                                         Value(2, exact(), "in"),
                                         {LimitKind::choice, limit, "theory"});
   };
-  BOOST_TEST(step(2, 1e-9).computed() == "step: 2.00 in, at most 5.0e-13 from 2 in");
+  BOOST_TEST(step(2, 1e-9).computed() == "step: 2.00 in, relatively at most 5.0e-13 from 2 in");
   BOOST_TEST(step(2, 1e-9).condition().plain == "within 1e-9 of 2 in");
   BOOST_TEST(step(2.2, 0.2).computed() == "step: 2.20 in, 10 % from 2 in");
 }
@@ -387,7 +387,8 @@ BOOST_AUTO_TEST_CASE(as_many_standard_uncertainties_count_as_the_limit_says) {
   BOOST_TEST(is(at_most(900, 3), Outcome::fails));
   BOOST_TEST(at_most(1020, 2).computed() == "load: 994(22) psi");
   BOOST_TEST(at_most(1020, 2).missing() == "an error of 44 psi reaches across the limit");
-  BOOST_TEST(at_most(1020, 2).reason() == "data: the paper's load; 2 standard uncertainties count");
+  BOOST_TEST(at_most(1020, 2).reason() ==
+             "data: the paper's load; 2 standard uncertainties are allowed for");
 }
 
 BOOST_AUTO_TEST_CASE(a_bound_counts_beside_them) {
