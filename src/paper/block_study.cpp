@@ -101,6 +101,7 @@ block::MeasureOptions BlockStudy::measure_options() const {
   const block::Rectangle& r = block_case_.rectangle;
   const double corner = 0.1 * r.height();
   block::MeasureOptions options;
+  options.plotting_grid = 20;  // twice that of the run, whose elements are larger
   options.surface_points = half_space_.points;
   options.singular_discs = {{-a, 0, a / 10},
                             {a, 0, a / 10},
