@@ -330,10 +330,6 @@ void infer_load(Document& document, const HalfSpaceCase& half_space, block::Supp
   const double peak = half_space.load.peak_pressure();
   const Contestant round =
       unfitted(study, "linear, round numbers", round_load(half_space), peak, sides);
-  document.value("fit.round-share-on-rollers",
-                 Value(unfitted(study, "", round_load(half_space), peak, block::Support::roller)
-                           .misfit.largest_share,
-                       significant(2)));
   document.value("fit.held-share",
                  Value(share_with_resultant(study, printed_data, a, sides), significant(2)));
   document.value(
