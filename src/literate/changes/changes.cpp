@@ -65,7 +65,9 @@ std::map<std::string, std::string> renamed(const Numbers& before, const Numbers&
 std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumber& after) {
   if (before.number == after.number) {
     if (before.printed == after.printed) return std::nullopt;
-    return ChangeKind::other_digits;
+    const bool has_same_error =
+        before.abs_error == after.abs_error && before.standard == after.standard;
+    return has_same_error ? ChangeKind::other_digits : ChangeKind::other_error;
   }
   // Of a number that stands as it is nobody knows an error within which it could have moved.
   const bool has_errors = before.abs_error && after.abs_error;
@@ -147,26 +149,30 @@ std::vector<Change> without_digests(std::vector<Change> changes) {
 }  // namespace
 
 std::string name_of(ChangeKind kind) {
-  constexpr std::array<const char*, 9> names{"new",
-                                             "gone",
-                                             "renamed",
-                                             "moved beyond its error",
-                                             "moved within its error",
-                                             "other digits only",
-                                             "other data or drawing",
-                                             "other verdict",
-                                             "other limit"};
+  constexpr std::array<const char*, 11> names{"new",
+                                              "gone",
+                                              "renamed",
+                                              "moved beyond its error",
+                                              "moved within its error",
+                                              "other digits only",
+                                              "another error",
+                                              "another text",
+                                              "other data or drawing",
+                                              "other verdict",
+                                              "other limit"};
   return names.at(static_cast<std::size_t>(kind));
 }
 
 std::vector<Change> changes_between(const Manifest& before, const Manifest& after,
                                     const std::vector<Sentence>& sentences_before,
                                     const std::vector<Sentence>& sentences_after) {
-  // Manifests of earlier versions tell of no limits.
+  // Manifests of earlier versions tell of no limits and of no texts.
   const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
+  const Manifest::Texts texts = before.texts.empty() ? Manifest::Texts() : after.texts;
   std::vector<Change> all = sorted(of_numbers(before.numbers, after.numbers));
   for (auto&& more :
-       {without_digests(of_texts(figures_in(before), figures_in(after), ChangeKind::other_bytes)),
+       {of_texts(before.texts, texts, ChangeKind::other_text),
+        without_digests(of_texts(figures_in(before), figures_in(after), ChangeKind::other_bytes)),
         of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
         of_texts(before.limits, limits, ChangeKind::other_limit)}) {
     const std::vector<Change> in_order = sorted(more);

@@ -17,6 +17,8 @@ enum class ChangeKind {
   beyond_error,  ///< it moved by more than both errors together, or has no error and prints another
   within_error,  ///< it moved by less
   other_digits,  ///< the same number printed in another way, or one without an error printed alike
+  other_error,   ///< the same number with another error, and so printed in another way
+  other_text,    ///< of a value or cell that is no number, and of a flag
   other_bytes,   ///< of a figure: its data or its drawing
   other_verdict,
   other_limit  ///< of a criterion
@@ -34,8 +36,8 @@ struct Change {
   std::vector<Sentence> printed_in;  ///< the sentences that print it
 };
 
-/// Lists what differs between two manifests: values, cells of tables, figures, verdicts, limits of
-/// criteria, in this order and then by name. Each is told once, in one class.
+/// Lists what differs between two manifests: values, cells of tables, texts and flags, figures,
+/// verdicts, limits of criteria, in this order and then by name. Each is told once, in one class.
 ///
 /// Two numbers agree if they differ by no more than the sum of their error bounds; without a bound
 /// if they are printed the same. A name that is gone was renamed if exactly one new name has its

@@ -20,9 +20,9 @@ namespace {
 
 /// What the argument of a command names.
 const std::map<std::string, std::string> named_by{
-    {"val", "value"},         {"rawval", "value"},    {"tab", "table"},
-    {"fig", "figure"},        {"claim", "claim"},     {"finding", "claim"},
-    {"findingsays", "claim"}, {"statement", "claim"}, {"verdict", "claim"}};
+    {"val", "value"},     {"rawval", "value"},  {"tab", "table"},         {"fig", "figure"},
+    {"claim", "claim"},   {"finding", "claim"}, {"findingsays", "claim"}, {"statement", "claim"},
+    {"verdict", "claim"}, {"ifflag", "flag"}};
 
 /// Commands that no sentence goes across.
 const std::set<std::string_view> divisions{

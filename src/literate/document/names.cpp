@@ -26,10 +26,10 @@ void add_uncertainty(json& entry, const std::optional<Uncertainty>& uncertainty)
     entry["below"] = uncertainty->sides->first;
     entry["above"] = uncertainty->sides->second;
   }
+  if (uncertainty->neglected > 0) entry["neglected"] = uncertainty->neglected;
   if (uncertainty->standard == 0) return;
   entry["standard"] = uncertainty->standard;
   entry["kinds"] = uncertainty->kinds;
-  if (uncertainty->neglected > 0) entry["neglected"] = uncertainty->neglected;
 }
 
 json value_json(const Value& value, const SourcePlace& place) {
@@ -85,16 +85,24 @@ std::map<std::string, StoredNumber> numbers_in(const json& values) {
   return numbers;
 }
 
-/// The numbers in tables, by table, row and column.
+/// What stands in the cells of tables, by table, row and column: numbers, and texts as LaTeX.
 json cells_json(const std::map<std::string, Table>& tables) {
   json entries = json::object();
   for (const auto& [name, table] : tables) {
+    const auto key = [&](std::size_t row, std::size_t column) {
+      return fmt::format("table {}, row {}, column {}", name, row + 1, column + 1);
+    };
     for (const auto& [place, printed] : table.printed_numbers()) {
       const Cell& cell = table.rows()[place.first][place.second];
-      json& entry = entries[fmt::format("table {}, row {}, column {}", name, place.first + 1,
-                                        place.second + 1)];
+      json& entry = entries[key(place.first, place.second)];
       entry = {{"number", *cell.number()}, {"printed", printed}};
       add_uncertainty(entry, cell.uncertainty());
+    }
+    for (std::size_t i = 0; i < table.rows().size(); ++i) {
+      for (std::size_t j = 0; j < table.rows()[i].size(); ++j) {
+        const std::string* text = table.rows()[i][j].text();
+        if (text != nullptr && !text->empty()) entries[key(i, j)] = {{"printed", *text}};
+      }
     }
   }
   return entries;

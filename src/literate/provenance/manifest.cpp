@@ -109,6 +109,22 @@ Manifest::Texts limits_in(const fs::path& names_json) {
   });
 }
 
+Manifest::Texts texts_in(const fs::path& names_json) {
+  return from_names(names_json, [](const json& names) {
+    Manifest::Texts texts;
+    for (const auto& [flag, is_set] : names.at("flags").items()) {
+      texts["flag " + flag] = is_set.get<bool>() ? "yes" : "no";
+    }
+    for (const auto& [key, value] : names.at("values").items()) {
+      if (!value.contains("number")) texts["value " + key] = value.at("printed");
+    }
+    for (const auto& [key, cell] : names.at("cells").items()) {
+      if (!cell.contains("number")) texts[key] = cell.at("printed");
+    }
+    return texts;
+  });
+}
+
 double bounds_between(const ManifestNumber& a, const ManifestNumber& b) {
   const bool is_below = a.number < b.number;
   const auto below = [](const ManifestNumber& n) {
@@ -137,7 +153,8 @@ std::string manifest_json(const Manifest& manifest) {
             {"outputs", manifest.outputs},
             {"numbers", numbers_json(manifest.numbers)},
             {"verdicts", manifest.verdicts},
-            {"limits", manifest.limits}};
+            {"limits", manifest.limits},
+            {"texts", manifest.texts}};
   if (!manifest.ages.empty()) text["ages"] = manifest.ages;
   return text.dump(2) + "\n";
 }
@@ -161,6 +178,7 @@ Manifest manifest_of(const std::string& json_text, const std::string& file,
             .numbers = numbers_of(text.at("numbers")),
             .verdicts = text.at("verdicts").get<Manifest::Texts>(),
             .limits = text.value("limits", Manifest::Texts()),
+            .texts = text.value("texts", Manifest::Texts()),
             .ages = text.value("ages", Manifest::Texts())};
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a manifest", file));

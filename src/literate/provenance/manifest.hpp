@@ -32,6 +32,7 @@ struct Manifest {
   std::map<std::string, ManifestNumber> numbers;
   Texts verdicts;     ///< of each claim, and whether each check passed
   Texts limits = {};  ///< of each claim's criteria, «claim x: quantity»: «at most 1 %»
+  Texts texts = {};   ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers
   Texts ages = {};    ///< of limits, by the same names, as dated_limits() tells them
 };
 
@@ -50,6 +51,10 @@ Manifest::Texts verdicts_in(const std::filesystem::path& names_json);
 
 /// What each criterion of each claim asks for. Throws sys::OutputError as numbers_in does.
 Manifest::Texts limits_in(const std::filesystem::path& names_json);
+
+/// The values and cells of tables that are texts, and the flags, «yes» or «no». Throws
+/// sys::OutputError as numbers_in does.
+Manifest::Texts texts_in(const std::filesystem::path& names_json);
 
 /// The SHA-256 of the files that values were imported from, with their scripts, by name, as
 /// names.json lists them. Throws sys::OutputError as numbers_in does.

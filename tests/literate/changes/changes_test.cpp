@@ -29,6 +29,7 @@ Manifest state() {
                       {"generated/values.tex", "d3"}};
   manifest.verdicts = {{"claim one", "confirmed"}, {"check sum", "passed"}};
   manifest.limits = {{"claim one: ratio", "at most 1 %"}};
+  manifest.texts = {{"flag is-wide", "yes"}, {"table a, row 1, column 1", "steel"}};
   return manifest;
 }
 
@@ -88,6 +89,19 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   after.numbers["table a, row 1, column 2"].number = 4;
   after.numbers["table a, row 1, column 2"].printed = "4";
   check_told(after, ChangeKind::beyond_error, "table a, row 1, column 2", "3", "4");
+
+  after = state();
+  after.numbers["fit"].standard = 0.9;
+  after.numbers["fit"].printed = "5.0(9)";
+  check_told(after, ChangeKind::other_error, "value fit", "5.0(5)", "5.0(9)");
+
+  after = state();
+  after.texts["flag is-wide"] = "no";
+  check_told(after, ChangeKind::other_text, "flag is-wide", "yes", "no");
+
+  after = state();
+  after.texts["table a, row 1, column 1"] = "brass";
+  check_told(after, ChangeKind::other_text, "table a, row 1, column 1", "steel", "brass");
 
   after = state();
   after.outputs["generated/figures/curve/data.csv"] = "other";
