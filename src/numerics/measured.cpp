@@ -4,12 +4,15 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <limits>
 
 #include "numerics/estimate_algebra.hpp"
 #include "system/require.hpp"
 
 namespace numerics {
 namespace {
+
+constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;  // relative
 
 double require_not_negative(std::string_view quantity, double value) {
   if (std::isfinite(value) && value >= 0) return value;
@@ -42,6 +45,20 @@ class Propagation {
     const double u = a.standard();
     made.neglected_ += std::abs(curvature) * u * u / 2;
     return finite(made);
+  }
+
+  // a + sign b. What a source leaves uncertain may cancel, but not that a and b were rounded to
+  // doubles: where one cancels, half a unit of the last place of either counts.
+  static Measured sum(const Measured& a, const Measured& b, double sign) {
+    Measured made = known(a.bounded() + sign * b.bounded());
+    add(made, 1, a);
+    add(made, sign, b);
+    const std::size_t n_sources = made.components_.size();
+    made = finite(made);
+    if (made.components_.size() < n_sources && made.value() != 0) {
+      made.bounded_.abs_error += half_ulp * (std::abs(a.value()) + std::abs(b.value()));
+    }
+    return made;
   }
 
   // f(a, b) with ∂f/∂a and ∂f/∂b; `second_order` bounds the terms of second order
@@ -144,11 +161,11 @@ Measured operator-(const Measured& a) {
 }
 
 Measured operator+(const Measured& a, const Measured& b) {
-  return Propagation::of(a, b, a.bounded() + b.bounded(), 1, 1, 0);
+  return Propagation::sum(a, b, 1);
 }
 
 Measured operator-(const Measured& a, const Measured& b) {
-  return Propagation::of(a, b, a.bounded() - b.bounded(), 1, -1, 0);
+  return Propagation::sum(a, b, -1);
 }
 
 Measured operator*(const Measured& a, const Measured& b) {

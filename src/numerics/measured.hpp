@@ -15,7 +15,8 @@ namespace numerics {
 /// The law of propagation: with the sensitivity cᵢ = ∂f/∂xᵢ to what the source i leaves uncertain
 /// by u(xᵢ), the combined standard uncertainty is u = √Σ (cᵢ u(xᵢ))² (JCGM 100:2008, the GUM,
 /// eq. (10)). Sources are independent of one another, and one name is one source: numbers that
-/// have a name in common are correlated by it, so that x − x has no uncertainty, and two
+/// have a name in common are correlated by it, so that x − x has no uncertainty (of numbers that
+/// differ, what is left has the bound of their rounding to doubles), and two
 /// weights from one balance that shows too much are both too great. What a name begins with, up to
 /// a solidus, is its kind: "statistics/first run".
 ///

@@ -59,6 +59,17 @@ BOOST_AUTO_TEST_CASE(what_has_its_source_in_common_cancels) {
              boost::test_tools::tolerance(1e-14));
 }
 
+// 1.83 and 1.80 are no doubles: what their difference is known to is not more than they were.
+BOOST_AUTO_TEST_CASE(what_is_left_where_an_uncertainty_cancels_is_as_wrong_as_its_rounding) {
+  const Measured left = Measured(1.83, 0.03, "gauge") - Measured(1.80, 0.03, "gauge");
+  BOOST_TEST(left.standard() == 0);
+  BOOST_TEST(std::abs(left.value() - 0.03) > 0);
+  BOOST_TEST(left.bounded().abs_error >= std::abs(left.value() - 0.03));
+  BOOST_TEST(left.bounded().abs_error < 1e-15);
+  const Measured x(1.83, 0.03, "gauge");
+  BOOST_TEST((x - x).bounded().abs_error == 0);
+}
+
 BOOST_AUTO_TEST_CASE(weights_from_one_balance_are_correlated_by_it) {
   const auto weighed = [](double value, const char* run) {
     return Measured(value, 0.03, run) + Measured(0, 0.04, "calibration/balance");

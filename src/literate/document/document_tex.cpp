@@ -98,7 +98,8 @@ std::string error_tex(const Value& value) {
   const Uncertainty& uncertainty = *value.uncertainty();
   if (uncertainty.error() == 0) return "exact";
   std::string text;
-  if (uncertainty.standard > 0) text = standard_tex(value, uncertainty);
+  if (uncertainty.standard > 0 || uncertainty.is_nonlinear())
+    text = standard_tex(value, uncertainty);
   if (uncertainty.bound == 0) return text;
   const Format two_digits = scientific(2).rounded_up();
   if (uncertainty.sides) {

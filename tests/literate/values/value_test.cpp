@@ -335,6 +335,15 @@ BOOST_AUTO_TEST_CASE(a_bound_beside_a_standard_uncertainty_is_printed_where_it_c
           .printed() == "(5.432(12) ± 0.004) V");
 }
 
+BOOST_AUTO_TEST_CASE(where_the_law_of_propagation_does_not_hold_the_second_order_is_a_bound) {
+  // With a second derivative of −1 it is 0.3²/2.
+  BOOST_TEST(Value(cos(Measured(0, 0.3, "angle")), uncertain()).printed() == "1.000 ± 0.045");
+  const Measured side(10, 1, "rule");
+  BOOST_TEST(Value((side - 10.0) * (side - 10.0), uncertain(), "m2").printed() == "(0.0 ± 1.0) m²");
+  BOOST_TEST(Value(cos(Measured(0.01, 0.3, "angle")), uncertain()).printed() ==
+             "1.0000(30) ± 0.0451");
+}
+
 BOOST_AUTO_TEST_CASE(kinds_of_uncertainty_are_told_apart_where_this_is_asked_for) {
   const Measured load =
       Measured(993.63, 20.04, "statistics/first") + Measured(0, 8.8, "calibration");
