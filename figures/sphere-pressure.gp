@@ -40,7 +40,7 @@ set ylabel '$p/p_0$' offset 1,0
 set label 1 'Hertz (line),' at 0,0.35 center
 set label 2 'pyramids (circles)' at 0,0.2 center
 plot hertz using "x":"pressure" with lines ls 1 title 'Hertz', \
-     row using "x":"pressure" every 2 with points ls 11 title 'pyramids'
+     row using "x":"pressure" every 2 with points ls 11 title 'pyramids' # outside: every second one can be told apart
 unset label 1
 unset label 2
 

@@ -20,12 +20,14 @@ namespace {
 // The significant digits of a number that may be typed: «of order 2», «40 elements».
 constexpr int most_digits = 2;
 
-/// A unit after a number, in text, in a \mathrm or as the second argument of \qty.
+/// A unit after a number, in text, in a \mathrm or as the second argument of \qty. Of $\mu$Pa the
+/// prefix is blank here.
 const sys::Pattern& unit() {
   static const sys::Pattern pattern(
-      R"re(^(\s|~|\\[,;: ]|[{}]|-)*)re"
-      R"re((\\%|per ?cent\b|(µ|°|[kMG]?Pa|[kM]?N|[numcdk]?m|kg|mg|ms|[kM]?Hz|[kMG]B|[mk]?J|kW|kV|lbf|lb|psi|ksi)re"
-      R"re(|s|min|h|ft|rad|mrad|K|[kMG]?eV|m?bar|m?mol|ml|pounds?|inch(es)?|feet|degrees?)re"
+      R"re(^(\s|~|\\[,;: ]|[{}]|-|\$\s+\$)*)re"
+      R"re((\\%|per ?cent\b|((µ|μ)[A-Za-z]*|°|[mkMG]?Pa|[mkM]?N|[numcdk]?m|[mk]?g|[npm]?s|[kMGT]?Hz|dB|[kMG]B)re"
+      R"re(|[mkM]?J|[mkMG]W|[mkM]V|mA|[kMG]?Ω|[np]F|m[HT]|Np|lbf|lb|psi|ksi)re"
+      R"re(|min|h|ft|rad|mrad|K|[kMG]?eV|m?bar|m?mol|ml|pounds?|inch(es)?|feet|degrees?)re"
       R"re(|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?|hours?|days?|weeks?|years?|newtons?|pascals?)(?![A-Za-z])))re");
   return pattern;
 }
@@ -224,6 +226,33 @@ std::vector<Typed> typed_in_script(std::string_view line) {
   return found;
 }
 
+/// A line of gnuplot with blanks for its texts and its comment.
+std::string without_texts(std::string_view line) {
+  std::string drawn(line.substr(0, line.find('#')));
+  for (std::size_t at = 0; at < drawn.size(); ++at) {
+    if (drawn[at] != '\'' && drawn[at] != '"') continue;
+    const std::size_t length = quoted_length(std::string_view(drawn).substr(at));
+    drawn.replace(at, length, length, ' ');
+    at += length - 1;
+  }
+  return drawn;
+}
+
+/// The numbers in what a line of a plot draws.
+std::vector<Typed> typed_in_plot(std::string_view line) {
+  const std::string drawn = without_texts(line);
+  std::vector<Typed> found;
+  for (std::size_t at = 0; at < drawn.size(); ++at) {
+    if (!is_digit(drawn[at]) || continues(drawn, at)) continue;
+    const auto match = numeral().find_in(std::string_view(drawn).substr(at));
+    if (!match) continue;
+    if (significant_digits(match->parts[1], match->parts[2]) > most_digits)
+      found.push_back({at, std::string(match->parts[0])});
+    at += match->parts[0].size() - 1;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<std::string> typed_numbers(std::string_view latex, const std::string& file) {
@@ -231,13 +260,33 @@ std::vector<std::string> typed_numbers(std::string_view latex, const std::string
 }
 
 std::vector<std::string> typed_numbers_in_script(std::string_view script, const std::string& file) {
+  static const sys::Pattern plot(R"re(^\s*s?plot\b)re");
+  static const sys::Pattern left_out(R"re(\bevery\b|\b1 */ *0\b)re");
   std::vector<Typed> typed;
+  std::vector<std::string> hidden;
+  bool goes_on = false, was_continued = false;
+  int line_number = 0;
   for (const std::string_view line : sys::lines_of(script)) {
+    ++line_number;
     const auto begin = static_cast<std::size_t>(line.data() - script.data());
-    for (const Typed& found : typed_in_script(line))
-      typed.push_back({begin + found.at, found.number});
+    std::vector<Typed> found = typed_in_script(line);
+    goes_on = plot.is_in(line) || (goes_on && was_continued);
+    was_continued = sys::stripped(line).ends_with('\\');
+    if (goes_on) {
+      std::ranges::move(typed_in_plot(line), std::back_inserter(found));
+      const auto hides = left_out.find_in(without_texts(line));
+      if (hides && line.find("# outside: ") == line.npos) {
+        hidden.push_back(fmt::format(
+            "{}:{}: '{}' leaves points out: if it is meant, end the line with '# outside: reason'",
+            file, line_number, hides->parts[0]));
+      }
+    }
+    std::ranges::sort(found, {}, &Typed::at);
+    for (const Typed& one : found) typed.push_back({begin + one.at, one.number});
   }
-  return findings_in(script, file, typed, '#');
+  std::vector<std::string> findings = findings_in(script, file, typed, '#');
+  findings.insert(findings.end(), hidden.begin(), hidden.end());
+  return findings;
 }
 
 std::vector<std::string> typed_numbers_in(const std::vector<NamedText>& texts) {

@@ -48,6 +48,9 @@ BOOST_AUTO_TEST_CASE(a_number_with_a_unit_is_a_result_however_short) {
   BOOST_TEST(found_in("$12\\times 10^{3}$ Pa, $1.2\\cdot10^5\\,\\text{Pa}$, 3 MPa") == "12 1.2 3 ");
   BOOST_TEST(found_in("3.5~min, 4 min, 5~h, 6 days, 7 eV, 8~eV, 4.0(2)~s, 9\\,mol, 2~hectare") ==
              "3.5 4 5 6 7 8 4.0 9 2 ");
+  BOOST_TEST(found_in("60 dB, 61~dB, 20 µPa, 21 $\\mu$Pa, 7 µm, 3 Np, 5 nF and 4 kW") ==
+             "60 61 20 21 7 3 5 4 ");
+  BOOST_TEST(found_in("at 10 am, 3 as good, 2 us, 4 a day") == "");
   BOOST_TEST(found_in("row 2~of the table, 3~to 4~and 5\\,more") == "");
   BOOST_TEST(found_in("row 2 in the table, 3 Kings, 2 nodes, 4 nothing, $2\\,m$, 5 minus 3") == "");
 }
@@ -169,6 +172,23 @@ BOOST_AUTO_TEST_CASE(texts_and_data_of_a_figures_script_are_looked_at) {
                                            "figures/f.gp:7:1: a block of data is typed: take it "
                                            "from the computation, or, if it is no result, "
                                            "end the line with '# constant: reason'"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_a_script_draws_and_points_that_it_leaves_out_are_told) {
+  const std::string script =
+      "set xrange [0:1.234]\nplot 93.859 - 32.82*x title 'a', \\\n  d using 1:($2 > 3 ? $2 : 1/0), "
+      "\\\n  d every 4 # outside: too dense\nset key at 1.234,5\nplot 0.5*x + 12, 'every 3'\n";
+
+  BOOST_TEST(typed_numbers_in_script(script, "f.gp") ==
+                 (std::vector<std::string>{"f.gp:2:6: 93.859 is typed: take it from the "
+                                           "computation, or, if it is no result, end the line "
+                                           "with '# constant: reason'",
+                                           "f.gp:2:15: 32.82 is typed: take it from the "
+                                           "computation, or, if it is no result, end the line "
+                                           "with '# constant: reason'",
+                                           "f.gp:3: '1/0' leaves points out: if it is meant, end "
+                                           "the line with '# outside: reason'"}),
              boost::test_tools::per_element());
 }
 
