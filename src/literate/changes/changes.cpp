@@ -72,6 +72,7 @@ std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumb
   // Of a number that stands as it is nobody knows an error within which it could have moved.
   const bool has_errors = before.abs_error && after.abs_error;
   if (!has_errors && before.printed == after.printed) return ChangeKind::other_digits;
+  if (!has_errors) return ChangeKind::moved;
   return is_within_errors(before, after) ? ChangeKind::within_error : ChangeKind::beyond_error;
 }
 
@@ -149,9 +150,10 @@ std::vector<Change> without_digests(std::vector<Change> changes) {
 }  // namespace
 
 std::string name_of(ChangeKind kind) {
-  constexpr std::array<const char*, 11> names{"new",
+  constexpr std::array<const char*, 12> names{"new",
                                               "gone",
                                               "renamed",
+                                              "moved",
                                               "moved beyond its error",
                                               "moved within its error",
                                               "other digits only",
@@ -169,12 +171,13 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
   // Manifests of earlier versions tell of no limits and of no texts.
   const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
   const Manifest::Texts texts = before.texts.empty() ? Manifest::Texts() : after.texts;
-  std::vector<Change> all = sorted(of_numbers(before.numbers, after.numbers));
-  for (auto&& more :
-       {of_texts(before.texts, texts, ChangeKind::other_text),
-        without_digests(of_texts(figures_in(before), figures_in(after), ChangeKind::other_bytes)),
-        of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
-        of_texts(before.limits, limits, ChangeKind::other_limit)}) {
+  std::vector<Change> all;
+  for (auto&& more : {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
+                      of_texts(before.limits, limits, ChangeKind::other_limit),
+                      of_numbers(before.numbers, after.numbers),
+                      of_texts(before.texts, texts, ChangeKind::other_text),
+                      without_digests(of_texts(figures_in(before), figures_in(after),
+                                               ChangeKind::other_bytes))}) {
     const std::vector<Change> in_order = sorted(more);
     all.insert(all.end(), in_order.begin(), in_order.end());
   }

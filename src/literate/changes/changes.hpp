@@ -14,7 +14,8 @@ enum class ChangeKind {
   added,
   gone,
   renamed,       ///< the same number under another name
-  beyond_error,  ///< it moved by more than both errors together, or has no error and prints another
+  moved,         ///< it has no error, and prints another
+  beyond_error,  ///< it moved by more than both errors together
   within_error,  ///< it moved by less
   other_digits,  ///< the same number printed in another way, or one without an error printed alike
   other_error,   ///< the same number with another error, and so printed in another way
@@ -29,6 +30,9 @@ std::string name_of(ChangeKind kind);
 
 /// A difference between two states of a document.
 struct Change {
+  /// Whether a reader sees it: numbers also move in digits that are not printed.
+  bool is_seen() const { return before.empty() || before != after; }
+
   ChangeKind kind;
   std::string what;  ///< «value x», «table x, row 1, column 2», «figure x», «claim x», «check x»
   std::string before;  ///< as it was printed, or its former name; empty for something that is new
@@ -36,8 +40,8 @@ struct Change {
   std::vector<Sentence> printed_in;  ///< the sentences that print it
 };
 
-/// Lists what differs between two manifests: values, cells of tables, texts and flags, figures,
-/// verdicts, limits of criteria, in this order and then by name. Each is told once, in one class.
+/// Lists what differs between two manifests: verdicts, limits of criteria, values, cells of tables,
+/// texts and flags, figures, in this order and then by name. Each is told once, in one class.
 ///
 /// Two numbers agree if they differ by no more than the sum of their error bounds; without a bound
 /// if they are printed the same. A name that is gone was renamed if exactly one new name has its

@@ -70,13 +70,23 @@ std::string quoted(const std::vector<Sentence>& sentences) {
 
 std::string changes_text(const std::vector<Change>& changes) {
   std::string text;
+  int n_unseen = 0;
   for (const Change& change : changes) {
+    if (!change.is_seen()) {
+      ++n_unseen;
+      continue;
+    }
     const std::string said = difference(change);
     text += fmt::format("{:<22}  {}{}{}\n", name_of(change.kind), change.what,
                         said.empty() ? "" : ": ", said);
     for (const Sentence& sentence : change.printed_in) {
       text += fmt::format("{:<22}    {}\n", "", place_of(sentence));
     }
+  }
+  if (n_unseen > 0) {
+    text +=
+        fmt::format("{} {} moved in digits that are not printed: changes.csv has {}\n", n_unseen,
+                    n_unseen == 1 ? "number" : "numbers", n_unseen == 1 ? "it" : "them");
   }
   return text;
 }
@@ -138,6 +148,7 @@ std::string answer_to_referees(const std::vector<Change>& changes,
   }
   std::string numbers;
   for (const Change& change : changes) {
+    if (!change.is_seen()) continue;
     const std::string said = difference(change);
     numbers += fmt::format("- {}: {}{}{}", change.what, name_of(change.kind),
                            said.empty() ? "" : ", ", said);

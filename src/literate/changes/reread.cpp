@@ -115,7 +115,8 @@ std::set<std::vector<std::string>> ticks_in(const fs::path& file) {
 }
 
 bool is_to_be_read(const Change& change) {
-  return change.kind == ChangeKind::beyond_error || change.kind == ChangeKind::other_verdict;
+  return change.kind == ChangeKind::beyond_error || change.kind == ChangeKind::moved ||
+         change.kind == ChangeKind::other_verdict;
 }
 
 }  // namespace

@@ -332,7 +332,10 @@ latex=${arg_ENGINE}
   add_custom_target(${name}-check
     COMMAND bash "${scripts}/check" "${settings}"
     DEPENDS "${digest}" USES_TERMINAL VERBATIM)
-  foreach(stage IN ITEMS verify dist changes)
+  add_custom_target(${name}-changes
+    COMMAND bash "${scripts}/changes" "${settings}"
+    DEPENDS "${digest}" USES_TERMINAL VERBATIM)
+  foreach(stage IN ITEMS verify dist)
     add_custom_target(${name}-${stage}
       COMMAND bash "${scripts}/${stage}" "${settings}"
       DEPENDS "${state}/typeset" USES_TERMINAL VERBATIM)

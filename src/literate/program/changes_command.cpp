@@ -24,6 +24,10 @@ struct ChangesOptions {
 sys::ExitCode compare(const ChangesOptions& options) {
   const Manifest before = read_manifest(options.before, options.project);
   const Manifest after = read_manifest(options.after, options.project);
+  if (before.facts.contains("case")) {
+    throw sys::InputError(
+        fmt::format("'{}' is a record of results and no manifest", options.before));
+  }
   const bool has_text = !options.document_before.empty();
   const auto sentences = sentences_below(options.document);
   const auto former = has_text ? sentences_below(options.document_before) : std::vector<Sentence>();
@@ -37,7 +41,7 @@ sys::ExitCode compare(const ChangesOptions& options) {
   sys::write_file_atomically(folder / "answer.md",
                              answer_to_referees(changes, has_text ? former : sentences, sentences));
   fmt::print("{}", changes_text(changes));
-  if (changes.empty()) fmt::print("no value, table, figure, verdict or limit differs\n");
+  if (changes.empty()) fmt::print("no value, text, table, figure, verdict or limit differs\n");
   return sys::ExitCode::success;
 }
 

@@ -121,6 +121,12 @@ Manifest::Texts texts_in(const fs::path& names_json) {
     for (const auto& [key, cell] : names.at("cells").items()) {
       if (!cell.contains("number")) texts[key] = cell.at("printed");
     }
+    for (const auto& [id, claim] : names.at("claims").items()) {
+      for (const json& criterion : claim.at("criteria")) {
+        const std::string quantity = criterion.at("name");
+        texts[fmt::format("claim {}: {}", id, quantity)] = criterion.at("found");
+      }
+    }
     return texts;
   });
 }

@@ -32,8 +32,9 @@ struct Manifest {
   std::map<std::string, ManifestNumber> numbers;
   Texts verdicts;     ///< of each claim, and whether each check passed
   Texts limits = {};  ///< of each claim's criteria, «claim x: quantity»: «at most 1 %»
-  Texts texts = {};   ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers
-  Texts ages = {};    ///< of limits, by the same names, as dated_limits() tells them
+  Texts texts = {};  ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers,
+                     ///< and what criteria found, «claim x: quantity»
+  Texts ages = {};  ///< of limits, by the same names, as dated_limits() tells them
 };
 
 /// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file
@@ -52,8 +53,8 @@ Manifest::Texts verdicts_in(const std::filesystem::path& names_json);
 /// What each criterion of each claim asks for. Throws sys::OutputError as numbers_in does.
 Manifest::Texts limits_in(const std::filesystem::path& names_json);
 
-/// The values and cells of tables that are texts, and the flags, «yes» or «no». Throws
-/// sys::OutputError as numbers_in does.
+/// The values and cells of tables that are texts, the flags, «yes» or «no», and what each criterion
+/// found. Throws sys::OutputError as numbers_in does.
 Manifest::Texts texts_in(const std::filesystem::path& names_json);
 
 /// The SHA-256 of the files that values were imported from, with their scripts, by name, as

@@ -18,7 +18,7 @@ manifest() {
 # make_settings ROOT: what CMake would have written of the paper there.
 make_settings() {
   mkdir -p "$1/build/out"
-  printf '%s\n' name=rod project=rod "root=$1" "build=$1/build" "literate=$literate" "document=$1/paper" "case=$1/case.toml" \
+  printf '%s\n' name=rod project=rod "root=$1" "build=$1/build" "literate=$literate" program=true "document=$1/paper" "case=$1/case.toml" \
     "output=$1/build/out" >"$1/build/rod.settings"
   printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_BUILD_TYPE:STRING=Release\n' "$1" >"$1/build/CMakeCache.txt"
   manifest rod 12 >"$1/build/out/manifest.json"
@@ -63,7 +63,22 @@ claim 'the table has the file' "$(sed -n 2p build/out/changes/changes.csv)" = \
 claim 'the page says what was compared' "$(grep -c 'Before: submitted, commit .* After: the sources as they are' build/out/changes/changes.html)" -eq 1
 manifest rod 12 >"$former/paper/manifest.json"
 changes SINCE=submitted
-claim 'what is the same does not differ' "$status $(says 'no value, table, figure, verdict or limit differs')" = '0 yes'
+claim 'what is the same does not differ' "$status $(says 'no value, text, table, figure, verdict or limit differs')" = '0 yes'
+
+echo stale >build/out/changes/answer.md
+sed -i s/^program=true/program=false/ build/rod.settings
+changes SINCE=submitted
+claim 'a verdict that is not as expected is no hindrance' "$status $(grep -c stale build/out/changes/answer.md)" = '0 0'
+sed -i "s#^case=.*#case=$scratch/case.toml#" build/rod.settings
+echo 'side = 3' >"$scratch/case.toml"
+rm -rf "$former"
+changes SINCE=submitted
+claim 'it is told that a case elsewhere serves both states' "$(says 'is not in the repository: both states have its parameters')" = yes
+make_settings "$PWD"
+rm -rf "$former"
+mkdir -p "$former/paper"
+command git clone -q . "$former/checkout"
+manifest rod 12 >"$former/paper/manifest.json"
 
 # A dirty tree
 printf 'The peak is\n\\val{peak}. It is very high.\n' >paper/a.tex
@@ -88,6 +103,8 @@ claim 'and what else to give' "$(says 'give the manifest.json of a paper that wa
 
 manifest bar 10 >other.json
 refused 'a manifest of another paper' 'is the manifest of another project, "bar"' SINCE=other.json
+echo '{"project": "rod", "made_with": {"case": {}}, "inputs": {}, "outputs": {}, "verdicts": {}, "numbers": {}}' >other.json
+refused 'a record of results' "'other.json' is a record of results and no manifest" SINCE=other.json
 echo '{"project": "rod"}' >other.json
 refused 'what is no manifest' "'other.json' is not a manifest" SINCE=other.json
 manifest rod 10 >other.json # as earlier versions wrote them, without limits

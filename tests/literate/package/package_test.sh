@@ -88,7 +88,7 @@ runs make verify MANIFEST=../theirs.json
 claim 'it is compared with a manifest, by the name that was given' "$(says "files have the bytes that '../theirs.json' tells of")" = yes
 claim 'nothing is said of how it is built' "$(says ninja)" = no
 runs make changes SINCE=HEAD
-claim 'the same commit makes no difference' "$status$(says 'no value, table, figure, verdict or limit differs')" = 0yes
+claim 'the same commit makes no difference' "$status$(says 'no value, text, table, figure, verdict or limit differs')" = 0yes
 runs make changes SINCE=no-such-tag
 claim 'a tag that is not there is told' "$status$(says 'changes: SINCE: there is neither a file nor a tag or commit no-such-tag')" = 2yes
 sed 's/^angle = 90/angle = 91/' case.toml >../other.toml
