@@ -185,22 +185,17 @@ function(literate_add_paper)
   if(arg_FAULTS)
     cmake_path(ABSOLUTE_PATH arg_FAULTS NORMALIZE OUTPUT_VARIABLE faults)
   endif()
-  # What the scripts of DATA read belongs to what the paper is made from.
-  set(reads "")
-  set(tools "")
-  set(sames "") # that the files are still what the scripts made
-  foreach(file IN LISTS data)
-    get_property(read GLOBAL PROPERTY "LITERATE_READ_FOR_${file}")
-    list(APPEND reads ${read})
-    get_property(tool GLOBAL PROPERTY "LITERATE_TOOL_FOR_${file}")
-    list(APPEND tools ${tool})
-    get_property(same GLOBAL PROPERTY "LITERATE_SAME_FOR_${file}")
-    list(APPEND sames ${same})
+  # What the scripts of DATA read belongs to what the paper is made from. They may be told of later, so generators look it up:
+  # reads, the tools that run them, records of what they read and made, and sames, that the files are still what they made.
+  literate_make_scripts()
+  foreach(kind IN ITEMS reads tools records sames)
+    set(${kind} "")
+    foreach(file IN LISTS data)
+      string(SHA256 id "${file}")
+      list(APPEND ${kind} "$<TARGET_PROPERTY:literate_scripts,${kind}_${id}>")
+    endforeach()
+    set(${kind} "$<REMOVE_DUPLICATES:${${kind}}>")
   endforeach()
-  list(REMOVE_DUPLICATES sames)
-  list(REMOVE_ITEM reads ${data} "")
-  list(REMOVE_DUPLICATES reads)
-  list(REMOVE_DUPLICATES tools)
   set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
   set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
     "Where ${name} and what it is made from are written")
@@ -220,8 +215,6 @@ function(literate_add_paper)
   # What the stages and the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
   list(JOIN data ":" joined_data)
-  list(JOIN reads ":" joined_reads)
-  list(JOIN tools ":" joined_tools)
   file(GENERATE OUTPUT "${settings}" CONTENT
 "name=${name}
 project=${PROJECT_NAME}
@@ -236,8 +229,9 @@ sources=${sources}
 figures=${figures}
 data=${joined_data}
 faults=${faults}
-reads=${joined_reads}
-tools=${joined_tools}
+reads=$<JOIN:${reads},:>
+tools=$<JOIN:${tools},:>
+records=$<JOIN:${records},:>
 output=${output}
 repository=${repository}
 engine=${engine}
@@ -266,7 +260,7 @@ latex=${arg_ENGINE}
     # std::_Exit(0) tells nobody, not even the stage.
     COMMAND sh -c "test -e \"$1\" || { echo '${name}: the computation ended the program by itself, before it was done' >&2; exit 1; }"
       sh "${state}/compute"
-    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} ${sames} ${severity_record}
+    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} "${sames}" ${severity_record}
     COMMENT "compute"
     USES_TERMINAL
     VERBATIM)
@@ -294,7 +288,7 @@ latex=${arg_ENGINE}
     COMMAND ${arg_PROGRAM} typeset "${settings}"
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
-    DEPENDS ${arg_PROGRAM} "${settings}" "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files} ${reads}
+    DEPENDS ${arg_PROGRAM} "${settings}" "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files} "${reads}"
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)
@@ -346,9 +340,16 @@ latex=${arg_ENGINE}
   endforeach()
 endfunction()
 
+# The target whose properties tell of each file of data what literate_run_script says of it.
+function(literate_make_scripts)
+  if(NOT TARGET literate_scripts)
+    add_library(literate_scripts INTERFACE IMPORTED GLOBAL)
+  endif()
+endfunction()
+
 # literate_run_script(MAKES measured.csv COMMAND python3 measure.py [READS raw.txt …]) has the build run the script that
-# writes files of DATA, whenever it, a file that its command names or one of READS is another one: numbers are then never
-# older than their script. It runs in the folder of the CMakeLists.txt, before literate_add_paper is called there.
+# writes files of DATA, whenever it, a file that its command names or one of READS is another one, by content: numbers are then
+# never older than their script. It runs in the folder of the CMakeLists.txt.
 function(literate_run_script)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "MAKES;COMMAND;READS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_MAKES OR NOT arg_COMMAND)
@@ -386,16 +387,25 @@ function(literate_run_script)
     set(interpreter "")
   endif()
   list(APPEND read ${arg_READS})
-  list(TRANSFORM read PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
-  list(TRANSFORM arg_MAKES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  foreach(files IN ITEMS read arg_MAKES)
+    set(named "${${files}}")
+    set(${files} "")
+    foreach(file IN LISTS named)
+      cmake_path(ABSOLUTE_PATH file NORMALIZE)
+      list(APPEND ${files} "${file}")
+    endforeach()
+  endforeach()
   list(GET arg_MAKES 0 first)
-  string(SHA256 record "${first}")
-  string(SUBSTRING "${record}" 0 16 record)
-  set(record "${CMAKE_CURRENT_BINARY_DIR}/made-${record}")
+  string(SHA256 hash "${first}")
+  string(SUBSTRING "${hash}" 0 16 hash)
+  set(record "${CMAKE_CURRENT_BINARY_DIR}/made-${hash}")
+  literate_make_scripts()
   foreach(made IN LISTS arg_MAKES)
-    set_property(GLOBAL APPEND PROPERTY "LITERATE_READ_FOR_${made}" ${read})
-    set_property(GLOBAL PROPERTY "LITERATE_SAME_FOR_${made}" "${record}.same")
-    set_property(GLOBAL PROPERTY "LITERATE_TOOL_FOR_${made}" ${interpreter})
+    string(SHA256 id "${made}")
+    set_property(TARGET literate_scripts PROPERTY reads_${id} ${read})
+    set_property(TARGET literate_scripts PROPERTY tools_${id} ${interpreter})
+    set_property(TARGET literate_scripts PROPERTY records_${id} "${record}" "${record}.read")
+    set_property(TARGET literate_scripts PROPERTY sames_${id} "${record}.same")
   endforeach()
   # What was changed by hand afterwards is not what the script made.
   add_custom_command(OUTPUT "${record}.same"
@@ -405,9 +415,15 @@ function(literate_run_script)
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
     COMMENT "made"
     VERBATIM)
+  # Every build asks whether it would read what it has read.
+  add_custom_target(ask_for_reads_of_${hash}
+    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}" --asks
+    BYPRODUCTS "${record}.asked"
+    COMMENT "read"
+    VERBATIM)
   add_custom_command(OUTPUT ${arg_MAKES} "${record}"
-    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}" ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
-    DEPENDS ${read}
+    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}" ${read} -- ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
+    DEPENDS ${read} "${record}.asked"
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
     COMMENT "${said}"
     VERBATIM)

@@ -3,10 +3,10 @@
 # stages and scripts read. They are the name of the paper's targets, its project, the folders root, build, document, figures,
 # output, repository (its state) and engine, the LaTeX that typesets it, the files program, literate and case, the
 # document's main file, and with colons between the folders of sources, from the root on, the data that are imported, what their
-# scripts read and what runs these, and the list of planted faults.
+# scripts read and what runs these, the records of what was read and made for it before the stages, and the list of planted faults.
 # shellcheck disable=SC2034  # read by the scripts
 name='' project='' root='' build='' program='' literate='' document='' main='' case='' sources='' figures='' output='' \
-  data='' reads='' tools='' faults='' repository='' engine='' latex=''
+  data='' reads='' tools='' records='' faults='' repository='' engine='' latex=''
 while IFS= read -r setting; do
   printf -v "${setting%%=*}" '%s' "${setting#*=}"
 done <"$1"

@@ -158,6 +158,25 @@ runs ninja -C build rod-dist
 claim 'the manifest has what the script of its data reads' "$status$(grep -c '"raw.txt": ' build/rod/manifest.json)" = 01
 claim 'and the interpreter that ran it' "$(grep -c '"python3": "Python 3' build/rod/manifest.json)" -eq 1
 claim 'and both are packed with the paper' "$(tar -tzf build/dist/rod.tar.gz | grep -cE '^\./anc/(raw\.txt|make_it\.py)$')" -eq 2
+sed -i '/^literate_run_script/d' CMakeLists.txt
+echo 'literate_run_script(MAKES made.csv COMMAND python3 make_it.py READS raw.txt)' >>CMakeLists.txt
+sed -i 's/^import/# told after the paper\n&/' make_it.py
+runs ninja -C build rod-dist
+claim 'so they are where the script is told after the paper' "$status$(grep -c '"raw.txt": ' build/rod/manifest.json)" = 01 \
+  -a "$(tar -tzf build/dist/rod.tar.gz | grep -cE '^\./anc/(raw\.txt|make_it\.py)$')" -eq 2
+echo 2 >raw.txt
+runs make verify DEPTH=traced
+claim 'an edit of what the script reads is found without a build' "$status$(says 'verify: sources: raw.txt has other bytes')" = 2yes
+runs make
+older() { echo "$1" >older && touch -d '1 hour ago' older && mv older "$2"; }
+older 'by hand' made.csv
+runs make
+claim 'an older file in the place of what the script made is told' \
+  "$status$(says 'made.csv is not as it was made, or was saved since; build again, and it is made anew')" = 2yes
+runs make why
+claim 'and why it would be made' "$(says 'what a script of data read or made is another')" = yes
+runs make
+claim 'the script makes it anew' "$status$(cat made.csv)" = 02
 git checkout -q CMakeLists.txt && rm raw.txt make_it.py made.csv
 
 # A label may hold what siunitx prints; what LaTeX does not know is told with the script's line.
