@@ -6,7 +6,8 @@
 # compiled so that names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
 
 # The names of files in a program and in the paper's own libraries that it links start at `root`: whole names, and those
-# that begin at the build folder, which ccache tells the compiler where it has a base_dir.
+# that begin at the build folder, which ccache tells the compiler where it has a base_dir. Each object has a record of what it was
+# compiled from. LITERATE_COMPILED has all these targets.
 function(literate_map_prefix target root)
   get_target_property(aliased ${target} ALIASED_TARGET)
   if(aliased)
@@ -30,12 +31,21 @@ function(literate_map_prefix target root)
     cmake_path(APPEND from_build "") # a slash at its end, and one only
     target_compile_options(${target} PRIVATE "-fmacro-prefix-map=${from_build}=")
   endif()
+  cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
+  set_property(TARGET ${target} PROPERTY RULE_LAUNCH_COMPILE "bash \"${engine}/scripts/compile\" \"${root}\"")
+  set(compiled ${target})
   get_target_property(links ${target} LINK_LIBRARIES)
   foreach(link IN LISTS links)
     if(TARGET "${link}")
       literate_map_prefix("${link}" "${root}")
+      get_target_property(of_link ${link} LITERATE_COMPILED)
+      if(of_link)
+        list(APPEND compiled ${of_link})
+      endif()
     endif()
   endforeach()
+  list(REMOVE_DUPLICATES compiled)
+  set_property(TARGET ${target} PROPERTY LITERATE_COMPILED ${compiled})
 endfunction()
 
 # Before anything is compiled, every build asks for what the program is compiled from, the excerpts; before anything is
@@ -212,6 +222,17 @@ function(literate_add_paper)
   # Without its table of symbols the program is half as large, and each build reads it to see that it is whole.
   target_link_options(${arg_PROGRAM} PRIVATE $<$<CONFIG:Release>:-s>)
 
+  # The objects that the program is linked from, and what they were compiled from.
+  set(objects "${PROJECT_BINARY_DIR}/generated/${name}/objects.list")
+  set(compiled "${PROJECT_BINARY_DIR}/${name}.compiled")
+  get_target_property(targets ${arg_PROGRAM} LITERATE_COMPILED)
+  set(lines "")
+  if(targets)
+    list(TRANSFORM targets REPLACE "(.+)" "$<JOIN:$<TARGET_OBJECTS:\\1>,\n>\n" OUTPUT_VARIABLE lines)
+    list(JOIN lines "" lines)
+  endif()
+  file(GENERATE OUTPUT "${objects}" CONTENT "${lines}")
+
   # What the stages and the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
   list(JOIN data ":" joined_data)
@@ -231,7 +252,8 @@ data=${joined_data}
 faults=${faults}
 reads=$<JOIN:${reads},:>
 tools=$<JOIN:${tools},:>
-records=$<JOIN:${records},:>
+records=${compiled}:$<JOIN:${records},:>
+objects=${objects}
 output=${output}
 repository=${repository}
 engine=${engine}
@@ -241,8 +263,9 @@ latex=${arg_ENGINE}
   # By its SHA-256 a damaged program is known: an empty one would be run by the shell, which finds no fault.
   set(linked "${PROJECT_BINARY_DIR}/${name}.linked")
   add_custom_command(
-    OUTPUT "${linked}"
+    OUTPUT "${linked}" "${compiled}"
     COMMAND "${CMAKE_COMMAND}" "-DFILE=$<TARGET_FILE:${arg_PROGRAM}>" "-DOUTPUT=${linked}"
+      "-DOBJECTS=${objects}" "-DCOMPILED=${compiled}"
       -P "${engine}/cmake/WriteLinked.cmake"
     DEPENDS ${arg_PROGRAM} "${engine}/cmake/WriteLinked.cmake"
     COMMENT "linked program"

@@ -108,6 +108,25 @@ cp ../main.cpp src/main.cpp
 runs make
 claim 'without it the paper is made again' "$status" -eq 0
 
+# A source whose time is older than that of what was compiled
+older() { cp "$1" older && touch -d '1 hour ago' older && mv older "$2"; }
+digest() { sha256sum "$1" | cut -d ' ' -f 1; }
+in_manifest() { grep -c "\"src/main.cpp\": \"$(digest "$1")\"" build/rod/manifest.json; }
+{ cat src/main.cpp; echo '// and more'; } >../more.cpp
+older ../more.cpp src/main.cpp
+runs build/rod_program typeset build/rod.settings
+claim 'the manifest has a source as it was compiled' "$status$(in_manifest ../main.cpp)" = 01
+runs ninja -C build rod-why
+claim 'what was compiled is another, and told' "$(says 'src/main.cpp is another than the one that was read')" = yes
+runs ninja -C build rod
+claim 'an older source in the place of the one that was compiled is told by the build' \
+  "$status$(says 'src/main.cpp is not as it was made, or was saved since; build again, and it is made anew')" = 1yes
+runs ninja -C build rod
+claim 'and the next one compiles it' "$status$(in_manifest ../more.cpp)" = 01
+older ../main.cpp src/main.cpp
+runs make
+claim 'make compiles it at once' "$status$(in_manifest ../main.cpp)" = 01
+
 # A limit that is changed when its result is known
 committed() { git add -A && git -c user.name=t -c user.email=t@example.org -c commit.gpgsign=false commit -qm more; }
 runs make check RECORD=1
@@ -168,8 +187,8 @@ echo 2 >raw.txt
 runs make verify DEPTH=traced
 claim 'an edit of what the script reads is found without a build' "$status$(says 'verify: sources: raw.txt has other bytes')" = 2yes
 runs make
-older() { echo "$1" >older && touch -d '1 hour ago' older && mv older "$2"; }
-older 'by hand' made.csv
+echo 'by hand' >../by_hand.csv
+older ../by_hand.csv made.csv
 runs make
 claim 'an older file in the place of what the script made is told' \
   "$status$(says 'made.csv is not as it was made, or was saved since; build again, and it is made anew')" = 2yes
