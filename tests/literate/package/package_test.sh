@@ -223,6 +223,11 @@ wait "$watch"
 claim 'make says nothing of a watch that is interrupted' "$(grep -c 'waiting for' watch.log)$(grep -c '^make' watch.log)" = 10
 rm watch.log
 
+mv "$scratch/installed paper" "$scratch/moved paper" && cd "$scratch/moved paper" || exit 1
+runs make
+claim 'where its folder was moved its build folder is made anew, with the same engine' \
+  "$status$(says 'this folder was moved, and build is made anew')" = 0yes -a "$(tail -n 1 <<<"$said")" = build/rod/rod.pdf
+
 # Many cases, one of which is not right
 mkdir cases
 for angle in 80 120 200; do sed "s/^angle = 90/angle = $angle/" case.toml >"cases/angle $angle.toml"; done
