@@ -74,7 +74,7 @@ DAMAGED = [
     "build/report/generated/tables/graded.tex", "build/report/generated/figures/style.gp",
     f"{FIGURE}/surface-gradient.pdf", f"{FIGURE}/surface-gradient.tex", f"{FIGURE}/surface-gradient.gp",
     f"{FIGURE}/script.gp", f"{FIGURE}/files.tex", f"{FIGURE}/drawn.sha256",
-    "build/release/halfspace-report", "build/release/report.linked", "build/release/report.settings",
+    "build/release/halfspace-report", "build/release/report.linked", "build/release/report.compiled", "build/release/report.settings",
     "build/release/build.ninja", "build/release/CMakeFiles/rules.ninja", "build/release/CMakeCache.txt",
     "build/release/CMakeFiles/cmake.verify_globs", "build/release/generated/report/repository/repository.json",
     "build/release/generated/report/repository/repository.tex", "build/lock",

@@ -6,7 +6,8 @@
 # compiled so that names of source files begin at ROOT, and gets literate::this_paper(): project, version, compiler, excerpts.
 
 # The names of files in a program and in the paper's own libraries that it links start at `root`: whole names, and those
-# that begin at the build folder, which ccache tells the compiler where it has a base_dir.
+# that begin at the build folder, which ccache tells the compiler where it has a base_dir. Each object has a record of what it was
+# compiled from. LITERATE_COMPILED has all these targets.
 function(literate_map_prefix target root)
   get_target_property(aliased ${target} ALIASED_TARGET)
   if(aliased)
@@ -30,12 +31,21 @@ function(literate_map_prefix target root)
     cmake_path(APPEND from_build "") # a slash at its end, and one only
     target_compile_options(${target} PRIVATE "-fmacro-prefix-map=${from_build}=")
   endif()
+  cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
+  set_property(TARGET ${target} PROPERTY RULE_LAUNCH_COMPILE "bash \"${engine}/scripts/compile\" \"${root}\"")
+  set(compiled ${target})
   get_target_property(links ${target} LINK_LIBRARIES)
   foreach(link IN LISTS links)
     if(TARGET "${link}")
       literate_map_prefix("${link}" "${root}")
+      get_target_property(of_link ${link} LITERATE_COMPILED)
+      if(of_link)
+        list(APPEND compiled ${of_link})
+      endif()
     endif()
   endforeach()
+  list(REMOVE_DUPLICATES compiled)
+  set_property(TARGET ${target} PROPERTY LITERATE_COMPILED ${compiled})
 endfunction()
 
 # Before anything is compiled, every build asks for what the program is compiled from, the excerpts; before anything is
@@ -185,22 +195,17 @@ function(literate_add_paper)
   if(arg_FAULTS)
     cmake_path(ABSOLUTE_PATH arg_FAULTS NORMALIZE OUTPUT_VARIABLE faults)
   endif()
-  # What the scripts of DATA read belongs to what the paper is made from.
-  set(reads "")
-  set(tools "")
-  set(sames "") # that the files are still what the scripts made
-  foreach(file IN LISTS data)
-    get_property(read GLOBAL PROPERTY "LITERATE_READ_FOR_${file}")
-    list(APPEND reads ${read})
-    get_property(tool GLOBAL PROPERTY "LITERATE_TOOL_FOR_${file}")
-    list(APPEND tools ${tool})
-    get_property(same GLOBAL PROPERTY "LITERATE_SAME_FOR_${file}")
-    list(APPEND sames ${same})
+  # What the scripts of DATA read belongs to what the paper is made from. They may be told of later, so generators look it up:
+  # reads, the tools that run them, records of what they read and made, and sames, that the files are still what they made.
+  literate_make_scripts()
+  foreach(kind IN ITEMS reads tools records sames)
+    set(${kind} "")
+    foreach(file IN LISTS data)
+      string(SHA256 id "${file}")
+      list(APPEND ${kind} "$<TARGET_PROPERTY:literate_scripts,${kind}_${id}>")
+    endforeach()
+    set(${kind} "$<REMOVE_DUPLICATES:${${kind}}>")
   endforeach()
-  list(REMOVE_DUPLICATES sames)
-  list(REMOVE_ITEM reads ${data} "")
-  list(REMOVE_DUPLICATES reads)
-  list(REMOVE_DUPLICATES tools)
   set(${name}_CASE "${case}" CACHE FILEPATH "Parameter file of ${name}")
   set(${name}_OUTPUT "${PROJECT_BINARY_DIR}/${name}" CACHE PATH
     "Where ${name} and what it is made from are written")
@@ -217,11 +222,20 @@ function(literate_add_paper)
   # Without its table of symbols the program is half as large, and each build reads it to see that it is whole.
   target_link_options(${arg_PROGRAM} PRIVATE $<$<CONFIG:Release>:-s>)
 
+  # The objects that the program is linked from, and what they were compiled from.
+  set(objects "${PROJECT_BINARY_DIR}/generated/${name}/objects.list")
+  set(compiled "${PROJECT_BINARY_DIR}/${name}.compiled")
+  get_target_property(targets ${arg_PROGRAM} LITERATE_COMPILED)
+  set(lines "")
+  if(targets)
+    list(TRANSFORM targets REPLACE "(.+)" "$<JOIN:$<TARGET_OBJECTS:\\1>,\n>\n" OUTPUT_VARIABLE lines)
+    list(JOIN lines "" lines)
+  endif()
+  file(GENERATE OUTPUT "${objects}" CONTENT "${lines}")
+
   # What the stages and the scripts know of the paper.
   list(JOIN arg_SOURCES ":" sources)
   list(JOIN data ":" joined_data)
-  list(JOIN reads ":" joined_reads)
-  list(JOIN tools ":" joined_tools)
   file(GENERATE OUTPUT "${settings}" CONTENT
 "name=${name}
 project=${PROJECT_NAME}
@@ -236,8 +250,10 @@ sources=${sources}
 figures=${figures}
 data=${joined_data}
 faults=${faults}
-reads=${joined_reads}
-tools=${joined_tools}
+reads=$<JOIN:${reads},:>
+tools=$<JOIN:${tools},:>
+records=${compiled}:$<JOIN:${records},:>
+objects=${objects}
 output=${output}
 repository=${repository}
 engine=${engine}
@@ -247,8 +263,9 @@ latex=${arg_ENGINE}
   # By its SHA-256 a damaged program is known: an empty one would be run by the shell, which finds no fault.
   set(linked "${PROJECT_BINARY_DIR}/${name}.linked")
   add_custom_command(
-    OUTPUT "${linked}"
+    OUTPUT "${linked}" "${compiled}"
     COMMAND "${CMAKE_COMMAND}" "-DFILE=$<TARGET_FILE:${arg_PROGRAM}>" "-DOUTPUT=${linked}"
+      "-DOBJECTS=${objects}" "-DCOMPILED=${compiled}"
       -P "${engine}/cmake/WriteLinked.cmake"
     DEPENDS ${arg_PROGRAM} "${engine}/cmake/WriteLinked.cmake"
     COMMENT "linked program"
@@ -266,7 +283,7 @@ latex=${arg_ENGINE}
     # std::_Exit(0) tells nobody, not even the stage.
     COMMAND sh -c "test -e \"$1\" || { echo '${name}: the computation ended the program by itself, before it was done' >&2; exit 1; }"
       sh "${state}/compute"
-    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} ${sames} ${severity_record}
+    DEPENDS ${arg_PROGRAM} "${linked}" "${settings}" "${case}" ${data} "${sames}" ${severity_record}
     COMMENT "compute"
     USES_TERMINAL
     VERBATIM)
@@ -294,7 +311,7 @@ latex=${arg_ENGINE}
     COMMAND ${arg_PROGRAM} typeset "${settings}"
     # A second command keeps the shell, and the shell says which signal ended the first.
     COMMAND "${CMAKE_COMMAND}" -E true
-    DEPENDS ${arg_PROGRAM} "${settings}" "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files} ${reads}
+    DEPENDS ${arg_PROGRAM} "${settings}" "${digest}" "${case}" "${repository}/repository.json" "${list_of_document}" ${files} "${reads}"
     COMMENT "typeset"
     USES_TERMINAL
     VERBATIM)
@@ -349,9 +366,16 @@ latex=${arg_ENGINE}
   endforeach()
 endfunction()
 
+# The target whose properties tell of each file of data what literate_run_script says of it.
+function(literate_make_scripts)
+  if(NOT TARGET literate_scripts)
+    add_library(literate_scripts INTERFACE IMPORTED GLOBAL)
+  endif()
+endfunction()
+
 # literate_run_script(MAKES measured.csv COMMAND python3 measure.py [READS raw.txt …]) has the build run the script that
-# writes files of DATA, whenever it, a file that its command names or one of READS is another one: numbers are then never
-# older than their script. It runs in the folder of the CMakeLists.txt, before literate_add_paper is called there.
+# writes files of DATA, whenever it, a file that its command names or one of READS is another one, by content: numbers are then
+# never older than their script. It runs in the folder of the CMakeLists.txt.
 function(literate_run_script)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "MAKES;COMMAND;READS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_MAKES OR NOT arg_COMMAND)
@@ -389,16 +413,25 @@ function(literate_run_script)
     set(interpreter "")
   endif()
   list(APPEND read ${arg_READS})
-  list(TRANSFORM read PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
-  list(TRANSFORM arg_MAKES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  foreach(files IN ITEMS read arg_MAKES)
+    set(named "${${files}}")
+    set(${files} "")
+    foreach(file IN LISTS named)
+      cmake_path(ABSOLUTE_PATH file NORMALIZE)
+      list(APPEND ${files} "${file}")
+    endforeach()
+  endforeach()
   list(GET arg_MAKES 0 first)
-  string(SHA256 record "${first}")
-  string(SUBSTRING "${record}" 0 16 record)
-  set(record "${CMAKE_CURRENT_BINARY_DIR}/made-${record}")
+  string(SHA256 hash "${first}")
+  string(SUBSTRING "${hash}" 0 16 hash)
+  set(record "${CMAKE_CURRENT_BINARY_DIR}/made-${hash}")
+  literate_make_scripts()
   foreach(made IN LISTS arg_MAKES)
-    set_property(GLOBAL APPEND PROPERTY "LITERATE_READ_FOR_${made}" ${read})
-    set_property(GLOBAL PROPERTY "LITERATE_SAME_FOR_${made}" "${record}.same")
-    set_property(GLOBAL PROPERTY "LITERATE_TOOL_FOR_${made}" ${interpreter})
+    string(SHA256 id "${made}")
+    set_property(TARGET literate_scripts PROPERTY reads_${id} ${read})
+    set_property(TARGET literate_scripts PROPERTY tools_${id} ${interpreter})
+    set_property(TARGET literate_scripts PROPERTY records_${id} "${record}" "${record}.read")
+    set_property(TARGET literate_scripts PROPERTY sames_${id} "${record}.same")
   endforeach()
   # What was changed by hand afterwards is not what the script made.
   add_custom_command(OUTPUT "${record}.same"
@@ -408,9 +441,15 @@ function(literate_run_script)
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
     COMMENT "made"
     VERBATIM)
+  # Every build asks whether it would read what it has read.
+  add_custom_target(ask_for_reads_of_${hash}
+    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}" --asks
+    BYPRODUCTS "${record}.asked"
+    COMMENT "read"
+    VERBATIM)
   add_custom_command(OUTPUT ${arg_MAKES} "${record}"
-    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}" ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
-    DEPENDS ${read}
+    COMMAND bash "${engine}/scripts/run" "${PROJECT_NAME}: ${place}" "${record}" ${read} -- ${arg_MAKES} -- "${tool}" ${arg_COMMAND}
+    DEPENDS ${read} "${record}.asked"
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
     COMMENT "${said}"
     VERBATIM)

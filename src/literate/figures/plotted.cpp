@@ -159,8 +159,8 @@ sys::ProcessResult run_as(const fs::path& folder, const std::string& name, const
 std::optional<std::string> table_of_points(const fs::path& folder, const std::string& name,
                                            const fs::path& scratch, const std::string& script) {
   const fs::path copy = scratch / "points" / name;
-  const auto points = run_as(folder, name, copy, telling_points(script),
-                             std::string("set table '") + table_name + "'");
+  const auto points =
+      run_as(folder, name, copy, script, std::string("set table '") + table_name + "'");
   if (points.exit_status != 0 || !fs::is_regular_file(copy / table_name)) return std::nullopt;
   return sys::read_file(copy / table_name);
 }
@@ -181,7 +181,7 @@ std::string telling_axes(const std::string& script) {
   return text;
 }
 
-std::string telling_points(const std::string& script) {
+std::string telling_points(const std::string& script, const std::string& before_plots) {
   std::string text;
   bool goes_on_left_out = false;
   for (const std::string_view line : sys::lines_of(script)) {
@@ -189,7 +189,7 @@ std::string telling_points(const std::string& script) {
                          begins_with_word(line, "unset multiplot") || goes_on_left_out;
     goes_on_left_out = is_page && goes_on(line);
     if (is_page) continue;
-    if (is_plot(line)) text += "set format '%.10g'\n";
+    if (is_plot(line)) text += "set format '%.10g'\n" + before_plots;
     text += std::string(line) + "\n";
   }
   return text;
@@ -203,19 +203,34 @@ std::vector<PlottedPanel> plotted_panels(const fs::path& folder, const std::stri
   std::vector<PlottedPanel> panels = panels_in(frames.output);
   if (frames.exit_status != 0 || panels.empty()) return {};
 
-  const auto table = table_of_points(folder, name, scratch, script);
+  const auto table = table_of_points(folder, name, scratch, telling_points(script));
   if (!table || !add_curves(*table, panels)) return {};
   return panels;
 }
 
 std::size_t n_points_outside(const fs::path& folder, const std::string& name,
                              const fs::path& scratch) {
-  const auto table = table_of_points(folder, name, scratch, sys::read_file(folder / "script.gp"));
+  // A function has as many points as there are samples, so they are more than any data have.
+  std::ptrdiff_t n_samples = 2;
+  for (const std::string& file : sys::files_below(folder)) {
+    if (file.ends_with(".csv")) n_samples += std::ranges::count(sys::read_file(folder / file), '\n');
+  }
+  const auto table =
+      table_of_points(folder, name, scratch,
+                      telling_points(sys::read_file(folder / "script.gp"),
+                                     "set samples " + std::to_string(n_samples) + "\n"));
   if (!table) return 0;
-  const auto lines = sys::lines_of(*table);
-  return static_cast<std::size_t>(std::ranges::count_if(lines, [](std::string_view line) {
-    return !line.starts_with("#") && sys::stripped(line).ends_with(" o");
-  }));
+  const std::string of_function = ", " + std::to_string(n_samples) + " points";
+  std::size_t n_outside = 0;
+  bool is_data = true;
+  for (const std::string_view line : sys::lines_of(*table)) {
+    if (line.find(" points") != line.npos && line.starts_with("#")) {
+      is_data = !line.ends_with(of_function);
+    } else if (is_data && !line.starts_with("#") && sys::stripped(line).ends_with(" o")) {
+      ++n_outside;
+    }
+  }
+  return n_outside;
 }
 
 }  // namespace literate

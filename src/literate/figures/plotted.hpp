@@ -54,7 +54,7 @@ std::size_t n_points_outside(const std::filesystem::path& folder, const std::str
 std::string telling_axes(const std::string& script);
 
 /// A script that draws nothing on pages of several panels, so that a table holds its points with
-/// ten digits.
-std::string telling_points(const std::string& script);
+/// ten digits. `before_plots` are more lines before each plot.
+std::string telling_points(const std::string& script, const std::string& before_plots = {});
 
 }  // namespace literate

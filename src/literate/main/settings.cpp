@@ -51,6 +51,10 @@ Settings read_settings(const std::filesystem::path& file) {
   for (std::string read; std::getline(reads, read, ':');) settings.reads.emplace_back(read);
   std::istringstream tools(values["tools"]);
   for (std::string tool; std::getline(tools, tool, ':');) settings.tools.push_back(tool);
+  std::istringstream records(values["records"]);
+  for (std::string record; std::getline(records, record, ':');) {
+    settings.records.emplace_back(record);
+  }
   if (!values["latex"].empty()) settings.latex = values["latex"];
   if (settings.latex != "pdflatex" && settings.latex != "lualatex") {
     throw sys::InputError(fmt::format("{}: the setting 'latex' is '{}', not pdflatex or lualatex",

@@ -20,7 +20,9 @@ struct Settings {
   std::filesystem::path figures = {};    ///< the folder of the gnuplot scripts
   /// What the scripts read that make its data (literate_run_script).
   std::vector<std::filesystem::path> reads = {};
-  std::vector<std::string> tools = {};    ///< that run these scripts, such as python3
+  std::vector<std::string> tools = {};  ///< that run these scripts, such as python3
+  /// Records, as sha256sum writes them, of what was read and made for it before the stages.
+  std::vector<std::filesystem::path> records = {};
   std::filesystem::path output = {};      ///< the folder of all that is made
   std::filesystem::path repository = {};  ///< the folder of its state; empty if it is not known
   std::filesystem::path engine = {};      ///< the engine's own folder, for what the page looks like

@@ -101,6 +101,19 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
     files[name_within(root, file)] =
         names.case_sha256.empty() ? sys::sha256_of_file(file) : names.case_sha256;
   }
+  // So could one of what was compiled, and of what scripts of data read and wrote.
+  for (const fs::path& record : settings.records) {
+    if (!fs::is_regular_file(record)) continue;
+    const auto entries = sys::parse_record(sys::read_file(record));
+    if (!entries) {
+      sys::remove_file(record);
+      throw sys::OutputError(fmt::format(
+          "'{}' was no list of digests and is removed; build again", record.string()));
+    }
+    for (const sys::RecordEntry& entry : *entries) {
+      files[name_within(root, fs::weakly_canonical(entry.name))] = entry.digest;
+    }
+  }
   return files;
 }
 

@@ -3,10 +3,10 @@
 # stages and scripts read. They are the name of the paper's targets, its project, the folders root, build, document, figures,
 # output, repository (its state) and engine, the LaTeX that typesets it, the files program, literate and case, the
 # document's main file, and with colons between the folders of sources, from the root on, the data that are imported, what their
-# scripts read and what runs these, and the list of planted faults.
+# scripts read and what runs these, the records of what was read and made for it before the stages; the list of the program's objects; and the list of planted faults.
 # shellcheck disable=SC2034  # read by the scripts
 name='' project='' root='' build='' program='' literate='' document='' main='' case='' sources='' figures='' output='' \
-  data='' reads='' tools='' faults='' repository='' engine='' latex=''
+  data='' reads='' tools='' records='' objects='' faults='' repository='' engine='' latex=''
 while IFS= read -r setting; do
   printf -v "${setting%%=*}" '%s' "${setting#*=}"
 done <"$1"
@@ -15,6 +15,15 @@ cd "$root" || exit
 
 # cached VARIABLE: its value in CMake's cache.
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
+
+# forget_objects: removes those that were compiled from other files than there are now: of an older file in the place of one that
+# was compiled, its time tells Ninja nothing.
+forget_objects() {
+  local object
+  while IFS= read -r object; do
+    if [[ -s $object.sha256 ]] && ! sha256sum --status --check "$object.sha256" 2>/dev/null; then rm -f -- "$object"; fi
+  done <"$objects"
+}
 
 # figure_error LOG: what LaTeX stopped at in a figure, the last one that it read, with the line of the script that has the command.
 figure_error() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "literate/text/characters.hpp"
 #include "system/lines.hpp"
@@ -61,6 +62,14 @@ class OpenFiles {
     return named == files_.rend() ? std::string_view{} : *named;
   }
 
+  /// The innermost open file of the document's own folder; empty if there is none.
+  std::string_view current_own() const {
+    const auto named = std::find_if(files_.rbegin(), files_.rend(), [](const std::string& file) {
+      return file.starts_with("./");
+    });
+    return named == files_.rend() ? std::string_view{} : *named;
+  }
+
   /// The document itself, whose name stays known when it is closed.
   std::string_view first() const { return first_; }
 
@@ -97,20 +106,16 @@ std::string_view digits_at(std::string_view text) {
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
-/// The line number at the end of most warnings; empty if there is none.
-std::string_view line_number_in(std::string_view message) {
+/// The line number at the end of most warnings, and of a paragraph the last one as well; empty if
+/// there is none.
+std::pair<std::string_view, std::string_view> line_numbers_in(std::string_view message) {
   for (const std::string_view words : {"input line ", "at lines ", "at line "}) {
     const auto at = message.rfind(words);
     if (at == std::string_view::npos) continue;
     const std::string_view rest = message.substr(at + words.size());
     const std::string_view first = digits_at(rest);
-    if (!rest.substr(first.size()).starts_with("--")) return first;
-    // A paragraph that began in a file which was read meanwhile: its lines are not those of this
-    // one.
-    const std::string_view last = digits_at(rest.substr(first.size() + 2));
-    const bool begins_later =
-        first.size() != last.size() ? first.size() > last.size() : first > last;
-    return begins_later ? last : first;
+    if (!rest.substr(first.size()).starts_with("--")) return {first, first};
+    return {first, digits_at(rest.substr(first.size() + 2))};
   }
   return {};
 }
@@ -193,12 +198,22 @@ std::vector<std::string> latex_defects(std::string_view log, std::string_view so
     if (const std::string group = open_group_in(line); !group.empty()) {
       defects.push_back(labelled(files.first(), source_label) + ": " + group);
     } else if (is_defect(line)) {
-      const std::string file =
-          files.current().empty() ? "" : labelled(files.current(), source_label) + ":";
-      const std::string_view number = line_number_in(line);
+      auto [number, last] = line_numbers_in(line);
+      std::string_view message = line, in = files.current();
+      if (number.size() != last.size() ? number.size() > last.size() : number > last) {
+        // A paragraph that began in another file: in the document, which now reads what was made
+        // for it, or in a file that was read meanwhile.
+        if (in.starts_with("./") || files.current_own().empty()) {
+          number = last;
+        } else {
+          in = files.current_own();
+          message.remove_suffix(last.size() + 2);
+        }
+      }
+      const std::string file = in.empty() ? "" : labelled(in, source_label) + ":";
       defects.push_back(fmt::format("{}{}{}{}", file, number, number.empty() ? "" : ":",
                                     file.empty() && number.empty() ? "" : " ") +
-                        std::string(line));
+                        std::string(message));
     } else if (!boxes.are_open()) {
       files.read(line);
     }

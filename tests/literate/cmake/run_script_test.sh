@@ -9,8 +9,8 @@ cmake_minimum_required(VERSION 3.25)
 project(measured LANGUAGES NONE)
 include("$source_dir/src/literate/cmake/AddPaper.cmake")
 literate_run_script(MAKES measured.csv COMMAND sh measure.sh READS raw.txt)
-get_property(same GLOBAL PROPERTY "LITERATE_SAME_FOR_\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv")
-add_custom_target(all_data ALL DEPENDS "\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv" "\${same}")
+string(SHA256 id "\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv")
+add_custom_target(all_data ALL DEPENDS "\${CMAKE_CURRENT_SOURCE_DIR}/measured.csv" "\$<TARGET_PROPERTY:literate_scripts,sames_\${id}>")
 END
 # shellcheck disable=SC2016  # it is the script's
 echo 'echo run >>runs.txt; { echo x; cat raw.txt; } >measured.csv' >measure.sh
@@ -49,6 +49,21 @@ claim 'a changed script is run again' "$(cat measured.csv)" = "y
 edits sed -i 's/1/2/' raw.txt
 runs cmake --build build
 claim 'so it is when what it reads has changed' "$(tail -n 1 measured.csv)" -eq 2
+edits sh -c 'echo 3 >old.txt && touch -d "1 hour ago" old.txt && mv old.txt raw.txt'
+runs cmake --build build
+claim 'so it is when an older file has taken its place' "$status $(tail -n 1 measured.csv)" = '0 3'
+n_runs=$(wc -l <runs.txt)
+runs cmake --build build
+claim 'and then not again' "$(wc -l <runs.txt)" -eq "$n_runs"
+# shellcheck disable=SC2016
+edits sed -i '$a [ ! -e late ] || { rm late; echo 2 >raw.txt; }' measure.sh
+touch late
+runs cmake --build build
+claim 'what it reads is saved while it runs, and told' \
+  "$status $(says 'measured: CMakeLists.txt:4: raw.txt was saved while sh measure.sh ran; build again, and it runs again')" = '1 yes'
+claim 'what it made of neither is not left' "$(tail -n 1 measured.csv)" -eq 3
+runs cmake --build build
+claim 'the next build runs it on what was saved' "$status $(tail -n 1 measured.csv)" = '0 2'
 # shellcheck disable=SC2016
 edits sed -i '$a echo half >measured.csv; echo a remark; exit 7' measure.sh
 runs cmake --build build

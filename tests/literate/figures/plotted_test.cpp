@@ -127,4 +127,16 @@ BOOST_AUTO_TEST_CASE(points_that_a_range_leaves_out_are_counted) {
   BOOST_TEST(n_outside("set xrange [2.1:*]\n") == 2U);
 }
 
+BOOST_AUTO_TEST_CASE(points_of_a_function_are_none_that_were_registered) {
+  const auto n_outside = [](const std::string& plot) {
+    const Drawn drawn("set xrange [0:5]\nset yrange [15:999]\n" + plot + "\n");
+    return n_points_outside(drawn.folder / "generated/figures/apples", "apples",
+                            drawn.folder / "scratch");
+  };
+
+  BOOST_TEST(n_outside("plot 10 * x with lines, curve using \"x\":\"y\" with points") == 2U);
+  BOOST_TEST(n_outside("set samples 3\nplot curve using \"x\":\"y\" with points, 10 * x") == 2U);
+  BOOST_TEST(n_outside("plot '+' using 1:(10 * $1) with lines") == 0U);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -108,6 +108,25 @@ cp ../main.cpp src/main.cpp
 runs make
 claim 'without it the paper is made again' "$status" -eq 0
 
+# A source whose time is older than that of what was compiled
+older() { cp "$1" older && touch -d '1 hour ago' older && mv older "$2"; }
+digest() { sha256sum "$1" | cut -d ' ' -f 1; }
+in_manifest() { grep -c "\"src/main.cpp\": \"$(digest "$1")\"" build/rod/manifest.json; }
+{ cat src/main.cpp; echo '// and more'; } >../more.cpp
+older ../more.cpp src/main.cpp
+runs build/rod_program typeset build/rod.settings
+claim 'the manifest has a source as it was compiled' "$status$(in_manifest ../main.cpp)" = 01
+runs ninja -C build rod-why
+claim 'what was compiled is another, and told' "$(says 'src/main.cpp is another than the one that was read')" = yes
+runs ninja -C build rod
+claim 'an older source in the place of the one that was compiled is told by the build' \
+  "$status$(says 'src/main.cpp is not as it was made, or was saved since; build again, and it is made anew')" = 1yes
+runs ninja -C build rod
+claim 'and the next one compiles it' "$status$(in_manifest ../more.cpp)" = 01
+older ../main.cpp src/main.cpp
+runs make
+claim 'make compiles it at once' "$status$(in_manifest ../main.cpp)" = 01
+
 # A limit that is changed when its result is known
 committed() { git add -A && git -c user.name=t -c user.email=t@example.org -c commit.gpgsign=false commit -qm more; }
 runs make check RECORD=1
@@ -158,6 +177,25 @@ runs ninja -C build rod-dist
 claim 'the manifest has what the script of its data reads' "$status$(grep -c '"raw.txt": ' build/rod/manifest.json)" = 01
 claim 'and the interpreter that ran it' "$(grep -c '"python3": "Python 3' build/rod/manifest.json)" -eq 1
 claim 'and both are packed with the paper' "$(tar -tzf build/dist/rod.tar.gz | grep -cE '^\./anc/(raw\.txt|make_it\.py)$')" -eq 2
+sed -i '/^literate_run_script/d' CMakeLists.txt
+echo 'literate_run_script(MAKES made.csv COMMAND python3 make_it.py READS raw.txt)' >>CMakeLists.txt
+sed -i 's/^import/# told after the paper\n&/' make_it.py
+runs ninja -C build rod-dist
+claim 'so they are where the script is told after the paper' "$status$(grep -c '"raw.txt": ' build/rod/manifest.json)" = 01 \
+  -a "$(tar -tzf build/dist/rod.tar.gz | grep -cE '^\./anc/(raw\.txt|make_it\.py)$')" -eq 2
+echo 2 >raw.txt
+runs make verify DEPTH=traced
+claim 'an edit of what the script reads is found without a build' "$status$(says 'verify: sources: raw.txt has other bytes')" = 2yes
+runs make
+echo 'by hand' >../by_hand.csv
+older ../by_hand.csv made.csv
+runs make
+claim 'an older file in the place of what the script made is told' \
+  "$status$(says 'made.csv is not as it was made, or was saved since; build again, and it is made anew')" = 2yes
+runs make why
+claim 'and why it would be made' "$(says 'what a script of data read or made is another')" = yes
+runs make
+claim 'the script makes it anew' "$status$(cat made.csv)" = 02
 git checkout -q CMakeLists.txt && rm raw.txt make_it.py made.csv
 
 # A label may hold what siunitx prints; what LaTeX does not know is told with the script's line.
@@ -184,6 +222,11 @@ kill -INT "-$watch"
 wait "$watch"
 claim 'make says nothing of a watch that is interrupted' "$(grep -c 'waiting for' watch.log)$(grep -c '^make' watch.log)" = 10
 rm watch.log
+
+mv "$scratch/installed paper" "$scratch/moved paper" && cd "$scratch/moved paper" || exit 1
+runs make
+claim 'where its folder was moved its build folder is made anew, with the same engine' \
+  "$status$(says 'this folder was moved, and build is made anew')" = 0yes -a "$(tail -n 1 <<<"$said")" = build/rod/rod.pdf
 
 # Many cases, one of which is not right
 mkdir cases

@@ -98,6 +98,14 @@ BOOST_AUTO_TEST_CASE(a_paragraph_that_began_in_another_file_has_the_line_where_i
   BOOST_TEST(line_of("9--171") == "report/a.tex:9: ");
 }
 
+// As pdfTeX 1.40.24 writes it where \excerpt stands right behind the paragraph, which it ends.
+BOOST_AUTO_TEST_CASE(a_paragraph_that_an_excerpt_ends_has_the_line_of_the_document_where_it_begins) {
+  const std::string overfull = "Overfull \\hbox (9.0pt too wide) in paragraph at lines 22";
+  BOOST_TEST(latex_defects("(./a.tex (../build/generated/excerpts/x.tex\n" + overfull + "--1\n",
+                           "report") == (Lines{"report/a.tex:22: " + overfull}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(a_float_that_is_too_large_for_its_page_is_a_defect) {
   BOOST_TEST(
       latex_defects("(./a.tex\nLaTeX Warning: Float too large for page by 9.0pt on input line "
