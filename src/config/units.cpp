@@ -5,15 +5,20 @@
 #include <fmt/ranges.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "system/ascii.hpp"
 #include "system/decimal.hpp"
@@ -56,35 +61,100 @@ std::string spelt_for_udunits(std::string name) {
   return name;
 }
 
+Unit parse(const std::string& name) {
+  Unit unit(ut_parse(database(), spelt_for_udunits(name).c_str(), UT_UTF8));
+  if (!unit) throw UnitError(fmt::format("unknown unit \"{}\"", name));
+  return unit;
+}
+
+/// A unit as a multiple of powers of its system's base units. Here the radian is one of them,
+/// although UDUNITS-2 converts it into 1.
+struct Product {
+  double scale = 1;
+  std::map<std::string, int> powers = {};
+
+  int power(const std::string& unit) const {
+    const auto found = powers.find(unit);
+    return found == powers.end() ? 0 : found->second;
+  }
+};
+
+std::string symbol_of(const ut_unit* unit) {
+  const char* const symbol = ut_get_symbol(unit, UT_UTF8);
+  return symbol == nullptr ? "" : symbol;
+}
+
+Product product_of(const ut_unit* unit) {
+  static const ut_visitor visitor = {
+      .visit_basic =
+          [](const ut_unit* basic, void* product) {
+            ++static_cast<Product*>(product)->powers[symbol_of(basic)];
+            return UT_SUCCESS;
+          },
+      .visit_product =
+          [](const ut_unit*, int count, const ut_unit* const* basic, const int* powers,
+             void* product) {
+            for (int i = 0; i < count; ++i) {
+              static_cast<Product*>(product)->powers[symbol_of(basic[i])] += powers[i];
+            }
+            return UT_SUCCESS;
+          },
+      .visit_galilean =
+          [](const ut_unit*, double scale, const ut_unit* of, double, void* product) {
+            static_cast<Product*>(product)->scale *= scale;
+            return ut_accept_visitor(of, &visitor, product);
+          },
+      .visit_timestamp = [](const ut_unit*, const ut_unit* time, double,
+                            void* product) { return ut_accept_visitor(time, &visitor, product); },
+      .visit_logarithmic =
+          [](const ut_unit*, double, const ut_unit* reference, void* product) {
+            return ut_accept_visitor(reference, &visitor, product);
+          }};
+  Product product;
+  ut_accept_visitor(unit, &visitor, &product);
+  return product;
+}
+
+/// Whether a name is that of a unit but for a prefix and the plural: MeV and slugs, but not us,
+/// which ends as the plural of u does.
+bool is_multiple_by_prefix(const std::string& name, const std::string& unit) {
+  if (name == unit) return true;
+  if (!name.ends_with(unit) && !name.ends_with(unit + "s")) return false;
+  const Unit parsed(ut_parse(database(), name.c_str(), UT_UTF8));
+  if (!parsed) return false;
+  const Product one = product_of(parsed.get()), other = product_of(parse(unit).get());
+  const double power = std::log10(one.scale / other.scale);
+  return one.powers == other.powers && std::abs(power - std::round(power)) < 1e-9;
+}
+
 /// The unit in a text that UDUNITS-2 knows by a rounded or outdated number, as 3.785412 litres for
 /// a gallon and the charge of the electron before 2019; empty if there is none.
 std::string without_exact_factor(const std::string& text) {
-  constexpr std::string_view names =
-      " "
-      "electronvolt electron_volt eV keV MeV GeV TeV unified_atomic_mass_unit "
-      "atomic_mass_unit atomicmassunit amu u astronomical_unit_BIPM_2006 ua light_year parsec "
-      "chain printers_point acre_foot board_foot circular_mil darcy assay_ton "
-      "avoirdupois_ounce troy_ounce apothecary_ounce troy_pound apothecary_pound pennyweight "
-      "long_hundredweight short_hundredweight slug denier perm_0C perm_23C bushel bu "
-      "register_ton US_dry_gallon US_dry_quart US_dry_pint dry_quart dry_pint "
-      "US_liquid_gallon liquid_gallon gallon barrel bbl firkin US_liquid_quart liquid_quart "
-      "quart US_liquid_pint liquid_pint pint pt US_liquid_cup liquid_cup cup US_liquid_gill "
-      "liquid_gill gill US_fluid_ounce US_liquid_ounce fluid_ounce liquid_ounce oz floz "
-      "tablespoon Tbl Tbsp tbsp Tblsp teaspoon tsp poundal force_ounce ounce_force ozf torr "
-      "footcandle footlambert boiler_horsepower shaft_horsepower horsepower hp "
-      "metric_horsepower water_horsepower UK_horsepower gilbert oersted Oe unit_pole e "
-      "faraday chemical_faraday physical_faraday C12_faraday statampere statcoulomb statfarad "
-      "stathenry statmho statohm statvolt ";
+  static const std::vector<std::string> names = [] {
+    std::istringstream all(
+        "electronvolt electron_volt eV keV MeV GeV TeV unified_atomic_mass_unit "
+        "atomic_mass_unit atomicmassunit amu u astronomical_unit_BIPM_2006 ua light_year parsec "
+        "chain printers_point acre_foot board_foot circular_mil darcy assay_ton "
+        "avoirdupois_ounce troy_ounce apothecary_ounce troy_pound apothecary_pound pennyweight "
+        "long_hundredweight short_hundredweight slug denier perm_0C perm_23C bushel bu "
+        "register_ton US_dry_gallon US_dry_quart US_dry_pint dry_quart dry_pint "
+        "US_liquid_gallon liquid_gallon gallon barrel bbl firkin US_liquid_quart liquid_quart "
+        "quart US_liquid_pint liquid_pint pint pt US_liquid_cup liquid_cup cup US_liquid_gill "
+        "liquid_gill gill US_fluid_ounce US_liquid_ounce fluid_ounce liquid_ounce oz floz "
+        "tablespoon Tbl Tbsp tbsp Tblsp teaspoon tsp poundal force_ounce ounce_force ozf torr "
+        "footcandle footlambert boiler_horsepower shaft_horsepower horsepower hp "
+        "metric_horsepower water_horsepower UK_horsepower gilbert oersted Oe unit_pole e "
+        "faraday chemical_faraday physical_faraday C12_faraday statampere statcoulomb statfarad "
+        "stathenry statmho statohm statvolt ");
+    return std::vector<std::string>(std::istream_iterator<std::string>(all), {});
+  }();
   static const std::regex word("[A-Za-z_][A-Za-z_]*([0-9]+C)?");
   for (std::sregex_iterator found(text.begin(), text.end(), word), end; found != end; ++found) {
     const auto at = static_cast<std::size_t>(found->position());
     if (at > 0 && sys::is_digit(text[at - 1])) continue;  // the exponent of 1e-3
     const std::string name = found->str();
-    const std::string_view singular =
-        std::string_view(name).substr(0, name.size() - (name.ends_with('s') ? 1 : 0));
-    for (const std::string_view one : {std::string_view(name), singular}) {
-      if (names.find(fmt::format(" {} ", one)) != std::string_view::npos) return name;
-    }
+    const auto is_it = [&](const std::string& unit) { return is_multiple_by_prefix(name, unit); };
+    if (std::ranges::any_of(names, is_it)) return name;
   }
   return "";
 }
@@ -98,10 +168,14 @@ void require_known_factor(const std::string& from, const std::string& to) {
       from, to, in_from.empty() ? in_to : in_from));
 }
 
-Unit parse(const std::string& name) {
-  Unit unit(ut_parse(database(), spelt_for_udunits(name).c_str(), UT_UTF8));
-  if (!unit) throw UnitError(fmt::format("unknown unit \"{}\"", name));
-  return unit;
+void require_same_angles(const std::string& from, const std::string& to) {
+  const auto angles = [](const std::string& unit) {
+    return product_of(parse(unit).get()).power("rad");
+  };
+  if (angles(from) == angles(to)) return;
+  throw UnitError(fmt::format(
+      "\"{}\" cannot be converted into \"{}\": an angle is not converted into a number without one",
+      from, to));
 }
 
 // UDUNITS converts by way of SI units, so that one inch becomes 0.99999999999999989 inches. If a
@@ -220,13 +294,14 @@ bool is_unit(const std::string& name) {
 
 double conversion_factor(const std::string& from, const std::string& to) {
   if (from == to) return 1;
-  require_known_factor(from, to);
   const std::lock_guard lock(udunits);
+  require_known_factor(from, to);
   const Unit from_unit = parse(from);
   const Unit to_unit = parse(to);
   if (!ut_are_convertible(from_unit.get(), to_unit.get())) {
     throw UnitError(fmt::format("\"{}\" cannot be converted into \"{}\"", from, to));
   }
+  require_same_angles(from, to);
   const Converter converter(ut_get_converter(from_unit.get(), to_unit.get()));
   const double factor = cv_convert_double(converter.get(), 1);
   // An offset ("in from 3", "degC") or a logarithm ("lg(re 1 mm)") cannot be a factor.

@@ -44,8 +44,9 @@ const UnitSystem& unit_system(std::string_view name);
 bool is_unit(const std::string& name);
 
 /// Returns how many units `to` make one unit `from`, for example 25.4 for in and mm; exactly 1 for
-/// two spellings of one unit. Throws UnitError if a unit is unknown, if the dimensions differ, and
-/// if the one is no positive multiple of the other: units with an offset or a logarithm.
+/// two spellings of one unit. Throws UnitError if a unit is unknown, if the dimensions differ, if
+/// the powers of an angle in them do, as in rpm and Hz, which counts cycles, and if the one is no
+/// positive multiple of the other: units with an offset or a logarithm.
 double conversion_factor(const std::string& from, const std::string& to);
 
 /// Returns the quantity `number` of the unit `from` in the unit `to`: the double that is nearest to

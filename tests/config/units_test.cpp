@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <boost/test/unit_test.hpp>
+#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -67,6 +68,66 @@ BOOST_AUTO_TEST_CASE(a_unit_that_the_database_knows_by_a_rounded_or_outdated_num
   BOOST_TEST(conversion_factor("mmHg", "Pa") == 133.322387415);
   BOOST_TEST(conversion_factor("lb", "kg") == 0.45359237);
   BOOST_TEST(conversion_factor("astronomical_unit", "m") == 149597870700);
+}
+
+BOOST_AUTO_TEST_CASE(a_name_that_ends_as_a_rounded_one_but_is_another_unit_is_converted) {
+  BOOST_TEST(conversion_factor("us", "s") == 1e-6);
+  BOOST_TEST(conversion_factor("us", "ms") == 1e-3);
+  BOOST_TEST(conversion_factor("uPa", "Pa") == 1e-6);
+  BOOST_TEST(conversion_factor("usec", "s") == 1e-6);
+  for (const auto& [unit, other] : {std::pair{"us", "kg"},
+                                    {"mtorr", "Pa"},
+                                    {"meV", "J"},
+                                    {"µeV", "J"},
+                                    {"kparsecs", "m"},
+                                    {"Mbbl", "L"}}) {
+    BOOST_TEST_CONTEXT(unit) {
+      BOOST_CHECK_THROW(conversion_factor(unit, other), UnitError);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_angle_is_not_converted_into_a_number_without_one) {
+  for (const auto& [angle, number] : {std::pair{"rpm", "Hz"},
+                                      {"rad/s", "Hz"},
+                                      {"cps", "Hz"},
+                                      {"rps", "s-1"},
+                                      {"rad", "1"},
+                                      {"sr", "1"},
+                                      {"°", "percent"},
+                                      {"′", "1"},
+                                      {"arcsec", "ppm"},
+                                      {"turn", "1"},
+                                      {"grade", "1"},
+                                      {"cycle/s", "Bq"},
+                                      {"N.m/rad", "N.m"},
+                                      {"sr", "rad"},
+                                      {"lm", "cd"}}) {
+    BOOST_TEST_CONTEXT(angle << " and " << number) {
+      BOOST_CHECK_THROW(conversion_factor(angle, number), UnitError);
+      BOOST_CHECK_THROW(conversion_factor(number, angle), UnitError);
+    }
+  }
+  BOOST_CHECK_EXCEPTION(conversion_factor("rpm", "Hz"), UnitError, [](const UnitError& error) {
+    return std::string(error.what()) ==
+           "\"rpm\" cannot be converted into \"Hz\": an angle is not converted into a number "
+           "without one";
+  });
+  BOOST_TEST(conversion_factor("rad", "rad") == 1);
+  BOOST_TEST(conversion_factor("kHz", "1/s") == 1000);
+}
+
+BOOST_AUTO_TEST_CASE(angles_are_converted_into_one_another) {
+  constexpr double pi = std::numbers::pi;
+  BOOST_TEST(config::converted(30, "rpm", "rad/s") == pi);
+  BOOST_TEST(config::converted(3000, "rpm", "rps") == 50);
+  BOOST_TEST(config::converted(90, "degree", "rad") == pi / 2);
+  BOOST_TEST(config::converted(180, "°", "rad") == pi);
+  BOOST_TEST(config::converted(90, "°", "′") == 5400);
+  BOOST_TEST(config::converted(1, "turn", "grade") == 400);
+  BOOST_TEST(config::converted(1, "sr", "rad2") == 1);
+  BOOST_TEST(config::converted(5, "lx", "cd.sr/m2") == 5);
+  BOOST_TEST(!config::converts_exactly(180, "°", "rad"));
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
