@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numbers>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -187,64 +190,133 @@ double without_rounding(double factor) {
   return std::abs(short_factor - factor) <= rounding ? short_factor : factor;
 }
 
-/// digits · 10^exponent. A product of two doubles' digits, 34 at most, fits in.
-struct Decimal {
-  __extension__ using Digits = unsigned __int128;
-  Digits digits = 0;
-  int exponent = 0;
-};
+using Integer = boost::multiprecision::cpp_int;
+using Rational = boost::multiprecision::cpp_rational;
 
-/// The shortest decimal number that reads back as `number` ≥ 0.
-Decimal shortest(double number) {
-  const sys::Decimal written = sys::parse_decimal(fmt::format("{}", number)).value();
-  Decimal decimal{0, written.place};
-  for (const char digit : written.digits) {
-    decimal.digits = 10 * decimal.digits + static_cast<unsigned>(digit - '0');
+Rational power(const Rational& number, int exponent) {
+  const auto n = static_cast<unsigned>(std::abs(exponent));
+  const Integer above = boost::multiprecision::pow(numerator(number), n);
+  const Integer below = boost::multiprecision::pow(denominator(number), n);
+  return exponent < 0 ? Rational(below, above) : Rational(above, below);
+}
+
+Rational rational(const sys::Decimal& decimal) {
+  return Integer(decimal.digits) * power(10, decimal.place);
+}
+
+/// The shortest decimal number that reads back as `number`, without zeros at its end.
+sys::Decimal shortest(double number) {
+  sys::Decimal decimal = sys::parse_decimal(fmt::format("{}", number)).value();
+  for (; decimal.digits.size() > 1 && decimal.digits.back() == '0'; ++decimal.place) {
+    decimal.digits.pop_back();
   }
   return decimal;
 }
 
-bool is_short(const Decimal& factor) {
-  constexpr Decimal::Digits first_of_16_digits = 1'000'000'000'000'000;
-  return factor.digits < first_of_16_digits;
+/// The number > 0 rounded to so many digits.
+sys::Decimal rounded(const Rational& number, int n_digits) {
+  const auto size = [](const Integer& integer) { return static_cast<int>(integer.str().size()); };
+  int place = size(numerator(number)) - size(denominator(number)) - n_digits + 1;
+  if (number < power(10, place + n_digits - 1)) --place;
+  const Rational digits = number * power(10, -place) + Rational(1, 2);
+  return {.digits = Integer(numerator(digits) / denominator(digits)).str(), .place = place};
 }
 
-double nearest(const Decimal& decimal) {
-  std::string text;
-  for (Decimal::Digits rest = decimal.digits; rest > 0; rest /= 10) {
-    text.insert(text.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
+/// A factor as it is defined: a number times a power of π.
+struct Factor {
+  Rational number = 1;
+  int power_of_pi = 0;
+};
+
+/// The factor of a name, of which UDUNITS-2 knows the double: π/180 for a degree, 1852/3600 for a
+/// knot. A number of twelve digits or its reciprocal is meant, perhaps over a number by which
+/// knots, survey feet, inches of mercury or psi are defined; or else a number of up to 15 digits.
+std::optional<Factor> defined_factor(double factor) {
+  constexpr std::size_t few = 12, most = 15;
+  static const std::vector<Rational> divisors = {1, 9, Rational(1, 9801), Rational(10, 254),
+                                                 Rational(64516, 980665000)};
+  for (const int power_of_pi : {0, 1, -1}) {
+    for (const Rational& divisor : divisors) {
+      const double number =
+          factor * divisor.convert_to<double>() / std::pow(std::numbers::pi, power_of_pi);
+      const sys::Decimal decimal = shortest(without_rounding(number));
+      if (decimal.digits.size() <= few) return Factor{rational(decimal) / divisor, power_of_pi};
+      const sys::Decimal reciprocal = shortest(without_rounding(1 / number));
+      if (reciprocal.digits.size() <= few) {
+        return Factor{1 / (rational(reciprocal) * divisor), power_of_pi};
+      }
+    }
   }
-  return sys::number_of({.digits = text.empty() ? "0" : text, .place = decimal.exponent});
+  const sys::Decimal decimal = shortest(factor);
+  if (decimal.digits.size() > most) return std::nullopt;
+  return Factor{rational(decimal)};
 }
 
-Decimal product(const Decimal& a, const Decimal& b) {
-  return {a.digits * b.digits, a.exponent + b.exponent};
+/// The factor of a unit by those of its names, which are the base units of a system of their own,
+/// so that UDUNITS-2 multiplies nothing.
+std::optional<Factor> defined_factor(const std::string& unit) {
+  std::string spelt = spelt_for_udunits(unit);
+  for (const char* const times : {"·", "⋅", "×", " "}) boost::replace_all(spelt, times, " ");
+  static const std::regex name("[^0-9 .*/^()+-]+([0-9]+[A-Za-z_]+)*");
+  const System system(ut_new_system());
+  std::map<std::string, Unit> names;
+  for (std::sregex_iterator found(spelt.begin(), spelt.end(), name), end; found != end; ++found) {
+    Unit& base = names[found->str()];
+    if (base) continue;
+    base.reset(ut_new_base_unit(system.get()));
+    ut_map_symbol_to_unit(found->str().c_str(), UT_UTF8, base.get());
+    ut_map_unit_to_symbol(base.get(), found->str().c_str(), UT_UTF8);
+  }
+  const Unit parsed(ut_parse(system.get(), spelt.c_str(), UT_UTF8));
+  if (!parsed) return std::nullopt;
+  const Product product = product_of(parsed.get());
+  Factor factor{rational(shortest(product.scale))};
+  for (const auto& [symbol, exponent] : product.powers) {
+    const auto of_name = defined_factor(product_of(parse(symbol).get()).scale);
+    if (!of_name) return std::nullopt;
+    factor.number *= power(of_name->number, exponent);
+    factor.power_of_pi += exponent * of_name->power_of_pi;
+  }
+  return factor;
 }
 
-/// A number in another unit, which its digits may only begin.
+/// A number in another unit.
 struct Conversion {
-  Decimal number;
+  Rational number;
   bool is_exact = false;
 };
 
-/// The quotient to 19 digits or more; a last digit 1 stands for all that follow, so that it is
-/// rounded to the right side.
-Conversion quotient(Decimal a, const Decimal& b) {
-  constexpr Decimal::Digits most = ~Decimal::Digits{0} / 10;
-  for (; a.digits > 0 && a.digits <= most; a.digits *= 10) --a.exponent;
-  const Decimal::Digits digits = a.digits / b.digits;
-  const bool is_exact = a.digits % b.digits == 0;
-  return {{is_exact ? digits : digits / 10 * 10 + 1, a.exponent - b.exponent}, is_exact};
+Conversion conversion(double number, const std::string& from, const std::string& to) {
+  const double factor = conversion_factor(from, to);
+  const Rational given = rational(shortest(std::abs(number)));
+  if (from == to || given == 0) return {given, true};
+  const std::lock_guard lock(udunits);
+  const auto above = defined_factor(from), below = defined_factor(to);
+  if (above && below) {
+    static const Rational pi(Integer("31415926535897932384626433832795028841972"),
+                             power(10, 40).convert_to<Integer>());
+    const int power_of_pi = above->power_of_pi - below->power_of_pi;
+    const Rational defined = above->number / below->number * power(pi, power_of_pi);
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    if (std::abs(defined.convert_to<double>() / factor - 1) < rounding) {
+      return {given * defined, power_of_pi == 0};
+    }
+  }
+  return {rational(rounded(given * rational(shortest(factor)), 15)), false};
 }
 
-/// A factor or its reciprocal that is short by definition has fewer digits than the other, which
-/// may end by chance: a km/h is 1/1.609344 mi/h, and not 0.621371192237334.
-Conversion conversion(double number, const std::string& from, const std::string& to) {
-  const Decimal factor = shortest(conversion_factor(from, to));
-  const Decimal reciprocal = shortest(conversion_factor(to, from));
-  const Decimal given = shortest(std::abs(number));
-  if (reciprocal.digits < factor.digits && is_short(reciprocal)) return quotient(given, reciprocal);
-  return {product(given, factor), is_short(factor)};
+/// A double that prints only digits which the number ≥ 0 has: the nearest, unless its last digits
+/// are due to its being a double.
+double printable(const Rational& number) {
+  if (number == 0) return 0;
+  double rounded_number = 0;
+  for (const int n_digits : {17, 16, 15}) {
+    rounded_number = sys::number_of(rounded(number, n_digits));
+    if (!std::isfinite(rounded_number)) break;
+    const sys::Decimal printed = shortest(rounded_number);
+    if (abs(rational(printed) - number) * 2 <= power(10, printed.place)) break;
+  }
+  return rounded_number;
 }
 
 }  // namespace
@@ -326,19 +398,14 @@ double conversion_factor(const std::string& from, const std::string& to) {
 }
 
 double converted(double number, const std::string& from, const std::string& to) {
-  return std::copysign(nearest(conversion(number, from, to).number), number);
+  if (!std::isfinite(number)) return number * conversion_factor(from, to);
+  return std::copysign(printable(conversion(number, from, to).number), number);
 }
 
 bool converts_exactly(double number, const std::string& from, const std::string& to) {
-  const auto without_zeros = [](Decimal decimal) {
-    for (; decimal.digits > 0 && decimal.digits % 10 == 0; decimal.digits /= 10) ++decimal.exponent;
-    return decimal;
-  };
-  const auto [in_unit, is_exact] = conversion(number, from, to);
-  const Decimal printed = without_zeros(shortest(nearest(in_unit)));
-  const Decimal meant = without_zeros(in_unit);
-  return is_exact && printed.digits == meant.digits &&
-         (meant.digits == 0 || printed.exponent == meant.exponent);
+  const Conversion meant = conversion(number, from, to);
+  const double printed = printable(meant.number);
+  return meant.is_exact && std::isfinite(printed) && rational(shortest(printed)) == meant.number;
 }
 
 }  // namespace config

@@ -108,9 +108,11 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
   if (factor == 1) return stored;
   const double before = stored.number;
   stored.number = in_unit(before, from, unit);
-  const double rounding = 2 * std::numeric_limits<double>::epsilon() * std::abs(stored.number);
+  const bool is_exact = config::converts_exactly(before, from, unit);
+  const double rounding =
+      (is_exact ? 2 : 5) * std::numeric_limits<double>::epsilon() * std::abs(stored.number);
   if (stored.is_exact) {
-    if (config::converts_exactly(before, from, unit)) return stored;
+    if (is_exact) return stored;
     stored.is_exact = false;
     stored.uncertainty = Uncertainty(rounding);
   } else if (stored.uncertainty) {
