@@ -303,8 +303,8 @@ double restyled_number(const StoredNumber& stored, std::string_view text) {
   require_known(options, {"unit"}, "unit, since \\rawval gives the unrounded number");
   const auto unit = options.find("unit");
   if (unit == options.end()) return stored.number;
-  const StoredNumber in_unit = converted(stored, unit->second);
-  return in_unit.is_percentage && !stored.is_percentage ? 100 * in_unit.number : in_unit.number;
+  const StoredNumber restyled = converted(stored, unit->second);
+  return restyled.is_percentage ? in_unit(restyled.number, "1", "percent") : restyled.number;
 }
 
 Restyled restyled_values(const std::filesystem::path& source_dir, const Names& names) {
