@@ -44,14 +44,15 @@ const UnitSystem& unit_system(std::string_view name);
 bool is_unit(const std::string& name);
 
 /// Returns how many units `to` make one unit `from`, for example 25.4 for in and mm; exactly 1 for
-/// two spellings of one unit. Throws UnitError if a unit is unknown, if the dimensions differ, and
-/// if the one is no positive multiple of the other: units with an offset or a logarithm.
+/// two spellings of one unit. Throws UnitError if a unit is unknown, if the dimensions differ, if
+/// the powers of an angle in them do, as in rpm and Hz, which counts cycles, and if the one is no
+/// positive multiple of the other: units with an offset or a logarithm.
 double conversion_factor(const std::string& from, const std::string& to);
 
-/// Returns the quantity `number` of the unit `from` in the unit `to`: the double that is nearest to
-/// the product of the decimal number that prints as `number` and the factor as it is defined, so
-/// that 39.4 in are 1.00076 m. Where neither the factor nor its reciprocal is a decimal number of
-/// 15 digits or fewer, as of psi in Pa, the factor is rounded first. Throws UnitError as
+/// Returns the quantity `number` of the unit `from` in the unit `to`: the product of the decimal
+/// number that prints as `number` and the factor as it is defined, so that 39.4 in are 1.00076 m. A
+/// product that has no end, or more digits than a double, is rounded to the 15, 16 or 17 digits
+/// that a double prints rightly, so that 3 psi are 20684.27187950508 Pa. Throws UnitError as
 /// conversion_factor does.
 double converted(double number, const std::string& from, const std::string& to);
 

@@ -96,6 +96,12 @@ LinearLeastSquares fit_linear(const MatrixXd& matrix, const std::vector<Measured
   std::transform(observed.begin(), observed.end(), y.begin(),
                  [](const Measured& number) { return number.value(); });
   const VectorXd rounding = rounding_of(matrix, inverse, weights, y);
+  if (!rounding.allFinite()) {
+    const double weighted = (weights.asDiagonal() * matrix).cwiseAbs().maxCoeff();
+    throw sys::InvalidQuantity("greatest observation or weighted entry of a fit",
+                               std::max(y.cwiseAbs().maxCoeff(), weighted),
+                               "smaller, as squares of such numbers overflow");
+  }
 
   LinearLeastSquares fit;
   fit.degrees_of_freedom = static_cast<int>(matrix.rows() - matrix.cols());

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "config/units.hpp"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <boost/test/unit_test.hpp>
+#include <initializer_list>
+#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -69,6 +73,68 @@ BOOST_AUTO_TEST_CASE(a_unit_that_the_database_knows_by_a_rounded_or_outdated_num
   BOOST_TEST(conversion_factor("astronomical_unit", "m") == 149597870700);
 }
 
+BOOST_AUTO_TEST_CASE(a_name_that_ends_as_a_rounded_one_but_is_another_unit_is_converted) {
+  BOOST_TEST(conversion_factor("us", "s") == 1e-6);
+  BOOST_TEST(conversion_factor("us", "ms") == 1e-3);
+  BOOST_TEST(conversion_factor("uPa", "Pa") == 1e-6);
+  BOOST_TEST(conversion_factor("usec", "s") == 1e-6);
+  for (const auto& [unit, other] : {std::pair{"us", "kg"},
+                                    {"mtorr", "Pa"},
+                                    {"meV", "J"},
+                                    {"µeV", "J"},
+                                    {"kparsecs", "m"},
+                                    {"Mbbl", "L"}}) {
+    BOOST_TEST_CONTEXT(unit) {
+      BOOST_CHECK_THROW(conversion_factor(unit, other), UnitError);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_angle_is_not_converted_into_a_number_without_one) {
+  for (const auto& [angle, number] : {std::pair{"rpm", "Hz"},
+                                      {"rad/s", "Hz"},
+                                      {"cps", "Hz"},
+                                      {"rps", "s-1"},
+                                      {"rad", "1"},
+                                      {"sr", "1"},
+                                      {"°", "percent"},
+                                      {"′", "1"},
+                                      {"arcsec", "ppm"},
+                                      {"turn", "1"},
+                                      {"grade", "1"},
+                                      {"cycle/s", "Bq"},
+                                      {"N.m/rad", "N.m"},
+                                      {"sr", "rad"},
+                                      {"lm", "cd"}}) {
+    BOOST_TEST_CONTEXT(angle << " and " << number) {
+      BOOST_CHECK_THROW(conversion_factor(angle, number), UnitError);
+      BOOST_CHECK_THROW(conversion_factor(number, angle), UnitError);
+    }
+  }
+  BOOST_CHECK_EXCEPTION(conversion_factor("rpm", "Hz"), UnitError, [](const UnitError& error) {
+    return std::string(error.what()) ==
+           "\"rpm\" cannot be converted into \"Hz\": an angle is not converted into a number "
+           "without one";
+  });
+  BOOST_TEST(conversion_factor("rad", "rad") == 1);
+  BOOST_TEST(conversion_factor("kHz", "1/s") == 1000);
+}
+
+BOOST_AUTO_TEST_CASE(angles_are_converted_into_one_another) {
+  constexpr double pi = std::numbers::pi;
+  BOOST_TEST(config::converted(30, "rpm", "rad/s") == pi);
+  BOOST_TEST(config::converted(3000, "rpm", "rps") == 50);
+  BOOST_TEST(config::converted(90, "degree", "rad") == pi / 2);
+  BOOST_TEST(config::converted(180, "°", "rad") == pi);
+  BOOST_TEST(config::converted(90, "°", "′") == 5400);
+  BOOST_TEST(config::converted(1, "turn", "grade") == 400);
+  BOOST_TEST(config::converted(7, "arcsec", "°") == 7.0 / 3600);
+  BOOST_TEST(config::converted(1, "sr", "rad2") == 1);
+  BOOST_TEST(config::converted(5, "lx", "cd.sr/m2") == 5);
+  BOOST_TEST(config::converts_exactly(3000, "rpm", "rps"));
+  BOOST_TEST(!config::converts_exactly(180, "°", "rad"));
+}
+
 BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
   // Zero of the one must be zero of the other: no offset, no logarithm, no turn of the axis.
   for (const char* const unit : {"in @ 1", "in from 3", "lg(re 1 mm)", "-1 in", "0 in"}) {
@@ -94,6 +160,59 @@ BOOST_AUTO_TEST_CASE(a_conversion_is_exact_where_its_digits_end) {
   BOOST_TEST(!config::converts_exactly(3.218688, "km", "nmile"));
   BOOST_TEST(!config::converts_exactly(100, "psi", "Pa"));
   BOOST_TEST(!config::converts_exactly(0.1234567890123456, "in", "m"));
+}
+
+BOOST_AUTO_TEST_CASE(a_conversion_prints_no_digit_that_the_definition_does_not_give) {
+  // The factors are exact, or have more digits than a double. Beside them stands what is printed.
+  struct Known {
+    const char *from, *to;
+    double number;
+    const char* printed;
+  };
+  for (const Known& known : std::initializer_list<Known>{
+           {"in", "m", 1, "0.0254"},
+           {"ft", "m", 7, "2.1336"},
+           {"yd", "m", 1, "0.9144"},
+           {"mi", "km", 1, "1.609344"},
+           {"nmile", "m", 1, "1852"},
+           {"lb", "kg", 1, "0.45359237"},
+           {"lbf", "N", 1, "4.4482216152605"},
+           {"lbf", "N", 3, "13.3446648457815"},
+           {"klbf", "N", 1, "4448.2216152605"},
+           {"psi", "Pa", 1, "6894.757293168361"},      // …168 361 336 7
+           {"psi", "Pa", 3, "20684.27187950508"},      // …505 084 010
+           {"psi", "Pa", 100, "689475.7293168361"},    // …168 361 336 7
+           {"ksi", "MPa", 1, "6.894757293168361"},     // …168 361 336 7
+           {"kPa", "psi", 1, "0.1450377377302092"},    // …302 092 151 5
+           {"lbf/ft2", "Pa", 1, "47.88025898033584"},  // …335 842 616
+           {"lbf.s2/in4", "kg/m3", 1, "10686895.178201316"},
+           {"atm", "Pa", 1, "101325"},
+           {"inHg", "Pa", 1, "3386.388640341"},
+           {"inHg", "Pa", 30, "101591.65921023"},
+           {"mmHg", "Pa", 1, "133.322387415"},
+           {"bar", "psi", 1, "14.50377377302092"},       // …302 092 151 5
+           {"lb/ft3", "kg/m3", 1, "16.01846337396014"},  // …739 601 395 8
+           {"lb/in3", "kg/m3", 1, "27679.90471020312"},  // …102 031 213
+           {"ton", "kg", 1, "907.18474"},
+           {"oz/ft2", "oz/m2", 1, "10.763910416709722"},  // …167 097 223 08
+           {"knot", "m/s", 1, "0.5144444444444444"},
+           {"knot", "km/h", 10, "18.52"},
+           {"mi/h", "m/s", 1, "0.44704"},
+           {"ft.lbf", "J", 1, "1.3558179483314"},
+           {"US_survey_foot", "m", 3937, "1200"},
+           {"degF/s", "K/s", 9, "5"},
+           {"Btu", "J", 1, "1055.05585262"},
+           {"kcal", "J", 1, "4186.8"},
+           {"W.h", "kJ", 1, "3.6"},
+           {"km/h", "m/s", 1, "0.2777777777777778"},
+           {"degree", "rad", 1, "0.0174532925199433"}}) {  // …994 329 577
+    BOOST_TEST_CONTEXT(known.number << " " << known.from << " in " << known.to) {
+      BOOST_TEST(fmt::format("{}", config::converted(known.number, known.from, known.to)) ==
+                 known.printed);
+    }
+  }
+  BOOST_TEST(config::converts_exactly(30, "inHg", "Pa"));
+  BOOST_TEST(config::converts_exactly(10, "knots", "km/h"));
 }
 
 BOOST_AUTO_TEST_CASE(powers_are_read_as_they_look) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numerics/least_squares.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
+#include <tuple>
 
+#include "message_of.hpp"
 #include "random_inputs.hpp"
 #include "system/require.hpp"
 
@@ -209,6 +213,22 @@ BOOST_AUTO_TEST_CASE(a_coefficient_given_the_sum_of_both_is_that_of_the_fit_with
   BOOST_TEST(given_sum.value() == held.value(), tolerance(1e-12));
   BOOST_TEST(given_sum.standard() == held.standard(), tolerance(1e-12));
   BOOST_CHECK_THROW(given(free[0], 2, s), sys::InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_CASE(a_fit_whose_squares_overflow_is_refused_by_its_greatest_number) {
+  for (const auto& [y, u, greatest] : {std::tuple{1e300, 0.0, "1e+300"},
+                                       {1e300, 1.0, "1e+300"},
+                                       {1e300, 1e200, "1e+300"},
+                                       {1.0, 1e-200, "2e+200"}}) {
+    const std::vector<Measured> observed{{y, u, "a"}, {-y, u, "b"}, {y, u, "c"}};
+    const std::string refusal = fmt::format(
+        "greatest observation or weighted entry of a fit = {}: must be smaller, as "
+        "squares of such numbers overflow",
+        greatest);
+    BOOST_TEST(message_of<InvalidQuantity>([&] {
+                 fit_linear(straight({0, 1, 2}), observed);
+               }) == refusal);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "literate/imports/imported_table.hpp"
@@ -82,9 +83,13 @@ void declare(std::vector<ImportedColumn>& columns, const CsvSource& source,
 std::vector<Fields> fields_of(const CsvSource& source, const sys::CsvRow& heading,
                               const ImportOptions& options) {
   std::vector<Fields> columns;
+  std::set<std::string> names;
   for (std::size_t i = 0; i < heading.size(); ++i) {
     const std::string& name = heading[i].text;
     if (!holds_errors(name, options)) {
+      if (!names.insert(name).second) {
+        throw ImportError(fmt::format("{}: column '{}' stands twice", source.at(heading[i]), name));
+      }
       columns.push_back({i});
     } else if (columns.empty() || !columns.back().errors.emplace(name, i).second) {
       throw ImportError(

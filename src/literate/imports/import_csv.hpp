@@ -21,8 +21,9 @@ namespace literate {
 ///
 /// File and script are attached to the document and are the table's source place. Throws
 /// ImportError, «file:line:column: table 'name': what is wrong» where column counts fields: for
-/// what csv_rows and table_of refuse, a name that is malformed or registered already, an abs_error
-/// without a column to its left or misspelt, and a heading in `options` that the file has not.
+/// what csv_rows and table_of refuse, a name that is malformed or registered already, a heading
+/// that stands twice, an abs_error without a column to its left or misspelt, and a heading in
+/// `options` that the file has not.
 void import_csv(Document& document, const std::string& name, const std::filesystem::path& file,
                 const std::filesystem::path& script, const ImportOptions& options = {});
 

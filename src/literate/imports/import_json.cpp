@@ -194,8 +194,14 @@ Value value_of(const JsonFile& file, const Json::Value& entry, const std::string
     return Value::text(text_field(file, entry, what, "text"));
   }
   file.require_fields(entry, what, {"value", "abs_error", "standard", "unit", "digits"});
-  const double number = number_field(file, entry, what, "value").number;
+  const WrittenNumber written = number_field(file, entry, what, "value");
+  const double number = written.number;
   const Uncertainty uncertainty = uncertainty_field(file, entry, what);
+  if (!is_held(written, uncertainty.error())) {
+    file.fail(entry["value"],
+              fmt::format("{}: {} has more digits than a number holds: give its error, or a text",
+                          what, written.text));
+  }
   // What a script says of a number is a source of its own.
   const Measured measured =
       Measured(number, uncertainty.standard, what) + Measured::bounded({0, uncertainty.bound});

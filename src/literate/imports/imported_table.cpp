@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -108,12 +109,12 @@ void require_earned(const ImportedColumn& column, const ImportedCell& cell,
   }
 }
 
-/// All digits that are printed must be those that were written.
 void require_held(const ImportedColumn& column, const ImportedCell& cell,
                   const WrittenNumber& written) {
-  if (column.format != NumberFormat::as_written && column.format != NumberFormat::integer) return;
-  const Decimal printed = rounded_to_place(written.number, written.place);
-  if (printed.digits == sys::parse_decimal(written.text)->digits) return;
+  const bool prints_all =
+      column.format == NumberFormat::as_written || column.format == NumberFormat::integer;
+  const auto uncertainty = uncertainty_of(cell);
+  if (is_held(written, prints_all || !uncertainty ? 0 : uncertainty->error())) return;
   throw ImportError(
       fmt::format("{}: {} has more digits than a number holds: declare column '{}' to be of texts",
                   cell.at, written.text, said(column)));
@@ -164,6 +165,15 @@ std::optional<WrittenNumber> written_number(std::string_view text) {
                        .place = decimal->place,
                        .has_exponent = text.find_first_of("eE") != text.npos,
                        .text = std::string(text)};
+}
+
+bool is_held(const WrittenNumber& written, double error) {
+  const double size = std::abs(written.number);
+  if (error >= std::nextafter(size, std::numeric_limits<double>::infinity()) - size && error > 0) {
+    return true;
+  }
+  return rounded_to_place(written.number, written.place).digits ==
+         sys::parse_decimal(written.text)->digits;
 }
 
 Table table_of(const std::string& name, const std::vector<ImportedColumn>& columns,

@@ -56,6 +56,9 @@ struct WrittenNumber {
 /// anything else, which includes nan and inf. A number beyond the range of double becomes infinite.
 std::optional<WrittenNumber> written_number(std::string_view text);
 
+/// Whether the double has all digits that are written, or its rounding is less than the error.
+bool is_held(const WrittenNumber& written, double error);
+
 /// A cell of a table from elsewhere.
 struct ImportedCell {
   std::variant<std::monostate, WrittenNumber, std::string> content = {};

@@ -108,9 +108,11 @@ StoredNumber converted(StoredNumber stored, const std::string& unit) {
   if (factor == 1) return stored;
   const double before = stored.number;
   stored.number = in_unit(before, from, unit);
-  const double rounding = 2 * std::numeric_limits<double>::epsilon() * std::abs(stored.number);
+  const bool is_exact = config::converts_exactly(before, from, unit);
+  const double rounding =
+      (is_exact ? 2 : 5) * std::numeric_limits<double>::epsilon() * std::abs(stored.number);
   if (stored.is_exact) {
-    if (config::converts_exactly(before, from, unit)) return stored;
+    if (is_exact) return stored;
     stored.is_exact = false;
     stored.uncertainty = Uncertainty(rounding);
   } else if (stored.uncertainty) {
@@ -301,8 +303,8 @@ double restyled_number(const StoredNumber& stored, std::string_view text) {
   require_known(options, {"unit"}, "unit, since \\rawval gives the unrounded number");
   const auto unit = options.find("unit");
   if (unit == options.end()) return stored.number;
-  const StoredNumber in_unit = converted(stored, unit->second);
-  return in_unit.is_percentage && !stored.is_percentage ? 100 * in_unit.number : in_unit.number;
+  const StoredNumber restyled = converted(stored, unit->second);
+  return restyled.is_percentage ? in_unit(restyled.number, "1", "percent") : restyled.number;
 }
 
 Restyled restyled_values(const std::filesystem::path& source_dir, const Names& names) {

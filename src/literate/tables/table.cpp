@@ -100,6 +100,25 @@ Table& Table::add_row(std::vector<Cell> cells, Location location) {
   return *this;
 }
 
+std::size_t Table::column(const std::string& heading, Location location) const {
+  std::vector<std::string> headings;
+  for (const Column& column : columns_) {
+    const ColumnFormat& format = column.format();
+    headings.push_back(format.unit.empty() ? format.name()
+                                           : fmt::format("{} ({})", format.name(), format.unit));
+  }
+  const auto n_found = std::ranges::count(headings, heading);
+  if (n_found == 1) {
+    return static_cast<std::size_t>(std::ranges::find(headings, heading) - headings.begin());
+  }
+  const std::string at = fmt::format("{}: table '{}' has", code_place(location), name_);
+  if (n_found > 1) {
+    throw std::invalid_argument(fmt::format("{} {} columns '{}'", at, n_found, heading));
+  }
+  throw std::invalid_argument(
+      fmt::format("{} no column '{}', but '{}'", at, heading, fmt::join(headings, "', '")));
+}
+
 Table& Table::note(std::string text) {
   return note("", std::move(text));
 }

@@ -46,6 +46,10 @@ class Table {
   const std::string& name() const { return name_; }
   const std::vector<Column>& columns() const { return columns_; }
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
+
+  /// The index of the column with this heading and unit, «y (s)», in each of rows(). Throws
+  /// std::invalid_argument, which names the headings, unless there is one such column.
+  std::size_t column(const std::string& heading, Location location = Location::current()) const;
   const std::vector<TableNote>& notes() const { return notes_; }
 
   /// Throws std::invalid_argument for a mark without its note and a note without its mark.

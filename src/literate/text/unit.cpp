@@ -200,7 +200,10 @@ class Reader {
     for (std::string_view left = text; !left.empty();) {
       const std::string_view character = sys::first_character(left).bytes;
       if (!is_part_of_name(character) && character != " ") {
-        refuse(fmt::format("'{}' has no place in braces", character));
+        refuse(
+            fmt::format("'{}' has no place in braces, which hold letters, blanks, _, % and signs "
+                        "such as µ",
+                        character));
       }
       left.remove_prefix(character.size());
     }

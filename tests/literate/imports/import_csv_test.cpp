@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include "literate/imports/imported_table.hpp"
@@ -343,6 +344,25 @@ BOOST_AUTO_TEST_CASE(a_file_or_script_that_cannot_be_read_is_named) {
   BOOST_TEST(error() == (folder / "t.csv").string() + ": the file cannot be read, for table 't'");
   sys::write_file_atomically(folder / "t.csv", "x\n");
   BOOST_TEST(error().ends_with("run.py' cannot be read, for table 't'"));
+}
+
+BOOST_AUTO_TEST_CASE(a_heading_that_stands_twice_is_refused) {
+  const Checkout checkout;
+  BOOST_TEST(checkout.error("x (s),y (s),x (s)\n1,2,3\n", {"x (s)", "y (s)"}) ==
+             "1:13: column 'x (s)' stands twice");
+  BOOST_TEST(checkout.error("x (s),x (ms)\n1,2\n", {"x (s)", "x (ms)"}) == "(no error)");
+  BOOST_TEST(checkout.error("x,abs_error,y,abs_error\n1,0.1,2,0.1\n") == "(no error)");
+}
+
+BOOST_AUTO_TEST_CASE(a_column_is_found_by_its_heading_with_its_unit) {
+  const Document document = Checkout().import("x (m),note,y (s),abs_error\n1,a,2,0.1\n", {"x (m)"});
+  const Table& table = document.tables().at("points");
+  BOOST_TEST(table.column("x (m)") == 0U);
+  BOOST_TEST(table.column("note") == 1U);
+  BOOST_TEST(*table.rows()[0][table.column("y (s)")].number() == 2);
+  BOOST_TEST(message_of<std::invalid_argument>([&] {
+               table.column("y (ms)");
+             }).ends_with(": table 'points' has no column 'y (ms)', but 'x (m)', 'note', 'y (s)'"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -333,4 +333,27 @@ BOOST_AUTO_TEST_CASE(a_cell_is_checked_and_told_with_its_place) {
   BOOST_TEST(error("", "[]") == "a cell must be an object");
 }
 
+BOOST_AUTO_TEST_CASE(a_number_that_a_double_does_not_hold_is_refused_unless_its_error_is_larger) {
+  const Checkout checkout;
+  const std::string seed = R"("seed": {"value": 9007199254740993, "abs_error": )";
+  const std::string refusal =
+      "1:50: value 'seed': 9007199254740993 has more digits than a number holds: give its error, "
+      "or a text";
+  BOOST_TEST(checkout.error_of_values(seed + "0}") == refusal);
+  BOOST_TEST(checkout.error_of_values(seed + "0.5}") == refusal);
+  BOOST_TEST(checkout.error_of_values(seed + "10}") == "(no error)");
+  BOOST_TEST(checkout.error_of_values(
+                 R"("a": {"value": 9007199254740992, "abs_error": 0},)"
+                 R"("b": {"value": 0.1, "abs_error": 0}, "c": {"value": 1e22, "abs_error": 0},)"
+                 R"("d": {"value": -0.30000000000000004, "abs_error": 0})") == "(no error)");
+  for (const char* const format : {R"("decimals": 0)", R"("digits": 16)", R"("uncertain": true)"}) {
+    BOOST_TEST(
+        checkout
+            .error_of_table(R"({"columns": [{"heading": "n", )" + std::string(format) +
+                            R"(}], "rows": [[{"value": 9007199254740993, "abs_error": 0}]]})")
+            .ends_with("9007199254740993 has more digits than a number holds: declare column 'n' "
+                       "to be of texts"));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -219,10 +219,12 @@ BOOST_AUTO_TEST_CASE(the_prose_gets_a_definition_for_each_variant_it_uses) {
   const Restyled found = of_text(
       "\\val[digits=3]{period} \\val{width} \\val[unit=mm]{width}\n% \\val[digits=1]{width}\n"
       "\\val[digits=3]{period} \\val[format=fixed,\n  decimals=2]{period}\\rawval[unit=mm]{width}"
-      "\\rawval[unit=percent]{tie}");
+      "\\rawval[unit=percent]{tie}\\rawval[unit=percent]{share}\\rawval[unit=ppm]{share}");
 
   BOOST_TEST(found.errors.empty());
   BOOST_TEST(found.latex ==
+             "\\LiterateRestyledRaw{share}{[unit=percent]}{12.3456}\n"
+             "\\LiterateRestyledRaw{share}{[unit=ppm]}{123456}\n"
              "\\LiterateRestyledRaw{tie}{[unit=percent]}{12.5}\n"
              "\\LiterateRestyledRaw{width}{[unit=mm]}{0.254}\n"
              "\\LiterateRestyled{period}{[digits=3]}{\\qty{2.35}{s}}{2.35 s}\n"

@@ -349,4 +349,12 @@ BOOST_AUTO_TEST_CASE(the_table_of_the_page_has_every_cell_in_its_place) {
              "</tbody>\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_heading_that_several_columns_have_finds_none) {
+  const Table table("t", {Column("a", integer()), Column("a", integer()), Column("b", integer())});
+  BOOST_TEST(table.column("b") == 2U);
+  BOOST_TEST(message_of<std::invalid_argument>([&] {
+               table.column("a");
+             }).ends_with(": table 't' has 2 columns 'a'"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
