@@ -19,7 +19,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int most_runs = 50;  ///< of tests whose questions depend on the answers
+constexpr int most_runs = 100;  ///< of tests whose questions depend on the answers
 
 /// What tests ask, and what a program answers to it, a line each.
 struct Talk {
@@ -43,6 +43,10 @@ std::vector<std::string> whole_lines(std::string text) {
   std::vector<std::string> lines;
   for (const std::string_view line : sys::lines_of(text)) lines.emplace_back(line);
   return lines;
+}
+
+std::string text_of(const std::vector<std::string>& lines) {
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
 /// Runs the program `folder`/tests.
@@ -97,7 +101,7 @@ std::vector<std::string> TestsRun::answers_of(const fs::path& program,
   fs::copy_file(program, copy, fs::copy_options::overwrite_existing);
   make_executable(copy);
   JobEnd end;
-  auto answers = run(copy, {"-"}, fmt::format("{}\n", fmt::join(questions, "\n")), end);
+  auto answers = run(copy, {"-"}, text_of(questions), end);
   fs::remove(copy);
   answers.resize(questions.size());  // there are fewer if the program came to no end
   return answers;
@@ -122,15 +126,11 @@ std::string TestsRun::failure_of(const JobEnd& end) const {
 }
 
 std::pair<std::vector<std::string>, Verdict> TestsRun::run_tests(const Talk& talk) {
-  std::string text;
-  for (std::size_t i = 0; i < talk.questions.size(); ++i) {
-    text += talk.questions[i] + "\n" + talk.answers[i] + "\n";
-  }
   JobEnd end;
   std::pair<std::vector<std::string>, Verdict> result;
   auto& [asked, verdict] = result;
   bool has_ended = false;
-  for (const std::string& line : run(folder_ / "tests", {}, text, end)) {
+  for (const std::string& line : run(folder_ / "tests", {}, text_of(talk.answers), end)) {
     if (line.starts_with("? ")) asked.push_back(line.substr(2));
     if (!line.starts_with(". ")) continue;
     std::istringstream(line.substr(2)) >> verdict.n_checks >> verdict.rejecting_line;
@@ -149,7 +149,7 @@ Verdict TestsRun::verdict_on(const fs::path& program, Talk& talk) {
     talk.questions = std::move(asked);
   }
   return {took_too_long() ? fmt::format("take longer than {} s in all", seconds_for_all_)
-                          : "ask other questions each time"};
+                          : fmt::format("still ask something else in run {}", most_runs)};
 }
 
 /// The line of a text, for a message; nothing else that tests said of the right program is told.

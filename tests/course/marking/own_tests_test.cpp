@@ -129,7 +129,8 @@ BOOST_AUTO_TEST_CASE(tests_that_come_to_no_end_catch_nothing) {
 BOOST_AUTO_TEST_CASE(tests_gain_nothing_but_by_answers) {
   check_tried("says_that_it_ended", 0, "your tests catch 0 of 4 wrong programs");
   check_tried("forks", 0, "your tests catch 0 of 4 wrong programs");
-  check_tried("asks_by_chance", 0, "your tests ask other questions each time when they try the");
+  check_tried("asks_by_chance", 0,
+              "your tests still ask something else in run 100 when they try the");
   check_tried("looks_for_the_program", 0, "your tests catch 0 of 4 wrong programs");
   // A busy machine may let it reject the right program the first time.
   BOOST_TEST(tried("goes_by_the_clock").points == 0);
