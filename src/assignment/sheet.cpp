@@ -83,6 +83,7 @@ void register_facts(Document& document, const Assignment& assignment, const Vari
 }
 
 const char* name_of(Visibility visibility) {
+  if (visibility == Visibility::tests) return "your tests";
   return visibility == Visibility::visible ? "public" : "hidden";
 }
 

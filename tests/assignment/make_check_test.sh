@@ -18,7 +18,17 @@ cd "$work/project"
 make >make.log 2>&1 || { cat make.log; fail 'the solution does not compile'; }
 make check >check.log 2>&1 || { cat check.log; fail 'the solution does not pass every public check'; }
 grep -qx $'2 of 2\tgradient-odd' check.log || { cat check.log; fail 'the points of a check are not shown'; }
-grep -qx 'sum: 37 of 37 points; hidden checks decide on the other 63, and these points count as far as those hold' check.log || { cat check.log; fail 'the sum is not shown'; }
+grep -qx 'sum: 35 of 35 points; hidden checks and your tests decide on the other 65, and these points count as far as the hidden checks hold' check.log || { cat check.log; fail 'the sum is not shown'; }
+
+# Their own tests run with their own function, and it is said which of their checks do not hold.
+grep -qx $'influence-tests\tyour function passes' check.log || { cat check.log; fail 'the own tests are not run'; }
+sed -i.right 's/k = std::abs(k);//' src/influence.cpp
+make >make.log 2>&1 || { cat make.log; fail 'the solution does not compile'; }
+if make check PART=influence >check.log 2>&1; then fail 'a function that fails the own tests is no failure'; fi
+grep -qx $'influence-tests\tyour function fails' check.log || { cat check.log; fail 'it is not said that the own tests fail'; }
+grep -qx $'\tline [0-9]*: the same on both sides' check.log || { cat check.log; fail 'it is not said which check fails'; }
+make check PART=gradient >check.log 2>&1 || { cat check.log; fail 'another exercise fails with the own tests'; }
+cp src/influence.cpp.right src/influence.cpp
 
 # A project that was copied with its build folder builds.
 cp -a "$work/project" "$work/a copy"

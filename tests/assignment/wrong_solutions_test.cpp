@@ -21,6 +21,16 @@ course::Files solution() {
   return course::submission(description, course::texts(project, course::Edition::solution));
 }
 
+double points_of(course::Visibility visibility) {
+  double sum = 0;
+  for (const course::Exercise& exercise : description.exercises) {
+    for (const course::CheckEntry& check : exercise.checks) {
+      if (check.visibility == visibility) sum += check.points;
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_mistake_fits_into_the_solution_and_costs_points) {
@@ -28,7 +38,19 @@ BOOST_AUTO_TEST_CASE(every_mistake_fits_into_the_solution_and_costs_points) {
 
   BOOST_TEST(list.size() >= 12U);
   for (const course::WrongSolution& wrong : list) {
-    BOOST_TEST(wrong.points < description.points, wrong.id);
+    BOOST_TEST(wrong.points < description.points - points_of(course::Visibility::tests), wrong.id);
+  }
+}
+
+// What is wrong in the programs on which they try their tests, students do not get.
+BOOST_AUTO_TEST_CASE(the_handout_says_nothing_of_a_wrong_solution) {
+  const course::Project project = course::read_project(description, HALFSPACE_SOURCE_DIR);
+  for (const auto& wrong : course::read_wrong_solutions(description, solution())) {
+    for (const auto& [file, text] : course::texts(project, course::Edition::handout)) {
+      BOOST_TEST(text.find(wrong.says) == text.npos, file << " says: " << wrong.says);
+      BOOST_TEST((wrong.id == "constants" || text.find(wrong.id) == text.npos),
+                 file << " names " << wrong.id);
+    }
   }
 }
 
@@ -60,13 +82,7 @@ BOOST_AUTO_TEST_CASE(new_points_change_nothing_else_in_the_list) {
 }
 
 BOOST_AUTO_TEST_CASE(public_checks_alone_give_40_points_at_most) {
-  double of_public = 0;
-  for (const course::Exercise& exercise : description.exercises) {
-    for (const course::CheckEntry& check : exercise.checks) {
-      if (check.visibility == course::Visibility::visible) of_public += check.points;
-    }
-  }
-  BOOST_TEST(of_public <= 0.4 * description.points);
+  BOOST_TEST(points_of(course::Visibility::visible) <= 0.4 * description.points);
 }
 
 BOOST_AUTO_TEST_CASE(make_check_lists_every_exercise_with_the_title_of_the_sheet) {

@@ -125,10 +125,13 @@ CheckEntry read_check(const Table& table, std::set<std::string>& ids) {
   check.place = table.place("id");
   check.points = positive(table, "points");
   const std::string visibility = table.text("visibility");
-  if (visibility != "public" && visibility != "hidden") {
-    table.fail("visibility", fmt::format("\"{}\" is not \"public\" or \"hidden\"", visibility));
+  if (visibility != "public" && visibility != "hidden" && visibility != "tests") {
+    table.fail("visibility",
+               fmt::format("\"{}\" is not \"public\", \"hidden\" or \"tests\"", visibility));
   }
-  check.visibility = visibility == "public" ? Visibility::visible : Visibility::hidden;
+  check.visibility = visibility == "public"   ? Visibility::visible
+                     : visibility == "hidden" ? Visibility::hidden
+                                              : Visibility::tests;
   check.says = text(table, "says");
   return check;
 }
@@ -182,6 +185,7 @@ class Exercises {
 
  private:
   Exercise read(const Table& table);
+  std::string read_file_name(const Table& table, const std::string& key);
   void require_order(std::size_t index) const;
   bool leads_to(const std::string& from, const std::string& to, std::set<std::string>& seen) const;
   const Exercise* find(const std::string& id) const;
@@ -192,18 +196,25 @@ class Exercises {
   std::set<std::string> ids_, check_ids_, files_;
 };
 
+/// Reads the name of a file that students write.
+std::string Exercises::read_file_name(const Table& table, const std::string& key) {
+  std::string file = text(table, key);
+  require_below(table, key, file);
+  if (!fs::is_regular_file(folder_ / "template" / file)) {
+    table.fail(key, fmt::format("there is no template/{}", file));
+  }
+  if (!files_.insert(file).second) {
+    table.fail(key, fmt::format("{} is another exercise's file already", file));
+  }
+  return file;
+}
+
 Exercise Exercises::read(const Table& table) {
   Exercise exercise;
   exercise.id = new_id(table, "id", ids_);
   exercise.title = text(table, "title");
-  exercise.file = text(table, "file");
-  require_below(table, "file", exercise.file);
-  if (!fs::is_regular_file(folder_ / "template" / exercise.file)) {
-    table.fail("file", fmt::format("there is no template/{}", exercise.file));
-  }
-  if (!files_.insert(exercise.file).second) {
-    table.fail("file", fmt::format("{} is another exercise's file already", exercise.file));
-  }
+  exercise.file = read_file_name(table, "file");
+  if (table.has("tests")) exercise.tests = read_file_name(table, "tests");
   if (table.has("builds_on")) exercise.builds_on = table.texts("builds_on");
   // An empty list `check = []` is no list of tables for the parser.
   const bool has_none = is_empty_list(table, "check");
@@ -212,6 +223,13 @@ Exercise Exercises::read(const Table& table) {
     table.fail("id", fmt::format("exercise \"{}\" has no [[exercise.check]]", exercise.id));
   }
   for (const Table& check : checks) exercise.checks.push_back(read_check(check, check_ids_));
+  const auto n = std::ranges::count(exercise.checks, Visibility::tests, &CheckEntry::visibility);
+  if (n != (exercise.tests.empty() ? 0 : 1)) {
+    table.fail("id",
+               fmt::format("exercise \"{}\" has {} checks of visibility \"tests\", not one for "
+                           "a file `tests` and none without it",
+                           exercise.id, n));
+  }
   return exercise;
 }
 
@@ -309,6 +327,15 @@ Assignment read_assignment(const fs::path& folder) {
               fmt::format("{}, but the checks' points add up to {}", assignment.points, sum));
   }
   return assignment;
+}
+
+std::set<std::string> files_behind(const Assignment& assignment, const Exercise& exercise) {
+  std::set<std::string> files = {exercise.file};
+  for (const std::string& id : exercise.builds_on) {
+    const auto other = std::ranges::find(assignment.exercises, id, &Exercise::id);
+    files.merge(files_behind(assignment, *other));
+  }
+  return files;
 }
 
 double on_grid(const Quantity& quantity, std::uint64_t k) {

@@ -5,12 +5,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace course {
 
-enum class Visibility { visible, hidden };
+/// Who decides a check, and what students are told of it: code of which they have a copy; code of
+/// which they are told nothing but points; or their own tests, by the wrong programs that they
+/// catch.
+enum class Visibility { visible, hidden, tests };
 
 /// One line of the marking scheme.
 struct CheckEntry {
@@ -28,6 +32,9 @@ struct Exercise {
   std::string file;                    ///< in the student's project, such as "src/closed_form.cpp"
   std::vector<std::string> builds_on;  ///< ids of exercises whose functions it calls
   std::vector<CheckEntry> checks;
+  /// The student's own tests, such as "src/tests/influence.cpp"; empty if none are asked for. If
+  /// they are, one of the checks is theirs.
+  std::string tests = {};
 
   double points() const;
   /// The name of its file without folder and ending, for which the files of its checks are named.
@@ -99,6 +106,9 @@ struct Assignment {
 /// Reads folder/assignment.toml. Throws config::Error «file:line:column: …» for an entry that
 /// is malformed or contradicts another.
 Assignment read_assignment(const std::filesystem::path& folder);
+
+/// The files of an exercise and of all that it builds on.
+std::set<std::string> files_behind(const Assignment& assignment, const Exercise& exercise);
 
 /// The value from + k·step of a quantity, rounded to 12 digits, so that it is 0.28 and not
 /// 0.28000000000000003.

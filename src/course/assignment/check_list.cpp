@@ -26,7 +26,9 @@ void add(Checks& checks, const CheckEntry& entry, const Checks& visible, const C
 Checks all_checks(const Assignment& assignment, const Checks& visible, const Checks& hidden) {
   Checks checks;
   for (const Exercise& exercise : assignment.exercises) {
-    for (const CheckEntry& entry : exercise.checks) add(checks, entry, visible, hidden);
+    for (const CheckEntry& entry : exercise.checks) {
+      if (entry.visibility != Visibility::tests) add(checks, entry, visible, hidden);
+    }
   }
   for (const Checks* code : {&visible, &hidden}) {
     for (const auto& [id, check] : *code) {

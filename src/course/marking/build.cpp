@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <set>
 #include <utility>
 
 #include "system/files.hpp"
@@ -59,7 +57,7 @@ class Objects {
   /// Returns whether that is a program: it is none if one of them calls a function of the others.
   bool link_alone(const Exercise& exercise, const fs::path& program) const {
     std::map<std::string, fs::path> needed;
-    for (const std::string& file : files_behind(exercise)) {
+    for (const std::string& file : files_behind(assignment_, exercise)) {
       const auto object = own_.find(file);
       needed[file] = object == own_.end() ? compiler_.toolkit().stub_of(file) : object->second;
     }
@@ -78,15 +76,6 @@ class Objects {
   }
 
  private:
-  /// The files of an exercise and of all that it builds on.
-  std::set<std::string> files_behind(const Exercise& exercise) const {
-    std::set<std::string> files = {exercise.file};
-    for (const std::string& id : exercise.builds_on) {
-      files.merge(files_behind(*std::ranges::find(assignment_.exercises, id, &Exercise::id)));
-    }
-    return files;
-  }
-
   std::vector<Readable> with_stubs(const std::map<std::string, fs::path>& own) const {
     std::map<std::string, fs::path> objects = own;
     for (const Exercise& exercise : assignment_.exercises) {
@@ -110,13 +99,13 @@ class Objects {
   std::map<std::string, std::string> errors_;  ///< by file
 };
 
+}  // namespace
+
 void make_executable(const fs::path& program) {
   using fs::perms;
   fs::permissions(program, perms::owner_all | perms::group_read | perms::group_exec |
                                perms::others_read | perms::others_exec);
 }
-
-}  // namespace
 
 Built build(const Assignment& assignment, const fs::path& toolkit, const Files& files,
             const fs::path& scratch, Isolation isolation, const std::optional<OtherMain>& other) {

@@ -32,6 +32,9 @@ struct Built {
   }
 };
 
+/// Lets every user run a program that a job wrote.
+void make_executable(const std::filesystem::path& program);
+
 /// Compiles the exercises' files into the folder `scratch`; `toolkit` is the folder of the
 /// toolkit. Throws ToolError if the compiler or the sandbox cannot be started or the other main
 /// does not compile, never because of what was submitted.

@@ -72,9 +72,10 @@ Compiler::Compiler(const Assignment& assignment, const fs::path& toolkit, const 
 void Compiler::write_project(const Assignment& assignment, const Files& files) const {
   fs::copy(toolkit_.project(), project_.path, fs::copy_options::recursive);
   for (const Exercise& exercise : assignment.exercises) {
-    const auto file = files.find(exercise.file);
-    if (file == files.end()) continue;
-    sys::write_file_atomically(project_.path / exercise.file, file->second);
+    for (const std::string& name : {exercise.file, exercise.tests}) {
+      const auto file = files.find(name);
+      if (file != files.end()) sys::write_file_atomically(project_.path / name, file->second);
+    }
   }
   make_readable(project_.path);
 }

@@ -30,11 +30,15 @@ class Compiler {
 
   const Toolkit& toolkit() const { return toolkit_; }
 
-  /// Writes the given project with the student's files in it.
+  /// Writes the given project with the student's files in it, tests of their own among them.
   void write_project(const Assignment& assignment, const Files& files) const;
 
   /// Links with another program of the project, which is compiled here.
   void use(const OtherMain& other);
+  /// Links with another main(), an object.
+  void use_object(const std::filesystem::path& object) {
+    other_main_ = Readable{object, "/main.o"};
+  }
 
   /// Compiles a file of the project to `object`. Returns the compiler's message, empty if it
   /// worked.

@@ -21,7 +21,8 @@ void add_summary(pugi::xml_node body, const Assignment& assignment, const Graded
       fmt::format("{}: {} of {} points", graded.student, mark_of(graded), assignment.points));
   add_note(body, "Handed in " + lateness_text(graded) + ".");
   if (deduction_of(graded) > 0) {
-    add_note(body, fmt::format("Reached {}, deducted {}.", points_of(graded), deduction_of(graded)));
+    add_note(body,
+             fmt::format("Reached {}, deducted {}.", points_of(graded), deduction_of(graded)));
   }
   add_note(body, graded.submission.has_report ? "The report is marked by a person."
                                               : "There is no report/report.tex.");
@@ -38,7 +39,7 @@ void add_check(pugi::xml_node table, const CheckEntry& entry, const CheckResult&
   if (!is_passed(entry, result)) row.append_attribute("class") = "lost";
   pugi::xml_node what = row.append_child("td");
   add_element(what, "div", entry.says);
-  if (entry.visibility == Visibility::visible) {
+  if (entry.visibility != Visibility::hidden) {
     if (!result.message.empty()) add_element(what, "div", result.message, "note");
   } else {
     add_element(what, "div", "hidden check", "note");

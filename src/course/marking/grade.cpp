@@ -2,6 +2,7 @@
 #include "course/marking/grade.hpp"
 
 #include "course/marking/feedback.hpp"
+#include "course/marking/own_tests.hpp"
 #include "course/marking/results.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/error.hpp"
@@ -60,7 +61,14 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
   const auto draw = [&] {
     if (built.link_error.empty()) pictures = pictures_of(assignment, task, run);
   };
-  graded.results = try_checks(assignment, task.checks, built, task.variant, run, draw);
+  const Checks checks = with_own_tests(task.checks,
+                                       {.assignment = assignment,
+                                        .toolkit = task.toolkit,
+                                        .files = graded.submission.files,
+                                        .scratch = scratch.path() / "own tests",
+                                        .isolation = task.isolation},
+                                       graded.missed);
+  graded.results = try_checks(assignment, checks, built, task.variant, run, draw);
   write(assignment, graded, pictures, output);
   return graded;
 }

@@ -107,6 +107,7 @@ std::string log_text(const Assignment& assignment, const Graded& graded) {
                           result.message);
     }
   }
+  for (const std::string& missed : graded.missed) text += missed + "\n";
   return text;
 }
 

@@ -20,6 +20,8 @@ struct Graded {
   std::map<std::string, std::string> compile_errors;  ///< by exercise
   std::string link_error;
   std::vector<CheckResult> results;  ///< in the assignment's order
+  /// What the student's own tests do not catch, a line each, for the instructor.
+  std::vector<std::string> missed = {};
 };
 
 /// The sum of the results' points, before any deduction.

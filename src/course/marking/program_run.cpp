@@ -121,27 +121,36 @@ std::string ProgramRun::with_errors(const std::string& failure) const {
   return said.empty() || !tells_errors_ ? failure : failure + " and said: " + said;
 }
 
+JobEnd run_on_text(const Sandbox& sandbox, const Limits& limits, const fs::path& program,
+                   const std::vector<std::string>& arguments, const std::string& text,
+                   int seconds) {
+  const fs::path folder = program.parent_path();
+  sys::write_file_atomically(folder / "input", text);
+  const Readable readable{program, "/program"};
+  Job job;
+  job.command = {sandbox.place(readable)};
+  job.command.insert(job.command.end(), arguments.begin(), arguments.end());
+  job.readable = {readable};
+  job.input = folder / "input";
+  job.output = folder / "output";
+  job.errors = folder / "errors";
+  job.seconds = seconds;
+  job.memory_mb = limits.memory_mb;
+  job.processes = limits.processes;
+  job.file_kb = limits.output_kb;
+  return sandbox.run(job);
+}
+
 JobEnd ProgramRun::run(const std::string& task, const Numbers& inputs, const Numbers& before) {
-  const fs::path folder = program_.parent_path();
   std::string text;
   for (const double number : before) text += fmt::format("{}\n", number);
   if (!before.empty()) text += ";\n";
   for (const double number : inputs) text += fmt::format("{}\n", number);
-  sys::write_file_atomically(folder / "input", text);
 
-  const Readable program{program_, "/program"};
-  Job job;
-  job.command = {sandbox_.place(program), task};
-  job.readable = {program};
-  job.input = folder / "input";
-  job.output = folder / "output";
-  job.errors = folder / "errors";
   const int left = std::max(1, limits_.submission_seconds - static_cast<int>(seconds_));
-  job.seconds = std::min(left, before.empty() ? limits_.run_seconds : 2 * limits_.run_seconds);
-  job.memory_mb = limits_.memory_mb;
-  job.processes = limits_.processes;
-  job.file_kb = limits_.output_kb;
-  const JobEnd end = sandbox_.run(job);
+  const int seconds = before.empty() ? limits_.run_seconds : 2 * limits_.run_seconds;
+  const JobEnd end =
+      run_on_text(sandbox_, limits_, program_, {task}, text, std::min(left, seconds));
   seconds_ += end.seconds;
   seconds_of_[program_] += end.seconds;
   return end;

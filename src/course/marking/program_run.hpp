@@ -6,6 +6,7 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "course/assignment/check.hpp"
 #include "course/marking/build.hpp"
@@ -16,6 +17,12 @@ namespace course {
 /// no comparison holds. Throws ProgramFailure for anything else; the message repeats nothing of
 /// what the program printed, not even how much it was.
 Numbers parse_answer(std::string_view text);
+
+/// Runs a program in the sandbox on a text, within the limits. Input, output and errors are files
+/// beside it, `input`, `output` and `errors`.
+JobEnd run_on_text(const Sandbox& sandbox, const Limits& limits,
+                   const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                   const std::string& text, int seconds);
 
 /// A built submission as the checks see it. Each question is asked in two runs in the sandbox,
 /// which must agree but for roundings, since threads add up in any order. If both are quick, the

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 /// The message of a check for students; of a hidden check they are told the points only.
 std::string message_for_student(const CheckEntry& entry, const CheckResult& result) {
-  return entry.visibility == Visibility::visible ? result.message : "";
+  return entry.visibility == Visibility::hidden ? "" : result.message;
 }
 
 /// The text that concerns the whole submission.

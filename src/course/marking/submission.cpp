@@ -22,7 +22,10 @@ constexpr int max_entries = 20'000;  ///< in a folder; no homework has more
 
 std::vector<std::string> wanted_files(const Assignment& assignment) {
   std::set<std::string> files;
-  for (const Exercise& exercise : assignment.exercises) files.insert(exercise.file);
+  for (const Exercise& exercise : assignment.exercises) {
+    files.insert(exercise.file);
+    if (!exercise.tests.empty()) files.insert(exercise.tests);
+  }
   return {files.begin(), files.end()};
 }
 

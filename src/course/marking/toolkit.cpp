@@ -12,6 +12,12 @@ fs::path Toolkit::stub_of(const std::string& file) const {
   return folder / "stubs" / (file + ".o");
 }
 
+fs::path Toolkit::programs_of(const std::string& exercise) const {
+  fs::path all = fs::weakly_canonical(folder);
+  all += "-programs";
+  return all / exercise;
+}
+
 std::vector<std::string> compile_flags(const std::string& project) {
   return {"-std=c++20",
           "-O2",
@@ -40,6 +46,11 @@ Toolkit open_toolkit(const Assignment& assignment, const fs::path& folder) {
       throw sys::OutputError(
           fmt::format("the toolkit '{}' is of another assignment: it has no stub of {}",
                       folder.string(), exercise.file));
+    }
+    std::error_code error;  // another user may have made it
+    if (!exercise.tests.empty() && !fs::exists(toolkit.programs_of(exercise.id) / "right", error)) {
+      throw sys::OutputError(
+          fmt::format("the toolkit '{}' has no programs for {}", folder.string(), exercise.tests));
     }
   }
   return toolkit;

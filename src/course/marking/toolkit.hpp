@@ -11,7 +11,7 @@ namespace course {
 
 /// The folder with everything that is compiled once for all submissions of an assignment: the
 /// files that students do not write, a stub for each file that they do, and a precompiled header.
-/// No solution is in it.
+/// No solution is in it: the programs on which students' own tests are tried lie beside it.
 struct Toolkit {
   std::filesystem::path folder;
 
@@ -24,6 +24,11 @@ struct Toolkit {
   std::filesystem::path header() const { return folder / "precompiled.hpp"; }
   /// Names every file of the toolkit.
   std::filesystem::path list() const { return folder / "files.txt"; }
+  /// The folder with the programs for the tests of an exercise, `right` and wrong/ID for each wrong
+  /// solution of it. No job can read it.
+  std::filesystem::path programs_of(const std::string& exercise) const;
+  /// Holds the main() with which students' own tests are run.
+  std::filesystem::path replay_object() const { return folder / "objects/provided/replay.cpp.o"; }
   /// Holds main().
   std::filesystem::path main_object() const { return folder / "objects/provided/main.cpp.o"; }
   /// Holds all other given objects.

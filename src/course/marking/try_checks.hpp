@@ -21,8 +21,8 @@ struct CheckResult {
 
 /// Tries every check of the assignment on a program, and returns the results in the assignment's
 /// order. All public checks are tried first, then `after_public` is called, and the hidden checks
-/// come last: so whatever a student is shown of public checks and pictures was computed before the
-/// program heard a hidden question.
+/// and the student's own tests come last: so whatever a student is shown of public checks and
+/// pictures was computed before the program heard a hidden question.
 ///
 /// A public check counts only as far as the hidden checks of its exercise hold: if these give the
 /// share h of their points, it gives the share h of its own at most. Numbers that agree with each

@@ -137,6 +137,7 @@ Files submission(const Assignment& assignment, const Files& files) {
   Files submitted;
   for (const Exercise& exercise : assignment.exercises) {
     submitted[exercise.file] = files.at(exercise.file);
+    if (!exercise.tests.empty()) submitted[exercise.tests] = files.at(exercise.tests);
   }
   return submitted;
 }

@@ -247,7 +247,7 @@ Secrets secrets_of(const Assignment& assignment, const Project& project,
   }
   for (const Exercise& exercise : assignment.exercises) {
     for (const CheckEntry& check : exercise.checks) {
-      if (check.visibility == Visibility::visible) continue;
+      if (check.visibility != Visibility::hidden) continue;
       secrets.words.push_back({fmt::format("the id of the hidden check {}", check.id), check.id});
     }
   }

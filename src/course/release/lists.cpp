@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "course/release/comment_lines.hpp"
@@ -33,21 +34,31 @@ std::vector<Words> each_exercise(const Assignment& assignment) {
   return entries;
 }
 
-std::vector<Words> each_public_check(const Assignment& assignment) {
+/// Each check of one kind.
+std::vector<Words> each_check(const Assignment& assignment, Visibility visibility) {
   std::vector<Words> entries;
   std::size_t number = 0;
   for (const Exercise& exercise : assignment.exercises) {
     ++number;
     for (const CheckEntry& check : exercise.checks) {
-      if (check.visibility != Visibility::visible) continue;
+      if (check.visibility != visibility) continue;
       Words words = words_of(exercise, number);
       words["points"] = fmt::format("{}", check.points);
       words["check"] = check.id;
       words["says"] = check.says;
+      words["tests"] = exercise.tests;
       entries.push_back(std::move(words));
     }
   }
   return entries;
+}
+
+/// What a list is of; nothing if there is no such list.
+std::optional<std::vector<Words>> each(const Assignment& assignment, std::string_view of) {
+  if (of == "EXERCISE") return each_exercise(assignment);
+  if (of == "PUBLIC CHECK") return each_check(assignment, Visibility::visible);
+  if (of == "OWN TESTS") return each_check(assignment, Visibility::tests);
+  return std::nullopt;
 }
 
 // Replaces each @word@. Throws std::out_of_range with the word if there is no such word.
@@ -83,15 +94,17 @@ std::string with_lists(const Assignment& assignment, std::string_view text,
       continue;
     }
     const std::string_view of = words->substr(5, colon - 5);
-    if (of != "EXERCISE" && of != "PUBLIC CHECK") {
-      fail(fmt::format("a list is of «EACH EXERCISE:» or «EACH PUBLIC CHECK:», not of «EACH {}:»",
-                       of));
+    const auto entries = each(assignment, of);
+    if (!entries) {
+      fail(
+          fmt::format("a list is of «EACH EXERCISE:», «EACH PUBLIC CHECK:» or «EACH OWN TESTS:», "
+                      "not of «EACH {}:»",
+                      of));
     }
     const std::string_view indentation = line.text.substr(0, line.text.find(signs.begin));
     const std::string_view entry = sys::stripped(words->substr(colon + 1));
     try {
-      for (const Words& known :
-           of == "EXERCISE" ? each_exercise(assignment) : each_public_check(assignment)) {
+      for (const Words& known : *entries) {
         result.append(indentation).append(filled(entry, known)).append(line.end);
       }
     } catch (const std::out_of_range& unknown) {

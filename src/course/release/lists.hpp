@@ -13,12 +13,14 @@ namespace course {
 ///
 ///     // EACH EXERCISE: #include "assignment/exercises/@name@.hpp"
 ///     // EACH PUBLIC CHECK: {@number@, "@check@", @points@},
+///     # EACH OWN TESTS: add_executable(@check@ @tests@)
 ///
-/// in whose place its text stands once for each exercise or each public check, with the indentation
-/// and line end of that line. In it `@number@` is the number of the exercise, from 1; `@name@` the
-/// name of its file without folder and ending; `@file@` its file; `@id@` and `@title@` are as
-/// assignment.toml has them; `@points@` are those of the exercise or check; and `@check@` and
-/// `@says@` are the id and the words of the check.
+/// in whose place its text stands once for each exercise, each public check or each exercise that
+/// asks for tests, with the indentation and line end of that line. In it `@number@` is the number
+/// of the exercise, from 1; `@name@` the name of its file without folder and ending; `@file@` its
+/// file; `@id@` and `@title@` are as assignment.toml has them; `@points@` are those of the exercise
+/// or check; `@check@` and
+/// `@says@` are the id and the words of the check; and `@tests@` is the file of tests.
 ///
 /// Throws sys::SourceError «file:line: …» for a list of something else, and for another word
 /// between two @.

@@ -9,6 +9,8 @@
 #include "course/assignment/variants.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/handout.hpp"
+#include "course/release/programs.hpp"
+#include "course/release/run_compiler.hpp"
 #include "course/sandbox/sandbox.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -20,17 +22,19 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-bool is_exercise(const Assignment& assignment, const std::string& file) {
-  return std::ranges::find(assignment.exercises, file, &Exercise::file) !=
-         assignment.exercises.end();
+/// Whether students write a file.
+bool is_theirs(const Assignment& assignment, const std::string& file) {
+  return std::ranges::any_of(assignment.exercises, [&](const Exercise& exercise) {
+    return file == exercise.file || file == exercise.tests;
+  });
 }
 
 /// Writes src/, provided/ and report/ of the handout; returns the paths of the files that are
 /// compiled once: what is below report/ is compiled with each student's own numbers.
-std::set<std::string> write_project(const Assignment& assignment, const fs::path& source,
+std::set<std::string> write_project(const Assignment& assignment, const Project& project,
                                     const fs::path& folder) {
   std::set<std::string> files;
-  Files handout = texts(read_project(assignment, source), Edition::handout);
+  Files handout = texts(project, Edition::handout);
   handout["provided/variant_of_this_handout.hpp"] =
       variant_header(assignment, nominal_variant(assignment));
   for (const auto& [file, text] : handout) {
@@ -64,22 +68,12 @@ std::string header_text(const fs::path& project, const std::set<std::string>& fi
   return text;
 }
 
-void compile(std::vector<std::string> arguments, const fs::path& product) {
-  fs::create_directories(product.parent_path());
-  arguments.insert(arguments.end(), {"-o", product.string()});
-  const sys::ProcessResult result = sys::run(
-      {.program = "g++", .arguments = std::move(arguments), .environment = {{"LC_ALL", "C"}}});
-  if (result.exit_status != 0) {
-    throw sys::ToolError(fmt::format("the toolkit does not compile: g++ says\n{}", result.output));
-  }
-}
-
 void make_header(const Toolkit& toolkit, const std::set<std::string>& files) {
   const std::string header = toolkit.header().string();
   sys::write_file_atomically(header, header_text(toolkit.project(), files));
   std::vector<std::string> arguments = compile_flags(toolkit.project().string());
   arguments.insert(arguments.end(), {"-x", "c++-header", header});
-  compile(arguments, header + ".gch");
+  run_compiler(arguments, header + ".gch");
 }
 
 /// Puts the given objects into an archive, except the one with main(), so that the linker takes
@@ -106,8 +100,8 @@ void compile_all(const Assignment& assignment, const Toolkit& toolkit,
     std::vector<std::string> arguments = compile_flags(project.string());
     arguments.insert(arguments.end(),
                      {"-include", toolkit.header().string(), "-c", (project / file).string()});
-    const char* kind = is_exercise(assignment, file) ? "stubs" : "objects";
-    compile(arguments, toolkit.folder / kind / (file + ".o"));
+    const char* kind = is_theirs(assignment, file) ? "stubs" : "objects";
+    run_compiler(arguments, toolkit.folder / kind / (file + ".o"));
   }
   archive(toolkit);
 }
@@ -125,13 +119,15 @@ void make_toolkit(const Assignment& assignment, const fs::path& source, const fs
   }
   sys::Staging staging(output);
   const Toolkit toolkit{staging.path()};
-  compile_all(assignment, toolkit, write_project(assignment, source, toolkit.project()));
+  const Project project = read_project(assignment, source);
+  compile_all(assignment, toolkit, write_project(assignment, project, toolkit.project()));
   std::string list;
   for (const std::string& file : staging.files()) list += file + "\n";
   sys::write_file_atomically(toolkit.list(), list);
   make_readable(staging.path());
   staging.publish(former);
   make_readable(output);
+  make_programs(assignment, Toolkit{output}, texts(project, Edition::solution));
 }
 
 }  // namespace course

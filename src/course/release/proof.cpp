@@ -5,6 +5,7 @@
 
 #include "course/assignment/check_list.hpp"
 #include "course/assignment/variants.hpp"
+#include "course/marking/own_tests.hpp"
 #include "course/marking/solution_trial.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/expected_values.hpp"
@@ -12,6 +13,7 @@
 #include "course/release/student_build.hpp"
 #include "course/release/wrong_solutions.hpp"
 #include "course/release/zip.hpp"
+#include "course/sandbox/scratch_folder.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
 
@@ -42,6 +44,21 @@ class Prover {
     return try_solution(input_.assignment, input_.toolkit, submission(input_.assignment, files),
                         checks, variant, isolation_of(input_.n_jobs));
   }
+  /// The same with the tests among the files; each wrong program that they miss is a loss.
+  SolutionTrial trial_with_tests(const Files& files) const {
+    const ScratchFolder scratch;
+    std::vector<std::string> missed;
+    const Checks checks = with_own_tests(checks_,
+                                         {.assignment = input_.assignment,
+                                          .toolkit = input_.toolkit,
+                                          .files = files,
+                                          .scratch = scratch.path() / "own tests",
+                                          .isolation = isolation_of(input_.n_jobs)},
+                                         missed);
+    SolutionTrial trial = trial_of(files, checks, input_.variant);
+    trial.losses.insert(trial.losses.end(), missed.begin(), missed.end());
+    return trial;
+  }
 
   const ProofInput& input_;
   ExpectedValues expected_;
@@ -68,9 +85,11 @@ ProvedClaim Prover::student_build() const {
 ProvedClaim Prover::floor() const {
   Files files;
   for (const Exercise& exercise : input_.assignment.exercises) {
-    files[exercise.file] = sys::read_file(input_.handout / exercise.file);
+    for (const std::string& file : {exercise.file, exercise.tests}) {
+      if (!file.empty()) files[file] = sys::read_file(input_.handout / file);
+    }
   }
-  const double points = trial_of(files, checks_, input_.variant).points;
+  const double points = trial_with_tests(files).points;
   ProvedClaim claim{.says = fmt::format("as it is, it scores {} of {} points",
                                         input_.assignment.floor, input_.assignment.points),
                     .faults = {}};
@@ -82,13 +101,15 @@ ProvedClaim Prover::floor() const {
 
 ProvedClaim Prover::full_points() const {
   return {.says = fmt::format("the solution scores all {} points", input_.assignment.points),
-          .faults = trial_of(solution_, checks_, input_.variant).losses};
+          .faults = trial_with_tests(solution_).losses};
 }
 
 ProvedClaim Prover::wrong_solutions() const {
   std::vector<double> points(wrong_.size());
-  // These checks do not record, because the answers of wrong programs are no expected values.
-  const Checks checks = all_checks(input_.assignment, input_.visible, input_.hidden);
+  // These checks do not record, because the answers of wrong programs are no expected values. Tests
+  // try the same programs whatever else is handed in, so here they count nothing.
+  const Checks checks = without_own_tests(
+      all_checks(input_.assignment, input_.visible, input_.hidden), input_.assignment, 0);
   const Variant nominal = nominal_variant(input_.assignment);
   sys::for_each_parallel(wrong_.size(), input_.n_jobs, [&](std::size_t i) {
     points[i] = trial_of(with_mistake(solution_, wrong_[i]), checks, nominal).points;

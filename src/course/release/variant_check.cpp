@@ -8,6 +8,7 @@
 #include "course/assignment/check_list.hpp"
 #include "course/assignment/variants.hpp"
 #include "course/marking/build.hpp"
+#include "course/marking/own_tests.hpp"
 #include "course/marking/solution_trial.hpp"
 #include "course/release/expected_values.hpp"
 #include "course/release/leaks.hpp"
@@ -89,8 +90,10 @@ std::vector<std::string> faults_of_handout(const VariantCheckInput& input, const
 std::vector<std::string> faults_of(const VariantCheckInput& input, const Variant& variant,
                                    const Built& built) {
   ExpectedValues expected;
-  const Checks checks =
-      all_checks(input.assignment, input.visible, expected.listening(input.hidden));
+  // The solution's tests have been tried by the proof; they know nothing of variants.
+  const Checks checks = without_own_tests(
+      all_checks(input.assignment, input.visible, expected.listening(input.hidden)),
+      input.assignment, 1);
   std::vector<std::string> faults =
       try_solution(input.assignment, built, checks, variant, isolation_of(input.n_jobs)).losses;
   if (input.handouts.empty()) return faults;

@@ -48,6 +48,9 @@ WrongSolution read(const config::Table& table, const Assignment& assignment,
                       .changes = {},
                       .points = table.number("points")};
   if (wrong.id.empty()) table.fail("id", "must not be empty");
+  if (wrong.id.find('/') != std::string::npos) {
+    table.fail("id", fmt::format("\"{}\" cannot name a program, because of its '/'", wrong.id));
+  }
   if (wrong.says.empty()) table.fail("says", "must not be empty");
   const auto places = table.tables("change");
   if (places.empty()) wrong.changes.push_back(read_change(table, assignment, solution));

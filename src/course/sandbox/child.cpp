@@ -44,7 +44,7 @@ void set_streams(sys::FileActions& actions, const Child& child) {
 
 /// What the attendant reports when the child has ended: why it could not start, or its status as of
 /// wait.
-struct Report {
+struct AttendantsReport {
   int error = 0;
   bool is_unlimited = false;  ///< because the kernel refused, so nothing was started
   int status = SIGKILL;
@@ -159,7 +159,7 @@ void end_when_it_ends(pid_t watcher) {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   ::signal(SIGCHLD, SIG_DFL);  // which a child that the filter holds cannot change
   end_when_it_ends(watcher);
-  Report report;
+  AttendantsReport report;
   pid_t child = 0;
   report.is_unlimited = (fence.number() >= 0 && !enclose(fence)) || !install(filter);
   posix_spawnattr_t attributes;
@@ -244,9 +244,9 @@ class Attended {
   }
 
   /// Ends all processes and returns what the attendant reported of the child.
-  Report end() {
+  AttendantsReport end() {
     end_all();
-    Report report = received<Report>();
+    AttendantsReport report = received<AttendantsReport>();
     cpu_seconds_ = std::max(cpu_seconds_, received<double>());
     return report;
   }
@@ -291,7 +291,7 @@ ChildEnd run_child(const Child& child) {
   Attended attended(child);
   ChildEnd end;
   end.excess = attended.watch(child);
-  const Report report = attended.end();
+  const AttendantsReport report = attended.end();
   if (report.is_unlimited) {
     throw sys::ToolError(
         "the kernel refuses to limit system calls or writing, without which nothing is run");

@@ -28,6 +28,7 @@ course::Assignment read_with(const std::string& before, const std::string& after
   folder.write("assignment.toml", text);
   folder.write("template/src/root.cpp", "");
   folder.write("template/src/mean.cpp", "");
+  folder.write("template/src/mean_tests.cpp", "");
   return course::read_assignment(folder.path());
 }
 
@@ -84,6 +85,18 @@ BOOST_AUTO_TEST_CASE(an_exercise_needs_a_check_and_a_file_of_its_own) {
   check_error("\"src/mean.cpp\"", "\"../mean.cpp\"", "is not a plain path");
 }
 
+BOOST_AUTO_TEST_CASE(an_exercise_with_a_file_of_tests_has_one_check_that_they_decide) {
+  const std::string fault = "\" has 0 checks of visibility \"tests\", not one for a file `tests`";
+  check_error("file = \"src/mean.cpp\"", "file = \"src/mean.cpp\"\ntests = \"src/mean_tests.cpp\"",
+              "exercise \"mean" + fault, -2);
+  check_error("visibility = \"public\", says = \"the", "visibility = \"tests\", says = \"the",
+              "exercise \"mean\" has 1 checks of visibility \"tests\"", -5);
+  check_error("file = \"src/mean.cpp\"", "file = \"src/mean.cpp\"\ntests = \"src/none.cpp\"",
+              "there is no template/src/none.cpp", 1);
+  check_error("file = \"src/mean.cpp\"", "file = \"src/mean.cpp\"\ntests = \"src/root.cpp\"",
+              "src/root.cpp is another exercise's file already", 1);
+}
+
 BOOST_AUTO_TEST_CASE(ids_are_words_and_each_its_own) {
   check_error("id = \"mean\"", "id = \"root\"", "\"root\" stands here again");
   check_error("id = \"mean-zeros\"", "id = \"root-square\"", "\"root-square\" stands here again");
@@ -108,7 +121,8 @@ BOOST_AUTO_TEST_CASE(a_quantitys_nominal_value_is_one_that_it_may_have) {
 }
 
 BOOST_AUTO_TEST_CASE(a_slip_of_the_pen_has_its_place) {
-  check_error("title = \"Roots and means\"", "titel = \"\"", "title: missing, did you mean 'titel'?");
+  check_error("title = \"Roots and means\"", "titel = \"\"",
+              "title: missing, did you mean 'titel'?");
   check_error("floor = 0", "floor = 0\nflor = 2", "flor: unknown key", 1);
   check_error("run_seconds = 2", "run_second = 2", "limits.run_second: unknown key");
   check_error("run_seconds = 2", "run_seconds = 0", "0 is not from 1 to 86400");
@@ -123,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_slip_of_the_pen_has_its_place) {
   check_error("days = 5\n", "days = 5\nslip_days = -1\n", "-1 is not from 0 to 366", 1);
   check_error("2027-01-15T23:59:00+01:00", "2027-01-15", "deadline: must be a date and time");
   check_error("visibility = \"hidden\", says = \"the", "visibility = \"secret\", says = \"the",
-              "\"secret\" is not \"public\" or \"hidden\"");
+              "\"secret\" is not \"public\", \"hidden\" or \"tests\"");
   check_error("[\"course/assignment/check.hpp\"", "[\"/etc/passwd\"", "is not a plain path");
   check_error("[\"course/assignment/check.hpp\"", "[\"course/assignment/variant.hpp\"",
               "stands here twice");

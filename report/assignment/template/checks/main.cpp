@@ -102,8 +102,8 @@ int main(int argc, char** argv) {
       std::accumulate(std::begin(points_of_exercises), std::end(points_of_exercises), 0.0);
   std::cout << "sum: " << sum.reached << " of " << sum.possible << " points";
   if (wanted.empty()) {
-    std::cout << "; hidden checks decide on the other " << all - sum.possible
-              << ", and these points count as far as those hold";
+    std::cout << "; hidden checks and your tests decide on the other " << all - sum.possible
+              << ", and these points count as far as the hidden checks hold";
   }
   std::cout << '\n';
   return sum.reached == sum.possible ? 0 : 1;

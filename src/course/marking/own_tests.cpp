@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course/marking/own_tests.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "course/assignment/student_text.hpp"
+#include "course/marking/build.hpp"
+#include "course/marking/compiler.hpp"
+#include "course/marking/program_run.hpp"
+#include "system/files.hpp"
+#include "system/lines.hpp"
+
+namespace course {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int most_runs = 100;  ///< of tests whose questions depend on the answers
+
+/// What tests ask, and what a program answers to it, a line each.
+struct Talk {
+  std::vector<std::string> questions;
+  std::vector<std::string> answers = {};
+};
+
+/// What tests say of a program.
+struct Verdict {
+  std::string failure;  ///< why they say nothing, as «take longer than 5 s»
+  int n_checks = 0;
+  int rejecting_line = 0;  ///< of the first check that does not hold; 0 if all do
+
+  bool accepts() const { return failure.empty() && rejecting_line == 0; }
+  bool rejects() const { return failure.empty() && rejecting_line != 0; }
+};
+
+/// The lines of an output that came to their end.
+std::vector<std::string> whole_lines(std::string text) {
+  text.resize(text.rfind('\n') + 1);  // nothing, if there is none
+  std::vector<std::string> lines;
+  for (const std::string_view line : sys::lines_of(text)) lines.emplace_back(line);
+  return lines;
+}
+
+std::string text_of(const std::vector<std::string>& lines) {
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+/// Runs the program `folder`/tests.
+class TestsRun {
+ public:
+  TestsRun(const Assignment& assignment, fs::path folder, Isolation isolation)
+      : limits_(assignment.limits),
+        seconds_for_all_(std::max(
+            1, limits_.submission_seconds / static_cast<int>(assignment.exercises.size() + 1))),
+        folder_(std::move(folder)),
+        sandbox_(isolation, folder_) {}
+
+  /// Of a program; the talk begins with questions that may be asked, and ends with those that are.
+  Verdict verdict_on(const fs::path& program, Talk& talk);
+
+  /// Once more, of a program that is known by its talk.
+  Verdict repeated(const Talk& talk) {
+    auto [asked, verdict] = run_tests(talk);
+    return asked == talk.questions ? verdict : Verdict{"ask other questions each time"};
+  }
+
+ private:
+  std::pair<std::vector<std::string>, Verdict> run_tests(const Talk& talk);
+  std::vector<std::string> answers_of(const fs::path& program,
+                                      const std::vector<std::string>& questions);
+  std::vector<std::string> run(const fs::path& program, const std::vector<std::string>& arguments,
+                               const std::string& text, JobEnd& end);
+  std::string failure_of(const JobEnd& end) const;
+  bool took_too_long() const { return seconds_ > seconds_for_all_; }
+
+  Limits limits_;
+  int seconds_for_all_;
+  fs::path folder_;
+  Sandbox sandbox_;
+  double seconds_ = 0;
+};
+
+std::vector<std::string> TestsRun::run(const fs::path& program,
+                                       const std::vector<std::string>& arguments,
+                                       const std::string& text, JobEnd& end) {
+  end = run_on_text(sandbox_, limits_, program, arguments, text, limits_.run_seconds);
+  seconds_ += end.seconds;
+  const auto max_bytes = static_cast<std::size_t>(limits_.output_kb) * 1024;
+  return whole_lines(beginning_of(folder_ / "output", max_bytes));
+}
+
+/// The program is there only while it answers, so that tests never find it, not even without walls.
+std::vector<std::string> TestsRun::answers_of(const fs::path& program,
+                                              const std::vector<std::string>& questions) {
+  if (questions.empty()) return {};
+  const fs::path copy = folder_ / "program";
+  fs::copy_file(program, copy, fs::copy_options::overwrite_existing);
+  make_executable(copy);
+  JobEnd end;
+  auto answers = run(copy, {"-"}, text_of(questions), end);
+  fs::remove(copy);
+  answers.resize(questions.size());  // there are fewer if the program came to no end
+  return answers;
+}
+
+std::string TestsRun::failure_of(const JobEnd& end) const {
+  switch (end.ending) {
+    case Ending::too_slow:
+      return fmt::format("take longer than {} s", limits_.run_seconds);
+    case Ending::too_large:
+      return fmt::format("use more than {} MB", limits_.memory_mb);
+    case Ending::too_many_processes:
+      return fmt::format("start more than {} processes and threads", limits_.processes);
+    case Ending::too_much_output:
+      return fmt::format("ask or print more than {} kB", limits_.output_kb);
+    case Ending::crash:
+      return "crash";
+    case Ending::normal:
+      break;
+  }
+  return end.status == 0 ? "" : "end with a failure";
+}
+
+std::pair<std::vector<std::string>, Verdict> TestsRun::run_tests(const Talk& talk) {
+  JobEnd end;
+  std::pair<std::vector<std::string>, Verdict> result;
+  auto& [asked, verdict] = result;
+  bool has_ended = false;
+  for (const std::string& line : run(folder_ / "tests", {}, text_of(talk.answers), end)) {
+    if (line.starts_with("? ")) asked.push_back(line.substr(2));
+    if (!line.starts_with(". ")) continue;
+    std::istringstream(line.substr(2)) >> verdict.n_checks >> verdict.rejecting_line;
+    has_ended = true;
+  }
+  verdict.failure = failure_of(end);
+  if (verdict.failure.empty() && !has_ended) verdict.failure = "end before their last check";
+  return result;
+}
+
+Verdict TestsRun::verdict_on(const fs::path& program, Talk& talk) {
+  for (int i = 0; i < most_runs && !took_too_long(); ++i) {
+    talk.answers = answers_of(program, talk.questions);
+    auto [asked, verdict] = run_tests(talk);
+    if (asked == talk.questions) return verdict;
+    talk.questions = std::move(asked);
+  }
+  return {took_too_long() ? fmt::format("take longer than {} s in all", seconds_for_all_)
+                          : fmt::format("still ask something else in run {}", most_runs)};
+}
+
+/// The line of a text, for a message; nothing else that tests said of the right program is told.
+std::string shown_line(const std::string& text, int number) {
+  const auto lines = sys::lines_of(text);
+  if (number < 1 || number > static_cast<int>(lines.size())) return "a check";
+  const auto line = sys::stripped(lines[static_cast<std::size_t>(number - 1)]);
+  return fmt::format("line {}, «{}»", number, shown_name(line));
+}
+
+/// Compiles the tests to `folder`/tests. Returns the message of compiler or linker, empty if it
+/// worked.
+std::string compile(const OwnTestsTask& task, const Exercise& exercise, const fs::path& folder) {
+  fs::create_directories(folder);
+  Compiler compiler(task.assignment, task.toolkit, folder, task.isolation);
+  compiler.write_project(task.assignment, {{exercise.tests, task.files.at(exercise.tests)}});
+  std::string error = compiler.compile(exercise.tests, folder / "tests.o");
+  if (!error.empty()) return error;
+  compiler.use_object(compiler.toolkit().replay_object());
+  error = compiler.link({{folder / "tests.o", "/objects/tests.o"}}, folder / "tests");
+  if (error.empty()) make_executable(folder / "tests");
+  return error;
+}
+
+Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
+                   std::vector<std::string>& missed) {
+  const auto file = task.files.find(exercise.tests);
+  if (file == task.files.end()) return {0, exercise.tests + " is missing"};
+  const fs::path folder = fs::absolute(task.scratch) / exercise.id;
+  const std::string error = compile(task, exercise, folder);
+  if (!error.empty()) return {0, fmt::format("{} is not compiled: {}", exercise.tests, error)};
+
+  TestsRun run(task.assignment, folder, task.isolation);
+  const fs::path programs = open_toolkit(task.assignment, task.toolkit).programs_of(exercise.id);
+  Talk right;
+  const Verdict verdict = run.verdict_on(programs / "right", right);
+  const auto fault = [&](const std::string& what) {
+    return Outcome{0, fmt::format("your tests {}", what)};
+  };
+  if (!verdict.failure.empty()) return fault(verdict.failure + " when they try the right program");
+  if (verdict.rejects()) {
+    return fault("reject the right program: " + shown_line(file->second, verdict.rejecting_line));
+  }
+  if (verdict.n_checks == 0) return fault("check nothing");
+  const std::vector<std::string> wrong = sys::files_below(programs / "wrong");
+  std::size_t n_caught = 0;
+  for (const std::string& id : wrong) {
+    Talk talk{right.questions};
+    const bool is_caught = run.verdict_on(programs / "wrong" / id, talk).rejects();
+    n_caught += is_caught ? 1 : 0;
+    if (!is_caught) missed.push_back(fmt::format("{} does not catch {}", exercise.tests, id));
+    if (!run.repeated(right).accepts()) return fault("do not always accept the right program");
+  }
+  return {static_cast<double>(n_caught) / static_cast<double>(wrong.size()),
+          fmt::format("your tests catch {} of {} wrong programs", n_caught, wrong.size())};
+}
+
+}  // namespace
+
+Checks with_own_tests(Checks checks, const OwnTestsTask& task, std::vector<std::string>& missed) {
+  for (const Exercise& exercise : task.assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) {
+      if (entry.visibility != Visibility::tests) continue;
+      checks[entry.id] = [task, &exercise, &missed](const Program&, const Variant&) {
+        return outcome_of(task, exercise, missed);
+      };
+    }
+  }
+  return checks;
+}
+
+Checks without_own_tests(Checks checks, const Assignment& assignment, double share) {
+  for (const Exercise& exercise : assignment.exercises) {
+    for (const CheckEntry& entry : exercise.checks) {
+      if (entry.visibility != Visibility::tests) continue;
+      checks[entry.id] = [share](const Program&, const Variant&) {
+        return Outcome{share, "the tests were not tried"};
+      };
+    }
+  }
+  return checks;
+}
+
+}  // namespace course
