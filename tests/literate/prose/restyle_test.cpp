@@ -209,7 +209,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_done_is_refused_with_what_can) {
              "format = round: must be one of fixed, significant, scientific, percent, uncertain");
   BOOST_TEST(refusal("count", "format=uncertain") == "format=uncertain needs an error");
   BOOST_TEST(refusal("period", "unit=mm") == "unit = mm: \"s\" cannot be converted into \"mm\"");
-  BOOST_TEST(refusal("period", "unit=furlonk").starts_with("unit 'furlonk': UDUNITS-2 does not know"));
+  BOOST_TEST(
+      refusal("period", "unit=furlonk").starts_with("unit 'furlonk': UDUNITS-2 does not know"));
   BOOST_TEST(refusal("heat", "unit=K") ==
              "unit = K: \"degC\" and \"K\" count from different zeros, and only a factor converts "
              "units: give the number in \"K\"");
