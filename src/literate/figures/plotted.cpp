@@ -213,7 +213,8 @@ std::size_t n_points_outside(const fs::path& folder, const std::string& name,
   // A function has as many points as there are samples, so they are more than any data have.
   std::ptrdiff_t n_samples = 2;
   for (const std::string& file : sys::files_below(folder)) {
-    if (file.ends_with(".csv")) n_samples += std::ranges::count(sys::read_file(folder / file), '\n');
+    if (file.ends_with(".csv"))
+      n_samples += std::ranges::count(sys::read_file(folder / file), '\n');
   }
   const auto table =
       table_of_points(folder, name, scratch,

@@ -107,8 +107,8 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
     const auto entries = sys::parse_record(sys::read_file(record));
     if (!entries) {
       sys::remove_file(record);
-      throw sys::OutputError(fmt::format(
-          "'{}' was no list of digests and is removed; build again", record.string()));
+      throw sys::OutputError(
+          fmt::format("'{}' was no list of digests and is removed; build again", record.string()));
     }
     for (const sys::RecordEntry& entry : *entries) {
       files[name_within(root, fs::weakly_canonical(entry.name))] = entry.digest;

@@ -64,9 +64,8 @@ class OpenFiles {
 
   /// The innermost open file of the document's own folder; empty if there is none.
   std::string_view current_own() const {
-    const auto named = std::find_if(files_.rbegin(), files_.rend(), [](const std::string& file) {
-      return file.starts_with("./");
-    });
+    const auto named = std::find_if(files_.rbegin(), files_.rend(),
+                                    [](const std::string& file) { return file.starts_with("./"); });
     return named == files_.rend() ? std::string_view{} : *named;
   }
 

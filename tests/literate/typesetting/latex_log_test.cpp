@@ -99,7 +99,8 @@ BOOST_AUTO_TEST_CASE(a_paragraph_that_began_in_another_file_has_the_line_where_i
 }
 
 // As pdfTeX 1.40.24 writes it where \excerpt stands right behind the paragraph, which it ends.
-BOOST_AUTO_TEST_CASE(a_paragraph_that_an_excerpt_ends_has_the_line_of_the_document_where_it_begins) {
+BOOST_AUTO_TEST_CASE(
+    a_paragraph_that_an_excerpt_ends_has_the_line_of_the_document_where_it_begins) {
   const std::string overfull = "Overfull \\hbox (9.0pt too wide) in paragraph at lines 22";
   BOOST_TEST(latex_defects("(./a.tex (../build/generated/excerpts/x.tex\n" + overfull + "--1\n",
                            "report") == (Lines{"report/a.tex:22: " + overfull}),
