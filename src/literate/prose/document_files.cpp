@@ -137,7 +137,8 @@ std::vector<std::string> misplaced_files(const fs::path& folder,
   const std::string label = source_label(folder);
   std::vector<std::string> errors;
   for (const std::string& file : generated) {
-    if (!fs::exists(folder / file)) continue;
+    // LaTeX reads no script of a figure, and these may stand in the document's folder.
+    if (file.ends_with(".gp") || !fs::exists(folder / file)) continue;
     errors.push_back(fmt::format(
         "{}/{}: has the name of a file that is generated, and would take its place; rename it",
         label, file));

@@ -65,8 +65,10 @@ BOOST_AUTO_TEST_CASE(a_file_that_would_take_the_place_of_a_generated_one_is_refu
   sys::write_file_atomically(folder / "values.tex", "");
   sys::write_file_atomically(folder / "tables/mine.tex", "");
   sys::write_file_atomically(folder / "tables/periods.tex", "");
+  sys::write_file_atomically(folder / "figures/style.gp", "");
 
-  BOOST_TEST(misplaced_files(folder, {"values.tex", "tables/periods.tex", "claims.tex"}) ==
+  BOOST_TEST(misplaced_files(
+                 folder, {"values.tex", "tables/periods.tex", "claims.tex", "figures/style.gp"}) ==
                  (std::vector<std::string>{
                      "report/values.tex: has the name of a file that is generated, and would take "
                      "its place; rename it",
