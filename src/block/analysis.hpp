@@ -22,8 +22,9 @@ struct MeasureEstimate {
 /// One load's solution on two discretisations. Every value is that of the finer, its abs_error the
 /// distance from the coarser: pessimistic by orders where p-convergence is exponential, as it is
 /// for displacements and energy, and no bound for max_stress_prin (see measures). For a measure the
-/// distance from the maximum over every second point of the plotting grid comes besides, three
-/// times what the grid's own spacing, an error of second order, costs.
+/// distance from the maximum over every second point of the plotting grid comes besides, an
+/// estimate of what the spacing of the grid costs, an error of second order: too small where the
+/// greatest value lies as near to a point of the one grid as of the other.
 class RefinedSolution {
  public:
   RefinedSolution(Solution fine, Solution coarse);

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<block::MeasureEstimate> measures_of(const elasticity::Load& load, Support sides,
                                                 const block::Discretization& discretization,
-                                                int plotting_grid = 10) {
+                                                int plotting_grid = 20) {
   const block::Analysis analysis(paper_block::rectangle, paper_block::material, {load},
                                  discretization);
   block::MeasureOptions options = paper_block::measure_options();
