@@ -274,7 +274,8 @@ std::vector<std::string> typed_numbers_in_script(std::string_view script, const 
     was_continued = sys::stripped(line).ends_with('\\');
     if (goes_on) {
       std::ranges::move(typed_in_plot(line), std::back_inserter(found));
-      const auto hides = left_out.find_in(without_texts(line));
+      const std::string drawn = without_texts(line);
+      const auto hides = left_out.find_in(drawn);
       if (hides && line.find("# outside: ") == line.npos) {
         hidden.push_back(fmt::format(
             "{}:{}: '{}' leaves points out: if it is meant, end the line with '# outside: reason'",
