@@ -182,7 +182,7 @@ void compare_pairs(Document& document, const ContactCase& c, const FrictionCase&
               "the order of the elements"))},
       "the largest slope of the shear over that of the pressure is beta mu");
   document.claim("sliding-in-closed-form",
-                 {.route = "eq. (2) for both bodies by quadrature, for all pairs of materials",
+                 {.route = "eq. (2) for both bodies by quadrature, for every pair of materials listed",
                   .expected = Verdict::confirmed,
                   .criteria = {Criterion::at_most(
                       "largest departure of the slope from −𝑥/𝑅, over 𝑎/𝑅",

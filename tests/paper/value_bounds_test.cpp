@@ -120,7 +120,6 @@ BOOST_AUTO_TEST_CASE(every_number_has_a_bound_but_for_those_that_can_have_none) 
   // told; bounds that a method reports; numbers that the paper prints; a correlation of
   // uncertainties.
   const std::set<std::string> as_is = {"block.displacement-error",
-                                       "coarse.least-change",
                                        "contact-m.rounding",
                                        "contest.most-chi-squared",
                                        "cylinders.residual.contact",

@@ -392,10 +392,14 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   const auto n = std::ssize(each);
   const auto n_undecided = n_with(Outcome::undecided);
   const Criterion& worst = *std::ranges::max_element(each, {}, &Criterion::excess_);
+  const Criterion& nearest = *std::ranges::min_element(each, {}, &Criterion::excess_);
 
   Criterion criterion(std::move(name), Value(n_holding, integer()), first.limit_);
   const std::string counted = fmt::format("{} of {} {}", n_holding, n, cases);
-  criterion.found_ = phrase("{}; worst: {}", Phrase{counted, escape_latex(counted)}, worst.found_);
+  const bool none_holds = n_with(Outcome::fails) == n;
+  criterion.found_ =
+      phrase(none_holds ? "{}; nearest: {}" : "{}; worst: {}",
+             Phrase{counted, escape_latex(counted)}, none_holds ? nearest.found_ : worst.found_);
   criterion.condition_ = first.condition_;
   criterion.limit_phrase_ = first.limit_phrase_;
   criterion.excess_ = worst.excess_;

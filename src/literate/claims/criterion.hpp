@@ -130,7 +130,7 @@ class Criterion {
 
   /// One criterion a case, where `cases` names them, such as «points». Holds if all do, fails if
   /// none does, and else holds in part. All must have the same condition and reason; what is
-  /// printed is how many hold, and the worst case.
+  /// printed is how many hold, and the worst case, or the nearest to its limit if all fail.
   static Criterion in_each(std::string name, std::string cases, const std::vector<Criterion>& each);
 
   Outcome outcome() const { return outcome_; }

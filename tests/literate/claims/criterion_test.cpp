@@ -205,6 +205,8 @@ BOOST_AUTO_TEST_CASE(cases_are_counted_and_one_that_is_undecided_keeps_all_of_th
   BOOST_TEST(is(in_each({3, 2, 4}, 0), Outcome::fails));
   BOOST_TEST(is(in_each({0.1, 2, 0.99}, 0.02), Outcome::undecided));
   BOOST_TEST(in_each({0.1, 2, 0.3}, 0).computed() == "misfit: 2 of 3 points; worst: 200.000 %");
+  // Where none holds, the nearest tells how far the limit is missed at least.
+  BOOST_TEST(in_each({3, 2, 4}, 0).computed() == "misfit: 0 of 3 points; nearest: 200.000 %");
   BOOST_TEST(in_each({0.1, 2, 0.3}, 0).condition().plain == "at most 100 %");
   BOOST_TEST(in_each({0.1, 2, 0.3}, 0).limit().plain == "≤ 100 %");
 }
