@@ -40,8 +40,7 @@ std::string Severity::text_of(const std::string& claim) const {
   const auto found = n_turning.find(claim);
   if (found == n_turning.end()) return "not known";
   const int n = found->second;
-  return fmt::format("{} of {} planted faults turn{} it", n == 0 ? "none" : fmt::format("{}", n),
-                     n_faults, n == 1 ? "s" : "");
+  return fmt::format("{} of {} faults", n == 0 ? "none" : fmt::format("{}", n), n_faults);
 }
 
 std::string digest_of_code(const fs::path& root, const std::vector<std::string>& names) {

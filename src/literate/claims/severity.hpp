@@ -14,7 +14,7 @@ struct Severity {
   int n_faults = 0;                      ///< that were planted
   std::map<std::string, int> n_turning;  ///< of each claim, how many of them change its verdict
 
-  /// «3 of 41 planted faults turn it»; of a claim that was not there then, «not known».
+  /// «3 of 41 faults»; of a claim that was not there then, «not known».
   std::string text_of(const std::string& claim) const;
 };
 

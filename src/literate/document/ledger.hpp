@@ -34,7 +34,7 @@ class LimitNotes {
   std::vector<Note> notes_;
 };
 
-/// How many planted faults turn a claim: «3 of 41 planted faults turn it», or «faults not known».
+/// How many planted faults turn a claim: «3 of 41 faults», or «faults not known».
 std::string severity_text(const Registered& registered, const std::string& claim);
 
 /// claims.tex: an entry for each claim, then the notes of the limits.

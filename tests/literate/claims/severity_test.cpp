@@ -42,8 +42,8 @@ BOOST_AUTO_TEST_CASE(a_record_tells_how_many_faults_turn_each_claim) {
   const auto severity = Checkout().read();
 
   BOOST_TEST_REQUIRE(severity.has_value());
-  BOOST_TEST(severity->text_of("longer") == "2 of 3 planted faults turn it");
-  BOOST_TEST(severity->text_of("far") == "none of 3 planted faults turn it");
+  BOOST_TEST(severity->text_of("longer") == "2 of 3 faults");
+  BOOST_TEST(severity->text_of("far") == "none of 3 faults");
   BOOST_TEST(severity->text_of("new") == "not known");
 }
 
