@@ -162,13 +162,36 @@ std::string without_exact_factor(const std::string& text) {
   return "";
 }
 
+/// The name in a text that stands for several units, of which UDUNITS-2 takes one without a word:
+/// the calorie of steam tables, the short ton, the tropical year, a nanomile, lengths by the survey
+/// foot.
+std::string of_several_units(const std::string& text) {
+  static const std::regex name(
+      "(^|[^A-Za-z_])([kM]?cal|(kilo|mega)?calories?|years?|months?|nmi|k?tons?|acres?|rods?|"
+      "fathoms?|furlongs?)(?![A-Za-z_])");
+  std::smatch found;
+  return std::regex_search(text, found, name) ? found.str(2) : "";
+}
+
 void require_known_factor(const std::string& from, const std::string& to) {
-  const std::string in_from = without_exact_factor(from), in_to = without_exact_factor(to);
-  if (in_from.empty() == in_to.empty()) return;
-  throw UnitError(fmt::format(
-      "\"{}\" cannot be converted into \"{}\": UDUNITS-2 knows \"{}\" by a rounded or outdated "
-      "number, so give the result itself",
-      from, to, in_from.empty() ? in_to : in_from));
+  const auto in_one = [&](auto name_in) {
+    const std::string in_from = name_in(from), in_to = name_in(to);
+    if (in_from.empty() == in_to.empty()) return std::string();
+    return in_from.empty() ? in_to : in_from;
+  };
+  const auto refuse = [&](const std::string& reason) {
+    throw UnitError(fmt::format("\"{}\" cannot be converted into \"{}\": {}", from, to, reason));
+  };
+  if (const std::string name = in_one(without_exact_factor); !name.empty()) {
+    refuse(fmt::format(
+        "UDUNITS-2 knows \"{}\" by a rounded or outdated number, so give the result itself", name));
+  }
+  if (const std::string name = in_one(of_several_units); !name.empty()) {
+    refuse(
+        fmt::format("\"{}\" means several units, so name one, as Julian_year, IT_calorie or "
+                    "nautical_mile do, or give the result itself",
+                    name));
+  }
 }
 
 void require_same_angles(const std::string& from, const std::string& to) {

@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_conversion_prints_no_digit_that_the_definition_does_not_g
            {"bar", "psi", 1, "14.50377377302092"},       // …302 092 151 5
            {"lb/ft3", "kg/m3", 1, "16.01846337396014"},  // …739 601 395 8
            {"lb/in3", "kg/m3", 1, "27679.90471020312"},  // …102 031 213
-           {"ton", "kg", 1, "907.18474"},
+           {"short_ton", "kg", 1, "907.18474"},
            {"oz/ft2", "oz/m2", 1, "10.763910416709722"},  // …167 097 223 08
            {"knot", "m/s", 1, "0.5144444444444444"},
            {"knot", "km/h", 10, "18.52"},
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(a_conversion_prints_no_digit_that_the_definition_does_not_g
            {"US_survey_foot", "m", 3937, "1200"},
            {"degF/s", "K/s", 9, "5"},
            {"Btu", "J", 1, "1055.05585262"},
-           {"kcal", "J", 1, "4186.8"},
+           {"kiloIT_calorie", "J", 1, "4186.8"},
            {"W.h", "kJ", 1, "3.6"},
            {"km/h", "m/s", 1, "0.2777777777777778"},
            {"degree", "rad", 1, "0.0174532925199433"}}) {  // …994 329 577
@@ -213,6 +213,26 @@ BOOST_AUTO_TEST_CASE(a_conversion_prints_no_digit_that_the_definition_does_not_g
   }
   BOOST_TEST(config::converts_exactly(30, "inHg", "Pa"));
   BOOST_TEST(config::converts_exactly(10, "knots", "km/h"));
+}
+
+BOOST_AUTO_TEST_CASE(a_name_of_several_units_is_not_converted) {
+  for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"kcal", "J"},
+           {"kcal/mol", "kJ/mol"},
+           {"years", "s"},
+           {"tons", "kg"},
+           {"nmi", "m"},
+           {"m2", "acre"}}) {
+    BOOST_TEST_CONTEXT(from << " in " << to) {
+      BOOST_CHECK_EXCEPTION(conversion_factor(from, to), UnitError, [](const UnitError& e) {
+        return std::string(e.what()).find("means several units") != std::string::npos;
+      });
+    }
+  }
+  BOOST_TEST(conversion_factor("kcal", "cal") == 1000);
+  BOOST_TEST(conversion_factor("Julian_year", "d") == 365.25);
+  BOOST_TEST(conversion_factor("nautical_mile", "m") == 1852);
+  BOOST_TEST(conversion_factor("long_ton", "lb") == 2240);
 }
 
 BOOST_AUTO_TEST_CASE(powers_are_read_as_they_look) {
