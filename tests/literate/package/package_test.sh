@@ -221,6 +221,19 @@ done
 kill -INT "-$watch"
 wait "$watch"
 claim 'make says nothing of a watch that is interrupted' "$(grep -c 'waiting for' watch.log)$(grep -c '^make' watch.log)" = 10
+setsid make watch >watch.log 2>&1 &
+watch=$!
+for _ in {1..300}; do
+  if grep -q 'waiting for the next save' watch.log; then break; fi
+  sleep 0.1
+done
+kill -KILL "$watch"
+wait "$watch" 2>/dev/null
+for _ in {1..100}; do
+  if ! pgrep -g "$watch" >/dev/null; then break; fi
+  sleep 0.1
+done
+claim 'a watch ends when make is killed' -z "$(pgrep -g "$watch")"
 rm watch.log
 
 mv "$scratch/installed paper" "$scratch/moved paper" && cd "$scratch/moved paper" || exit 1
