@@ -32,7 +32,7 @@ figures: ## its values, tables and figures only, build/report/generated; with NA
 check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
 severity: ## which planted faults turn which claims, report/severity.csv; a run that was stopped goes on
 why: ## why the report would be built again
-changes: ## what changed since SINCE: values, figures, verdicts with the sentences that print them, and an answer to referees
+changes: ## what changed since SINCE: values, figures, verdicts with the sentences that print them, an answer to referees, and a marked PDF
 
 #@ To prove
 test: ## the everyday tests, which take a few minutes

@@ -351,7 +351,7 @@ latex=${arg_ENGINE}
     DEPENDS "${digest}" USES_TERMINAL VERBATIM)
   add_custom_target(${name}-changes
     COMMAND bash "${scripts}/changes" "${settings}"
-    DEPENDS "${digest}" USES_TERMINAL VERBATIM)
+    DEPENDS "${digest}" "${repository}/repository.json" USES_TERMINAL VERBATIM)
   foreach(stage IN ITEMS verify dist)
     add_custom_target(${name}-${stage}
       COMMAND bash "${scripts}/${stage}" "${settings}"

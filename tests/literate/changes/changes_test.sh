@@ -18,7 +18,7 @@ manifest() {
 # make_settings ROOT: what CMake would have written of the paper there.
 make_settings() {
   mkdir -p "$1/build/out"
-  printf '%s\n' name=rod project=rod "root=$1" "build=$1/build" "literate=$literate" program=true "document=$1/paper" "case=$1/case.toml" \
+  printf '%s\n' name=rod project=rod "root=$1" "build=$1/build" "literate=$literate" program=true "document=$1/paper" "case=$1/case.toml" main=a.tex \
     "output=$1/build/out" >"$1/build/rod.settings"
   printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_BUILD_TYPE:STRING=Release\n' "$1" >"$1/build/CMakeCache.txt"
   manifest rod 12 >"$1/build/out/manifest.json"
@@ -64,6 +64,17 @@ claim 'the page says what was compared' "$(grep -c 'Before: submitted, commit .*
 manifest rod 12 >"$former/paper/manifest.json"
 changes SINCE=submitted
 claim 'what is the same does not differ' "$status $(says 'no value, text, table, figure, verdict or limit differs')" = '0 yes'
+
+claim 'what LaTeX cannot set is told, and the rest stands' "$(says 'changes: marked.pdf is not made, since LaTeX stops at the marked text: ')$(
+  cut -d / -f 4 <<<"$said" | tail -n 1)" = yesanswer.md
+mkdir bin
+printf '#!/bin/sh\necho "it broke" >&2\nexit 1\n' >bin/latexdiff
+chmod +x bin/latexdiff
+echo stale >build/out/changes/marked.pdf
+changes SINCE=submitted PATH="$PWD/bin:$PATH"
+claim 'what latexdiff says is told' "$status$(says 'changes: marked.pdf is not made: latexdiff: it broke')" = 0yes
+claim 'no marked.pdf of before is left' ! -e build/out/changes/marked.pdf
+rm -r bin
 
 echo stale >build/out/changes/answer.md
 sed -i s/^program=true/program=false/ build/rod.settings

@@ -96,6 +96,12 @@ runs make changes SINCE=../theirs.json CASE=../other.toml
 claim 'what another case moves is told with the sentences that print it' \
   "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,paper/rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
 runs make configured # its own case again
+sed -i 's/^angle = 90/angle = 60/' case.toml
+runs make changes SINCE=HEAD
+claim 'a number that moved is marked, though no line that prints it changed' \
+  "$status$(pdftotext build/rod/changes/marked.pdf - | tr '\n' ' ' | grep -c '\[90°, a wide\] *60°, a narrow swing')" = 01
+claim 'a verdict that turned is marked' "$(pdftotext build/rod/changes/marked.pdf - | grep -c '\[was confirmed\]')" -eq 1
+git checkout -q case.toml
 
 # A computation that tells nobody that it ends, as a library's may
 cp src/main.cpp ../main.cpp
