@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "block/paper_block.hpp"
@@ -20,7 +20,7 @@ block::Solution solve() {
   return analysis.on(block::with_sides(block::Support::clamped)).fine().solve(load);
 }
 
-const std::vector<double>& field(const numerics::UnstructuredGrid& grid, const std::string& name) {
+const std::vector<double>& field(const numerics::UnstructuredGrid& grid, std::string_view name) {
   return std::ranges::find(grid.fields, name, &numerics::UnstructuredGrid::Field::name)->values;
 }
 
