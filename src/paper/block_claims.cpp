@@ -160,8 +160,8 @@ Estimate least_apart(const HalfSpaceCase& half_space, const BlockStudy& study,
 }
 
 // Whether agreement under the load tells of a sound model: sound ones of this block, under the load
-// that the paper states and on the supports that the displacements of the run allow, against the
-// analytical column.
+// that the paper states and on the supports, of those tried, on which a linear pressure meets the
+// displacements of the run, against the analytical column.
 void claim_run(Document& document, const HalfSpaceCase& half_space, const BlockStudy& study) {
   std::vector<Criterion> on_supports;
   Estimate smallest{HUGE_VAL, 0};
@@ -176,9 +176,10 @@ void claim_run(Document& document, const HalfSpaceCase& half_space, const BlockS
       "robust-model",
       {.route =
            "the inference, not the run, which may have been sound: sound finite-element models "
-           "of the block under the load that the paper states, on the supports that the run's "
-           "displacements allow, a clamped bottom with clamped sides or sides on rollers; were the "
-           "agreement an indicator, the analytical column would agree with them, too",
+           "of the block under the load that the paper states, on the supports on which a linear "
+           "pressure meets the run's displacements, a clamped bottom with clamped sides or sides "
+           "on rollers; were the agreement an indicator, the analytical column would agree with "
+           "them, too",
        .expected = Verdict::refuted,
        .criteria = {Criterion::in_each("least difference under the load from the analytical "
                                        "solution, over the displacement of the block",
