@@ -146,7 +146,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
   // The sentences by the commit that wrote them.
   std::map<std::string, std::pair<Commit, std::vector<Sentence>>> written;
   std::map<std::string, std::vector<Commit>> of_files;
-  for (const Sentence& sentence : sentences_below(document)) {
+  for (const Sentence& sentence : sentences_below(document, flags_of(now))) {
     const bool prints = std::ranges::any_of(sentence.names, [](const std::string& name) {
       return name.starts_with("value ") || name.starts_with("claim ");
     });

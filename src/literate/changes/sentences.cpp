@@ -104,7 +104,8 @@ std::string without_comments(std::string_view text) {
 
 }  // namespace
 
-std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file) {
+std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,
+                                   const std::map<std::string, bool>& flags) {
   std::set<std::string> commands;
   for (const auto& [command, kind] : named_by) commands.insert(command);
   const std::vector<TexCommand> uses = commands_in(latex, commands);
@@ -123,7 +124,7 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
     sentence.file = file;
     sentence.latex = without_comments(text);
     for (; n_used < uses.size() && uses[n_used].end <= end; ++n_used) {
-      if (uses[n_used].end < begin) continue;
+      if (uses[n_used].end < begin || is_left_out(uses[n_used].branches, flags)) continue;
       sentence.names.insert(named_by.at(uses[n_used].name) + " " + uses[n_used].argument);
     }
     const bool has_letter = std::ranges::any_of(sentence.latex, sys::is_letter);
@@ -141,10 +142,12 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
   return sentences;
 }
 
-std::vector<Sentence> sentences_below(const std::filesystem::path& document) {
+std::vector<Sentence> sentences_below(const std::filesystem::path& document,
+                                      const std::map<std::string, bool>& flags) {
   std::vector<Sentence> all;
   for (const std::string& file : document_files(document)) {
-    std::ranges::move(sentences_in(sys::read_file(document / file), file), std::back_inserter(all));
+    std::ranges::move(sentences_in(sys::read_file(document / file), file, flags),
+                      std::back_inserter(all));
   }
   for (Sentence& sentence : all) sentence.folder = source_label(document);
   return all;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,11 +30,14 @@ std::string place_of(const Sentence& sentence);
 /// A sentence ends with a full stop, a question mark or an exclamation mark before a blank and
 /// something that may begin a sentence, unless an abbreviation such as «Fig.» ends there; with an
 /// empty line; and where a heading, an item, a caption or an environment begins or ends. What
-/// precedes \begin{document} is none. Whatever holds no letter and no name is left out.
-std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file);
+/// precedes \begin{document} is none. Whatever holds no letter and no name is left out. It prints
+/// no name in a branch of \ifflag that these flags do not take.
+std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,
+                                   const std::map<std::string, bool>& flags = {});
 
 /// The sentences of all files of a document (document_files). Throws sys::OutputError if the folder
 /// or a file cannot be read.
-std::vector<Sentence> sentences_below(const std::filesystem::path& document);
+std::vector<Sentence> sentences_below(const std::filesystem::path& document,
+                                      const std::map<std::string, bool>& flags = {});
 
 }  // namespace literate

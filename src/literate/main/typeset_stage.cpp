@@ -173,7 +173,12 @@ ExitCode compare_with(const std::string& file, const Manifest& theirs, const Man
   const ManifestComparison found = compare(theirs, ours);
   if (found.changed_outputs.empty()) {
     fmt::print("{} files have the bytes that '{}' tells of\n", ours.outputs.size(), file);
-    return ExitCode::success;
+    if (found.has_same_results) return ExitCode::success;
+    for (const std::string& moved : found.moved) complain("moved: " + moved, ExitCode::failed);
+    return complain(fmt::format("'{}' tells other results than these files hold: it was changed "
+                                "after it was written",
+                                file),
+                    ExitCode::failed);
   }
   fmt::print("{} of {} files have other bytes than '{}' tells of; the first is {}\n",
              found.changed_outputs.size(), ours.outputs.size(), file,

@@ -29,8 +29,9 @@ sys::ExitCode compare(const ChangesOptions& options) {
         fmt::format("'{}' is a record of results and no manifest", options.before));
   }
   const bool has_text = !options.document_before.empty();
-  const auto sentences = sentences_below(options.document);
-  const auto former = has_text ? sentences_below(options.document_before) : std::vector<Sentence>();
+  const auto sentences = sentences_below(options.document, flags_of(after));
+  const auto former = has_text ? sentences_below(options.document_before, flags_of(before))
+                               : std::vector<Sentence>();
   const std::vector<Change> changes = changes_between(before, after, former, sentences);
 
   const fs::path folder = options.output;

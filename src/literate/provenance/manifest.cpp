@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -129,6 +130,15 @@ Manifest::Texts texts_in(const fs::path& names_json) {
     }
     return texts;
   });
+}
+
+std::map<std::string, bool> flags_of(const Manifest& manifest) {
+  constexpr std::string_view kind = "flag ";
+  std::map<std::string, bool> flags;
+  for (const auto& [name, text] : manifest.texts) {
+    if (name.starts_with(kind)) flags[name.substr(kind.size())] = text == "yes";
+  }
+  return flags;
 }
 
 double bounds_between(const ManifestNumber& a, const ManifestNumber& b) {
@@ -256,6 +266,12 @@ ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
                         result.moved.push_back(fmt::format("{}: {} there, {} here", name,
                                                            text_or_none(a), text_or_none(b)));
                       });
+  Manifest with_their_results = ours;
+  with_their_results.numbers = theirs.numbers;
+  with_their_results.verdicts = theirs.verdicts;
+  with_their_results.limits = theirs.limits;
+  with_their_results.texts = theirs.texts;
+  result.has_same_results = manifest_json(with_their_results) == manifest_json(ours);
   return result;
 }
 

@@ -57,6 +57,9 @@ Manifest::Texts limits_in(const std::filesystem::path& names_json);
 /// found. Throws sys::OutputError as numbers_in does.
 Manifest::Texts texts_in(const std::filesystem::path& names_json);
 
+/// The flags, by name, that a manifest has among its texts.
+std::map<std::string, bool> flags_of(const Manifest& manifest);
+
 /// The SHA-256 of the files that values were imported from, with their scripts, by name, as
 /// names.json lists them. Throws sys::OutputError as numbers_in does.
 Manifest::Texts imported_files(const std::filesystem::path& names_json);
@@ -84,6 +87,8 @@ struct ManifestComparison {
   std::vector<std::string> changed_outputs;  ///< files whose bytes differ or that one of them lacks
   std::vector<std::string> reasons;          ///< each tool or input that differs, a line each
   std::vector<std::string> moved;            ///< numbers beyond their errors, and other verdicts
+  bool has_same_results =
+      false;  ///< numbers, verdicts, limits and texts are the same to the letter
 };
 
 /// Compares the bytes of files, verdicts and numbers: two numbers agree if they differ by no more

@@ -70,4 +70,12 @@ BOOST_AUTO_TEST_CASE(a_sentence_knows_its_lines_and_what_it_prints) {
   BOOST_TEST(sentences[2].names.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_sentence_prints_no_name_in_a_branch_that_is_not_taken) {
+  const auto sentences =
+      sentences_in("It is \\ifflag{wide}{\\val{much}}{\\val{little}}.", "a.tex", {{"wide", false}});
+  BOOST_TEST_REQUIRE(sentences.size() == 1U);
+  const std::set<std::string> names{"flag wide", "value little"};
+  BOOST_TEST((sentences[0].names == names));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -87,6 +87,10 @@ cp build/rod/manifest.json ../theirs.json # in the checkout it would be a file t
 runs make verify MANIFEST=../theirs.json
 claim 'it is compared with a manifest, by the name that was given' "$(says "files have the bytes that '../theirs.json' tells of")" = yes
 claim 'nothing is said of how it is built' "$(says ninja)" = no
+sed 's/"number": 2.3682/"number": 2.3683/' ../theirs.json >../forged.json
+runs make verify MANIFEST=../forged.json
+claim 'a manifest whose files are right and whose results are not does not hold' \
+  "$status$(says "'../forged.json' tells other results than these files hold")$(says 'full: it holds')" = 2yesno
 runs make changes SINCE=HEAD
 claim 'the same commit makes no difference' "$status$(says 'no value, text, table, figure, verdict or limit differs')" = 0yes
 runs make changes SINCE=no-such-tag

@@ -94,6 +94,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_manifest_of_the_project_is_named) {
 
 BOOST_AUTO_TEST_CASE(the_same_manifest_has_no_differences) {
   const ManifestComparison found = compare(some_manifest(), some_manifest());
+  BOOST_TEST(found.has_same_results);
 
   BOOST_TEST(found.changed_outputs.empty());
   BOOST_TEST(found.reasons.empty());
@@ -121,6 +122,7 @@ BOOST_AUTO_TEST_CASE(a_number_may_move_within_the_sum_of_the_two_errors) {
   const Manifest theirs = some_manifest();
   Manifest ours = some_manifest();
   ours.numbers["u"].number += 5.9e-12;
+  BOOST_TEST(!compare(theirs, ours).has_same_results);
   BOOST_TEST(compare(theirs, ours).moved.empty());
 
   ours.numbers["u"].number += 0.2e-12;
