@@ -6,18 +6,16 @@
 #include <udunits2.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <numbers>
 #include <optional>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -118,82 +116,6 @@ Product product_of(const ut_unit* unit) {
   return product;
 }
 
-/// Whether a name is that of a unit but for a prefix and the plural: MeV and slugs, but not us,
-/// which ends as the plural of u does.
-bool is_multiple_by_prefix(const std::string& name, const std::string& unit) {
-  if (name == unit) return true;
-  if (!name.ends_with(unit) && !name.ends_with(unit + "s")) return false;
-  const Unit parsed(ut_parse(database(), name.c_str(), UT_UTF8));
-  if (!parsed) return false;
-  const Product one = product_of(parsed.get()), other = product_of(parse(unit).get());
-  const double power = std::log10(one.scale / other.scale);
-  return one.powers == other.powers && std::abs(power - std::round(power)) < 1e-9;
-}
-
-/// The unit in a text that UDUNITS-2 knows by a rounded or outdated number, as 3.785412 litres for
-/// a gallon and the charge of the electron before 2019; empty if there is none.
-std::string without_exact_factor(const std::string& text) {
-  static const std::vector<std::string> names = [] {
-    std::istringstream all(
-        "electronvolt electron_volt eV keV MeV GeV TeV unified_atomic_mass_unit "
-        "atomic_mass_unit atomicmassunit amu u astronomical_unit_BIPM_2006 ua light_year parsec "
-        "chain printers_point acre_foot board_foot circular_mil darcy assay_ton "
-        "avoirdupois_ounce troy_ounce apothecary_ounce troy_pound apothecary_pound pennyweight "
-        "long_hundredweight short_hundredweight slug denier perm_0C perm_23C bushel bu "
-        "register_ton US_dry_gallon US_dry_quart US_dry_pint dry_quart dry_pint "
-        "US_liquid_gallon liquid_gallon gallon barrel bbl firkin US_liquid_quart liquid_quart "
-        "quart US_liquid_pint liquid_pint pint pt US_liquid_cup liquid_cup cup US_liquid_gill "
-        "liquid_gill gill US_fluid_ounce US_liquid_ounce fluid_ounce liquid_ounce oz floz "
-        "tablespoon Tbl Tbsp tbsp Tblsp teaspoon tsp poundal force_ounce ounce_force ozf torr "
-        "footcandle footlambert boiler_horsepower shaft_horsepower horsepower hp "
-        "metric_horsepower water_horsepower UK_horsepower gilbert oersted Oe unit_pole e "
-        "faraday chemical_faraday physical_faraday C12_faraday statampere statcoulomb statfarad "
-        "stathenry statmho statohm statvolt ");
-    return std::vector<std::string>(std::istream_iterator<std::string>(all), {});
-  }();
-  static const std::regex word("[A-Za-z_][A-Za-z_]*([0-9]+C)?");
-  for (std::sregex_iterator found(text.begin(), text.end(), word), end; found != end; ++found) {
-    const auto at = static_cast<std::size_t>(found->position());
-    if (at > 0 && sys::is_digit(text[at - 1])) continue;  // the exponent of 1e-3
-    const std::string name = found->str();
-    const auto is_it = [&](const std::string& unit) { return is_multiple_by_prefix(name, unit); };
-    if (std::ranges::any_of(names, is_it)) return name;
-  }
-  return "";
-}
-
-/// The name in a text that stands for several units, of which UDUNITS-2 takes one without a word:
-/// the calorie of steam tables, the short ton, the tropical year, a nanomile, lengths by the survey
-/// foot.
-std::string of_several_units(const std::string& text) {
-  static const std::regex name(
-      "(^|[^A-Za-z_])([kM]?cal|(kilo|mega)?calories?|years?|months?|nmi|k?tons?|acres?|rods?|"
-      "fathoms?|furlongs?)(?![A-Za-z_])");
-  std::smatch found;
-  return std::regex_search(text, found, name) ? found.str(2) : "";
-}
-
-void require_known_factor(const std::string& from, const std::string& to) {
-  const auto in_one = [&](auto name_in) {
-    const std::string in_from = name_in(from), in_to = name_in(to);
-    if (in_from.empty() == in_to.empty()) return std::string();
-    return in_from.empty() ? in_to : in_from;
-  };
-  const auto refuse = [&](const std::string& reason) {
-    throw UnitError(fmt::format("\"{}\" cannot be converted into \"{}\": {}", from, to, reason));
-  };
-  if (const std::string name = in_one(without_exact_factor); !name.empty()) {
-    refuse(fmt::format(
-        "UDUNITS-2 knows \"{}\" by a rounded or outdated number, so give the result itself", name));
-  }
-  if (const std::string name = in_one(of_several_units); !name.empty()) {
-    refuse(
-        fmt::format("\"{}\" means several units, so name one, as Julian_year, IT_calorie or "
-                    "nautical_mile do, or give the result itself",
-                    name));
-  }
-}
-
 void require_same_angles(const std::string& from, const std::string& to) {
   const auto angles = [](const std::string& unit) {
     return product_of(parse(unit).get()).power("rad");
@@ -202,15 +124,6 @@ void require_same_angles(const std::string& from, const std::string& to) {
   throw UnitError(fmt::format(
       "\"{}\" cannot be converted into \"{}\": an angle is not converted into a number without one",
       from, to));
-}
-
-// UDUNITS converts by way of SI units, so that one inch becomes 0.99999999999999989 inches. If a
-// factor differs from a number of twelve digits by no more than such rounding, that number is
-// meant.
-double without_rounding(double factor) {
-  const double short_factor = *sys::parsed<double>(fmt::format("{:.12g}", factor));
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * factor;
-  return std::abs(short_factor - factor) <= rounding ? short_factor : factor;
 }
 
 using Integer = boost::multiprecision::cpp_int;
@@ -245,62 +158,254 @@ sys::Decimal rounded(const Rational& number, int n_digits) {
   return {.digits = Integer(numerator(digits) / denominator(digits)).str(), .place = place};
 }
 
-/// A factor as it is defined: a number times a power of π.
-struct Factor {
-  Rational number = 1;
+/// A unit as a number times a power of π times powers of SI base units.
+struct Definition {
+  const char* name;  ///< one of its names in UDUNITS-2
+  const char* number;
+  const char* over = "1";
   int power_of_pi = 0;
 };
 
-/// The factor of a name, of which UDUNITS-2 knows the double: π/180 for a degree, 1852/3600 for a
-/// knot. A number of twelve digits or its reciprocal is meant, perhaps over a number by which
-/// knots, survey feet, inches of mercury or psi are defined; or else a number of up to 15 digits.
-std::optional<Factor> defined_factor(double factor) {
-  constexpr std::size_t few = 12, most = 15;
-  static const std::vector<Rational> divisors = {1, 9, Rational(1, 9801), Rational(10, 254),
-                                                 Rational(64516, 980665000)};
-  for (const int power_of_pi : {0, 1, -1}) {
-    for (const Rational& divisor : divisors) {
-      const double number =
-          factor * divisor.convert_to<double>() / std::pow(std::numbers::pi, power_of_pi);
-      const sys::Decimal decimal = shortest(without_rounding(number));
-      if (decimal.digits.size() <= few) return Factor{rational(decimal) / divisor, power_of_pi};
-      const sys::Decimal reciprocal = shortest(without_rounding(1 / number));
-      if (reciprocal.digits.size() <= few) {
-        return Factor{1 / (rational(reciprocal) * divisor), power_of_pi};
-      }
-    }
+/// The units, besides powers of ten of SI units, that have one exact definition. UDUNITS-2 knows
+/// many of them by a rounded or outdated number, as 3.785412 litres for a gallon, so it reads their
+/// names and these are the numbers. Sources: NIST SP 811 (2008), appendix B; the SI brochure
+/// (2019); IAU resolutions 2012 B2 and 2015 B2; the Weights and Measures Act 1985 of the UK.
+constexpr Definition definitions[] = {
+    {"minute", "60"},
+    {"hour", "3600"},
+    {"day", "86400"},
+    {"week", "604800"},
+    {"fortnight", "1209600"},
+    {"common_year", "31536000"},
+    {"leap_year", "31622400"},
+    {"Julian_year", "31557600"},
+    {"Gregorian_year", "31556952"},
+    {"pi", "1", "1", 1},
+    {"degree", "1", "180", 1},
+    {"arcminute", "1", "10800", 1},
+    {"arcsecond", "1", "648000", 1},
+    {"grade", "1", "200", 1},
+    {"turn", "2", "1", 1},
+    {"rps", "2", "1", 1},
+    {"rpm", "1", "30", 1},
+    {"inch", "0.0254"},
+    {"foot", "0.3048"},
+    {"yard", "0.9144"},
+    {"mile", "1609.344"},
+    {"nautical_mile", "1852"},
+    {"US_survey_foot", "1200", "3937"},
+    {"US_survey_yard", "3600", "3937"},
+    {"US_survey_mile", "6336000", "3937"},
+    {"printers_point", "0.0003514598"},
+    {"printers_pica", "0.0042175176"},
+    {"big_point", "0.0254", "72"},
+    {"astronomical_unit", "149597870700"},
+    {"light_year", "9460730472580800"},
+    {"parsec", "96939420213600000", "1", -1},
+    {"knot", "1852", "3600"},
+    {"standard_free_fall", "9.80665"},
+    {"circular_mil", "1.6129e-10", "1", 1},
+    {"darcy", "1e-7", "101325"},
+    {"board_foot", "0.028316846592", "12"},
+    {"register_ton", "2.8316846592"},
+    {"US_liquid_gallon", "0.003785411784"},
+    {"US_liquid_quart", "0.000946352946"},
+    {"US_liquid_pint", "0.000473176473"},
+    {"US_liquid_cup", "0.0002365882365"},
+    {"US_liquid_gill", "0.00011829411825"},
+    {"US_fluid_ounce", "0.0000295735295625"},
+    {"tablespoon", "0.00001478676478125"},
+    {"teaspoon", "0.00000492892159375"},
+    {"fluid_dram", "0.0000036966911953125"},
+    {"barrel", "0.158987294928"},
+    {"bushel", "0.03523907016688"},
+    {"peck", "0.00880976754172"},
+    {"US_dry_gallon", "0.00440488377086"},
+    {"US_dry_quart", "0.001101220942715"},
+    {"US_dry_pint", "0.0005506104713575"},
+    {"UK_liquid_gallon", "0.00454609"},
+    {"UK_liquid_quart", "0.0011365225"},
+    {"UK_liquid_pint", "0.00056826125"},
+    {"UK_fluid_ounce", "0.0000284130625"},
+    {"pound", "0.45359237"},
+    {"avoirdupois_ounce", "0.45359237", "16"},
+    {"dram", "0.45359237", "256"},
+    {"grain", "0.00006479891"},
+    {"short_ton", "907.18474"},
+    {"long_ton", "1016.0469088"},
+    {"short_hundredweight", "45.359237"},
+    {"long_hundredweight", "50.80234544"},
+    {"slug", "4.4482216152605", "0.3048"},
+    {"troy_ounce", "0.0311034768"},
+    {"troy_pound", "0.3732417216"},
+    {"pennyweight", "0.00155517384"},
+    {"carat", "0.0002"},
+    {"denier", "1e-6", "9"},
+    {"kilogram_force", "9.80665"},
+    {"pound_force", "4.4482216152605"},
+    {"ounce_force", "4.4482216152605", "16"},
+    {"poundal", "0.138254954376"},
+    {"atmosphere", "101325"},
+    {"technical_atmosphere", "98066.5"},
+    {"conventional_water", "9806.65"},
+    {"conventional_mercury", "133322.387415"},
+    {"mmHg", "133.322387415"},
+    {"inHg", "3386.388640341"},
+    {"ftH2O", "2989.06692"},
+    {"psi", "4.4482216152605", "0.00064516"},
+    {"watthour", "3600"},
+    {"electronvolt", "1.602176634e-19"},
+    {"IT_Btu", "1055.05585262"},
+    {"IT_calorie", "4.1868"},
+    {"thermochemical_calorie", "4.184"},
+    {"horsepower", "745.69987158227022"},
+    {"electric_horsepower", "746"},
+    {"metric_horsepower", "735.49875"},
+    {"degree_rankine", "5", "9"},
+    {"avogadro_constant", "6.02214076e23"},
+    {"molecule", "1", "6.02214076e23"},
+    {"e", "1.602176634e-19"},
+    {"curie", "3.7e10"},
+    {"roentgen", "0.000258"},
+    {"lambert", "1e4", "1", -1},
+    {"apostilb", "1", "1", -1},
+    {"byte", "8"},
+};
+
+/// The names that stand for several units, of which UDUNITS-2 takes one without a word: the calorie
+/// of steam tables, the short ton, the tropical year, a nanomile, the millimetre of mercury for a
+/// torr.
+bool means_several_units(const std::string& name) {
+  static const std::regex several(
+      "([A-Za-zµ]|kilo|mega|giga|milli|micro)?(cal|calorie|ton|torr|year|yr)s?|nmi");
+  return std::regex_match(name, several);
+}
+
+/// The exponent of ten if the number is a power of ten, but for the rounding of doubles.
+std::optional<int> power_of_ten(double number) {
+  const double exponent = std::round(std::log10(number));
+  if (!std::isfinite(exponent)) return std::nullopt;
+  const double rounding = 64 * std::numeric_limits<double>::epsilon();
+  if (std::abs(number / std::pow(10.0, exponent) - 1) > rounding) return std::nullopt;
+  return static_cast<int>(exponent);
+}
+
+/// A unit as it is defined: a number, a power of π, SI base units, and units without an exact
+/// definition.
+struct Factor {
+  Rational number = 1;
+  int power_of_pi = 0;
+  std::map<std::string, int> undefined = {};
+};
+
+/// The factor of one name, with its prefix and its plural.
+Factor factor_of_name(const std::string& name) {
+  const Product unit = product_of(parse(name).get());
+  const bool is_one_unit = !means_several_units(name);
+  if (const auto exponent = power_of_ten(unit.scale); exponent && is_one_unit) {
+    return {power(10, *exponent)};
   }
-  const sys::Decimal decimal = shortest(factor);
-  if (decimal.digits.size() > most) return std::nullopt;
-  return Factor{rational(decimal)};
+  static const auto defined = [] {
+    std::vector<std::pair<Product, const Definition*>> all;
+    for (const Definition& definition : definitions) {
+      all.emplace_back(product_of(parse(definition.name).get()), &definition);
+    }
+    return all;
+  }();
+  for (const auto& [product, definition] : defined) {
+    const auto exponent = power_of_ten(unit.scale / product.scale);
+    if (!exponent || unit.powers != product.powers || !is_one_unit) continue;
+    return {power(10, *exponent) * rational(sys::parse_decimal(definition->number).value()) /
+                rational(sys::parse_decimal(definition->over).value()),
+            definition->power_of_pi};
+  }
+  const int magnitude = static_cast<int>(std::floor(std::log10(unit.scale)));
+  std::string known_by = is_one_unit ? "" : "several ";
+  known_by += fmt::format("{:.12g}", unit.scale / std::pow(10.0, magnitude));
+  for (const auto& [symbol, exponent] : unit.powers) {
+    known_by += fmt::format(" {}{}", symbol, exponent);
+  }
+  return {power(10, magnitude), 0, {{known_by, 1}}};
+}
+
+/// The names in a unit: kg, m and s in kg.m/s2.
+std::vector<std::string> names_in(const std::string& spelt) {
+  static const std::regex name("[^0-9 .*/^()+-]+([0-9]+[A-Za-z_]+)*");
+  std::vector<std::string> names;
+  for (std::sregex_iterator found(spelt.begin(), spelt.end(), name), end; found != end; ++found) {
+    const auto at = static_cast<std::size_t>(found->position());
+    const bool is_exponent =
+        at > 0 && sys::is_digit(spelt[at - 1]) && boost::iequals(found->str(), "e");
+    if (!is_exponent) names.push_back(found->str());
+  }
+  return names;
 }
 
 /// The factor of a unit by those of its names, which are the base units of a system of their own,
-/// so that UDUNITS-2 multiplies nothing.
-std::optional<Factor> defined_factor(const std::string& unit) {
+/// so that UDUNITS-2 multiplies nothing. Empty if UDUNITS-2 reads names that are not found.
+std::optional<Factor> factor_of(const std::string& unit) {
   std::string spelt = spelt_for_udunits(unit);
-  for (const char* const times : {"·", "⋅", "×", " "}) boost::replace_all(spelt, times, " ");
-  static const std::regex name("[^0-9 .*/^()+-]+([0-9]+[A-Za-z_]+)*");
+  for (const char* const times : {"·", "⋅", "×", " "}) boost::replace_all(spelt, times, " ");
   const System system(ut_new_system());
   std::map<std::string, Unit> names;
-  for (std::sregex_iterator found(spelt.begin(), spelt.end(), name), end; found != end; ++found) {
-    Unit& base = names[found->str()];
+  for (const std::string& name : names_in(spelt)) {
+    Unit& base = names[name];
     if (base) continue;
     base.reset(ut_new_base_unit(system.get()));
-    ut_map_symbol_to_unit(found->str().c_str(), UT_UTF8, base.get());
-    ut_map_unit_to_symbol(base.get(), found->str().c_str(), UT_UTF8);
+    ut_map_symbol_to_unit(name.c_str(), UT_UTF8, base.get());
+    ut_map_unit_to_symbol(base.get(), name.c_str(), UT_UTF8);
   }
   const Unit parsed(ut_parse(system.get(), spelt.c_str(), UT_UTF8));
   if (!parsed) return std::nullopt;
   const Product product = product_of(parsed.get());
   Factor factor{rational(shortest(product.scale))};
   for (const auto& [symbol, exponent] : product.powers) {
-    const auto of_name = defined_factor(product_of(parse(symbol).get()).scale);
-    if (!of_name) return std::nullopt;
-    factor.number *= power(of_name->number, exponent);
-    factor.power_of_pi += exponent * of_name->power_of_pi;
+    const Factor of_name = factor_of_name(symbol);
+    factor.number *= power(of_name.number, exponent);
+    factor.power_of_pi += exponent * of_name.power_of_pi;
+    for (const auto& [name, n] : of_name.undefined) factor.undefined[name] += n * exponent;
   }
+  std::erase_if(factor.undefined, [](const auto& entry) { return entry.second == 0; });
   return factor;
+}
+
+void require_multiple(const std::string& from, const std::string& to) {
+  const Unit from_unit = parse(from), to_unit = parse(to);
+  if (!ut_are_convertible(from_unit.get(), to_unit.get())) {
+    throw UnitError(fmt::format("\"{}\" cannot be converted into \"{}\"", from, to));
+  }
+  require_same_angles(from, to);
+  const Converter converter(ut_get_converter(from_unit.get(), to_unit.get()));
+  const double factor = cv_convert_double(converter.get(), 1);
+  if (cv_convert_double(converter.get(), 2) == factor / 2) {
+    throw UnitError(fmt::format(
+        "\"{}\" is the reciprocal of \"{}\", and only a factor converts units", from, to));
+  }
+  // An offset ("in from 3", "degC") or a logarithm ("lg(re 1 mm)") cannot be a factor.
+  const bool is_factor = cv_convert_double(converter.get(), 0) == 0 &&
+                         std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) <=
+                             4 * std::numeric_limits<double>::epsilon() * std::abs(factor);
+  if (!is_factor) {
+    throw UnitError(fmt::format(
+        "\"{}\" and \"{}\" count from different zeros, and only a factor converts units: give the "
+        "number in \"{}\"",
+        from, to, to));
+  }
+  if (!(factor > 0 && std::isfinite(factor))) {
+    throw UnitError(fmt::format("\"{}\" is {} times \"{}\": the factor must be positive and finite",
+                                from, factor, to));
+  }
+}
+
+/// The first name in the two units that has no exact definition.
+std::string undefined_name(const std::string& from, const std::string& to) {
+  for (const std::string& unit : {from, to}) {
+    for (const std::string& name : names_in(spelt_for_udunits(unit))) {
+      const Unit parsed(ut_parse(database(), name.c_str(), UT_UTF8));
+      if (parsed && !factor_of_name(name).undefined.empty()) return name;
+    }
+  }
+  return from;
 }
 
 /// A number in another unit.
@@ -309,23 +414,25 @@ struct Conversion {
   bool is_exact = false;
 };
 
+/// Converts a number ≥ 0.
 Conversion conversion(double number, const std::string& from, const std::string& to) {
-  const double factor = conversion_factor(from, to);
-  const Rational given = rational(shortest(std::abs(number)));
-  if (from == to || given == 0) return {given, true};
+  const Rational given = rational(shortest(number));
+  if (from == to) return {given, true};
   const std::lock_guard lock(udunits);
-  const auto above = defined_factor(from), below = defined_factor(to);
-  if (above && below) {
-    static const Rational pi(Integer("31415926535897932384626433832795028841972"),
-                             power(10, 40).convert_to<Integer>());
-    const int power_of_pi = above->power_of_pi - below->power_of_pi;
-    const Rational defined = above->number / below->number * power(pi, power_of_pi);
-    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-    if (std::abs(defined.convert_to<double>() / factor - 1) < rounding) {
-      return {given * defined, power_of_pi == 0};
-    }
+  require_multiple(from, to);
+  const auto above = factor_of(from), below = factor_of(to);
+  if (!above || !below || above->undefined != below->undefined) {
+    throw UnitError(fmt::format(
+        "\"{}\" cannot be converted into \"{}\": no single exact definition of \"{}\" is "
+        "known, so name a unit that has one, as Julian_year, short_ton, IT_calorie and "
+        "nautical_mile do, or give the result itself",
+        from, to, undefined_name(from, to)));
   }
-  return {rational(rounded(given * rational(shortest(factor)), 15)), false};
+  static const Rational pi(Integer("31415926535897932384626433832795028841972"),
+                           power(10, 40).convert_to<Integer>());
+  const int power_of_pi = above->power_of_pi - below->power_of_pi;
+  return {given * above->number / below->number * power(pi, power_of_pi),
+          given == 0 || power_of_pi == 0};
 }
 
 /// A double that prints only digits which the number ≥ 0 has: the nearest, unless its last digits
@@ -387,46 +494,13 @@ bool is_unit(const std::string& name) {
   return Unit(ut_parse(database(), spelt_for_udunits(name).c_str(), UT_UTF8)) != nullptr;
 }
 
-double conversion_factor(const std::string& from, const std::string& to) {
-  if (from == to) return 1;
-  const std::lock_guard lock(udunits);
-  require_known_factor(from, to);
-  const Unit from_unit = parse(from);
-  const Unit to_unit = parse(to);
-  if (!ut_are_convertible(from_unit.get(), to_unit.get())) {
-    throw UnitError(fmt::format("\"{}\" cannot be converted into \"{}\"", from, to));
-  }
-  require_same_angles(from, to);
-  const Converter converter(ut_get_converter(from_unit.get(), to_unit.get()));
-  const double factor = cv_convert_double(converter.get(), 1);
-  // An offset ("in from 3", "degC") or a logarithm ("lg(re 1 mm)") cannot be a factor.
-  const bool is_factor = cv_convert_double(converter.get(), 0) == 0 &&
-                         std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) <=
-                             4 * std::numeric_limits<double>::epsilon() * std::abs(factor);
-  if (cv_convert_double(converter.get(), 2) == factor / 2) {
-    throw UnitError(fmt::format(
-        "\"{}\" is the reciprocal of \"{}\", and only a factor converts units", from, to));
-  }
-  if (!is_factor) {
-    throw UnitError(fmt::format(
-        "\"{}\" and \"{}\" count from different zeros, and only a factor converts units: give the "
-        "number in \"{}\"",
-        from, to, to));
-  }
-  if (!(factor > 0 && std::isfinite(factor))) {
-    throw UnitError(fmt::format("\"{}\" is {} times \"{}\": the factor must be positive and finite",
-                                from, factor, to));
-  }
-  return without_rounding(factor);
-}
-
 double converted(double number, const std::string& from, const std::string& to) {
-  if (!std::isfinite(number)) return number * conversion_factor(from, to);
-  return std::copysign(printable(conversion(number, from, to).number), number);
+  if (!std::isfinite(number)) return conversion(1, from, to), number;
+  return std::copysign(printable(conversion(std::abs(number), from, to).number), number);
 }
 
 bool converts_exactly(double number, const std::string& from, const std::string& to) {
-  const Conversion meant = conversion(number, from, to);
+  const Conversion meant = conversion(std::abs(number), from, to);
   const double printed = printable(meant.number);
   return meant.is_exact && std::isfinite(printed) && rational(shortest(printed)) == meant.number;
 }

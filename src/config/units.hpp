@@ -43,17 +43,13 @@ const UnitSystem& unit_system(std::string_view name);
 /// Whether UDUNITS-2 knows a unit.
 bool is_unit(const std::string& name);
 
-/// Returns how many units `to` make one unit `from`, for example 25.4 for in and mm; exactly 1 for
-/// two spellings of one unit. Throws UnitError if a unit is unknown, if the dimensions differ, if
-/// the powers of an angle in them do, as in rpm and Hz, which counts cycles, and if the one is no
-/// positive multiple of the other: units with an offset or a logarithm.
-double conversion_factor(const std::string& from, const std::string& to);
-
 /// Returns the quantity `number` of the unit `from` in the unit `to`: the product of the decimal
 /// number that prints as `number` and the factor as it is defined, so that 39.4 in are 1.00076 m. A
 /// product that has no end, or more digits than a double, is rounded to the 15, 16 or 17 digits
-/// that a double prints rightly, so that 3 psi are 20684.27187950508 Pa. Throws UnitError as
-/// conversion_factor does.
+/// that a double prints rightly, so that 3 psi are 20684.27187950508 Pa. Throws UnitError if a unit
+/// is unknown; if the dimensions differ; if the powers of an angle in them do, as in rpm and Hz,
+/// which counts cycles; if the one is no positive multiple of the other, as units with an offset or
+/// a logarithm are not; and if a unit has no exact definition that is known, as the year.
 double converted(double number, const std::string& from, const std::string& to);
 
 /// Whether what converted() returns prints as the quantity itself and is not rounded: 39.4 in are

@@ -12,82 +12,82 @@
 
 BOOST_AUTO_TEST_SUITE(units_test)
 
-using config::conversion_factor;
+using config::converted;
+using config::converts_exactly;
 using config::Dimension;
 using config::unit_system;
 using config::UnitError;
 
 BOOST_AUTO_TEST_CASE(conversions_are_exact_where_the_definitions_are) {
-  BOOST_TEST(conversion_factor("GPa", "MPa") == 1000);
-  BOOST_TEST(conversion_factor("in", "mm") == 25.4);
-  BOOST_TEST(conversion_factor("ksi", "psi") == 1000);
-  BOOST_TEST(conversion_factor("inch", "in") == 1);
-  BOOST_TEST(conversion_factor("kN/m", "N/mm") == 1);
-  BOOST_TEST(conversion_factor("lbf/in^2", "psi") == 1);
+  BOOST_TEST(converted(1, "GPa", "MPa") == 1000);
+  BOOST_TEST(converted(1, "in", "mm") == 25.4);
+  BOOST_TEST(converted(1, "ksi", "psi") == 1000);
+  BOOST_TEST(converted(1, "inch", "in") == 1);
+  BOOST_TEST(converted(1, "kN/m", "N/mm") == 1);
+  BOOST_TEST(converted(1, "lbf/in^2", "psi") == 1);
 }
 
 BOOST_AUTO_TEST_CASE(psi_and_pascal_differ_by_the_pound_and_the_inch) {
   // 0.45359237 kg · 9.80665 m/s² / (0.0254 m)², all exact by definition.
-  BOOST_TEST(conversion_factor("psi", "Pa") == 0.45359237 * 9.80665 / (0.0254 * 0.0254),
+  BOOST_TEST(converted(1, "psi", "Pa") == 0.45359237 * 9.80665 / (0.0254 * 0.0254),
              boost::test_tools::tolerance(1e-15));
 }
 
 BOOST_AUTO_TEST_CASE(every_system_is_coherent) {
   for (const auto& system : config::unit_systems()) {
-    BOOST_TEST(conversion_factor(system.force + "/" + system.length + "2", system.stress) == 1);
-    BOOST_TEST(conversion_factor(system.force + "/" + system.length, system.line_load) == 1);
+    BOOST_TEST(converted(1, system.force + "/" + system.length + "2", system.stress) == 1);
+    BOOST_TEST(converted(1, system.force + "/" + system.length, system.line_load) == 1);
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_of_something_else_is_refused) {
-  BOOST_CHECK_THROW(conversion_factor("mm", "MPa"), UnitError);
-  BOOST_CHECK_THROW(conversion_factor("lbf", "lbf/in"), UnitError);
+  BOOST_CHECK_THROW(converted(1, "mm", "MPa"), UnitError);
+  BOOST_CHECK_THROW(converted(1, "lbf", "lbf/in"), UnitError);
 }
 
-BOOST_AUTO_TEST_CASE(a_unit_that_the_database_knows_by_a_rounded_or_outdated_number_is_refused) {
-  // By definition a gallon is 231 in³ and an electronvolt 1.602176634e-19 J (SI brochure, 2019);
-  // UDUNITS-2 has 3.785412 L and 1.60217733e-19 J.
-  for (const auto& [unit, other] : {std::pair{"gallon", "L"},
-                                    {"gallons/min", "m3/s"},
-                                    {"eV", "J"},
-                                    {"MeV", "J"},
-                                    {"u", "kg"},
-                                    {"horsepower", "W"},
-                                    {"barrel", "L"},
-                                    {"torr", "Pa"},
-                                    {"pint", "mL"},
-                                    {"hp", "W"},
-                                    {"US_fluid_ounces", "mL"},
-                                    {"parsec", "m"},
-                                    {"slugs", "kg"},
-                                    {"perm_0C", "kg/(Pa.s.m2)"}}) {
-    BOOST_TEST_CONTEXT(unit) {
-      BOOST_CHECK_THROW(conversion_factor(unit, other), UnitError);
-      BOOST_CHECK_THROW(conversion_factor(other, unit), UnitError);
-    }
-  }
-  BOOST_TEST(conversion_factor("keV", "eV") == 1000);
-  BOOST_TEST(conversion_factor("um", "m") == 1e-6);
-  BOOST_TEST(conversion_factor("mmHg", "Pa") == 133.322387415);
-  BOOST_TEST(conversion_factor("lb", "kg") == 0.45359237);
-  BOOST_TEST(conversion_factor("astronomical_unit", "m") == 149597870700);
-}
-
-BOOST_AUTO_TEST_CASE(a_name_that_ends_as_a_rounded_one_but_is_another_unit_is_converted) {
-  BOOST_TEST(conversion_factor("us", "s") == 1e-6);
-  BOOST_TEST(conversion_factor("us", "ms") == 1e-3);
-  BOOST_TEST(conversion_factor("uPa", "Pa") == 1e-6);
-  BOOST_TEST(conversion_factor("usec", "s") == 1e-6);
-  for (const auto& [unit, other] : {std::pair{"us", "kg"},
+BOOST_AUTO_TEST_CASE(a_unit_without_an_exact_definition_is_refused) {
+  // The first is measured, the others are rounded in UDUNITS-2 or stand for several units.
+  for (const auto& [unit, other] : {std::pair{"u", "kg"},
+                                    {"sidereal_days", "s"},
+                                    {"sidereal_year", "tropical_year"},
+                                    {"boiler_horsepower", "W"},
+                                    {"footcandle", "lx"},
+                                    {"statcoulomb", "C"},
+                                    {"firkin", "L"},
+                                    {"C12_faraday", "C"},
+                                    {"acre_feet", "m3"},
+                                    {"rods", "furlong"},
+                                    {"perm_0C", "kg/(Pa.s.m2)"},
                                     {"mtorr", "Pa"},
-                                    {"meV", "J"},
-                                    {"µeV", "J"},
-                                    {"kparsecs", "m"},
-                                    {"Mbbl", "L"}}) {
+                                    {"torr", "mmHg"},
+                                    {"year", "tropical_year"}}) {
     BOOST_TEST_CONTEXT(unit) {
-      BOOST_CHECK_THROW(conversion_factor(unit, other), UnitError);
+      BOOST_CHECK_THROW(converted(1, unit, other), UnitError);
+      BOOST_CHECK_THROW(converted(1, other, unit), UnitError);
+      BOOST_CHECK_THROW(converted(0, unit, other), UnitError);
+      BOOST_CHECK_THROW(converts_exactly(1, unit, other), UnitError);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_without_an_exact_definition_is_converted_into_its_multiples) {
+  BOOST_TEST(converted(1, "Mu", "u") == 1e6);
+  BOOST_TEST(converted(3, "u/mm2", "u/m2") == 3e6);
+  BOOST_TEST(converted(1, "kyears", "year") == 1000);
+  BOOST_TEST(converted(1, "kcal", "cal") == 1000);
+  BOOST_TEST(converted(12, "cal/month", "kcal/month") == 0.012);
+}
+
+BOOST_AUTO_TEST_CASE(a_name_that_ends_as_another_is_its_own_unit) {
+  BOOST_TEST(converted(1, "us", "s") == 1e-6);
+  BOOST_TEST(converted(1, "us", "ms") == 1e-3);
+  BOOST_TEST(converted(1, "uPa", "Pa") == 1e-6);
+  BOOST_TEST(converted(1, "kilopascals", "Pa") == 1000);
+  BOOST_TEST(converted(1, "pi rad", "degree") == 180);
+  BOOST_TEST(converted(1, "usec", "s") == 1e-6);
+  BOOST_CHECK_THROW(converted(1, "us", "kg"), UnitError);
+  BOOST_TEST(converted(1, "meV", "eV") == 1e-3);
+  BOOST_TEST(converted(1, "µeV", "eV") == 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(an_angle_is_not_converted_into_a_number_without_one) {
@@ -107,59 +107,59 @@ BOOST_AUTO_TEST_CASE(an_angle_is_not_converted_into_a_number_without_one) {
                                       {"sr", "rad"},
                                       {"lm", "cd"}}) {
     BOOST_TEST_CONTEXT(angle << " and " << number) {
-      BOOST_CHECK_THROW(conversion_factor(angle, number), UnitError);
-      BOOST_CHECK_THROW(conversion_factor(number, angle), UnitError);
+      BOOST_CHECK_THROW(converted(1, angle, number), UnitError);
+      BOOST_CHECK_THROW(converted(1, number, angle), UnitError);
     }
   }
-  BOOST_CHECK_EXCEPTION(conversion_factor("rpm", "Hz"), UnitError, [](const UnitError& error) {
+  BOOST_CHECK_EXCEPTION(converted(1, "rpm", "Hz"), UnitError, [](const UnitError& error) {
     return std::string(error.what()) ==
            "\"rpm\" cannot be converted into \"Hz\": an angle is not converted into a number "
            "without one";
   });
-  BOOST_TEST(conversion_factor("rad", "rad") == 1);
-  BOOST_TEST(conversion_factor("kHz", "1/s") == 1000);
+  BOOST_TEST(converted(1, "rad", "rad") == 1);
+  BOOST_TEST(converted(1, "kHz", "1/s") == 1000);
 }
 
 BOOST_AUTO_TEST_CASE(angles_are_converted_into_one_another) {
   constexpr double pi = std::numbers::pi;
-  BOOST_TEST(config::converted(30, "rpm", "rad/s") == pi);
-  BOOST_TEST(config::converted(3000, "rpm", "rps") == 50);
-  BOOST_TEST(config::converted(90, "degree", "rad") == pi / 2);
-  BOOST_TEST(config::converted(180, "°", "rad") == pi);
-  BOOST_TEST(config::converted(90, "°", "′") == 5400);
-  BOOST_TEST(config::converted(1, "turn", "grade") == 400);
-  BOOST_TEST(config::converted(7, "arcsec", "°") == 7.0 / 3600);
-  BOOST_TEST(config::converted(1, "sr", "rad2") == 1);
-  BOOST_TEST(config::converted(5, "lx", "cd.sr/m2") == 5);
-  BOOST_TEST(config::converts_exactly(3000, "rpm", "rps"));
-  BOOST_TEST(!config::converts_exactly(180, "°", "rad"));
+  BOOST_TEST(converted(30, "rpm", "rad/s") == pi);
+  BOOST_TEST(converted(3000, "rpm", "rps") == 50);
+  BOOST_TEST(converted(90, "degree", "rad") == pi / 2);
+  BOOST_TEST(converted(180, "°", "rad") == pi);
+  BOOST_TEST(converted(90, "°", "′") == 5400);
+  BOOST_TEST(converted(1, "turn", "grade") == 400);
+  BOOST_TEST(converted(7, "arcsec", "°") == 7.0 / 3600);
+  BOOST_TEST(converted(1, "sr", "rad2") == 1);
+  BOOST_TEST(converted(5, "lx", "cd.sr/m2") == 5);
+  BOOST_TEST(converts_exactly(3000, "rpm", "rps"));
+  BOOST_TEST(!converts_exactly(180, "°", "rad"));
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_that_is_no_multiple_of_the_wanted_one_is_refused) {
   // Zero of the one must be zero of the other: no offset, no logarithm, no turn of the axis.
   for (const char* const unit : {"in @ 1", "in from 3", "lg(re 1 mm)", "-1 in", "0 in"}) {
     BOOST_TEST_CONTEXT(unit) {
-      BOOST_CHECK_THROW(conversion_factor(unit, "in"), UnitError);
+      BOOST_CHECK_THROW(converted(1, unit, "in"), UnitError);
     }
   }
-  BOOST_CHECK_EXCEPTION(conversion_factor("h", "s-1"), UnitError, [](const UnitError& error) {
+  BOOST_CHECK_EXCEPTION(converted(1, "h", "s-1"), UnitError, [](const UnitError& error) {
     return std::string(error.what()).starts_with("\"h\" is the reciprocal of \"s-1\"");
   });
-  BOOST_TEST(conversion_factor("12 in", "in") == 12);
-  BOOST_TEST(conversion_factor("1e-3 in", "in") == 1e-3);
+  BOOST_TEST(converted(1, "12 in", "in") == 12);
+  BOOST_TEST(converted(1, "1e-3 in", "in") == 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(a_conversion_is_exact_where_its_digits_end) {
-  BOOST_TEST(config::converts_exactly(39.4, "in", "m"));
-  BOOST_TEST(config::converts_exactly(2, "mi", "km"));
-  BOOST_TEST(config::converts_exactly(100, "lbf", "N"));
-  BOOST_TEST(config::converts_exactly(25.4, "mm", "in"));
-  BOOST_TEST(config::converts_exactly(1200, "m", "km"));
-  BOOST_TEST(!config::converts_exactly(15, "km/h", "mi/h"));
-  BOOST_TEST(config::converted(15, "km/h", "mi/h") == 15 / 1.609344);
-  BOOST_TEST(!config::converts_exactly(3.218688, "km", "nmile"));
-  BOOST_TEST(!config::converts_exactly(100, "psi", "Pa"));
-  BOOST_TEST(!config::converts_exactly(0.1234567890123456, "in", "m"));
+  BOOST_TEST(converts_exactly(39.4, "in", "m"));
+  BOOST_TEST(converts_exactly(2, "mi", "km"));
+  BOOST_TEST(converts_exactly(100, "lbf", "N"));
+  BOOST_TEST(converts_exactly(25.4, "mm", "in"));
+  BOOST_TEST(converts_exactly(1200, "m", "km"));
+  BOOST_TEST(!converts_exactly(15, "km/h", "mi/h"));
+  BOOST_TEST(converted(15, "km/h", "mi/h") == 15 / 1.609344);
+  BOOST_TEST(!converts_exactly(3.218688, "km", "nmile"));
+  BOOST_TEST(!converts_exactly(100, "psi", "Pa"));
+  BOOST_TEST(!converts_exactly(0.1234567890123456, "in", "m"));
 }
 
 BOOST_AUTO_TEST_CASE(a_conversion_prints_no_digit_that_the_definition_does_not_give) {
@@ -170,6 +170,24 @@ BOOST_AUTO_TEST_CASE(a_conversion_prints_no_digit_that_the_definition_does_not_g
     const char* printed;
   };
   for (const Known& known : std::initializer_list<Known>{
+           {"gallon", "L", 1, "3.785411784"},
+           {"quarts", "gallon", 4, "1"},
+           {"gallons/min", "L/s", 60, "3.785411784"},
+           {"Mbbl", "m3", 1, "158987.294928"},
+           {"US_fluid_ounces", "mL", 1, "29.5735295625"},
+           {"tblsp", "tsp", 1, "3"},
+           {"printers_pica", "printers_points", 1, "12"},
+           {"acre_foot", "acre_feet", 2, "2"},
+           {"eV", "J", 1, "1.602176634e-19"},
+           {"bev", "MeV", 1, "1000"},
+           {"horsepower", "W", 1, "745.6998715822702"},         // …702 2
+           {"slugs", "lb", 1, "32.17404855643045"},             // …044 62
+           {"parsec", "au", 1, "206264.80624709636"},           // …635 516
+           {"kparsecs", "light_year", 1, "3261.563777167434"},  // …433 56
+           {"troy_pound", "troy_ounces", 1, "12"},
+           {"dram", "grain", 1, "27.34375"},
+           {"molecules", "mol", 6.02214076e23, "1"},
+           {"astronomical_unit", "m", 1, "149597870700"},
            {"in", "m", 1, "0.0254"},
            {"ft", "m", 7, "2.1336"},
            {"yd", "m", 1, "0.9144"},
@@ -207,46 +225,45 @@ BOOST_AUTO_TEST_CASE(a_conversion_prints_no_digit_that_the_definition_does_not_g
            {"km/h", "m/s", 1, "0.2777777777777778"},
            {"degree", "rad", 1, "0.0174532925199433"}}) {  // …994 329 577
     BOOST_TEST_CONTEXT(known.number << " " << known.from << " in " << known.to) {
-      BOOST_TEST(fmt::format("{}", config::converted(known.number, known.from, known.to)) ==
-                 known.printed);
+      BOOST_TEST(fmt::format("{}", converted(known.number, known.from, known.to)) == known.printed);
     }
   }
-  BOOST_TEST(config::converts_exactly(30, "inHg", "Pa"));
-  BOOST_TEST(config::converts_exactly(10, "knots", "km/h"));
+  BOOST_TEST(converts_exactly(30, "inHg", "Pa"));
+  BOOST_TEST(converts_exactly(10, "knots", "km/h"));
 }
 
 BOOST_AUTO_TEST_CASE(a_name_of_several_units_is_not_converted) {
-  for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"kcal", "J"},
-           {"kcal/mol", "kJ/mol"},
-           {"years", "s"},
-           {"tons", "kg"},
-           {"nmi", "m"},
-           {"m2", "acre"}}) {
+  for (const auto& [from, to] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"kcal", "J"},
+                                                                  {"kcal/mol", "kJ/mol"},
+                                                                  {"years", "s"},
+                                                                  {"tons", "kg"},
+                                                                  {"nmi", "m"},
+                                                                  {"m2", "acre"}}) {
     BOOST_TEST_CONTEXT(from << " in " << to) {
-      BOOST_CHECK_EXCEPTION(conversion_factor(from, to), UnitError, [](const UnitError& e) {
-        return std::string(e.what()).find("means several units") != std::string::npos;
+      BOOST_CHECK_EXCEPTION(converted(1, from, to), UnitError, [](const UnitError& e) {
+        return std::string(e.what()).find("no single exact definition of \"") != std::string::npos;
       });
     }
   }
-  BOOST_TEST(conversion_factor("kcal", "cal") == 1000);
-  BOOST_TEST(conversion_factor("Julian_year", "d") == 365.25);
-  BOOST_TEST(conversion_factor("nautical_mile", "m") == 1852);
-  BOOST_TEST(conversion_factor("long_ton", "lb") == 2240);
+  BOOST_TEST(converted(1, "kcal", "cal") == 1000);
+  BOOST_TEST(converted(1, "Julian_year", "d") == 365.25);
+  BOOST_TEST(converted(1, "nautical_mile", "m") == 1852);
+  BOOST_TEST(converted(1, "long_ton", "lb") == 2240);
 }
 
 BOOST_AUTO_TEST_CASE(powers_are_read_as_they_look) {
   for (const char* const unit : {"km s-2", "km.s^-2", "km/s2", "km·s⁻²", "km s⁻²", "km/s²"}) {
     BOOST_TEST_CONTEXT(unit) {
-      BOOST_TEST(conversion_factor(unit, "m/s2") == 1000);
+      BOOST_TEST(converted(1, unit, "m/s2") == 1000);
     }
   }
-  BOOST_TEST(conversion_factor("km⁴", "m4") == 1e12);
-  BOOST_CHECK_THROW(conversion_factor("m^0.5", "1"), UnitError);  // five, says UDUNITS
+  BOOST_TEST(converted(1, "km⁴", "m4") == 1e12);
+  BOOST_CHECK_THROW(converted(1, "m^0.5", "1"), UnitError);  // five, says UDUNITS
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_unit_or_system_is_refused_by_its_name) {
-  BOOST_CHECK_EXCEPTION(conversion_factor("pis", "psi"), UnitError, [](const UnitError& e) {
+  BOOST_CHECK_EXCEPTION(converted(1, "pis", "psi"), UnitError, [](const UnitError& e) {
     return std::string(e.what()).find("\"pis\"") != std::string::npos;
   });
   BOOST_CHECK_THROW(unit_system("cgs"), UnitError);
@@ -259,7 +276,7 @@ BOOST_AUTO_TEST_CASE(threads_may_ask_for_units_at_once) {
     threads.emplace_back([&n_wrong] {
       for (int k = 0; k < 500; ++k) {
         const bool right = config::is_unit("lbf/in") && !config::is_unit("furlonk") &&
-                           config::converted(39.4, "in", "m") == 1.00076;
+                           converted(39.4, "in", "m") == 1.00076;
         if (!right) ++n_wrong;
       }
     });
