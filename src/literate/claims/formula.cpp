@@ -71,7 +71,7 @@ class Reader {
     std::optional<double> number = factor();
     if (!number) return number;
     for (const auto& [sign, exponent] : {std::pair{"²", 2}, {"³", 3}, {"⁴", 4}}) {
-      if (take(sign)) number = std::pow(*number, exponent);
+      if (take(sign)) return std::pow(*number, exponent);
     }
     return number;
   }

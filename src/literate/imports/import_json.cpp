@@ -207,7 +207,8 @@ Value value_of(const JsonFile& file, const Json::Value& entry, const std::string
       Measured(number, uncertainty.standard, what) + Measured::bounded({0, uncertainty.bound});
   const std::string unit = unit_field(file, entry, what);
   try {
-    if (!entry.isMember("digits")) return Value(measured, supported(), unit);
+    const bool is_exact = uncertainty.error() == 0;
+    if (!entry.isMember("digits")) return Value(measured, is_exact ? exact() : supported(), unit);
     const int digits = whole_field(file, entry, what, "digits", 1, max_digits);
     const Value wanted(number, significant(digits), unit);
     require_earned(number, wanted.last_place(), uncertainty.error(), wanted.printed());

@@ -250,10 +250,10 @@ RoundedNumber with_digits_of(const ColumnFormat& column, const Cell& cell) {
   const double number = *cell.number();
   const Format& format = *column.numbers;
   if (cell.place()) {
+    RoundedNumber quoted = rounded_at(number, cell.uncertainty(), *cell.place());
     const bool has_exponent = format.notation() == Notation::scientific;
-    return {rounded_to_place(number, *cell.place()),
-            has_exponent ? RoundedNumber::Style::with_exponent : RoundedNumber::Style::plain,
-            cell.error() > 0};
+    if (has_exponent) quoted.style = RoundedNumber::Style::with_exponent;
+    return quoted;
   }
   if (format.notation() == Notation::fixed && !format.rounds_up()) {
     // Moving the decimal point is exact, so the number is rounded only once; dividing it would

@@ -93,7 +93,8 @@ Format exact();
 
 /// Prints the digits that the error supports, at most `max_digits`. The last digit stands at 10^p,
 /// the least power of ten that is no less than twice the error, so it is wrong by one at most. With
-/// an error of 0 it prints as exact() does.
+/// an error of 0 it prints as exact() does where that needs no more than `max_digits`, and else so
+/// many.
 Format supported(int max_digits = 12);
 
 /// Prints the number with what is not known of it, to two digits. A standard uncertainty, rounded

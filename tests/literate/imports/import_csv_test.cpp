@@ -128,6 +128,14 @@ BOOST_AUTO_TEST_CASE(digits_have_to_be_earned_by_the_error_beside_them) {
   BOOST_TEST(checkout.error("x,abs_error\n1.5,much\n") == "2:5: abs_error 'much' is not a number");
 }
 
+BOOST_AUTO_TEST_CASE(a_number_whose_error_leaves_no_digit_of_it_is_printed_with_the_error) {
+  const std::string latex =
+      latex_of_points(Checkout().import("x,abs_error\n0.02,3\n12,34\n15,3\n", {}));
+  for (const char* part : {"{0.0±3.1}", "{12±34}", "{2e1}"}) {
+    BOOST_TEST(holds(latex, part), part << " in " << latex);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_unless_its_column_is_declared_exact) {
   const Checkout checkout;
   const std::string csv = "x (m),u\n1.5,2\n";

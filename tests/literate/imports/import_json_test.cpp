@@ -117,6 +117,12 @@ BOOST_AUTO_TEST_CASE(without_digits_those_are_printed_that_the_error_supports) {
   BOOST_TEST(document.values().at("version").latex() == "GNU Octave, 7 \\& more");
 }
 
+BOOST_AUTO_TEST_CASE(without_digits_a_number_without_an_error_has_all_of_its_own) {
+  const Document document = Checkout().import(
+      R"({"script": "run.m", "values": {"pi": {"value": 3.14159265358979, "abs_error": 0}}})");
+  BOOST_TEST(document.values().at("pi").printed() == "3.14159265358979");
+}
+
 BOOST_AUTO_TEST_CASE(a_table_prints_each_column_in_its_format) {
   const Document document = Checkout().import(displacements);
 
