@@ -92,12 +92,17 @@ std::vector<std::string> missing_databases(const fs::path& folder, const std::st
   std::vector<std::string> errors;
   for (const TexCommand& use : commands_in(text, {"bibliography", "addbibresource"})) {
     for (const std::string& name : databases(use)) {
-      if (name.find('\\') != std::string::npos || fs::is_regular_file(folder / name) ||
-          is_in_tex(folder, name)) {
-        continue;
-      }
-      errors.push_back(fmt::format("{}/{}:{}:{}: there is no bibliography '{}'",
-                                   source_label(folder), file, use.line, use.column, name));
+      if (name.find('\\') != std::string::npos) continue;
+      const bool is_there = fs::is_regular_file(folder / name);
+      const bool is_outside =
+          is_there && fs::path(name).lexically_normal().begin()->string() == "..";
+      if (!is_outside && (is_there || is_in_tex(folder, name))) continue;
+      errors.push_back(fmt::format(
+          "{}/{}:{}:{}: {}", source_label(folder), file, use.line, use.column,
+          is_outside ? fmt::format("the bibliography '{}' lies outside the folder of the document, "
+                                   "where no build would see it change; move it there",
+                                   name)
+                     : fmt::format("there is no bibliography '{}'", name)));
     }
   }
   return errors;

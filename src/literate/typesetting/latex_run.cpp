@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/typesetting/latex_run.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "literate/prose/document_files.hpp"
 
 #include "literate/text/embedded_texts.hpp"
+#include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
 #include "system/process.hpp"
@@ -38,6 +45,92 @@ std::map<std::string, std::string> latex_environment(const TypesetOptions& optio
 
 fs::path in_build_dir(const TypesetOptions& options, const char* extension) {
   return options.build_dir / fs::path(options.main_file).filename().replace_extension(extension);
+}
+
+std::set<std::string> files_read(const TypesetOptions& options, const fs::path& at) {
+  std::set<std::string> files;
+  const fs::path recorder = at / fs::path(options.main_file).filename().replace_extension(".fls");
+  if (!fs::is_regular_file(recorder)) return files;
+  const std::string text = sys::read_file(recorder);
+  for (std::string_view line : sys::lines_of(text)) {
+    if (!line.starts_with("INPUT ")) continue;
+    line.remove_prefix(6);
+    if (line.starts_with("./")) line.remove_prefix(2);
+    files.emplace(line);
+  }
+  return files;
+}
+
+namespace {
+
+fs::path preamble_dir(const TypesetOptions& options) {
+  return options.build_dir / "preamble";
+}
+
+/// The folders of TeX's own files.
+std::vector<fs::path> tex_folders() {
+  const sys::ProcessResult said =
+      sys::run({.program = "kpsewhich", .arguments = {"-expand-path=$TEXMF"}});
+  std::vector<fs::path> folders;
+  std::istringstream names(said.output);
+  for (std::string name; std::getline(names, name, ':');) {
+    folders.push_back(fs::weakly_canonical(sys::stripped(name)));
+  }
+  return folders;
+}
+
+bool is_below(const fs::path& folder, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// Fonts are no files of an author, and may lie elsewhere.
+bool is_authors(const fs::path& file) {
+  static const std::set<std::string> endings = {".tex", ".sty", ".cls", ".def",  ".cfg",
+                                                ".pdf", ".png", ".jpg", ".jpeg", ".csv",
+                                                ".dat", ".txt", ".cpp", ".hpp",  ".py"};
+  return endings.contains(file.extension().string());
+}
+
+/// The message for a file that was read from elsewhere, at the place that names it.
+std::string stray(const TypesetOptions& options, const std::string& file) {
+  const std::string label = source_label(options.source_dir);
+  const std::string message = fmt::format(
+      "'{}' lies outside the folder of the document, where no build would see it change; move it "
+      "to '{}', or a program that the document quotes to a folder of sources",
+      file, label);
+  const std::string name = fs::path(file).replace_extension().generic_string();
+  for (const std::string& part : document_files(options.source_dir)) {
+    const std::string text = sys::read_file(options.source_dir / part);
+    int line_number = 0;
+    for (const std::string_view line : sys::lines_of(text)) {
+      ++line_number;
+      if (const auto at = line.find(name); at != line.npos) {
+        return fmt::format("{}/{}:{}:{}: {}", label, part, line_number, at + 1, message);
+      }
+    }
+  }
+  return fmt::format("{}: {}", label, message);
+}
+
+}  // namespace
+
+void require_read_within(const TypesetOptions& options) {
+  std::vector<fs::path> known = tex_folders();
+  for (const fs::path& folder : {options.source_dir, options.generated_dir, options.build_dir,
+                                 options.repository_dir, at_width_dir(options)}) {
+    if (!folder.empty()) known.push_back(fs::weakly_canonical(fs::absolute(folder)));
+  }
+  std::set<std::string> files = files_read(options, options.build_dir);
+  files.merge(files_read(options, preamble_dir(options)));
+  std::vector<std::string> errors;
+  for (const std::string& file : files) {
+    const fs::path path = fs::weakly_canonical(fs::absolute(options.source_dir) / file);
+    const bool is_known =
+        std::ranges::any_of(known, [&](const fs::path& folder) { return is_below(folder, path); });
+    if (!is_known && is_authors(file)) errors.push_back(stray(options, file));
+  }
+  if (!errors.empty()) throw sys::InputError(fmt::format("{}", fmt::join(errors, "\n")));
 }
 
 namespace {
@@ -85,7 +178,7 @@ class PreambleCache {
   PreambleCache(const TypesetOptions& options, Preamble preamble)
       : options_(&options),
         preamble_(std::move(preamble)),
-        folder_(options.build_dir / "preamble"),
+        folder_(preamble_dir(options)),
         stem_(fs::path(options.main_file).filename().replace_extension().string()) {}
 
   PreambleFormat up_to_date() const {
@@ -99,7 +192,7 @@ class PreambleCache {
     fs::remove(folder_ / format_record);
     const bool is_usable = dump();
     // The record is written last, so that an interruption leaves none.
-    sys::write_file_atomically(folder_ / format_record, record(files_read(), is_usable));
+    sys::write_file_atomically(folder_ / format_record, record(files(), is_usable));
     return {folder_, is_usable, true};
   }
 
@@ -131,20 +224,11 @@ class PreambleCache {
     return files;
   }
 
-  /// The files that LaTeX read, as its record names them, from the document's folder on.
-  std::set<std::string> files_read() const {
-    std::set<std::string> files;
-    const fs::path recorder = folder_ / (stem_ + ".fls");
-    if (!fs::is_regular_file(recorder)) return files;
-    const std::string text = sys::read_file(recorder);
-    for (std::string_view line : sys::lines_of(text)) {
-      if (!line.starts_with("INPUT ")) continue;
-      line.remove_prefix(6);
-      if (line.starts_with("./")) line.remove_prefix(2);
-      if (line != options_->main_file && !line.ends_with("/keep_preamble.tex")) {
-        files.emplace(line);
-      }
-    }
+  std::set<std::string> files() const {
+    std::set<std::string> files = files_read(*options_, folder_);
+    std::erase_if(files, [this](const std::string& file) {
+      return file == options_->main_file || file.ends_with("/keep_preamble.tex");
+    });
     return files;
   }
 
@@ -168,7 +252,7 @@ class PreambleCache {
                         preamble_seconds}});
     const fs::path made = folder_ / (stem_ + ".fmt");
     if (result.exit_status != 0 || !fs::is_regular_file(made)) return false;
-    for (const std::string& file : files_read()) {
+    for (const std::string& file : files()) {
       if (file.starts_with(build + "/" + stem_ + ".")) return false;
     }
     fs::rename(made, folder_ / "preamble.fmt");

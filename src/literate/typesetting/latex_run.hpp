@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "literate/figures/draw.hpp"
@@ -40,6 +41,15 @@ std::map<std::string, std::string> latex_environment(const TypesetOptions& optio
 
 /// A file that LaTeX makes of the document, by its extension such as ".log".
 std::filesystem::path in_build_dir(const TypesetOptions& options, const char* extension);
+
+/// The files that LaTeX read and wrote itself, by their names from the document's folder on, as its
+/// recorder in the folder `at` tells; none if it left nothing there.
+std::set<std::string> files_read(const TypesetOptions& options, const std::filesystem::path& at);
+
+/// Throws sys::InputError for the files of an author that LaTeX read from outside the document's
+/// folder, the build's and TeX's own, each with the place in the document that names it: no build
+/// would see them change.
+void require_read_within(const TypesetOptions& options);
 
 /// What TeX knows after a document's preamble, kept as a format that pdfTeX starts from: a pass is
 /// shorter by the time that the preamble takes, and makes the same bytes.

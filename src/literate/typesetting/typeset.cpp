@@ -296,6 +296,7 @@ Typeset typeset(const TypesetOptions& options) {
     defects.erase(tolerated, defects.end());
   }
   if (!defects.empty()) throw failure(defects, options);
+  require_read_within(options);
   sys::write_if_changed(options.output_pdf, sys::read_file(in_build_dir(options, ".pdf")));
   return result;
 }

@@ -23,8 +23,8 @@ struct Typeset {
 /// its bytes are the same each time. The output is written beside its place and renamed, or left
 /// untouched if its bytes are the same. Throws sys::ToolError if latexmk or the engine is missing,
 /// with «file:line: message» for LaTeX's errors, and with all latex_defects if there are any;
-/// with_place_of_use rewrites these messages. Throws sys::OutputError if the output or the build
-/// folder cannot be written.
+/// with_place_of_use rewrites these messages. Throws sys::InputError as require_read_within() does,
+/// and sys::OutputError if the output or the build folder cannot be written.
 Typeset typeset(const TypesetOptions& options);
 
 }  // namespace literate

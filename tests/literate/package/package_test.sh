@@ -228,9 +228,23 @@ for _ in $(seq 600); do
   if grep -q 'waiting for the next save' watch.log; then break; fi
   sleep 0.1
 done
+pdf_before=$(sha256sum <build/rod/rod.pdf)
+sleep 1 # until the folders are watched
+cp -p case.toml case.before
+sed 's/^angle = 90/angle = 91/' case.toml >case.older
+touch -d '2020-01-01' case.older
+mv case.older case.toml
+for _ in $(seq 300); do
+  if [[ $(grep -c 'waiting for the next save' watch.log) -ge 2 ]]; then break; fi
+  sleep 0.1
+done
 kill -INT "-$watch"
 wait "$watch"
-claim 'make says nothing of a watch that is interrupted' "$(grep -c 'waiting for' watch.log)$(grep -c '^make' watch.log)" = 10
+claim 'make says nothing of a watch that is interrupted' "$(grep -c 'waiting for' watch.log)$(grep -c '^make' watch.log)" = 20
+claim 'an older case that is put in its place makes the paper anew' "$(sha256sum <build/rod/rod.pdf)" != "$pdf_before"
+mv case.before case.toml
+touch case.toml
+runs make
 setsid make watch >watch.log 2>&1 &
 watch=$!
 for _ in {1..300}; do

@@ -58,6 +58,18 @@ BOOST_AUTO_TEST_CASE(a_bibliography_that_is_not_there_is_told_unless_its_referen
   BOOST_TEST(missing_inputs(folder, scratch / "generated").empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_bibliography_outside_the_folder_of_the_document_is_refused) {
+  const TemporaryFolder scratch;
+  sys::write_file_atomically(scratch / "report/main.tex", "\\bibliography{../own}\n");
+  sys::write_file_atomically(scratch / "own.bib", "");
+
+  const auto errors = missing_inputs(scratch / "report", scratch / "generated");
+
+  BOOST_REQUIRE(errors.size() == 1U);
+  BOOST_TEST(errors.front().starts_with(
+      "report/main.tex:1:1: the bibliography '../own.bib' lies outside the folder"));
+}
+
 BOOST_AUTO_TEST_CASE(a_file_that_would_take_the_place_of_a_generated_one_is_refused) {
   const TemporaryFolder scratch;
   const auto folder = scratch / "report";

@@ -267,6 +267,20 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_the_document_is_told_at_its_line) {
         file + "9: LaTeX Warning: Float too large for page by ");
 }
 
+BOOST_AUTO_TEST_CASE(a_file_that_is_read_from_outside_the_document_is_told_where_it_is_named) {
+  const Paper paper("Text.\n\\input{../notes}");
+  sys::write_file_atomically(paper.options.source_dir / "../notes.tex", "Notes.\n");
+  const std::string error = message_of<sys::InputError>([&] { typeset(paper.options); });
+  BOOST_TEST(error.starts_with("my report/main.tex:7:8: '../notes.tex' lies outside the folder"),
+             error);
+  BOOST_TEST(!fs::exists(paper.options.output_pdf));
+
+  sys::write_file_atomically(paper.options.source_dir / "notes.tex", "Notes.\n");
+  paper.write("Text.\n\\input{notes}");
+  typeset(paper.options);
+  BOOST_TEST(fs::exists(paper.options.output_pdf));
+}
+
 BOOST_AUTO_TEST_CASE(an_overfull_box_is_a_warning_for_who_is_still_writing) {
   Paper paper("\\noindent\\mbox{\\rule{20cm}{1pt}}\n");
   paper.options.tolerates_overfull = true;
