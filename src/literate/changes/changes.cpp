@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -30,7 +31,8 @@ std::string asked_for(const std::string& what) {
 }
 
 auto identity(const ManifestNumber& number) {
-  return std::tuple(number.number, number.abs_error, number.standard, number.printed);
+  return std::tuple(number.number, number.abs_error, number.standard, number.printed,
+                    number.unit.value_or(""));
 }
 
 /// What a reader takes for the error of a number, beside its bound, is its standard uncertainty.
@@ -63,6 +65,7 @@ std::map<std::string, std::string> renamed(const Numbers& before, const Numbers&
 }
 
 std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumber& after) {
+  if (have_other_units(before, after)) return ChangeKind::other_unit;
   if (before.number == after.number) {
     if (before.printed == after.printed) return std::nullopt;
     const bool has_same_error =
@@ -90,7 +93,11 @@ std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
     if (earlier == before.end()) {
       changes.push_back({ChangeKind::added, what_of(name), "", number.printed, {}});
     } else if (const auto kind = moved(earlier->second, number)) {
-      changes.push_back({*kind, what_of(name), earlier->second.printed, number.printed, {}});
+      const bool tells_unit = kind == ChangeKind::other_unit && name.starts_with(of_tables);
+      const auto told = [&](const ManifestNumber& one) {
+        return tells_unit ? one.printed + " " + *one.unit : one.printed;
+      };
+      changes.push_back({*kind, what_of(name), told(earlier->second), told(number), {}});
     }
   }
   for (const auto& [name, number] : before) {
@@ -118,17 +125,40 @@ std::vector<Change> of_texts(const Manifest::Texts& before, const Manifest::Text
   return changes;
 }
 
-/// The digests of the files of each figure, data and drawing, «figure x».
-Manifest::Texts figures_in(const Manifest& manifest) {
+/// The digests of what is drawn and of what it is drawn from, «figure x».
+struct Figures {
+  Manifest::Texts drawings, data;
+};
+
+Figures figures_in(const Manifest& manifest) {
   constexpr std::string_view folder = "generated/figures/";
-  Manifest::Texts figures;
+  Figures figures;
   for (const auto& [file, digest] : manifest.outputs) {
     if (!file.starts_with(folder)) continue;
     const std::string rest = file.substr(folder.size());
     const auto end = rest.find('/');
-    if (end != std::string::npos) figures["figure " + rest.substr(0, end)] += digest;
+    if (end == std::string::npos) continue;
+    const std::string name = rest.substr(0, end), part = rest.substr(end + 1);
+    const bool is_drawing = part == name + ".pdf" || part == name + ".tex";
+    (is_drawing ? figures.drawings : figures.data)["figure " + name] += digest;
   }
   return figures;
+}
+
+std::vector<Change> of_figures(const Figures& before, const Figures& after) {
+  std::vector<Change> changes =
+      of_texts(before.drawings, after.drawings, ChangeKind::other_drawing);
+  const auto is_drawn_alike = [&](const Change& change) {
+    return change.kind == ChangeKind::other_data &&
+           std::ranges::find(changes, change.what, &Change::what) == changes.end();
+  };
+  const std::vector<Change> data = of_texts(before.data, after.data, ChangeKind::other_data);
+  std::vector<Change> alike;
+  std::ranges::copy_if(data, std::back_inserter(alike), is_drawn_alike);
+  changes.insert(changes.end(), alike.begin(), alike.end());
+  // Digests tell a reader nothing.
+  for (Change& change : changes) change.before = change.after = "";
+  return changes;
 }
 
 /// As `sort -V` sorts: row 2 before row 10; values before cells.
@@ -141,16 +171,10 @@ std::vector<Change> sorted(std::vector<Change> changes) {
   return changes;
 }
 
-/// Digests tell a reader nothing.
-std::vector<Change> without_digests(std::vector<Change> changes) {
-  for (Change& change : changes) change.before = change.after = "";
-  return changes;
-}
-
 }  // namespace
 
 std::string name_of(ChangeKind kind) {
-  constexpr std::array<const char*, 12> names{"new",
+  constexpr std::array<const char*, 14> names{"new",
                                               "gone",
                                               "renamed",
                                               "moved",
@@ -159,7 +183,9 @@ std::string name_of(ChangeKind kind) {
                                               "other digits only",
                                               "another error",
                                               "another text",
-                                              "other data or drawing",
+                                              "in another unit",
+                                              "another drawing",
+                                              "other data only",
                                               "other verdict",
                                               "other limit"};
   return names.at(static_cast<std::size_t>(kind));
@@ -176,8 +202,7 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
                       of_texts(before.limits, limits, ChangeKind::other_limit),
                       of_numbers(before.numbers, after.numbers),
                       of_texts(before.texts, texts, ChangeKind::other_text),
-                      without_digests(of_texts(figures_in(before), figures_in(after),
-                                               ChangeKind::other_bytes))}) {
+                      of_figures(figures_in(before), figures_in(after))}) {
     const std::vector<Change> in_order = sorted(more);
     all.insert(all.end(), in_order.begin(), in_order.end());
   }

@@ -13,14 +13,16 @@ namespace literate {
 enum class ChangeKind {
   added,
   gone,
-  renamed,       ///< the same number under another name
-  moved,         ///< it has no error, and prints another
-  beyond_error,  ///< it moved by more than both errors together
-  within_error,  ///< it moved by less
-  other_digits,  ///< the same number printed in another way, or one without an error printed alike
-  other_error,   ///< the same number with another error, and so printed in another way
-  other_text,    ///< of a value or cell that is no number, and of a flag
-  other_bytes,   ///< of a figure: its data or its drawing
+  renamed,        ///< the same number under another name
+  moved,          ///< it has no error, and prints another
+  beyond_error,   ///< it moved by more than both errors together
+  within_error,   ///< it moved by less
+  other_digits,   ///< the same number printed in another way, or one without an error printed alike
+  other_error,    ///< the same number with another error, and so printed in another way
+  other_text,     ///< of a value or cell that is no number, and of a flag
+  other_unit,     ///< a number in another unit
+  other_drawing,  ///< of a figure
+  other_data,     ///< of a figure that is drawn as before
   other_verdict,
   other_limit  ///< of a criterion
 };
@@ -30,8 +32,10 @@ std::string name_of(ChangeKind kind);
 
 /// A difference between two states of a document.
 struct Change {
-  /// Whether a reader sees it: numbers also move in digits that are not printed.
-  bool is_seen() const { return before.empty() || before != after; }
+  /// Whether a reader sees it: numbers also move in digits that are not printed or drawn.
+  bool is_seen() const {
+    return kind != ChangeKind::other_data && (before.empty() || before != after);
+  }
 
   ChangeKind kind;
   std::string what;  ///< «value x», «table x, row 1, column 2», «figure x», «claim x», «check x»

@@ -116,7 +116,7 @@ std::set<std::vector<std::string>> ticks_in(const fs::path& file) {
 
 bool is_to_be_read(const Change& change) {
   return change.kind == ChangeKind::beyond_error || change.kind == ChangeKind::moved ||
-         change.kind == ChangeKind::other_verdict;
+         change.kind == ChangeKind::other_unit || change.kind == ChangeKind::other_verdict;
 }
 
 }  // namespace

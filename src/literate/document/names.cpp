@@ -97,6 +97,8 @@ json cells_json(const std::map<std::string, Table>& tables) {
       json& entry = entries[key(place.first, place.second)];
       entry = {{"number", *cell.number()}, {"printed", printed}};
       add_uncertainty(entry, cell.uncertainty());
+      const std::string& unit = table.columns()[place.second].format().unit;
+      if (!unit.empty()) entry["unit"] = unit;
     }
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
       for (std::size_t j = 0; j < table.rows()[i].size(); ++j) {

@@ -24,9 +24,10 @@ const std::set<std::string_view> three_silent = {"addcontentsline", "definecolor
 /// Environments with an argument that is not printed, such as column types or a width.
 const std::set<std::string_view> formed_environments = {
     "tabular", "tabular*", "tabularx", "array", "minipage", "multicols", "alignat", "alignat*"};
-const std::set<std::string_view> upright_commands = {"mathrm", "text",   "textrm",
-                                                     "unit",   "mathup", "operatorname"};
+const std::set<std::string_view> upright_commands = {"mathrm", "text", "textrm", "textup",
+                                                     "mbox",   "unit", "mathup", "operatorname"};
 const std::set<std::string_view> quantity_commands = {"qty", "SI"};
+const std::set<std::string_view> unit_signs = {"circ", "degree", "celsius", "Omega", "ohm"};
 
 /// Environments whose options say where they stand.
 const std::set<std::string_view> placed_environments = {"figure", "figure*", "table", "table*"};
@@ -155,6 +156,7 @@ void Reader::read_command(const TexToken& command) {
   char& first = *(prose_.text.begin() + position(command.text));
   if (upright_commands.contains(command.name)) first = Prose::upright;
   if (quantity_commands.contains(command.name)) first = Prose::quantity;
+  if (unit_signs.contains(command.name)) first = Prose::unit_sign;
   if (command.name == "cite") first = Prose::citation;
   if (command.name == "makebox") blank_arguments(0);
   if (command.name == "tab" || command.name == "excerpt") blank_name_behind_options();

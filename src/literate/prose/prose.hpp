@@ -12,10 +12,11 @@ namespace literate {
 /// A LaTeX text of which only the prose and the mathematics are left.
 struct Prose {
   /// These stand where a command was: one that sets upright letters, a number with its unit, a
-  /// \cite.
+  /// \cite, the sign of a unit.
   static constexpr char upright = '\x01';
   static constexpr char quantity = '\x02';
   static constexpr char citation = '\x03';
+  static constexpr char unit_sign = '\x04';
 
   /// Has the length and the line ends of the LaTeX text, and blanks in place of comments, verbatim
   /// text, names of commands, arguments that are not printed (keys, labels, lengths), the list of

@@ -25,7 +25,7 @@ constexpr int most_digits = 2;
 const sys::Pattern& unit() {
   static const sys::Pattern pattern(
       R"re(^(\s|~|\\[,;: ]|[{}]|-|\$\s+\$)*)re"
-      R"re((\\%|per ?cent\b|((µ|μ)[A-Za-z]*|°|[mkMG]?Pa|[mkM]?N|[numcdk]?m|[mk]?g|[npm]?s|[kMGT]?Hz|dB|[kMG]B)re"
+      R"re((\\%|per ?cent\b|((µ|μ)[A-Za-z]*|°[CF]?|[mkMG]?Pa|[mkM]?N|[numcdk]?m|[mk]?g|[npm]?s|[kMGT]?Hz|dB|[kMG]B)re"
       R"re(|[mkM]?J|[mkMG]W|[mkM]V|mA|[kMG]?Ω|[np]F|m[HT]|Np|lbf|lb|psi|ksi)re"
       R"re(|min|h|ft|rad|mrad|K|[kMG]?eV|m?bar|m?mol|ml|pounds?|inch(es)?|feet|degrees?)re"
       R"re(|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?|hours?|days?|weeks?|years?|newtons?|pascals?)(?![A-Za-z])))re");
@@ -49,7 +49,7 @@ const sys::Pattern& inches() {
 /// parentheses are its uncertainty. Of $12\times 10^{3}$ the sign is blank here.
 const sys::Pattern& numeral() {
   static const sys::Pattern pattern(
-      R"re(^(\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)(\.\d+)?(?:\(\d+\))?([eE][+-]?\d+|\s+10\^(?:\{[+-]?\d+\}|\d))?)re");
+      R"re(^(\d+:\d\d:\d\d|\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)((?:\.|\{\.\})\d+)?(?:\(\d+\))?([eE][+-]?\d+|\s+10\^(?:\{[+-]?\d+\}|\d))?)re");
   return pattern;
 }
 
@@ -76,13 +76,21 @@ bool begins_with_unit(std::string_view text) {
 bool has_unit(const Surroundings& around) {
   static const sys::Pattern quantity("\x02[\\s{]*-?$");
   static const sys::Pattern end_of_math(R"(^[\s}]*\$)");
-  static const sys::Pattern upright("^(\\s|~|\\\\[,;: ]|\\})*\x01\\s*\\{");
-  if (quantity.is_in(around.before)) return true;
-  if (around.mode == TexMode::text) return begins_with_unit(around.after);
-  if (const auto end = end_of_math.find_in(around.after)) return begins_with_unit(end->rest);
-  const auto letters = upright.find_in(around.after);
-  if (!letters) return false;
-  return begins_with_unit(letters->rest) || letters->rest.starts_with("in}");
+  // 5\%, 90^\circ, 3\,\Omega, 3 $\Omega$, but not 2\Omega
+  static const sys::Pattern sign(
+      "^[\\s}]*(\\\\%|((\\s|~|\\\\[,;: ]|[{}$])*\\^[\\s{]*|(\\s|~|\\\\[,;: ]|[{}$])+)\x04)");
+  static const sys::Pattern upright("^(\\s|~|\\\\[,;: ]|[{}$])*\x01\\s*\\{");
+  static const sys::Pattern per_unit("^/(s|min|h|d|cm|mm|km|kg|mol)(?![A-Za-z])");
+  if (quantity.is_in(around.before) || sign.is_in(around.after)) return true;
+  if (around.mode == TexMode::text && around.after.starts_with(Prose::unit_sign)) return true;
+  if (const auto letters = upright.find_in(around.after)) {
+    return begins_with_unit(letters->rest) || letters->rest.starts_with("in}");
+  }
+  if (around.mode == TexMode::text) {
+    return begins_with_unit(around.after) || per_unit.is_in(around.after);
+  }
+  const auto end = end_of_math.find_in(around.after);
+  return end && begins_with_unit(end->rest);
 }
 
 /// Whether a number is a year in parentheses, after a month or beside a citation, or the place in a

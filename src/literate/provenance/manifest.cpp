@@ -31,6 +31,15 @@ json numbers_json(const std::map<std::string, ManifestNumber>& numbers) {
   return entries;
 }
 
+/// The units of the numbers that have one.
+Manifest::Texts units_of(const std::map<std::string, ManifestNumber>& numbers) {
+  Manifest::Texts units;
+  for (const auto& [key, number] : numbers) {
+    if (number.unit && !number.unit->empty()) units[key] = *number.unit;
+  }
+  return units;
+}
+
 /// Reads numbers as numbers_json and names.json write them; leaves out values without a number.
 std::map<std::string, ManifestNumber> numbers_of(const json& values) {
   std::map<std::string, ManifestNumber> numbers;
@@ -78,8 +87,13 @@ Manifest::Texts digests(const fs::path& folder, const std::vector<std::string>& 
 
 std::map<std::string, ManifestNumber> numbers_in(const fs::path& names_json) {
   return from_names(names_json, [](const json& names) {
-    auto numbers = numbers_of(names.at("values"));
-    numbers.merge(numbers_of(names.at("cells")));
+    std::map<std::string, ManifestNumber> numbers;
+    for (const char* part : {"values", "cells"}) {
+      for (auto& [key, number] : numbers_of(names.at(part))) {
+        number.unit = names.at(part).at(key).value("unit", "");
+        numbers[key] = number;
+      }
+    }
     return numbers;
   });
 }
@@ -152,7 +166,12 @@ double bounds_between(const ManifestNumber& a, const ManifestNumber& b) {
   return is_below ? above(a) + below(b) : below(a) + above(b);
 }
 
+bool have_other_units(const ManifestNumber& a, const ManifestNumber& b) {
+  return a.unit && b.unit && *a.unit != *b.unit;
+}
+
 bool agree(const ManifestNumber& a, const ManifestNumber& b) {
+  if (have_other_units(a, b)) return false;
   if (!a.abs_error || !b.abs_error) return a.printed == b.printed;
   return std::abs(a.number - b.number) <= bounds_between(a, b);
 }
@@ -168,6 +187,7 @@ std::string manifest_json(const Manifest& manifest) {
             {"inputs", manifest.inputs},
             {"outputs", manifest.outputs},
             {"numbers", numbers_json(manifest.numbers)},
+            {"units", units_of(manifest.numbers)},
             {"verdicts", manifest.verdicts},
             {"limits", manifest.limits},
             {"texts", manifest.texts}};
@@ -187,11 +207,15 @@ Manifest manifest_of(const std::string& json_text, const std::string& file,
       throw sys::OutputError(fmt::format("'{}' is the manifest of another project, {}", file,
                                          text.at("project").dump()));
     }
+    auto numbers = numbers_of(text.at("numbers"));
+    if (text.contains("units")) {
+      for (auto& [key, number] : numbers) number.unit = text.at("units").value(key, "");
+    }
     return {.project = project,
             .facts = text.at("made_with").get<std::map<std::string, Manifest::Texts>>(),
             .inputs = text.at("inputs").get<Manifest::Texts>(),
             .outputs = text.at("outputs").get<Manifest::Texts>(),
-            .numbers = numbers_of(text.at("numbers")),
+            .numbers = numbers,
             .verdicts = text.at("verdicts").get<Manifest::Texts>(),
             .limits = text.value("limits", Manifest::Texts()),
             .texts = text.value("texts", Manifest::Texts()),
@@ -226,8 +250,12 @@ std::string text_or_none(const std::string* text) {
   return text == nullptr ? "none" : *text;
 }
 
+/// A number as a message tells it; a cell of a table is printed without its unit.
 std::string printed_or_none(const ManifestNumber* number) {
-  return number == nullptr ? "none" : fmt::format("{} ({})", number->number, number->printed);
+  if (number == nullptr) return "none";
+  const std::string unit = number->unit.value_or("");
+  const bool tells_unit = unit.empty() || number->printed.ends_with(" " + unit);
+  return fmt::format("{} ({}{})", number->number, number->printed, tells_unit ? "" : " " + unit);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct ManifestNumber {
   std::string printed;
   double standard = 0;                                  ///< its standard uncertainty, if it has one
   std::optional<std::pair<double, double>> sides = {};  ///< bounds below and above, if they differ
+  std::optional<std::string> unit = {};  ///< none where an earlier version did not tell it
 };
 
 /// The sources and tools that a document was made with, and the results. It names no folder of the
@@ -70,8 +71,11 @@ std::string manifest_json(const Manifest& manifest);
 /// The sum of the bounds of two numbers, each towards the other. Both must have one.
 double bounds_between(const ManifestNumber& a, const ManifestNumber& b);
 
-/// Whether two numbers differ by no more than the sum of their error bounds or, if one has no
-/// bound, are printed the same.
+/// Whether two numbers are known to be in different units.
+bool have_other_units(const ManifestNumber& a, const ManifestNumber& b);
+
+/// Whether two numbers are in one unit and differ by no more than the sum of their error bounds or,
+/// if one has no bound, are printed the same.
 bool agree(const ManifestNumber& a, const ManifestNumber& b);
 
 /// Reads what manifest_json wrote. Throws sys::OutputError naming the file if it cannot be read, is

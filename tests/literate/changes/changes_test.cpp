@@ -20,10 +20,11 @@ namespace {
 Manifest state() {
   Manifest manifest;
   manifest.project = "rod";
-  manifest.numbers = {{"peak", {.number = 10, .abs_error = 0.1, .printed = "10.0 psi"}},
-                      {"fit", {.number = 5, .abs_error = 0, .printed = "5.0(5)", .standard = 0.5}},
-                      {"count", {.number = 7, .abs_error = {}, .printed = "7"}},
-                      {"table a, row 1, column 2", {.number = 3, .abs_error = 0, .printed = "3"}}};
+  manifest.numbers = {
+      {"peak", {.number = 10, .abs_error = 0.1, .printed = "10.0 psi", .unit = "psi"}},
+      {"fit", {.number = 5, .abs_error = 0, .printed = "5.0(5)", .standard = 0.5}},
+      {"count", {.number = 7, .abs_error = {}, .printed = "7"}},
+      {"table a, row 1, column 2", {.number = 3, .abs_error = 0, .printed = "3", .unit = "in"}}};
   manifest.outputs = {{"generated/figures/curve/data.csv", "d1"},
                       {"generated/figures/curve/curve.pdf", "d2"},
                       {"generated/values.tex", "d3"}};
@@ -110,7 +111,18 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
 
   after = state();
   after.outputs["generated/figures/curve/data.csv"] = "other";
-  check_told(after, ChangeKind::other_bytes, "figure curve", "", "");
+  check_told(after, ChangeKind::other_data, "figure curve", "", "");
+  after.outputs["generated/figures/curve/curve.pdf"] = "other";
+  check_told(after, ChangeKind::other_drawing, "figure curve", "", "");
+
+  after = state();
+  after.numbers["peak"].unit = "bar";
+  after.numbers["peak"].printed = "10.0 bar";
+  check_told(after, ChangeKind::other_unit, "value peak", "10.0 psi", "10.0 bar");
+
+  after = state();
+  after.numbers["table a, row 1, column 2"].unit = "mm";
+  check_told(after, ChangeKind::other_unit, "table a, row 1, column 2", "3 in", "3 mm");
 
   after = state();
   after.verdicts["claim one"] = "refuted";

@@ -36,6 +36,7 @@ BOOST_AUTO_TEST_CASE(a_typed_result_has_file_line_column_and_what_to_do) {
 BOOST_AUTO_TEST_CASE(more_than_two_significant_digits_are_a_result) {
   BOOST_TEST(found_in("123, 1.50, 0.00123, 1.23e-6, 12,345 and 1\\,234 and 1{,}234") ==
              "123 1.50 0.00123 1.23e-6 12,345 1\\,234 1{,}234 ");
+  BOOST_TEST(found_in("$11{.}4$, in 12:34:56 and 12:34") == "11{.}4 12:34:56 ");
   BOOST_TEST(found_in("12 and 0.05, 1000, 2.5e-6, $10^{-4}$, $\\tfrac32$, $\\num{0.9}a$") == "");
   BOOST_TEST(found_in("$x = 1.234$ and \\num{1.234}") == "1.234 1.234 ");
 }
@@ -50,6 +51,13 @@ BOOST_AUTO_TEST_CASE(a_number_with_a_unit_is_a_result_however_short) {
              "3.5 4 5 6 7 8 4.0 9 2 ");
   BOOST_TEST(found_in("60 dB, 61~dB, 20 µPa, 21 $\\mu$Pa, 7 µm, 3 Np, 5 nF and 4 kW") ==
              "60 61 20 21 7 3 5 4 ");
+  BOOST_TEST(
+      found_in(
+          "37 °C, 38\\,°F, $39\\,^\\circ\\mathrm{C}$, $40^{\\circ}$, 41\\degree{} and $5\\%$") ==
+      "37 38 39 40 41 5 ");
+  BOOST_TEST(found_in("6 $\\mathrm{km}$, $7$ $\\text{km}$, 8 \\textrm{km}, 9\\,$\\Omega$, "
+                      "$10\\,\\Omega$, 11/d") == "6 7 8 9 10 11 ");
+  BOOST_TEST(found_in("$2\\Omega$, $f\\circ g$, 3/2, 1/e, 4 \\text{kings}") == "");
   BOOST_TEST(found_in("at 10 am, 3 as good, 2 us, 4 a day") == "");
   BOOST_TEST(found_in("row 2~of the table, 3~to 4~and 5\\,more") == "");
   BOOST_TEST(found_in("row 2 in the table, 3 Kings, 2 nodes, 4 nothing, $2\\,m$, 5 minus 3") == "");

@@ -24,7 +24,7 @@ Manifest some_manifest() {
           .outputs = {{"a.pdf", "22"}, {"b.tex", "33"}},
           .numbers = {{"count", {38, std::nullopt, "38"}},
                       {"lean", {1.5, 0.3, "1.5", 0, std::pair(0.2, 0.3)}},
-                      {"u", {2.385e-6, 3e-12, "2.385"}}},
+                      {"u", {2.385e-6, 3e-12, "2.385", 0, {}, "in"}}},
           .verdicts = {{"claim it-holds", "confirmed"}}};
 }
 
@@ -39,7 +39,10 @@ BOOST_AUTO_TEST_CASE(a_manifest_reads_back_as_it_was_written) {
   const std::string text = manifest_json(some_manifest());
   sys::write_file_atomically(scratch / "m.json", text);
 
-  BOOST_TEST(manifest_json(read_manifest(scratch / "m.json", "paper")) == text);
+  const Manifest read = read_manifest(scratch / "m.json", "paper");
+  BOOST_TEST(manifest_json(read) == text);
+  BOOST_TEST(read.numbers.at("u").unit.value() == "in");
+  BOOST_TEST(read.numbers.at("count").unit.value() == "");
 }
 
 BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
@@ -56,6 +59,7 @@ BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
   BOOST_TEST((numbers.at("lean").sides == std::pair(0.2, 0.3)));
   BOOST_TEST(numbers.at("u").number == 1.6236054e-6);
   BOOST_TEST(numbers.at("u").abs_error.value() == 3e-10);
+  BOOST_TEST(numbers.at("u").unit.value() == "in");
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_tables_and_verdicts_come_from_it_too) {
@@ -128,7 +132,7 @@ BOOST_AUTO_TEST_CASE(a_number_may_move_within_the_sum_of_the_two_errors) {
   ours.numbers["u"].number += 0.2e-12;
 
   BOOST_TEST(compare(theirs, ours).moved.size() == 1U);
-  BOOST_TEST(compare(theirs, ours).moved.front().starts_with("u: 2.385e-06 (2.385) there, "));
+  BOOST_TEST(compare(theirs, ours).moved.front().starts_with("u: 2.385e-06 (2.385 in) there, "));
 }
 
 BOOST_AUTO_TEST_CASE(a_number_may_move_to_a_side_by_the_bounds_to_that_side) {
@@ -141,6 +145,16 @@ BOOST_AUTO_TEST_CASE(a_number_may_move_to_a_side_by_the_bounds_to_that_side) {
   BOOST_TEST(compare(theirs, ours).moved.size() == 1U);
 }
 
+BOOST_AUTO_TEST_CASE(a_number_in_another_unit_is_another) {
+  Manifest other = some_manifest();
+  other.numbers["u"].unit = "cm";
+  BOOST_TEST(compare(some_manifest(), other).moved ==
+                 Lines{"u: 2.385e-06 (2.385 in) there, 2.385e-06 (2.385 cm) here"},
+             per_element());
+  other.numbers["u"].unit = {};  // as of an earlier version
+  BOOST_TEST(compare(some_manifest(), other).moved.empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_number_without_an_error_is_compared_as_printed) {
   const Manifest theirs = some_manifest();
   Manifest ours = some_manifest();
@@ -151,7 +165,7 @@ BOOST_AUTO_TEST_CASE(a_number_without_an_error_is_compared_as_printed) {
   ours.numbers.erase("u");
 
   BOOST_TEST(compare(theirs, ours).moved == (Lines{"count: 38 (38) there, 39 (39) here",
-                                                   "u: 2.385e-06 (2.385) there, none here"}),
+                                                   "u: 2.385e-06 (2.385 in) there, none here"}),
              per_element());
 }
 
