@@ -106,8 +106,7 @@ std::string changes_csv(const std::vector<Change>& changes) {
   return csv;
 }
 
-std::string changes_html(const std::vector<Change>& changes, const std::string& before,
-                         const std::string& after) {
+std::string changes_html(const std::vector<Change>& changes, const Compared& compared) {
   std::string rows;
   for (const Change& change : changes) {
     std::string places;
@@ -135,17 +134,22 @@ std::string changes_html(const std::vector<Change>& changes, const std::string& 
       "<th scope=\"col\">Before</th><th scope=\"col\">After</th>"
       "<th scope=\"col\">Printed in</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>\n</div>\n"
       "</body>\n</html>\n",
-      escape_html(before), escape_html(after), rows);
+      escape_html(compared.before), escape_html(compared.after), rows);
 }
 
-std::string answer_to_referees(const std::vector<Change>& changes,
+std::string answer_to_referees(const std::vector<Change>& changes, const Compared& compared,
                                const std::vector<Sentence>& sentences_before,
                                const std::vector<Sentence>& sentences_after) {
-  std::string text = "# Answer to the referees\n";
-  for (const Edit& edit : edits_between(sentences_before, sentences_after)) {
+  const auto edits = edits_between(sentences_before, sentences_after);
+  const auto n_results = std::ranges::count_if(changes, &Change::is_seen);
+  std::string text = fmt::format(
+      "# Answer to the referees\n\nBefore: {}. Now: {}. Places whose words are others: {}. Results "
+      "that a reader sees and that are others: {}.\n",
+      compared.before, compared.after, edits.size(), n_results);
+  for (const Edit& edit : edits) {
     const Sentence& first = edit.after.empty() ? edit.before.front() : edit.after.front();
-    text += fmt::format("\n## {}{}\n\n", place_of(first),
-                        edit.after.empty() ? " of the former version" : "");
+    text += fmt::format("\n## {}{}{}\n\n", first.heading, first.heading.empty() ? "" : ", ",
+                        place_of(first) + (edit.after.empty() ? " of the former version" : ""));
     if (!edit.before.empty()) text += "Before:\n\n" + quoted(edit.before) + "\n";
     if (!edit.after.empty()) text += "Now:\n\n" + quoted(edit.after) + "\n";
     text += "Why:\n";
@@ -162,6 +166,9 @@ std::string answer_to_referees(const std::vector<Change>& changes,
     numbers += "\n";
   }
   if (!numbers.empty()) text += "\n## Results that are others\n\n" + numbers;
+  if (!compared.reasons.empty())
+    text += "\n## Inputs and tools that are others (there: before, here: now)\n\n";
+  for (const std::string& reason : compared.reasons) text += "- " + reason + "\n";
   return text;
 }
 

@@ -16,14 +16,19 @@ std::string changes_text(const std::vector<Change>& changes);
 /// A row for each change and sentence: class, what, before, after, file, line.
 std::string changes_csv(const std::vector<Change>& changes);
 
-/// A page with one table. `before` and `after` say what was compared.
-std::string changes_html(const std::vector<Change>& changes, const std::string& before,
-                         const std::string& after);
+/// The two states.
+struct Compared {
+  std::string before, after;         ///< what they are called
+  std::vector<std::string> reasons;  ///< each tool or input that differs, a line each
+};
+
+/// A page with one table.
+std::string changes_html(const std::vector<Change>& changes, const Compared& compared);
 
 /// A skeleton in Markdown of the answer to the referees: each place at which the words are others,
-/// with the old and the new text, and after them the numbers that moved although nobody wrote a
-/// word. The author fills in the rest.
-std::string answer_to_referees(const std::vector<Change>& changes,
+/// with the old and the new text, after them the numbers that moved although nobody wrote a word,
+/// and the inputs and tools that are others. The author fills in the rest.
+std::string answer_to_referees(const std::vector<Change>& changes, const Compared& compared,
                                const std::vector<Sentence>& sentences_before,
                                const std::vector<Sentence>& sentences_after);
 

@@ -109,12 +109,14 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
   std::set<std::string> commands;
   for (const auto& [command, kind] : named_by) commands.insert(command);
   const std::vector<TexCommand> uses = commands_in(latex, commands);
+  const std::vector<TexCommand> headings =
+      commands_in(latex, {"chapter", "section", "subsection", "subsubsection"});
 
   constexpr std::string_view beginning = "\\begin{document}";
   const auto preamble = latex.find(beginning);
   std::size_t begin = preamble == std::string_view::npos ? 0 : preamble + beginning.size();
   std::vector<Sentence> sentences;
-  std::size_t n_used = 0;
+  std::size_t n_used = 0, n_headings = 0;
   for (const std::size_t end : ends_in(latex)) {
     if (end <= begin) continue;
     // The braces that closed what the sentence before stood in are none of this one.
@@ -127,6 +129,8 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
       if (uses[n_used].end < begin || is_left_out(uses[n_used].branches, flags)) continue;
       sentence.names.insert(named_by.at(uses[n_used].name) + " " + uses[n_used].argument);
     }
+    while (n_headings < headings.size() && headings[n_headings].end <= end) ++n_headings;
+    if (n_headings > 0) sentence.heading = headings[n_headings - 1].argument;
     const bool has_letter = std::ranges::any_of(sentence.latex, sys::is_letter);
     const bool is_environment =
         sentence.latex.starts_with("\\begin{") || sentence.latex.starts_with("\\end{");

@@ -17,7 +17,8 @@ struct Sentence {
   int last_line = 0;
   std::string latex;            ///< in one line, without comments
   std::set<std::string> names;  ///< that it prints: «value x», «table x», «figure x», «claim x»
-  std::string folder = {};      ///< what messages call the document's folder, if it is known
+  std::string heading = {};  ///< LaTeX, of the section that it stands in or begins with
+  std::string folder = {};   ///< what messages call the document's folder, if it is known
 };
 
 /// The file of a sentence as messages name it, «report/sections/a.tex», and its place there,

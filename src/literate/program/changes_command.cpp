@@ -34,13 +34,14 @@ sys::ExitCode compare(const ChangesOptions& options) {
                                : std::vector<Sentence>();
   const std::vector<Change> changes = changes_between(before, after, former, sentences);
 
+  const Compared compared{options.label, "the sources as they are", compare(before, after).reasons};
   const fs::path folder = options.output;
   sys::write_file_atomically(folder / "changes.csv", changes_csv(changes));
-  sys::write_file_atomically(folder / "changes.html",
-                             changes_html(changes, options.label, "the sources as they are"));
+  sys::write_file_atomically(folder / "changes.html", changes_html(changes, compared));
   // Without the former text only results can be told.
-  sys::write_file_atomically(folder / "answer.md",
-                             answer_to_referees(changes, has_text ? former : sentences, sentences));
+  sys::write_file_atomically(
+      folder / "answer.md",
+      answer_to_referees(changes, compared, has_text ? former : sentences, sentences));
   fmt::print("{}", changes_text(changes));
   if (changes.empty()) fmt::print("no value, text, table, figure, verdict or limit differs\n");
   return sys::ExitCode::success;

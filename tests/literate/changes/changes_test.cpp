@@ -214,16 +214,23 @@ BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {
 }
 
 BOOST_AUTO_TEST_CASE(the_answer_quotes_old_and_new_words_and_lists_what_moved) {
-  const auto before = literate::sentences_in("One. About half. Three.", "a.tex");
-  const auto now = literate::sentences_in("One. Nearly all of it. Three.", "a.tex");
+  const std::string section = "\\section{Size}One. ";
+  const auto before = literate::sentences_in(section + "About half. Three.", "a.tex");
+  const auto now = literate::sentences_in(section + "Nearly all of it. Three.", "a.tex");
   Manifest after = state();
   after.numbers["peak"].number = 11;
   after.numbers["peak"].printed = "11.0 psi";
-  const std::string answer = literate::answer_to_referees(changes_to(after), before, now);
-  BOOST_TEST(answer ==
-             "# Answer to the referees\n\n## a.tex:1\n\nBefore:\n\n> About half.\n\nNow:\n\n"
-             "> Nearly all of it.\n\nWhy:\n\n## Results that are others\n\n"
-             "- value peak: moved beyond its error, 11.0 psi, was 10.0 psi\n");
+  const std::string answer = literate::answer_to_referees(
+      changes_to(after), {"v1", "the sources as they are", {"case.toml: another content"}}, before,
+      now);
+  BOOST_TEST(
+      answer ==
+      "# Answer to the referees\n\nBefore: v1. Now: the sources as they are. Places whose "
+      "words are others: 1. Results that a reader sees and that are others: 1.\n\n## Size, "
+      "a.tex:1\n\nBefore:\n\n> About half.\n\nNow:\n\n"
+      "> Nearly all of it.\n\nWhy:\n\n## Results that are others\n\n"
+      "- value peak: moved beyond its error, 11.0 psi, was 10.0 psi\n\n## Inputs and tools that "
+      "are others (there: before, here: now)\n\n- case.toml: another content\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
