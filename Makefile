@@ -14,7 +14,7 @@
 #   KINDS=faults,interruptions,cases ONLY=text   faults: of what kind, and of which name
 #   ONLY=id          mutants, severity: this one alone
 #   EDITS=1          bench: what an author's edits cost, here and with knitr
-#   SUITES='bookworm trixie container'   fresh: on which
+#   DEPTH=bare       verify: the README's two commands on Debians that have nothing yet (as root; takes long), SUITES='bookworm trixie container'
 #   DO=task          course: which; its variables are told by 'make course'
 #   TIMEOUT=seconds  how long the computation, gnuplot or LaTeX may take before they are stopped; TIMEOUT= for any time
 #   V=1              show the commands
@@ -39,16 +39,14 @@ test: ## the everyday tests, which take a few minutes
 test-all: ## every test, also those that take minutes each; continuous integration runs this
 faults: ## breaks and interrupts the making of the report in every way known, and has the next make recover
 mutants: ## plants faults, each of which must turn a test or the report red
-verify: ## makes the report again elsewhere and asks for the same bytes; with DEPTH less, and a certificate
+verify: ## makes the report again elsewhere and asks for the same bytes; with DEPTH less and a certificate, or more
 bench: ## benchmarks, build/bench/bench.json
-fresh: ## the README's two commands on the smallest Debian, made by mmdebstrap (as root; takes long)
 
 #@ To teach
 course: ## the course: handouts, grading, results; without DO it lists the tasks
 
 #@ To keep house
-tidy: ## clang-tidy on every source
-format: ## clang-format on every source
+tidy: ## clang-format and clang-tidy on every source
 setup: ## installs what the targets behind it lack, and they are made: make setup report, make setup test
 clean: ## remove everything built
 help: ## this list

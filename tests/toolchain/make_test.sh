@@ -15,7 +15,7 @@ cd "$scratch/check out" || exit 1
 
 runs make help
 claim 'help succeeds' "$status" -eq 0
-for target in report halfspace html site dist figures watch check-report severity why test test-all faults mutants verify bench fresh course tidy format setup clean help; do
+for target in report halfspace html site dist figures watch check-report severity why test test-all faults mutants verify bench course tidy setup clean help; do
   claim "help tells what $target does" "$(says "make $target ")" = yes
 done
 for variable in CASE=file.toml NAME=name MANIFEST=file V=1; do

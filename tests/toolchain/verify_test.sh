@@ -11,7 +11,7 @@ claim 'it is said what is missing' "$(says "there is no manifest '$toy/build/rep
 claim 'nothing was compiled, nor even configured' ! -e "$toy/build/release"
 toy_make verify DEPTH=deep
 claim 'a depth that there is not ends with 2' "$status" -eq 2
-claim 'those that there are are named' "$(says 'DEPTH: there is no depth deep; it is traced, sampled or full')" = yes
+claim 'those that there are are named' "$(says 'DEPTH: there is no depth deep; it is traced, sampled, full or bare')" = yes
 claim 'nothing was made before' ! -e "$toy/build/release"
 
 toy_make verify
