@@ -342,7 +342,7 @@ void claim_program(Document& document, const ContactCase& c, const UnitSystem& u
                {LimitKind::choice, 1e-2, "less than a plot shows"}),
            Criterion::agrees("half-width of the contact over Hertz's",
                              Value(share, fixed(2)).within(rounded(c, share)), Value(1, exact()),
-                             Limit::theory("c/a", {{"c", input.spacing}, {"a", hertz.half_width()}},
+                             Limit::theory("𝑐/𝑎", {{"𝑐", input.spacing}, {"𝑎", hertz.half_width()}},
                                            "one element: an edge is only known to a node")),
            Criterion::at_most("departure of the pressure from Hertz's, as a share of the load",
                               Value({row.misfit, 4 * of_system}, percent(0)),

@@ -79,32 +79,28 @@ Cell near_zero_or(Estimate value, int n_decimals) {
   return value;
 }
 
-Limit small_loss() {
-  return {LimitKind::choice, 0.1, "a tenth, which a plot would show"};
-}
-
 // What sliding takes from the precision of the contact: how far it moves and widens, over its
 // half-width.
 Estimate loss_of(const CoupledSliding& exact, double half_width, double closed) {
   return {std::abs(exact.shift()) / half_width + exact.half_width() / half_width - 1, 3 * closed};
 }
 
-// The friction at which the loss is a tenth for |β| = ½, the greatest of any two materials with
-// ν ≥ 0; with s = 2|γ| it is s + 1/√(1 − s²) − 1, tan ½πs = |β|μ.
+// The friction at which the loss is just negligible for |β| = ½, the greatest of any two materials
+// with ν ≥ 0; with s = 2|γ| it is s + 1/√(1 − s²) − 1, tan ½πs = |β|μ.
 Estimate friction_of_small_loss() {
   constexpr double greatest_beta = 0.5;
   double low = 0;
   double high = 0.5;  // of s
   while (high - low > 1e-15) {
     const double s = (low + high) / 2;
-    (s + 1 / std::sqrt(1 - s * s) - 1 < small_loss().number() ? low : high) = s;
+    (s + 1 / std::sqrt(1 - s * s) - 1 < nearly_identical().number() ? low : high) = s;
   }
   return closed_form(std::tan(std::numbers::pi / 2 * low) / greatest_beta);
 }
 
 void claim_small_loss(Document& document, const std::vector<Criterion>& losses, double mu) {
   document.value("friction.mu-of-small-loss", Value(friction_of_small_loss(), fixed(2)));
-  document.value("friction.small-loss", Value(small_loss().number(), exact()));
+  document.value("friction.small-loss", Value(nearly_identical().number(), exact()));
   const Criterion each =
       Criterion::in_each("shift and widening of the contact, over its half-width",
                          "pairs of unlike materials", losses);
@@ -113,10 +109,12 @@ void claim_small_loss(Document& document, const std::vector<Criterion>& losses, 
       mu <= friction_of_small_loss().value || each.outcome() == literate::Outcome::holds;
   document.flag("friction.loss-is-small", is_small);
   document.claim("friction-small-loss",
-                 {.route = "shift and widening of the contact by the closed form for bodies that "
-                           "slide on one another; the sentence is taken to be one about where "
-                           "the contact lies and how wide it is, not about the pressure at a given "
-                           "place or the stresses beneath",
+                 {.route = fmt::format(
+                      "shift and widening of the contact by the closed form for bodies that slide "
+                      "on one another with μ = {}; the sentence is taken to be one about where the "
+                      "contact lies and how wide it is, not about the pressure at a given place or "
+                      "the stresses beneath",
+                      mu),
                   .expected = is_small                                     ? Verdict::confirmed
                               : each.outcome() == literate::Outcome::fails ? Verdict::refuted
                                                                            : Verdict::partly,
@@ -146,8 +144,8 @@ void compare_pairs(Document& document, const ContactCase& c, const FrictionCase&
                    near_zero_or(100 * Estimate{exact.half_width() / a - 1, 2 * closed}, 3)});
     // Bodies of one β lose nothing, whatever the friction.
     if (pair.beta != 0 || friction.pairs.empty())
-      losses.push_back(
-          Criterion::at_most("loss", Value(loss_of(exact, a, closed), percent(1)), small_loss()));
+      losses.push_back(Criterion::at_most("loss", Value(loss_of(exact, a, closed), percent(1)),
+                                          nearly_identical()));
     departure_of_ratio = std::max(departure_of_ratio, departure_from_beta_mu(pair, mu));
     const Estimate off = departure(exact, mu, first, second, pair.cylinders.relative_curvature());
     departure_of_exact.value = std::max(departure_of_exact.value, off.value);
@@ -181,13 +179,14 @@ void compare_pairs(Document& document, const ContactCase& c, const FrictionCase&
               {{"μ", mu}, {"c", own.solution.grid.spacing}, {"a", own.hertz.half_width()}},
               "the order of the elements"))},
       "the largest slope of the shear over that of the pressure is beta mu");
-  document.claim("sliding-in-closed-form",
-                 {.route = "eq. (2) for both bodies by quadrature, for every pair of materials listed",
-                  .expected = Verdict::confirmed,
-                  .criteria = {Criterion::at_most(
-                      "largest departure of the slope from −𝑥/𝑅, over 𝑎/𝑅",
-                      Value(departure_of_exact, scientific(1).rounded_up()),
-                      {LimitKind::choice, 1e-11, "what the quadrature loses at singular ends"})}});
+  document.claim(
+      "sliding-in-closed-form",
+      {.route = "eq. (2) for both bodies by quadrature, for every pair of materials listed",
+       .expected = Verdict::confirmed,
+       .criteria = {Criterion::at_most(
+           "largest departure of the slope from −𝑥/𝑅, over 𝑎/𝑅",
+           Value(departure_of_exact, scientific(1).rounded_up()),
+           {LimitKind::choice, 1e-11, "what the quadrature loses at singular ends"})}});
 }
 
 bool are_alike(const ContactCase& c) {

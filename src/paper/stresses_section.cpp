@@ -120,7 +120,7 @@ void compare_deep(Document& document, const PiecewiseLinearTraction& traction,
           "relative difference of the shear",
           Value(Estimate{relative, shear_error_of(solution)}, scientific(2)),
           Value(Estimate{expected, 1.5 * width_bound / (depth * depth)}, scientific(2)),
-          Limit::theory("(c/a)²(a/z)⁴", {{"c", solution.grid.spacing}, {"a", a}, {"z", depth * a}},
+          Limit::theory("(𝑐/𝑎)²(𝑎/𝑧)⁴", {{"𝑐", solution.grid.spacing}, {"𝑎", a}, {"𝑧", depth * a}},
                         "the next moment"))},
       "far below only the load and the second moment of the pressure are felt");
 }
