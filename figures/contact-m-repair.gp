@@ -30,7 +30,7 @@ do for [i = 1:n] {
   set xlabel (is_bottom ? '$x/a$' : '')
   set ylabel (is_left ? '$p/p_0$' : '')
   unset label
-  if (i == 1) { set label 1 'Hertz, $2P$' at -1.42,0.66 * top; set label 2 'Hertz, $P$' at -0.85,0.12 * top front }
+  if (i == 1) { set label 1 'Hertz, $2P$' at -1.42,0.66 * top; set label 2 'Hertz, $P$' at -0.97,0.12 * top front }
   if (largest[i] > top) { set label sprintf('peak $%.2f$', largest[i]) at 0.42,0.93 * top }
   plot hertz using "x":"pressure" with filledcurves y1=0 fc rgb shade, \
        hertz using (column("x") * own_half_width):(column("pressure") * own_p0) with lines ls 2, \
