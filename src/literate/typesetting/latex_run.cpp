@@ -47,11 +47,38 @@ fs::path in_build_dir(const TypesetOptions& options, const char* extension) {
   return options.build_dir / fs::path(options.main_file).filename().replace_extension(extension);
 }
 
+namespace {
+
+/// What LaTeX's recorder in a folder says; empty if it left nothing there.
+std::string recorded(const TypesetOptions& options, const fs::path& at) {
+  const fs::path recorder = at / fs::path(options.main_file).filename().replace_extension(".fls");
+  return fs::is_regular_file(recorder) ? sys::read_file(recorder) : "";
+}
+
+bool is_below(const fs::path& folder, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+bool was_made_here(const TypesetOptions& options, const fs::path& at) {
+  const fs::path source = fs::weakly_canonical(fs::absolute(options.source_dir));
+  const fs::path made = fs::weakly_canonical(fs::absolute(at));
+  const std::string text = recorded(options, at);
+  bool is_source = false, is_output = false;
+  for (const std::string_view line : sys::lines_of(text)) {
+    if (line.starts_with("PWD ")) is_source = fs::weakly_canonical(line.substr(4)) == source;
+    if (line.starts_with("OUTPUT ")) {
+      is_output = is_output || is_below(made, fs::weakly_canonical(source / line.substr(7)));
+    }
+  }
+  return is_source && is_output;
+}
+
 std::set<std::string> files_read(const TypesetOptions& options, const fs::path& at) {
   std::set<std::string> files;
-  const fs::path recorder = at / fs::path(options.main_file).filename().replace_extension(".fls");
-  if (!fs::is_regular_file(recorder)) return files;
-  const std::string text = sys::read_file(recorder);
+  const std::string text = recorded(options, at);
   for (std::string_view line : sys::lines_of(text)) {
     if (!line.starts_with("INPUT ")) continue;
     line.remove_prefix(6);
@@ -77,11 +104,6 @@ std::vector<fs::path> tex_folders() {
     folders.push_back(fs::weakly_canonical(sys::stripped(name)));
   }
   return folders;
-}
-
-bool is_below(const fs::path& folder, const fs::path& file) {
-  const fs::path relative = file.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
 }
 
 /// Fonts are no files of an author, and may lie elsewhere.
@@ -122,7 +144,10 @@ void require_read_within(const TypesetOptions& options) {
     if (!folder.empty()) known.push_back(fs::weakly_canonical(fs::absolute(folder)));
   }
   std::set<std::string> files = files_read(options, options.build_dir);
-  files.merge(files_read(options, preamble_dir(options)));
+  // A format that came with its folder from elsewhere names files of there.
+  if (was_made_here(options, preamble_dir(options))) {
+    files.merge(files_read(options, preamble_dir(options)));
+  }
   std::vector<std::string> errors;
   for (const std::string& file : files) {
     const fs::path path = fs::weakly_canonical(fs::absolute(options.source_dir) / file);

@@ -42,6 +42,10 @@ std::map<std::string, std::string> latex_environment(const TypesetOptions& optio
 /// A file that LaTeX makes of the document, by its extension such as ".log".
 std::filesystem::path in_build_dir(const TypesetOptions& options, const char* extension);
 
+/// Whether what LaTeX left in the folder `at` was made there and of this document: its recorder
+/// names both. After a move it names the former places.
+bool was_made_here(const TypesetOptions& options, const std::filesystem::path& at);
+
 /// The files that LaTeX read and wrote itself, by their names from the document's folder on, as its
 /// recorder in the folder `at` tells; none if it left nothing there.
 std::set<std::string> files_read(const TypesetOptions& options, const std::filesystem::path& at);

@@ -269,7 +269,7 @@ Typeset typeset(const TypesetOptions& options) {
   // Begin from what the last run left only if it ended well, and once from nothing before an error
   // is told, since what is left may be the cause of it.
   const LatexFolder folder(options);
-  const bool is_from_nothing = !folder.is_as_left();
+  const bool is_from_nothing = !folder.is_as_left() || !was_made_here(options, options.build_dir);
   const auto begin_from_nothing = [&] {
     folder.clear();
     fs::remove_all(at_width_dir(options));  // one of these figures may be what LaTeX stopped at
