@@ -50,11 +50,17 @@ void require_one_unit(const std::string& place, const Value& computed, const Val
 }
 
 /// The difference of two quantities of one unit.
+bool is_exact(const Measured& number) {
+  return number.standard() == 0 && number.bounded().abs_error == 0;
+}
+
+/// Of exact numbers the difference is that of the decimal numbers that are printed.
 Measured difference_between(const std::string& place, const Value& computed, const Value& stated) {
   const Measured c = require_measured(place, computed);
   const Measured s = require_measured(place, stated);
   require_one_unit(place, computed, stated);
-  return c - s;
+  if (!is_exact(c) || !is_exact(s)) return c - s;
+  return Measured::bounded({decimal_difference(c.value(), s.value()), 0});
 }
 
 /// How many standard uncertainties count; of a quantity that has none it does not matter.
@@ -330,7 +336,10 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   if (!(std::abs(s.value()) > s.bounded().abs_error + s.standard())) {
     throw std::invalid_argument(place + ": a relative difference from zero");
   }
-  const Measured apart = magnitude(c / s - 1);
+  const Measured apart =
+      magnitude(is_exact(c) && is_exact(s)
+                    ? Measured::bounded({decimal_relative_difference(c.value(), s.value()), 0})
+                    : c / s - 1);
   const Estimate tested = counted(place, apart, tolerance);
   Criterion criterion(std::move(name), std::move(computed), std::move(tolerance));
   const double off = tested.value;

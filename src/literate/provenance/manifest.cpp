@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "literate/values/decimal.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 
@@ -163,7 +164,8 @@ double bounds_between(const ManifestNumber& a, const ManifestNumber& b) {
   const auto above = [](const ManifestNumber& n) {
     return n.sides ? n.sides->second : *n.abs_error;
   };
-  return is_below ? above(a) + below(b) : below(a) + above(b);
+  const auto sum = [](double one, double other) { return decimal_difference(one, -other); };
+  return is_below ? sum(above(a), below(b)) : sum(below(a), above(b));
 }
 
 bool have_other_units(const ManifestNumber& a, const ManifestNumber& b) {
@@ -173,7 +175,7 @@ bool have_other_units(const ManifestNumber& a, const ManifestNumber& b) {
 bool agree(const ManifestNumber& a, const ManifestNumber& b) {
   if (have_other_units(a, b)) return false;
   if (!a.abs_error || !b.abs_error) return a.printed == b.printed;
-  return std::abs(a.number - b.number) <= bounds_between(a, b);
+  return std::abs(decimal_difference(a.number, b.number)) <= bounds_between(a, b);
 }
 
 Manifest::Texts imported_files(const fs::path& names_json) {

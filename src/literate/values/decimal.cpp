@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -97,6 +99,44 @@ Decimal shortest(double value) {
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
                                  std::chars_format::scientific);
   return with_sign_of(value, {buffer.data(), end.ptr});
+}
+
+namespace {
+
+using Integer = boost::multiprecision::cpp_int;
+
+Integer power_of_ten(int exponent) {
+  return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent));
+}
+
+/// The number in units of 10^place, which is not above the place of its last digit.
+Integer in_units_of(const Decimal& number, int place) {
+  const Integer magnitude = Integer(number.digits) * power_of_ten(number.place - place);
+  return number.negative ? Integer(-magnitude) : magnitude;
+}
+
+/// The double nearest to the number of units of 10^place.
+double number_of_units(const Integer& units, int place) {
+  return number_of({.negative = units < 0, .digits = Integer(abs(units)).str(), .place = place});
+}
+
+}  // namespace
+
+double decimal_difference(double a, double b) {
+  const Decimal from = shortest(a), what = shortest(b);
+  const int place = std::min(from.place, what.place);
+  return number_of_units(in_units_of(from, place) - in_units_of(what, place), place);
+}
+
+double decimal_relative_difference(double a, double b) {
+  const Decimal over = shortest(a), under = shortest(b);
+  const int place = std::min(over.place, under.place);
+  const Integer below = in_units_of(under, place);
+  const Integer above = in_units_of(over, place) - below;
+  // With so many digits behind the point the quotient is rounded as its double is.
+  const int n_digits =
+      40 + std::max(0, static_cast<int>(below.str().size()) - static_cast<int>(above.str().size()));
+  return number_of_units(above * power_of_ten(n_digits) / below, -n_digits);
 }
 
 void require_held(const std::string& not_held, std::string_view text) {

@@ -30,7 +30,13 @@ Decimal rounded_up_to_digits(double value, int n_digits);
 /// Returns the fewest digits that read back as the same double.
 Decimal shortest(double value);
 
-/// A whole number of ±2^53 or beyond, of which there may be no double, as text; empty for any other.
+/// a − b, and a/b − 1, of the decimal numbers that print as these doubles, rounded once: 2.6 − 2.5
+/// is 0.1, and 110/100 − 1 is 0.1, which they are not as doubles. `b` of the latter is not 0.
+double decimal_difference(double a, double b);
+double decimal_relative_difference(double a, double b);
+
+/// A whole number of ±2^53 or beyond, of which there may be no double, as text; empty for any
+/// other.
 template <std::integral Integer>
 std::string not_held(Integer number) {
   constexpr std::int64_t most = std::int64_t{1} << 53;

@@ -141,6 +141,26 @@ BOOST_AUTO_TEST_CASE(quantity_relation_limit_and_kind_are_printed) {
   BOOST_TEST(with_unit.reason() == "choice: the load of eq. (4)");
 }
 
+BOOST_AUTO_TEST_CASE(exact_numbers_are_compared_as_the_decimal_numbers_that_they_are) {
+  // As doubles 2.6 − 2.5, 110/100 − 1 and 33/30 − 1 are above 0.1, and 0.3 − 0.2 is below it.
+  const Limit tenth{LimitKind::data, 0.1, "the tenth"};
+  const auto held = [](const Criterion& criterion) {
+    return criterion.outcome() == Outcome::holds;
+  };
+  for (const auto& [a, b] : {std::pair{2.6, 2.5}, {1.2, 1.1}, {0.3, 0.2}, {0.8, 0.7}}) {
+    const Value one(a, exact(), "m"), other(b, exact(), "m");
+    BOOST_TEST(held(Criterion::agrees("level", one, other, tenth)), a);
+    BOOST_TEST(held(Criterion::differs("level", one, other, tenth)), a);
+  }
+  for (const auto& [a, b] : {std::pair{110.0, 100.0}, {33.0, 30.0}, {1.1, 1.0}, {0.9, 1.0}}) {
+    BOOST_TEST(held(Criterion::agrees_relatively("n", Value(a, exact()), Value(b, exact()), tenth)),
+               a);
+  }
+  const Limit less{LimitKind::data, 0.0999, "less than a tenth"};
+  BOOST_TEST(
+      !held(Criterion::agrees_relatively("n", Value(110, integer()), Value(100, integer()), less)));
+}
+
 BOOST_AUTO_TEST_CASE(agreement_is_the_difference_with_both_errors) {
   const auto agrees = [](double computed, double error_of_stated) {
     return Criterion::agrees("ratio", Value({computed, 1e-7}, fixed(6)),

@@ -135,6 +135,13 @@ BOOST_AUTO_TEST_CASE(a_number_may_move_within_the_sum_of_the_two_errors) {
   BOOST_TEST(compare(theirs, ours).moved.front().starts_with("u: 2.385e-06 (2.385 in) there, "));
 }
 
+BOOST_AUTO_TEST_CASE(a_number_that_moves_by_just_both_errors_agrees) {
+  Manifest theirs = some_manifest(), ours = some_manifest();
+  theirs.numbers["u"] = {2.5, 0.05, "2.50"};
+  ours.numbers["u"] = {2.6, 0.05, "2.60"};  // as doubles they are farther apart than 0.1
+  BOOST_TEST(compare(theirs, ours).moved.empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_number_may_move_to_a_side_by_the_bounds_to_that_side) {
   const Manifest theirs = some_manifest();
   Manifest ours = some_manifest();
