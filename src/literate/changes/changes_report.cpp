@@ -126,10 +126,10 @@ std::string changes_html(const std::vector<Change>& changes, const Compared& com
       "th,td{{text-align:left;vertical-align:top;padding:.3rem .6rem;border-bottom:1px solid #999}}"
       "div{{overflow-x:auto}}</style>\n</head>\n<body>\n<h1>What changed</h1>\n"
       "<p>Before: {}. After: {}.</p>\n"
-      "<p>A number moved beyond its error if it moved by more than both errors together. Other "
-      "digits "
-      "only are the same number printed in another way. Other data only belong to a figure that is "
-      "drawn as before.</p>\n<div tabindex=\"0\" role=\"region\" aria-label=\"Changes\">\n"
+      "<p>A number moved beyond its error if it moved by more than both errors together. "
+      "Other digits only are the same number printed in another way. Other data only belong to a "
+      "figure that is drawn as before.</p>\n<div tabindex=\"0\" role=\"region\" "
+      "aria-label=\"Changes\">\n"
       "<table>\n<thead><tr><th scope=\"col\">Class</th><th scope=\"col\">What</th>"
       "<th scope=\"col\">Before</th><th scope=\"col\">After</th>"
       "<th scope=\"col\">Printed in</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>\n</div>\n"
@@ -141,11 +141,15 @@ std::string answer_to_referees(const std::vector<Change>& changes, const Compare
                                const std::vector<Sentence>& sentences_before,
                                const std::vector<Sentence>& sentences_after) {
   const auto edits = edits_between(sentences_before, sentences_after);
-  const auto n_results = std::ranges::count_if(changes, &Change::is_seen);
-  std::string text = fmt::format(
-      "# Answer to the referees\n\nBefore: {}. Now: {}. Places whose words are others: {}. Results "
-      "that a reader sees and that are others: {}.\n",
-      compared.before, compared.after, edits.size(), n_results);
+  std::string text = fmt::format("# Answer to the referees\n\nBefore: {}. Now: {}.\n",
+                                 compared.before, compared.after);
+  text += compared.has_words
+              ? fmt::format("Places at which the author's words are others: {}.\n", edits.size())
+              : "The former words are not known.\n";
+  text += compared.has_results
+              ? fmt::format("Results that a reader sees and that are others: {}.\n",
+                            std::ranges::count_if(changes, &Change::is_seen))
+              : "The results could not be compared.\n";
   for (const Edit& edit : edits) {
     const Sentence& first = edit.after.empty() ? edit.before.front() : edit.after.front();
     text += fmt::format("\n## {}{}{}\n\n", first.heading, first.heading.empty() ? "" : ", ",

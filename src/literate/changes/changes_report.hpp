@@ -20,6 +20,8 @@ std::string changes_csv(const std::vector<Change>& changes);
 struct Compared {
   std::string before, after;         ///< what they are called
   std::vector<std::string> reasons;  ///< each tool or input that differs, a line each
+  bool has_words = true;             ///< whether the former text is known
+  bool has_results = true;           ///< whether the former results are
 };
 
 /// A page with one table.

@@ -21,6 +21,23 @@ struct ChangesOptions {
   std::string project, before, after, document_before, document, label, output;
 };
 
+/// The inputs and tools that differ. A project that brings the engine itself has one commit for
+/// both, and its own changes are none of the engine.
+std::vector<std::string> reasons_beside_its_own_engine(const Manifest& before,
+                                                       const Manifest& after) {
+  const auto brings_engine = [](const Manifest& manifest) {
+    const auto sources = manifest.facts.find("sources"), engine = manifest.facts.find("engine");
+    return sources != manifest.facts.end() && engine != manifest.facts.end() &&
+           sources->second.contains("commit") && engine->second.contains("engine commit") &&
+           sources->second.at("commit") == engine->second.at("engine commit");
+  };
+  std::vector<std::string> reasons = compare(before, after).reasons;
+  if (brings_engine(before) && brings_engine(after)) {
+    std::erase_if(reasons, [](const std::string& line) { return line.starts_with("engine "); });
+  }
+  return reasons;
+}
+
 sys::ExitCode compare(const ChangesOptions& options) {
   const Manifest before = read_manifest(options.before, options.project);
   const Manifest after = read_manifest(options.after, options.project);
@@ -34,7 +51,12 @@ sys::ExitCode compare(const ChangesOptions& options) {
                                : std::vector<Sentence>();
   const std::vector<Change> changes = changes_between(before, after, former, sentences);
 
-  const Compared compared{options.label, "the sources as they are", compare(before, after).reasons};
+  // The results of a state that cannot be made are told by giving the present ones twice.
+  const Compared compared{.before = options.label,
+                          .after = "the sources as they are",
+                          .reasons = reasons_beside_its_own_engine(before, after),
+                          .has_words = has_text,
+                          .has_results = options.before != options.after};
   const fs::path folder = options.output;
   sys::write_file_atomically(folder / "changes.csv", changes_csv(changes));
   sys::write_file_atomically(folder / "changes.html", changes_html(changes, compared));

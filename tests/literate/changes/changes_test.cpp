@@ -225,12 +225,22 @@ BOOST_AUTO_TEST_CASE(the_answer_quotes_old_and_new_words_and_lists_what_moved) {
       now);
   BOOST_TEST(
       answer ==
-      "# Answer to the referees\n\nBefore: v1. Now: the sources as they are. Places whose "
-      "words are others: 1. Results that a reader sees and that are others: 1.\n\n## Size, "
+      "# Answer to the referees\n\nBefore: v1. Now: the sources as they are.\nPlaces at which the "
+      "author's words are others: 1.\nResults that a reader sees and that are others: 1.\n\n## "
+      "Size, "
       "a.tex:1\n\nBefore:\n\n> About half.\n\nNow:\n\n"
       "> Nearly all of it.\n\nWhy:\n\n## Results that are others\n\n"
       "- value peak: moved beyond its error, 11.0 psi, was 10.0 psi\n\n## Inputs and tools that "
       "are others (there: before, here: now)\n\n- case.toml: another content\n");
+}
+
+BOOST_AUTO_TEST_CASE(an_answer_counts_nothing_that_was_not_compared) {
+  const std::string answer = literate::answer_to_referees(
+      {}, {.before = "v1", .after = "now", .reasons = {}, .has_words = false, .has_results = false},
+      {}, {});
+  BOOST_TEST(answer ==
+             "# Answer to the referees\n\nBefore: v1. Now: now.\nThe former words are not known.\n"
+             "The results could not be compared.\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
