@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_manifest_from_elsewhere_is_compared_by_bytes_then_by_numb
   BOOST_TEST(holds(compared().output, "compiler: GNU 99 there, "));
   manifest["numbers"]["cylinders.approach"] = {{"number", 2.385}, {"printed", "2.4"}};
   BOOST_TEST(compared().status == 1);
-  BOOST_TEST(holds(compared().errors, "moved: cylinders.approach: 2.385 (2.4 "));
+  BOOST_TEST(holds(compared().errors, "moved: cylinders.approach: 2.385 (2.4 mm) there, "));
   manifest["project"] = "other";
   folder.write("theirs.json", manifest.dump());
   check_refused(2, report.stage("typeset") + Words{"--against", theirs},
