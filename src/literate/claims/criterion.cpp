@@ -321,8 +321,8 @@ Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limi
   // Whether counts are equal can be seen; of other numbers the printed digits may be the same.
   const bool is_seen = tolerated == 0 && difference.format()->notation() == Notation::exact;
   criterion.found_ = is_seen ? phrase("{}", quantity)
-                             : agreement_phrase(quantity, stated, difference, tolerated,
-                                                Distance::absolute, k_of(criterion.limit_));
+                             : apart_phrase(quantity, stated, difference, tolerated, Side::at_most,
+                                            Distance::absolute, k_of(criterion.limit_));
   criterion.decide(tested, true, quantity, place);
   return criterion;
 }
@@ -346,16 +346,16 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   constexpr int n_digits = 2;
   const Value difference(apart, relative(significant(n_digits), off + tested.abs_error));
   criterion.found_ =
-      agreement_phrase(criterion.quantity_, stated, difference, criterion.limit_.number(),
-                       Distance::relative, k_of(criterion.limit_));
+      apart_phrase(criterion.quantity_, stated, difference, criterion.limit_.number(),
+                   Side::at_most, Distance::relative, k_of(criterion.limit_));
   criterion.condition_ = phrase("within {} of {}", relative(criterion.limit_.number()), stated);
   criterion.limit_phrase_ = at_most_in_signs(relative(criterion.limit_.number()));
   criterion.decide(tested, true, Value(0, exact().in_percent()), place);
   if (criterion.outcome_ == Outcome::undecided) {
     // The error, which says why, stands behind it.
-    criterion.found_ = agreement_phrase(
+    criterion.found_ = apart_phrase(
         criterion.quantity_, stated, relative(number_of(rounded_to_digits(off, n_digits))),
-        criterion.limit_.number(), Distance::relative, k_of(criterion.limit_));
+        criterion.limit_.number(), Side::at_most, Distance::relative, k_of(criterion.limit_));
   }
   return criterion;
 }
@@ -376,12 +376,12 @@ Criterion Criterion::differs(std::string name, Value computed, Value stated, Lim
   criterion.decide(tested, false, quantity, place);
   // Two equal numbers without an error do not differ, although their difference is at least 0.
   if (is_any && tested.value == 0 && tested.abs_error == 0) criterion.outcome_ = Outcome::fails;
-  const Phrase by = criterion.outcome_ == Outcome::undecided
-                        ? undecided_phrase(difference, criterion.limit_.number(), Side::at_least,
-                                           k_of(criterion.limit_))
-                        : found_phrase(difference, criterion.limit_.number(), Side::at_least,
-                                       k_of(criterion.limit_));
-  criterion.found_ = phrase("{}, {} from {}", quantity, by, stated);
+  const double wanted = criterion.limit_.number(), k = k_of(criterion.limit_);
+  criterion.found_ = criterion.outcome_ == Outcome::undecided
+                         ? phrase("{}, {} from {}", quantity,
+                                  undecided_phrase(difference, wanted, Side::at_least, k), stated)
+                         : apart_phrase(quantity, stated, difference, wanted, Side::at_least,
+                                        Distance::absolute, k);
   return criterion;
 }
 

@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "system/decimal.hpp"
+
 namespace literate {
 namespace {
 
@@ -40,6 +42,10 @@ class Reader {
     return true;
   }
 
+  bool begins_with_number() const {
+    return !rest_.empty() && (sys::is_digit(rest_.front()) || rest_.front() == '.');
+  }
+
   double sum() {
     double number = product();
     for (;;) {
@@ -60,6 +66,8 @@ class Reader {
     for (;;) {
       const bool divides = take("/");
       const bool has_sign = divides || take("·");
+      // «1 000 a» is no thousand, and «1.5.2» no number.
+      if (!has_sign && begins_with_number()) fail("a · is missing before a number");
       next = power();
       if (!next && has_sign) fail("a factor is missing");
       if (!next) return number;

@@ -166,21 +166,22 @@ Phrase undecided_phrase(const Value& quantity, double limit, Side side, double k
   return is_lost ? found_phrase(quantity, limit, side, k) : phrase("{}", with_error(quantity));
 }
 
-Phrase agreement_phrase(const Value& computed, const Value& stated, const Value& difference,
-                        double tolerance, Distance distance, double k) {
-  const bool agrees = *difference.number() <= tolerance;
+Phrase apart_phrase(const Value& computed, const Value& stated, const Value& difference,
+                    double limit, Side side, Distance distance, double k) {
+  const bool is_allowed_itself = is_allowed(*difference.number(), limit, side);
   // Where a difference is less than its error, a reader is told how far it may be from nothing.
   const bool is_lost = *difference.number() < counted(difference, k).abs_error;
-  const double limit = is_lost && !agrees ? std::numeric_limits<double>::infinity() : tolerance;
-  const Printed apart = found_print(difference, limit, Side::at_most, k);
+  const bool is_beyond = is_lost && *difference.number() > limit;
+  const Printed apart =
+      found_print(difference, is_beyond ? std::numeric_limits<double>::infinity() : limit, side, k);
   const auto sentence = [&](const Value& from, const Value& to, const Printed& by) {
     const bool is_told = distance == Distance::absolute || difference.is_percentage();
     return phrase(is_told ? "{}, {} from {}" : "{}, relatively {} from {}", from, by.phrase, to);
   };
   const auto reads_true = [&](const Value& from, const Value& to) {
     const double seen = distance_of(from, to, distance);
-    if ((seen <= tolerance) != agrees && !is_lost) return false;
-    return seen == 0 ||
+    if (is_allowed(seen, limit, side) != is_allowed_itself && !is_lost) return false;
+    return (seen == 0 && side == Side::at_most) ||
            (apart.least < seen && (seen < apart.most || (is_lost && seen <= apart.most)));
   };
   if (reads_true(computed, stated)) return sentence(computed, stated, apart);

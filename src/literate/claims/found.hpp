@@ -57,11 +57,12 @@ enum class Distance { absolute, relative };
 /// «0.2999, 1.0e-4 from 0.3»: two numbers and how far they are apart.
 ///
 /// What is printed is consistent: the difference of the two printed numbers is the printed
-/// difference, as far as that is rounded, and lies on the same side of the tolerance as what was
-/// tested. Only two numbers that are printed alike may differ by less than their digits show. Where
+/// difference, as far as that is rounded, and lies on the same side of the limit as what was
+/// tested. Only two numbers that agree and are printed alike may differ by less than their digits
+/// show. Where
 /// the digits of the formats contradict this, more of them are printed, and the errors where these
 /// support no more. The difference comes with its error.
-Phrase agreement_phrase(const Value& computed, const Value& stated, const Value& difference,
-                        double tolerance, Distance distance, double k = 1);
+Phrase apart_phrase(const Value& computed, const Value& stated, const Value& difference,
+                    double limit, Side side, Distance distance, double k = 1);
 
 }  // namespace literate

@@ -14,16 +14,6 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
-std::string without_blanks_and_comments(const std::string& text) {
-  std::string code;
-  for (const std::string_view line : sys::lines_of(text)) {
-    for (const char c : line.substr(0, line.find("//"))) {
-      if (c != ' ' && c != '\t' && c != '\r') code += c;
-    }
-  }
-  return code;
-}
-
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -56,8 +46,7 @@ std::string digest_of_code(const fs::path& root, const std::vector<std::string>&
   std::ranges::sort(files);
   std::string lines;
   for (const std::string& file : files) {
-    lines += sys::sha256_of_text(without_blanks_and_comments(sys::read_file(root / file))) + "  " +
-             file + "\n";
+    lines += sys::sha256_of_text(sys::read_file(root / file)) + "  " + file + "\n";
   }
   return sys::sha256_of_text(lines);
 }

@@ -18,8 +18,8 @@ struct Severity {
   std::string text_of(const std::string& claim) const;
 };
 
-/// SHA-256 of files, and of all files below folders, as named from `root` on. Blanks and what
-/// follows // in a line do not count, since they compute nothing. Throws sys::OutputError.
+/// SHA-256 of files, and of all files below folders, as named from `root` on. Comments and blanks
+/// count: which of them compute nothing depends on the language. Throws sys::OutputError.
 std::string digest_of_code(const std::filesystem::path& root,
                            const std::vector<std::string>& names);
 

@@ -26,8 +26,11 @@ const std::set<std::string_view> formed_environments = {
     "tabular", "tabular*", "tabularx", "array", "minipage", "multicols", "alignat", "alignat*"};
 const std::set<std::string_view> upright_commands = {"mathrm", "text", "textrm", "textup",
                                                      "mbox",   "unit", "mathup", "operatorname"};
-const std::set<std::string_view> quantity_commands = {"qty", "SI"};
-const std::set<std::string_view> unit_signs = {"circ", "degree", "celsius", "Omega", "ohm"};
+const std::set<std::string_view> quantity_commands = {"qty", "SI", "ang"};
+const std::set<std::string_view> unit_signs = {
+    "circ",        "degree",   "celsius",        "Omega",  "ohm",
+    "AA",          "angstrom", "prime",          "textmu", "textdegree",
+    "textcelsius", "textohm",  "textperthousand"};
 
 /// Environments whose options say where they stand.
 const std::set<std::string_view> placed_environments = {"figure", "figure*", "table", "table*"};

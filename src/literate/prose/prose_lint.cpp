@@ -26,7 +26,7 @@ const sys::Pattern& unit() {
   static const sys::Pattern pattern(
       R"re(^(\s|~|\\[,;: ]|[{}]|-|\$\s+\$)*)re"
       R"re((\\%|per ?cent\b|((µ|μ)[A-Za-z]*|°[CF]?|[mkMG]?Pa|[mkM]?N|[numcdk]?m|[mk]?g|[npm]?s|[kMGT]?Hz|dB|[kMG]B)re"
-      R"re(|[mkM]?J|[mkMG]W|[mkM]V|mA|[kMG]?Ω|[np]F|m[HT]|Np|lbf|lb|psi|ksi)re"
+      R"re(|[mkM]?J|[mkMG]W|[kMGT]?Wh|[mkM]V|mA|m?Ah|[kMG]?Ω|[np]F|m[HT]|Np|lbf|lb|psi|ksi)re"
       R"re(|min|h|ft|rad|mrad|K|[kMG]?eV|m?bar|m?mol|ml|pounds?|inch(es)?|feet|degrees?)re"
       R"re(|(milli|centi|kilo)?met(re|er)s?|seconds?|minutes?|hours?|days?|weeks?|years?|newtons?|pascals?)(?![A-Za-z])))re");
   return pattern;
@@ -76,9 +76,9 @@ bool begins_with_unit(std::string_view text) {
 bool has_unit(const Surroundings& around) {
   static const sys::Pattern quantity("\x02[\\s{]*-?$");
   static const sys::Pattern end_of_math(R"(^[\s}]*\$)");
-  // 5\%, 90^\circ, 3\,\Omega, 3 $\Omega$, but not 2\Omega
+  // 5\%, 12$'$, 90^\circ, 3\,\Omega, 3 $\Omega$, but not 2\Omega
   static const sys::Pattern sign(
-      "^[\\s}]*(\\\\%|((\\s|~|\\\\[,;: ]|[{}$])*\\^[\\s{]*|(\\s|~|\\\\[,;: ]|[{}$])+)\x04)");
+      "^[\\s}]*(\\$\\s*'|\\\\%|((\\s|~|\\\\[,;: ]|[{}$])*\\^[\\s{]*|(\\s|~|\\\\[,;: ]|[{}$])+)\x04)");
   static const sys::Pattern upright("^(\\s|~|\\\\[,;: ]|[{}$])*\x01\\s*\\{");
   static const sys::Pattern per_unit("^/(s|min|h|d|cm|mm|km|kg|mol)(?![A-Za-z])");
   if (quantity.is_in(around.before) || sign.is_in(around.after)) return true;
@@ -89,6 +89,7 @@ bool has_unit(const Surroundings& around) {
   if (around.mode == TexMode::text) {
     return begins_with_unit(around.after) || per_unit.is_in(around.after);
   }
+  if (around.after.starts_with('\'')) return true;  // minutes of arc
   const auto end = end_of_math.find_in(around.after);
   return end && begins_with_unit(end->rest);
 }

@@ -61,26 +61,43 @@ bool is_space(char c) {
   return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '\f';
 }
 
-/// A letter of the text without white space, with its line.
+/// What stands between a letter and the one before it. A line that ends behind a dash or a slash
+/// may break a word or not.
+enum class Gap { none, blank, either };
+
+/// A letter of the text, which is no white space, with its line.
 struct Letter {
   char c;
   std::size_t at;  // its byte in the text
   int line;
   bool may_be_missing;  // a hyphen at the end of a line
+  Gap before;
 };
 
 std::vector<Letter> letters_of(std::string_view text) {
   std::vector<Letter> letters;
   int line = 1;
+  Gap gap = Gap::none;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!is_space(text[i])) {
       const auto next = text.find_first_not_of(" \t\r", i + 1);
       const bool ends_line = next == std::string_view::npos || text[next] == '\n';
-      letters.push_back({text[i], i, line, text[i] == '-' && ends_line});
+      letters.push_back({text[i], i, line, text[i] == '-' && ends_line, gap});
+      gap = Gap::none;
+    } else if (gap != Gap::either) {
+      const std::string_view before = text.substr(0, i);
+      const bool may_break_word = before.ends_with('-') || before.ends_with('/') ||
+                                  before.ends_with("–") || before.ends_with("—");
+      gap = may_break_word && text.find_first_not_of(" \t\r", i) == text.find('\n', i) ? Gap::either
+                                                                                       : Gap::blank;
     }
     if (text[i] == '\n') ++line;
   }
   return letters;
+}
+
+bool are_alike(Gap one, Gap other) {
+  return one == other || one == Gap::either || other == Gap::either;
 }
 
 /// How many of the words' letters stand in the text from a place on, and where that ends.
@@ -91,10 +108,17 @@ struct Match {
 
 Match match_at(const std::vector<Letter>& words, const std::vector<Letter>& text, std::size_t at) {
   Match match{0, at};
+  bool breaks_word = false;  // at a hyphen that only the end of its line needs
   while (match.n_letters < words.size() && match.end < text.size()) {
-    if (words[match.n_letters].c == text[match.end].c) {
+    const Letter& word = words[match.n_letters];
+    const Letter& there = text[match.end];
+    const Gap gap = breaks_word ? Gap::none : there.before;
+    if (word.c == there.c && (match.n_letters == 0 || are_alike(word.before, gap))) {
       ++match.n_letters;
-    } else if (!text[match.end].may_be_missing) {
+      breaks_word = false;
+    } else if (there.may_be_missing) {
+      breaks_word = true;
+    } else {
       break;
     }
     ++match.end;

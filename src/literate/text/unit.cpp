@@ -27,6 +27,7 @@ using SignAndLatex = std::pair<std::string_view, std::string_view>;
 /// The longer of two signs with the same beginning comes first, and the sign that is printed before
 /// its twins.
 constexpr auto unit_signs = std::to_array<SignAndLatex>({
+    {" ", "\\ "},  // of what stands in braces, and before the blanks of the other commands
     {"°C", "\\degreeCelsius "},
     {"°", "\\degree "},
     {"µ", "\\micro "},  // micro sign

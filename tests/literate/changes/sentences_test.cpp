@@ -70,6 +70,15 @@ BOOST_AUTO_TEST_CASE(a_sentence_knows_its_lines_and_what_it_prints) {
   BOOST_TEST(sentences[2].names.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_sentence_knows_the_heading_above_it) {
+  const auto sentences =
+      sentences_in("Before.\n\\section{One}\nFirst.\n\\subsection{Two}\nSecond.\n", "a.tex");
+  BOOST_TEST_REQUIRE(sentences.size() == 3U);
+  BOOST_TEST(sentences[0].heading == "");
+  BOOST_TEST(sentences[1].heading == "One");
+  BOOST_TEST(sentences[2].heading == "Two");
+}
+
 BOOST_AUTO_TEST_CASE(a_sentence_prints_no_name_in_a_branch_that_is_not_taken) {
   const auto sentences =
       sentences_in("It is \\ifflag{wide}{\\val{much}}{\\val{little}}.", "a.tex", {{"wide", false}});

@@ -57,6 +57,9 @@ BOOST_AUTO_TEST_CASE(a_number_with_a_unit_is_a_result_however_short) {
       "37 38 39 40 41 5 ");
   BOOST_TEST(found_in("6 $\\mathrm{km}$, $7$ $\\text{km}$, 8 \\textrm{km}, 9\\,$\\Omega$, "
                       "$10\\,\\Omega$, 11/d") == "6 7 8 9 10 11 ");
+  BOOST_TEST(found_in("1 \\AA, 2~\\textcelsius, \\ang{3}, 4\\textdegree, 5 \\textohm, 12$'$, $13'$, "
+                      "$14^\\prime$, 15 kWh, 16~\\textmu m") ==
+             "1 2 3 4 5 12 13 14 15 16 ");
   BOOST_TEST(found_in("$2\\Omega$, $f\\circ g$, 3/2, 1/e, 4 \\text{kings}") == "");
   BOOST_TEST(found_in("at 10 am, 3 as good, 2 us, 4 a day") == "");
   BOOST_TEST(found_in("row 2~of the table, 3~to 4~and 5\\,more") == "");

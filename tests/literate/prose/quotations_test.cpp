@@ -53,6 +53,19 @@ BOOST_AUTO_TEST_CASE(white_space_and_hyphens_at_the_ends_of_lines_do_not_count) 
   BOOST_TEST(Place(two).errors("steel is 5%dearer nonfer-rous") != none);
 }
 
+BOOST_AUTO_TEST_CASE(blanks_within_words_and_between_them_count) {
+  const auto n_errors = [](const std::string& words, const std::string& text) {
+    return Place("[a]\npage = 1\nwords = \"" + words + "\"\n").errors(text).size();
+  };
+  BOOST_TEST(n_errors("a nail", "an ail") == 1U);
+  BOOST_TEST(n_errors("no where", "nowhere") == 1U);
+  BOOST_TEST(n_errors("nowhere", "no where") == 1U);
+  BOOST_TEST(n_errors("nowhere", "no\nwhere") == 1U);
+  BOOST_TEST(n_errors("no where", "no-\nwhere") == 1U);
+  BOOST_TEST(n_errors("here and/or there", "here \t and/\nor\n\n there") == 0U);
+  BOOST_TEST(n_errors("a - b", "a -\nb") == 0U);
+}
+
 BOOST_AUTO_TEST_CASE(straight_marks_of_quotation_open_and_close) {
   const auto words = [](const std::string& text) {
     return words_latex({.id = "a", .page = "1", .words = text, .place = ""});
