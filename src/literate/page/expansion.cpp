@@ -210,6 +210,12 @@ void Expander::read(TexScanner& in, const TexToken& token) {
       return read_command(in, token);
     case TexKind::verbatim:
       return verbatim(token);
+    case TexKind::open:
+      begin_group();
+      return emit(token.text);
+    case TexKind::close:
+      end_group();
+      return emit(token.text);
     default:
       emit(token.text);
   }

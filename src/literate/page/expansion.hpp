@@ -144,6 +144,11 @@ class Expander {
   }
 
   Macro macro_at(TexScanner& in) const;
+  void define(const std::string& name, Macro macro);
+  void begin_group() { groups_.emplace_back(); }
+  void end_group();
+  std::string typed_number(TexScanner& in);
+  void require_default_options(TexScanner& in);
   std::optional<bool> compared(TexScanner& in, std::string_view kind);
   std::vector<std::string> claims_of(bool is_cited) const;
   void picture_environment(TexScanner& in, const TexToken& token);
@@ -168,6 +173,8 @@ class Expander {
   std::map<std::string, NumberedStatement> statements_;
   std::vector<std::string> claim_order_;
   std::map<std::string, Macro, std::less<>> macros_, own_environments_;
+  /// What the open groups of LaTeX have defined anew, as it was before.
+  std::vector<std::map<std::string, std::optional<Macro>>> groups_;
   std::set<std::string, std::less<>> picture_environments_;
   std::vector<AuthorGroup> author_groups_;
   std::vector<std::string> authors_;  ///< their names alone, LaTeX

@@ -35,6 +35,27 @@ Expander::Macro Expander::macro_at(TexScanner& in) const {
   return macro;
 }
 
+void Expander::define(const std::string& name, Macro macro) {
+  if (!groups_.empty()) {
+    const auto known = macros_.find(name);
+    groups_.back().try_emplace(
+        name, known == macros_.end() ? std::nullopt : std::optional(known->second));
+  }
+  macros_[name] = std::move(macro);
+}
+
+void Expander::end_group() {
+  if (groups_.empty()) return;
+  for (auto& [name, former] : groups_.back()) {
+    if (former) {
+      macros_[name] = std::move(*former);
+    } else {
+      macros_.erase(name);
+    }
+  }
+  groups_.pop_back();
+}
+
 // Two numbers or two lengths, each of which may be a command; none if only TeX can compare them.
 std::optional<bool> Expander::compared(TexScanner& in, std::string_view kind) {
   static const std::map<std::string, double> points{
@@ -88,10 +109,10 @@ void Expander::know_definitions() {
                      Macro macro = macro_at(in);
                      const bool is_known = macros_.contains(name) || commands_.contains(name);
                      if (token.name == "providecommand" && is_known) return;
-                     macros_[name] = std::move(macro);
+                     define(name, std::move(macro));
                    });
   // \def\name#1#2{…}
-  know_in_preamble({"def", "gdef"}, [this](TexScanner& in, const TexToken&) {
+  know_in_preamble({"def", "gdef"}, [this](TexScanner& in, const TexToken& token) {
     const std::string name = command_in(argument(in));
     const auto open = in.rest().find('{');
     if (open == in.rest().npos) return;
@@ -99,8 +120,31 @@ void Expander::know_definitions() {
     Macro macro;
     macro.n_arguments = static_cast<std::size_t>(std::ranges::count(pattern, '#'));
     macro.body = argument(in);
-    if (pattern.size() == 2 * macro.n_arguments) macros_[name] = std::move(macro);
+    if (pattern.size() != 2 * macro.n_arguments) return;
+    if (token.name == "gdef") {
+      for (auto& group : groups_) group.erase(name);
+      macros_[name] = std::move(macro);
+    } else {
+      define(name, std::move(macro));
+    }
   });
+  know({"begingroup", "bgroup"}, [this](TexScanner&, const TexToken&) {
+    begin_group();
+    emit("{");
+  });
+  know({"endgroup", "egroup"}, [this](TexScanner&, const TexToken&) {
+    end_group();
+    emit("}");
+  });
+  // pandoc would set the units of a number in capitals too.
+  know({"MakeUppercase", "MakeTextUppercase", "uppercase"},
+       [this](TexScanner& in, const TexToken&) {
+         const std::string_view text = argument(in);
+         if (text.find_first_of("\\$") != text.npos) {
+           fail(fmt::format("the page cannot set '{}' in capitals, but plain letters alone", text));
+         }
+         emit(fmt::format("\\MakeUppercase{{{}}}", text));
+       });
   know_in_preamble({"newenvironment", "renewenvironment"}, [this](TexScanner& in, const TexToken&) {
     const std::string name(argument(in));
     Macro macro = macro_at(in);

@@ -107,10 +107,34 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
   return text;
 }
 
+/// What siunitx prints of a number that an author types: «-.5E3» is −0.5e3.
+std::string Expander::typed_number(TexScanner& in) {
+  static const std::regex form(
+      R"(\s*([-+]?)(\d*)(?:[.,](\d*))?(\(\d+\))?(?:[eEdD]([-+]?[1-9]\d*|0))?\s*)");
+  require_default_options(in);
+  const std::string typed = expanded(argument(in));
+  std::smatch parts;
+  const bool is_number = std::regex_match(typed, parts, form) &&
+                         (parts.length(2) + parts.length(3) + parts.length(5) > 0);
+  if (!is_number) {
+    fail(fmt::format("the page cannot set the number '{}'; write it as -1.2(3)e-4", typed));
+    return "";
+  }
+  std::string number = parts.str(1) + parts.str(2);
+  if (parts.length(3) > 0) number += (parts.length(2) == 0 ? "0." : ".") + parts.str(3);
+  return number + parts.str(4) + (parts[5].matched ? "e" + parts.str(5) : "");
+}
+
+/// A number or a unit is set as siunitx sets it without options.
+void Expander::require_default_options(TexScanner& in) {
+  const std::string_view options = sys::stripped(option(in).value_or(""));
+  if (options.empty() || options == "per-mode=symbol" || options == "per-mode = symbol") return;
+  fail(fmt::format("the page cannot set a number or a unit with the options '{}'", options));
+}
+
 void Expander::know_quantities() {
   know({"num", "qty", "SI"}, [this](TexScanner& in, const TexToken& token) {
-    option(in);
-    const std::string printed(sys::stripped(argument(in)));
+    const std::string printed = typed_number(in);
     if (token.name == "num") return emit(quantity_latex(printed, is_math_));
     const std::string unit = unit_of_latex(argument(in));
     std::string text = quantity_latex(printed + " " + unit, is_math_);
@@ -126,7 +150,7 @@ void Expander::know_quantities() {
     emit(is_math_ ? text : marked("<span class=\"lit-nowrap\">", text, "</span>"));
   });
   know({"si", "unit"}, [this](TexScanner& in, const TexToken&) {
-    option(in);
+    require_default_options(in);
     const std::string bare = unit_with_solidus(std::string(argument(in)));
     emit(bare.starts_with('/') ? "1" + bare : bare);
   });

@@ -146,6 +146,8 @@ BOOST_AUTO_TEST_CASE(a_number_has_its_signs_powers_and_what_is_not_known_of_it) 
       {"\\(\\unit{\\watt\\per\\metre\\per\\kelvin}\\)",
        {"m</mtext><mspace width=\"0.167em\"></mspace><mtext mathvariant=\"normal\">K"}},
       {"\\qty{7}{\\per\\metre}", {"7/m"}},
+      {"\\num{ 1,5 }, \\num{.5D3}, \\num{5.}, \\num{\\rawval{mass}}, \\num{1.2(3)E-4}",
+       {"1.5, 0.5\u00A0×\u00A010<sup>3</sup>, 5, 2.612, 1.2(3)\u00A0×\u00A010<sup>−4</sup>"}},
       {"\\num{-12345.67891}, \\num{e-3}", {"−12 345.678 91, 10<sup>−3</sup>"}},
   });
 }
@@ -162,6 +164,10 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
       {"\\ifdim72.2pt<1in less\\else more\\fi", {"<p>less</p>"}},
       {"\\newcommand\\n{12}\\ifnum\\n=12 more\\else less\\fi", {"<p>more</p>"}},
       {"\\ifflag{ripe}{now}{later}", {"<p>now</p>"}},
+      {"\\newcommand\\who{one}{\\renewcommand\\who{two}\\who, {\\def\\who{three}\\who, "
+       "\\gdef\\new{six}}\\who,} \\who, \\begingroup\\def\\who{four}\\who\\endgroup, \\who, \\new",
+       {"two, <span>three, </span>two,</span> one, <span>four</span>, one, six"}},
+      {"\\MakeUppercase{Act i}", {"ACT I"}},
       {"\\url{https://e.org/a%20b} goes on", {"goes on"}},
       {"\\makebox[4em][l]{$a$}width", {"style=\"min-width:4em\"><math"}},
       {"\\part{A}\\section*{B}\\bookmarksetup{startatroot}\\section*{C}",
@@ -218,6 +224,12 @@ BOOST_AUTO_TEST_CASE(what_the_page_cannot_show_is_told_with_its_place) {
            {"\\ifdim\\wide<10pt a\\else b\\fi", "1: the page cannot decide \\ifdim"},
            {"\\ifodd 3 a\\else b\\fi", "1: \\ifodd is not known to the page"},
            {"\\setcounter{run}{9}\\therun", "20: \\therun is not known to the page"},
+           {"\\MakeUppercase{at \\val{mass}}",
+            "1: the page cannot set 'at \\val{mass}' in capitals, but plain letters alone"},
+           {"\\num{1.2(3)(4)}",
+            "6: the page cannot set the number '1.2(3)(4)'; write it as -1.2(3)e-4"},
+           {"\\qty[round-mode=places]{1.2}{m}",
+            "1: the page cannot set a number or a unit with the options 'round-mode=places'"},
            {"\\quoted{nobody}", "1: unknown quotation 'nobody'"},
            {"\\begin{tabular}{r@{.}l}1 & 5\\end{tabular}",
             "22: the page cannot join columns by @{…}; \\LiteratePicture{tabular} has LaTeX set "
