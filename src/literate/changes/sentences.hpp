@@ -26,6 +26,12 @@ struct Sentence {
 std::string path_of(const Sentence& sentence);
 std::string place_of(const Sentence& sentence);
 
+/// What a document's own commands without arguments print, by their names: for \newcommand\peak
+/// {\val{p0}} «peak» has «value p0». Of one that is defined twice both are told, and of one in
+/// whose definition another stands what that prints, too.
+using OwnCommands = std::map<std::string, std::set<std::string>, std::less<>>;
+OwnCommands own_commands_in(std::string_view latex);
+
 /// Splits a LaTeX text into sentences, in order.
 ///
 /// A sentence ends with a full stop, a question mark or an exclamation mark before a blank and
@@ -34,7 +40,8 @@ std::string place_of(const Sentence& sentence);
 /// precedes \begin{document} is none. Whatever holds no letter and no name is left out. It prints
 /// no name in a branch of \ifflag that these flags do not take.
 std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,
-                                   const std::map<std::string, bool>& flags = {});
+                                   const std::map<std::string, bool>& flags = {},
+                                   const OwnCommands& own = {});
 
 /// The sentences of all files of a document (document_files). Throws sys::OutputError if the folder
 /// or a file cannot be read.

@@ -359,7 +359,7 @@ latex=${arg_ENGINE}
   endforeach()
   add_custom_target(${name}-reports
     COMMAND bash "${scripts}/reports" "${settings}"
-    DEPENDS ${arg_PROGRAM} USES_TERMINAL VERBATIM)
+    DEPENDS ${arg_PROGRAM} "${repository}/repository.json" USES_TERMINAL VERBATIM)
   add_custom_target(${name}-severity COMMAND python3 "${scripts}/severity" "${settings}" USES_TERMINAL VERBATIM)
   foreach(stage IN ITEMS watch why)
     add_custom_target(${name}-${stage} COMMAND bash "${scripts}/${stage}" "${settings}" USES_TERMINAL VERBATIM)

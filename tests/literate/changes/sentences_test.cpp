@@ -70,6 +70,18 @@ BOOST_AUTO_TEST_CASE(a_sentence_knows_its_lines_and_what_it_prints) {
   BOOST_TEST(sentences[2].names.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_sentence_prints_what_the_documents_own_commands_in_it_print) {
+  const auto own = literate::own_commands_in(
+      "\\newcommand{\\peak}{\\val{p0}}\n\\def\\all{\\peak{} and \\val{p1}}% \\def\\no{\\val{x}}\n"
+      "\\newcommand*\\bold[1]{\\textbf{#1}}\n\\renewcommand\\peak{\\val{p2}}");
+  BOOST_TEST(own.size() == 2U);
+
+  const auto sentences = sentences_in("It is \\peak. They are \\all.", "a.tex", {}, own);
+  BOOST_TEST_REQUIRE(sentences.size() == 2U);
+  BOOST_TEST((sentences[0].names == std::set<std::string>{"value p0", "value p2"}));
+  BOOST_TEST((sentences[1].names == std::set<std::string>{"value p0", "value p1", "value p2"}));
+}
+
 BOOST_AUTO_TEST_CASE(a_sentence_knows_the_heading_above_it) {
   const auto sentences =
       sentences_in("Before.\n\\section{One}\nFirst.\n\\subsection{Two}\nSecond.\n", "a.tex");
