@@ -101,8 +101,9 @@ void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSyste
           "load", Value(stated.value * ratio, significant(3), unit),
           Value(with, significant(3), unit),
           {LimitKind::choice, 2e-2,
-           "far from the load the influence of its shape is (𝑎/𝑥)²/6; the rest is for the mesh of "
-           "the run, which is coarse there"}));
+           "far from the load its shape changes the slope by (𝑎/𝑥)²/6 if it is triangular and by "
+           "(𝑎/𝑥)²/3 if it is uniform; the rest is left to the mesh of the run, which is not known "
+           "there"}));
     }
     return Criterion::in_each("load that follows from the slopes", "pairs of points", pairs);
   };

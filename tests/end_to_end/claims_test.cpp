@@ -29,8 +29,9 @@ bool is_fault_line(const std::string& errors) {
 }
 
 struct AlteredReport {
-  TemporaryFolder folder;
-  fs::path case_file = folder.write("altered.toml", altered_case());
+  std::string case_text = altered_case();
+  TemporaryFolder folder = {};
+  fs::path case_file = folder.write("altered.toml", case_text);
   ReportSettings settings{case_file, folder.path()};
 
   Outcome compute() const { return run_program(settings.stage("compute")); }
@@ -74,6 +75,22 @@ BOOST_AUTO_TEST_CASE(an_altered_print_is_typeset_stamped_on_every_page_and_exits
         (pages[i].find("Not to be trusted: a statement is not as expected") != std::string::npos),
         "page " << i + 1 << " has no stamp");
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_poissons_ratio_that_no_load_fits_is_typeset_with_the_claims_that_it_turns) {
+  const AlteredReport report{
+      with(sys::read_file(papers_case), "poisson = 0.30", "poisson = 0.28")};  // of the half-space
+
+  const Outcome computed = report.compute();
+  const Outcome typeset = report.typeset();
+
+  BOOST_TEST(computed.status == 0);
+  BOOST_TEST(computed.errors == "");
+  BOOST_TEST(typeset.status == 1);
+  BOOST_TEST((typeset.errors.find("claim shape-undecided is refuted, not confirmed: their number: "
+                                  "0 (asked: at least 2)") != std::string::npos),
+             typeset.errors);
+  BOOST_TEST(report.pages().size() > 20U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
