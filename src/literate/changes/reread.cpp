@@ -116,7 +116,8 @@ std::set<std::vector<std::string>> ticks_in(const fs::path& file) {
 
 bool is_to_be_read(const Change& change) {
   return change.kind == ChangeKind::beyond_error || change.kind == ChangeKind::moved ||
-         change.kind == ChangeKind::other_unit || change.kind == ChangeKind::other_verdict;
+         change.kind == ChangeKind::other_unit || change.kind == ChangeKind::other_verdict ||
+         change.kind == ChangeKind::other_text;
 }
 
 }  // namespace
@@ -126,6 +127,10 @@ Manifest printed_results(Manifest manifest) {
                 [](const auto& entry) { return entry.first.starts_with("table "); });
   std::erase_if(manifest.verdicts,
                 [](const auto& entry) { return entry.first.starts_with("check "); });
+  // What criteria found moves with every digit.
+  std::erase_if(manifest.texts, [](const auto& entry) {
+    return entry.first.starts_with("table ") || entry.first.starts_with("claim ");
+  });
   manifest.facts = {};
   manifest.inputs = manifest.outputs = {};
   return manifest;
@@ -148,7 +153,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
   std::map<std::string, std::vector<Commit>> of_files;
   for (const Sentence& sentence : sentences_below(document, flags_of(now))) {
     const bool prints = std::ranges::any_of(sentence.names, [](const std::string& name) {
-      return name.starts_with("value ") || name.starts_with("claim ");
+      return name.starts_with("value ") || name.starts_with("claim ") || name.starts_with("flag ");
     });
     if (!prints) continue;
     if (!of_files.contains(sentence.file)) {
@@ -178,7 +183,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
       continue;
     }
     for (const Change& change : changes_between(*then.results, results, {}, sentences)) {
-      if (!is_to_be_read(change)) continue;
+      if (!is_to_be_read(change) || !change.is_seen()) continue;
       for (const Sentence& sentence : change.printed_in) {
         const std::string digest = digest_of_words(sentence);
         if (ticks.contains({digest, change.what, change.after})) continue;

@@ -10,7 +10,8 @@
 
 namespace literate {
 
-/// The results that sentences print, values, verdicts and limits, as a manifest without the rest.
+/// The results that sentences print or depend on, values, flags, verdicts and limits, as a manifest
+/// without the rest.
 Manifest printed_results(Manifest manifest);
 
 /// What is known of the sentences of a document.
@@ -22,7 +23,7 @@ struct Reread {
 
 /// Holds each sentence that prints a value or cites a claim against the results of the commit that
 /// last changed its words, as git blame tells it. It must be read again if a value has moved beyond
-/// its error since then, or a verdict is another.
+/// its error since then, so that its print is another, or if a text, a flag or a verdict is.
 ///
 /// The results of a commit are in its results.json beside the prose, which is printed_results() by
 /// manifest_json, or in «FORMER/commit/paper/manifest.json». They are not known if neither is

@@ -118,6 +118,30 @@ void add_names_of_own(std::string_view latex, const OwnCommands& own,
   }
 }
 
+/// The extent of a branch of \\ifflag{flag}{yes}{no}, with its flag.
+struct Extent {
+  std::size_t begin, end;
+  std::string flag;
+};
+
+std::vector<Extent> branches_in(std::string_view latex) {
+  std::vector<Extent> extents;
+  for (const TexCommand& use : commands_in(latex, {"ifflag"})) {
+    TexScanner scanner(latex.substr(use.end));
+    const auto skip_group = [&] {
+      scanner.skip_blanks();
+      return scanner.skip(group_at(scanner.rest()).size());
+    };
+    skip_group();  // the flag
+    for (int branch = 0; branch < 2; ++branch) {
+      const std::string_view text = skip_group();
+      const auto begin = static_cast<std::size_t>(text.data() - latex.data());
+      extents.push_back({begin, begin + text.size(), use.argument});
+    }
+  }
+  return extents;
+}
+
 std::string without_comments(std::string_view text) {
   std::string left;
   TexScanner scanner(text);
@@ -172,6 +196,7 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
   constexpr std::string_view beginning = "\\begin{document}";
   const auto preamble = latex.find(beginning);
   std::size_t begin = preamble == std::string_view::npos ? 0 : preamble + beginning.size();
+  const std::vector<Extent> branches = branches_in(latex);
   std::vector<Sentence> sentences;
   std::size_t n_used = 0, n_headings = 0;
   for (const std::size_t end : ends_in(latex)) {
@@ -187,6 +212,9 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
       sentence.names.insert(named_by.at(uses[n_used].name) + " " + uses[n_used].argument);
     }
     add_names_of_own(text, own, sentence.names);
+    for (const Extent& branch : branches) {
+      if (branch.begin < end && begin < branch.end) sentence.names.insert("flag " + branch.flag);
+    }
     while (n_headings < headings.size() && headings[n_headings].end <= end) ++n_headings;
     if (n_headings > 0) sentence.heading = headings[n_headings - 1].argument;
     const bool has_letter = std::ranges::any_of(sentence.latex, sys::is_letter);

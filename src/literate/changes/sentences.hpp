@@ -15,8 +15,10 @@ struct Sentence {
   std::string file;    ///< relative to the document's folder
   int first_line = 0;  ///< from 1
   int last_line = 0;
-  std::string latex;            ///< in one line, without comments
-  std::set<std::string> names;  ///< that it prints: «value x», «table x», «figure x», «claim x»
+  std::string latex;  ///< in one line, without comments
+  /// That it prints, «value x», «table x», «figure x», «claim x», or that decide whether it is
+  /// printed, «flag x».
+  std::set<std::string> names;
   std::string heading = {};  ///< LaTeX, of the section that it stands in or begins with
   std::string folder = {};   ///< what messages call the document's folder, if it is known
 };

@@ -87,7 +87,8 @@ ExitCode reread(const Settings& settings, const std::string& project, const Name
                                   .outputs = {},
                                   .numbers = numbers_in(names_json),
                                   .verdicts = verdicts_in(names_json),
-                                  .limits = limits_in(names_json)});
+                                  .limits = limits_in(names_json),
+                                  .texts = texts_in(names_json)});
   now.facts["case"] = {{"name", settings.case_file.filename().string()}};
   now.inputs["case"] = names.case_sha256;
   if (!records) {

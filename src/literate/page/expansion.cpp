@@ -20,18 +20,8 @@ namespace fs = std::filesystem;
 
 namespace page_reading {
 
-constexpr std::string_view blanks = " \t\r\n";
-
-void skip_blanks(TexScanner& in) {
-  while (true) {
-    in.skip(std::min(in.rest().find_first_not_of(blanks), in.rest().size()));
-    if (!in.rest().starts_with('%')) return;
-    in.next();
-  }
-}
-
 std::string_view argument(TexScanner& in) {
-  skip_blanks(in);
+  in.skip_blanks();
   if (const std::string_view group = group_at(in.rest()); !group.empty()) {
     in.skip(group.size());
     return group.substr(1, group.size() - 2);

@@ -199,9 +199,6 @@ std::string quantity_latex(std::string_view printed, bool is_math);
 
 namespace page_reading {
 
-/// Goes past blanks, line ends and comments.
-void skip_blanks(TexScanner& in);
-
 /// The next argument without its braces; of an argument without braces its one character or
 /// command.
 std::string_view argument(TexScanner& in);

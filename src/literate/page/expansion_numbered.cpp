@@ -142,7 +142,7 @@ void Expander::know_numbered() {
              printed.empty() ? "" : marked("<span class=\"lit-number\">", printed, "</span>");
          emit(fmt::format("\n\n\\{}{{{} {}}}", names[depth + 2], mark, text));
          TexScanner behind(in.rest());
-         skip_blanks(behind);
+         behind.skip_blanks();
          if (behind.rest().starts_with("\\label{")) {
            in = behind;
            in.next();

@@ -60,6 +60,14 @@ std::string_view TexScanner::skip(std::size_t n_bytes) {
   return skipped;
 }
 
+void TexScanner::skip_blanks() {
+  while (true) {
+    skip(rest_.find_first_not_of(" \t\r\n"));
+    if (!rest_.starts_with('%')) return;
+    next();
+  }
+}
+
 TexToken TexScanner::take(TexKind kind, std::size_t n_bytes, std::string_view name) {
   return {kind, skip(n_bytes), name, mode_};
 }

@@ -45,6 +45,9 @@ class TexScanner {
   /// Skips the next `n_bytes`, or all of a shorter rest, and returns what was skipped.
   std::string_view skip(std::size_t n_bytes);
 
+  /// Goes past blanks, line ends and comments.
+  void skip_blanks();
+
  private:
   TexToken take(TexKind kind, std::size_t n_bytes, std::string_view name = {});
   TexToken take_dollar();

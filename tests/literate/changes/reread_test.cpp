@@ -69,6 +69,29 @@ BOOST_AUTO_TEST_CASE(a_value_that_moved_within_its_error_is_not) {
   BOOST_TEST(Written().reread(results(10.15)).sentences.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_value_that_prints_as_before_is_not) {
+  BOOST_TEST(Written().reread(results(10.9)).sentences.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_flag_that_turned_is_listed_with_all_sentences_of_its_branches) {
+  const auto with_flag = [](const std::string& flag) {
+    Manifest manifest = results(10);
+    manifest.texts["flag near"] = flag;
+    return manifest;
+  };
+  Paper paper;
+  paper.write("a.tex", "\\ifflag{near}{It is near.\nIt is close.}{It is far.}\nIt is.\n");
+  paper.record(with_flag("yes"));
+  paper.commit();
+
+  const Reread found = paper.reread(with_flag("no"));
+
+  BOOST_TEST_REQUIRE(found.sentences.size() == 2U);
+  BOOST_TEST(holds(found.sentences[0],
+                   "a.tex:1: read this sentence again: flag near is no, and was yes"));
+  BOOST_TEST(holds(found.sentences[1], "a.tex:2: "));
+}
+
 BOOST_AUTO_TEST_CASE(a_verdict_that_turned_is_listed) {
   const Reread found = Written().reread(results(10, "refuted"));
 

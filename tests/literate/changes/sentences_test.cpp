@@ -82,6 +82,22 @@ BOOST_AUTO_TEST_CASE(a_sentence_prints_what_the_documents_own_commands_in_it_pri
   BOOST_TEST((sentences[1].names == std::set<std::string>{"value p0", "value p1", "value p2"}));
 }
 
+BOOST_AUTO_TEST_CASE(each_sentence_of_a_branch_knows_its_flag) {
+  const auto sentences = sentences_in(
+      "None. \\ifflag{wide}{It is wide. It is open.}\n %\n {It is \\ifflag{deep}{deep}{shallow}. "
+      "Narrow.} "
+      "Last.",
+      "a.tex");
+  BOOST_TEST_REQUIRE(sentences.size() == 6U);
+  const std::set<std::string> wide{"flag wide"}, both{"flag deep", "flag wide"};
+  BOOST_TEST(sentences[0].names.empty());
+  BOOST_TEST((sentences[1].names == wide));
+  BOOST_TEST((sentences[2].names == wide));
+  BOOST_TEST((sentences[3].names == both));
+  BOOST_TEST((sentences[4].names == wide));
+  BOOST_TEST(sentences[5].names.empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_sentence_knows_the_heading_above_it) {
   const auto sentences =
       sentences_in("Before.\n\\section{One}\nFirst.\n\\subsection{Two}\nSecond.\n", "a.tex");
