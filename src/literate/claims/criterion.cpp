@@ -377,9 +377,11 @@ Criterion Criterion::differs(std::string name, Value computed, Value stated, Lim
   // Two equal numbers without an error do not differ, although their difference is at least 0.
   if (is_any && tested.value == 0 && tested.abs_error == 0) criterion.outcome_ = Outcome::fails;
   const double wanted = criterion.limit_.number(), k = k_of(criterion.limit_);
+  // A distance that is less than its error is at most something, whatever the limit.
+  const double above = std::max(wanted, *difference.number());
   criterion.found_ = criterion.outcome_ == Outcome::undecided
                          ? phrase("{}, {} from {}", quantity,
-                                  undecided_phrase(difference, wanted, Side::at_least, k), stated)
+                                  undecided_phrase(difference, above, Side::at_least, k), stated)
                          : apart_phrase(quantity, stated, difference, wanted, Side::at_least,
                                         Distance::absolute, k);
   return criterion;

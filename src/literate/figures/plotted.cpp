@@ -227,8 +227,11 @@ std::size_t n_points_outside(const fs::path& folder, const std::string& name,
   for (const std::string_view line : sys::lines_of(*table)) {
     if (line.find(" points") != line.npos && line.starts_with("#")) {
       is_data = !line.ends_with(of_function);
-    } else if (is_data && !line.starts_with("#") && sys::stripped(line).ends_with(" o")) {
-      ++n_outside;
+    } else if (is_data && !line.starts_with("#")) {
+      // On a logarithmic axis a negative number is undefined, as a gap is, which is no number.
+      const std::string_view point = sys::stripped(line);
+      const bool is_number = point.find("NaN") == point.npos;
+      if (point.ends_with(" o") || (point.ends_with(" u") && is_number)) ++n_outside;
     }
   }
   return n_outside;

@@ -270,7 +270,7 @@ std::vector<std::string> typed_numbers(std::string_view latex, const std::string
 
 std::vector<std::string> typed_numbers_in_script(std::string_view script, const std::string& file) {
   static const sys::Pattern plot(R"re(^\s*s?plot\b)re");
-  static const sys::Pattern left_out(R"re(\bevery\b|\b1 */ *0\b)re");
+  static const sys::Pattern left_out(R"re(\bevery\b|\b1 */ *0\b|\bNaN\b)re");
   std::vector<Typed> typed;
   std::vector<std::string> hidden;
   bool goes_on = false, was_continued = false;

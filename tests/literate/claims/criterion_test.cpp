@@ -294,6 +294,7 @@ BOOST_AUTO_TEST_CASE(numbers_differ_if_what_is_not_known_of_them_leaves_them_apa
   BOOST_TEST(is(differ(67, 0.5, 2), Outcome::holds));
   BOOST_TEST(is(differ(65, 0.5, 2), Outcome::fails));
   BOOST_TEST(is(differ(65.8, 0.5, 2), Outcome::undecided));
+  BOOST_TEST(differ(64.5, 1, 0).found().plain == "64 N, at most 1.5 N from 64 N");
   BOOST_TEST(differ(67, 0.5, 2).found().plain == "67 N, 3 N from 64 N");
   BOOST_TEST(differ(65.996, 1e-4, 2).found().plain == "65.996 N, 1.996 N from 64 N");
   BOOST_TEST(differ(67, 0.5, 2).condition().plain == "at least 2 N from 64 N");

@@ -127,6 +127,14 @@ BOOST_AUTO_TEST_CASE(points_that_a_range_leaves_out_are_counted) {
   BOOST_TEST(n_outside("set xrange [2.1:*]\n") == 2U);
 }
 
+BOOST_AUTO_TEST_CASE(points_that_a_logarithmic_axis_cannot_show_are_counted) {
+  const Drawn drawn(
+      "set logscale y\nplot curve using \"x\":(column(\"y\") - 20) with points, \\\n"
+      "  dots using \"x\":(sqrt(-1)) with points\n");
+  BOOST_TEST(n_points_outside(drawn.folder / "generated/figures/apples", "apples",
+                              drawn.folder / "scratch") == 2U);
+}
+
 BOOST_AUTO_TEST_CASE(points_of_a_function_are_none_that_were_registered) {
   const auto n_outside = [](const std::string& plot) {
     const Drawn drawn("set xrange [0:5]\nset yrange [15:999]\n" + plot + "\n");

@@ -57,9 +57,9 @@ BOOST_AUTO_TEST_CASE(a_number_with_a_unit_is_a_result_however_short) {
       "37 38 39 40 41 5 ");
   BOOST_TEST(found_in("6 $\\mathrm{km}$, $7$ $\\text{km}$, 8 \\textrm{km}, 9\\,$\\Omega$, "
                       "$10\\,\\Omega$, 11/d") == "6 7 8 9 10 11 ");
-  BOOST_TEST(found_in("1 \\AA, 2~\\textcelsius, \\ang{3}, 4\\textdegree, 5 \\textohm, 12$'$, $13'$, "
-                      "$14^\\prime$, 15 kWh, 16~\\textmu m") ==
-             "1 2 3 4 5 12 13 14 15 16 ");
+  BOOST_TEST(
+      found_in("1 \\AA, 2~\\textcelsius, \\ang{3}, 4\\textdegree, 5 \\textohm, 12$'$, $13'$, "
+               "$14^\\prime$, 15 kWh, 16~\\textmu m") == "1 2 3 4 5 12 13 14 15 16 ");
   BOOST_TEST(found_in("$2\\Omega$, $f\\circ g$, 3/2, 1/e, 4 \\text{kings}") == "");
   BOOST_TEST(found_in("at 10 am, 3 as good, 2 us, 4 a day") == "");
   BOOST_TEST(found_in("row 2~of the table, 3~to 4~and 5\\,more") == "");
@@ -189,7 +189,8 @@ BOOST_AUTO_TEST_CASE(texts_and_data_of_a_figures_script_are_looked_at) {
 BOOST_AUTO_TEST_CASE(numbers_that_a_script_draws_and_points_that_it_leaves_out_are_told) {
   const std::string script =
       "set xrange [0:1.234]\nplot 93.859 - 32.82*x title 'a', \\\n  d using 1:($2 > 3 ? $2 : 1/0), "
-      "\\\n  d every 4 # outside: too dense\nset key at 1.234,5\nplot 0.5*x + 12, 'every 3'\n";
+      "\\\n  d using 1:($2 > 3 ? $2 : NaN), \\\n  d every 4 # outside: too dense\nset key at "
+      "1.234,5\nplot 0.5*x + 12, 'every 3'\n";
 
   BOOST_TEST(typed_numbers_in_script(script, "f.gp") ==
                  (std::vector<std::string>{"f.gp:2:6: 93.859 is typed: take it from the "
@@ -199,6 +200,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_a_script_draws_and_points_that_it_leaves_out_a
                                            "computation, or, if it is no result, end the line "
                                            "with '# constant: reason'",
                                            "f.gp:3: '1/0' leaves points out: if it is meant, end "
+                                           "the line with '# outside: reason'",
+                                           "f.gp:4: 'NaN' leaves points out: if it is meant, end "
                                            "the line with '# outside: reason'"}),
              boost::test_tools::per_element());
 }
