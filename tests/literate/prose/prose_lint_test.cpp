@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_a_script_draws_and_points_that_it_leaves_out_a
   const std::string script =
       "set xrange [0:1.234]\nplot 93.859 - 32.82*x title 'a', \\\n  d using 1:($2 > 3 ? $2 : 1/0), "
       "\\\n  d using 1:($2 > 3 ? $2 : NaN), \\\n  d every 4 # outside: too dense\nset key at "
-      "1.234,5\nplot 0.5*x + 12, 'every 3'\n";
+      "1.234,5\nset label '$y = 0$'\nplot 0.5*x + 12, 'every 3'\n";
 
   BOOST_TEST(typed_numbers_in_script(script, "f.gp") ==
                  (std::vector<std::string>{"f.gp:2:6: 93.859 is typed: take it from the "
