@@ -76,6 +76,10 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
   command->callback([run = set_up(*command), &exit_code] { exit_code = run_guarded(run); });
 }
 
+void hide(CLI::App& command) {
+  command.group("");
+}
+
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
               const std::string& type, const std::string& help) {
   add(command, flag, text, help)->type_name(type);

@@ -49,6 +49,9 @@ void add_texts(CLI::App& command, const std::string& name, std::vector<std::stri
 void add_required_text(CLI::App& command, const std::string& flag, std::string& text,
                        const std::string& type, const std::string& help);
 
+/// Leaves a command out of every help.
+void hide(CLI::App& command);
+
 /// Adds a flag that takes nothing: given or not.
 void add_switch(CLI::App& command, const std::string& flag, bool& is_given,
                 const std::string& help);

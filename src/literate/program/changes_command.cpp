@@ -77,6 +77,7 @@ void add_changes_command(CLI::App& program, sys::ExitCode& exit_code) {
       program, "changes", "Compare two states of a document by their manifests", exit_code,
       [](CLI::App& command) {
         auto options = std::make_shared<ChangesOptions>();
+        command_line::hide(command);  // the build alone calls it
         add_required_text(command, "--project", options->project, "NAME", "The paper's project");
         add_required_text(command, "--before", options->before, "FILE", "The former manifest");
         add_required_text(command, "--after", options->after, "FILE", "The later manifest");

@@ -32,6 +32,7 @@ void add_excerpts_command(CLI::App& program, sys::ExitCode& exit_code) {
       "Write a C++ source with the SHA-256 of each excerpt, for the program to compare with",
       exit_code, [](CLI::App& command) {
         auto options = std::make_shared<ExcerptsOptions>();
+        command_line::hide(command);  // the build alone calls it
         add_required_text(command, "--source", options->source, "DIR", "The checkout");
         add_required_text(command, "--folders", options->folders, "DIR:DIR…",
                           "Its folders that hold excerpts");
