@@ -91,6 +91,14 @@ mkdir -p "$former/paper"
 command git clone -q . "$former/checkout"
 manifest rod 12 >"$former/paper/manifest.json"
 
+claim 'parameters that are as before are not told' "$(grep -c Parameters build/out/changes/answer.md)" -eq 0
+printf '[rod]\nside = 4\n' >case.toml
+printf '[rod]\nside = 3\n' >"$former/checkout/case.toml"
+changes SINCE=submitted
+claim 'parameters that are others are told with their table' "$(sed -n '/^## Parameters/,$p' build/out/changes/answer.md)" = \
+  $'## Parameters that are others\n\n```diff\n@@ [rod]\n-side = 3\n+side = 4\n```'
+git checkout -q case.toml
+
 # A dirty tree
 printf 'The peak is\n\\val{peak}. It is very high.\n' >paper/a.tex
 changes SINCE=submitted
