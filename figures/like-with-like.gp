@@ -34,7 +34,7 @@ set ytics tick_step(highest)
 set ylabel sprintf('$u_z$ (%s)', u_unit)
 set label 1 'half-space' at 0.52 * end,MIDDLE_HALF_SPACE_mean + 0.10 * highest
 below = (MIDDLE_FITTED_mean + MIDDLE_STATED_mean) / 2 - 0.04 * highest
-set label 2 'block, inferred load' right at 0.82 * end,below
+set label 2 'block, inferred load' right at 0.97 * end,below
 set arrow 2 from 0.66 * end,below + 0.03 * highest to 0.63 * end,RIGHT_FITTED_mean - 0.01 * highest nohead lc rgb grey lw 0.8
 set label 3 'block, stated load' at 0.02 * end,0.33 * highest
 plot curves using (x_of(column("x"))):(of("half_space")) with lines ls 1, \

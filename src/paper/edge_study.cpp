@@ -146,7 +146,7 @@ Measured order_of(const EdgeErrors& errors) {
 }
 
 Criterion of_order(const char* what, const EdgeErrors& errors, double expected) {
-  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other half order");
+  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other multiple of ½");
   return Criterion::agrees(what, Value(order_of(errors), uncertain()), Value(expected, exact()),
                            nearest.counting(2));
 }

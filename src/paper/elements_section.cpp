@@ -28,7 +28,7 @@ constexpr const char* places = "places of the edge";
 constexpr double counted = 2;
 
 Criterion of_order(const char* what, const Measured& order, double expected) {
-  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other half order");
+  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other multiple of ½");
   return Criterion::agrees(what, Value(order, uncertain()), Value(expected, exact()),
                            nearest.counting(counted));
 }

@@ -89,7 +89,7 @@ Measured ratio(const ElementStudy& first, const ElementStudy& second, const Stud
 }
 
 Criterion of_order(const StudiedError& error, std::size_t element, const ElementStudy& study) {
-  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other half order");
+  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other multiple of ½");
   return Criterion::agrees(std::string(error.name) + ", " + names_of_elements[element] + ": order",
                            Value(fit(study, error).order, uncertain()),
                            Value(error.expected[element], exact()), nearest.counting(2));

@@ -184,7 +184,7 @@ void fit_order(Document& document, const ContactCase& c, const Hertz& hertz) {
   document.value("stresses.fit.least", Value(closed_form(elements.front()), fixed(0)));
   document.value("stresses.fit.most", Value(closed_form(elements.back()), fixed(0)));
   document.value("stresses.fit.order", Value(order, uncertain()));
-  const Limit near(LimitKind::choice, 0.25, "nearer to it than to any other half order");
+  const Limit near(LimitKind::choice, 0.25, "nearer to it than to any other multiple of ½");
   document.check("stresses-order-two",
                  {Criterion::agrees("order", Value(order, uncertain()), Value(2, literate::exact()),
                                     near.counting(2))},

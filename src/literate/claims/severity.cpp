@@ -33,6 +33,13 @@ std::string Severity::text_of(const std::string& claim) const {
   return fmt::format("{} of {} faults", n == 0 ? "none" : fmt::format("{}", n), n_faults);
 }
 
+std::string Severity::summary() const {
+  return fmt::format(
+      "Of {} planted faults the verdicts show {}; checks, or the end of the program, show {} more; "
+      "nothing here shows the other {}.",
+      n_faults, n_turning_any, n_failing_only, n_faults - n_turning_any - n_failing_only);
+}
+
 std::string digest_of_code(const fs::path& root, const std::vector<std::string>& names) {
   std::vector<std::string> files;
   for (const std::string& name : names) {
@@ -76,11 +83,22 @@ std::optional<Severity> read_severity(const fs::path& file, const fs::path& root
   const std::vector<sys::CsvRow> rows =
       sys::parse_csv(text, file.string(), sys::CsvComments::number_sign);
   if (rows.empty() || rows.front().front().text != "claim") refuse("there is no row of faults");
-  Severity severity{.n_faults = static_cast<int>(rows.front().size()) - 1, .n_turning = {}};
+  const std::size_t n_faults = rows.front().size() - 1;
+  Severity severity{.n_faults = static_cast<int>(n_faults), .n_turning = {}};
+  std::vector<bool> turns(n_faults), fails(n_faults);
   for (const sys::CsvRow& row : rows) {
     if (&row == &rows.front()) continue;
-    severity.n_turning[row.front().text] = static_cast<int>(std::count_if(
-        row.begin() + 1, row.end(), [](const auto& cell) { return !cell.text.empty(); }));
+    const bool is_claim = !row.front().text.starts_with('(');  // «(checks)» and «(program)»
+    for (std::size_t i = 0; i < std::min(n_faults, row.size() - 1); ++i) {
+      if (row[i + 1].text.empty()) continue;
+      (is_claim ? turns : fails)[i] = true;
+      ++severity.n_turning[row.front().text];
+    }
+    severity.n_turning.try_emplace(row.front().text, 0);
+  }
+  for (std::size_t i = 0; i < n_faults; ++i) {
+    severity.n_turning_any += turns[i] ? 1 : 0;
+    severity.n_failing_only += fails[i] && !turns[i] ? 1 : 0;
   }
   return severity;
 }

@@ -13,9 +13,15 @@ namespace literate {
 struct Severity {
   int n_faults = 0;                      ///< that were planted
   std::map<std::string, int> n_turning;  ///< of each claim, how many of them change its verdict
+  int n_turning_any = 0;                 ///< that change any verdict
+  int n_failing_only = 0;                ///< others that fail a check or end the program
 
   /// «3 of 41 faults»; of a claim that was not there then, «not known».
   std::string text_of(const std::string& claim) const;
+
+  /// «Of 41 planted faults the verdicts show 30; checks, or the end of the program, show 8 more;
+  /// nothing here shows the other 3.»
+  std::string summary() const;
 };
 
 /// SHA-256 of files, and of all files below folders, as named from `root` on. Comments and blanks

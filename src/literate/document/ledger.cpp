@@ -72,6 +72,9 @@ std::string claims_tex(const Registered& registered) {
     text += fmt::format("\\LiterateLimitNote{{{}}}{{{}}}{{{}}}\n", note.letter, name_of(note.kind),
                         escape_latex(note.reason));
   }
+  if (registered.severity) {
+    text += fmt::format("\\LiterateFaults{{{}}}\n", registered.severity->summary());
+  }
   return text;
 }
 

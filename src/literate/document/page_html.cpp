@@ -160,6 +160,9 @@ void write_page_parts(const Registered& registered, const fs::path& folder) {
                                claim_html(registered, notes, id, claim));
   }
   sys::write_file_atomically(page / "limits.html", limits_html(notes));
+  sys::write_file_atomically(
+      page / "faults.html",
+      registered.severity ? "<p>" + registered.severity->summary() + "</p>\n" : "");
   sys::write_file_atomically(page / "index.html", index_html(registered));
   sys::write_file_atomically(page / "provenance.html", provenance_html(registered, folder));
 }

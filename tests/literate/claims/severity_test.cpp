@@ -20,7 +20,8 @@ struct Checkout {
   Checkout() {
     write("src/a.cpp", "int a = 1;  // one\n");
     write("case.toml", "side = 3\n");
-    write_record("claim,sign,factor,case\nlonger,refuted,,gone\nfar,,,\n\"(program)\",,,\n");
+    write_record(
+        "claim,sign,factor,case\nlonger,refuted,,gone\nfar,,,\n\"(program)\",ended,ended,\n");
   }
   void write(const std::string& name, const std::string& text) const {
     sys::write_file_atomically(folder / name, text);
@@ -45,6 +46,9 @@ BOOST_AUTO_TEST_CASE(a_record_tells_how_many_faults_turn_each_claim) {
   BOOST_TEST(severity->text_of("longer") == "2 of 3 faults");
   BOOST_TEST(severity->text_of("far") == "none of 3 faults");
   BOOST_TEST(severity->text_of("new") == "not known");
+  BOOST_TEST(severity->summary() ==
+             "Of 3 planted faults the verdicts show 2; checks, or the end of the program, show 1 more; "
+             "nothing here shows the other 0.");
 }
 
 BOOST_AUTO_TEST_CASE(the_digest_is_that_which_the_script_computes) {
