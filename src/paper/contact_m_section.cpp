@@ -12,7 +12,7 @@
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
 #include "paper/conventions.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

@@ -9,7 +9,7 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 #include "paper/spheres.hpp"
 
 namespace paper {

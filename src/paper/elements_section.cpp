@@ -12,7 +12,7 @@
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/edge_study.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

@@ -9,8 +9,8 @@
 #include "elasticity/surface_quadrature.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
+#include "paper/paper.hpp"
 #include "paper/printed_data.hpp"
-#include "paper/sections.hpp"
 
 namespace paper {
 namespace {

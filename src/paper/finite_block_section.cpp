@@ -12,8 +12,8 @@
 #include "paper/block_study.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
+#include "paper/paper.hpp"
 #include "paper/printed_data.hpp"
-#include "paper/sections.hpp"
 
 namespace paper {
 namespace {

@@ -6,7 +6,7 @@
 #include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

@@ -16,7 +16,7 @@
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
 #include "paper/friction.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

@@ -5,7 +5,7 @@
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/solver.hpp"
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

@@ -6,7 +6,7 @@
 #include "literate/imports/import_json.hpp"
 #include "paper/bounds.hpp"
 #include "paper/contact_m.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

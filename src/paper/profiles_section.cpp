@@ -16,7 +16,7 @@
 #include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

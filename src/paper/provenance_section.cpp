@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "literate/main/paper.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
 #include "toolchain/libraries.hpp"

@@ -10,7 +10,7 @@
 
 #include "line_contact/solver.hpp"
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {

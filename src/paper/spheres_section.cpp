@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "paper/bounds.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 #include "paper/spheres.hpp"
 #include "point_contact/study/two_spheres.hpp"
 

@@ -16,7 +16,7 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
-#include "paper/sections.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 namespace {
