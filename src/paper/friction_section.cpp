@@ -12,10 +12,12 @@
 
 #include "elasticity/surface_quadrature.hpp"
 #include "line_contact/cylinder_friction.hpp"
+#include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
+#include "line_contact/problem.hpp"
+#include "line_contact/solution.hpp"
 #include "paper/bounds.hpp"
 #include "paper/convergence.hpp"
-#include "paper/friction.hpp"
 #include "paper/paper.hpp"
 
 namespace paper {
@@ -23,6 +25,37 @@ namespace {
 
 using elasticity::Material;
 using line_contact::CoupledSliding;
+
+// Two bodies with the case's radii, pressed to the case's half-width.
+//
+// Lengths, loads and stresses in the case's units; `line_load` is a force per length, `beta` is
+// Dundurs's second constant, without dimension.
+struct Pair {
+  line_contact::CylinderPair cylinders;
+  double line_load;
+  Hertz hertz;
+  line_contact::Problem problem;
+  line_contact::Solution solution;
+  double beta;
+};
+
+// The pair of these two materials, solved without friction by matrix inversion on the case's
+// nodes. The load is the case's times the ratio of the contact moduli, so that Hertz's half-width
+// is the case's. Throws what solve_by_matrix_inversion() throws.
+Pair pair_of(const ContactCase& c, const elasticity::Material& first,
+             const elasticity::Material& second) {
+  const line_contact::CylinderPair cylinders(first, c.body1.radius, second, c.body2.radius);
+  const double load = c.line_load * cylinders.contact_modulus() / c.cylinders.contact_modulus();
+  const Hertz hertz(cylinders, load);
+  const line_contact::Problem problem{cylinders.profile(), cylinders.contact_modulus(),
+                                      line_contact::grid_around(hertz.half_width(), c.n_nodes)};
+  return {cylinders,
+          load,
+          hertz,
+          problem,
+          line_contact::solve_by_matrix_inversion(problem, load),
+          elasticity::dundurs_beta(first, second)};
+}
 
 line_contact::Slopes sliding_slopes(const Pair& pair, double mu) {
   return line_contact::surface_slopes(pair.problem, pair.solution,
@@ -241,21 +274,6 @@ void compare_bodies(Document& document, const ContactCase& c, const Pair& own, d
 }
 
 }  // namespace
-
-Pair pair_of(const ContactCase& c, const elasticity::Material& first,
-             const elasticity::Material& second) {
-  const line_contact::CylinderPair cylinders(first, c.body1.radius, second, c.body2.radius);
-  const double load = c.line_load * cylinders.contact_modulus() / c.cylinders.contact_modulus();
-  const Hertz hertz(cylinders, load);
-  const line_contact::Problem problem{cylinders.profile(), cylinders.contact_modulus(),
-                                      line_contact::grid_around(hertz.half_width(), c.n_nodes)};
-  return {cylinders,
-          load,
-          hertz,
-          problem,
-          line_contact::solve_by_matrix_inversion(problem, load),
-          elasticity::dundurs_beta(first, second)};
-}
 
 void compute_friction(Document& document, const Case& from) {
   const ContactCase& c = from.contact;
