@@ -7,8 +7,8 @@
 #include "app/point_contact_options.hpp"
 #include "command_line/stage.hpp"
 #include "point_contact/closed_forms/spheres.hpp"
-#include "point_contact/solver/beneath.hpp"
 #include "point_contact/solver/methods.hpp"
+#include "point_contact/solver/solution.hpp"
 
 namespace app {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/beneath.hpp"
+#include "point_contact/solver/solution.hpp"
 
 #include <algorithm>
 #include <array>

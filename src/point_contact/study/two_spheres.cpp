@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "point_contact/closed_forms/spheres.hpp"
-#include "point_contact/solver/beneath.hpp"
 #include "point_contact/solver/methods.hpp"
+#include "point_contact/solver/solution.hpp"
 
 namespace point_contact {
 namespace {
