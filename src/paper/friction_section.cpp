@@ -17,6 +17,7 @@
 #include "line_contact/problem.hpp"
 #include "line_contact/solution.hpp"
 #include "paper/bounds.hpp"
+#include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
 #include "paper/paper.hpp"
 
