@@ -16,9 +16,6 @@ difference(one, other) = of(one) - of(other)
 stats curves using (difference("half_space", "block_stated")) nooutput
 datum = STATS_mean
 stats curves using (column(0) == 120 ? of("half_space") : NaN) name 'MIDDLE_HALF_SPACE' nooutput
-stats curves using (column(0) == 120 ? of("block_fitted") : NaN) name 'MIDDLE_FITTED' nooutput
-stats curves using (column(0) == 120 ? of("block_stated") : NaN) name 'MIDDLE_STATED' nooutput
-
 stats curves using (column(0) == 150 ? of("block_fitted") : NaN) name 'RIGHT_FITTED' nooutput
 
 set xlabel sprintf('$x$ (%s)', x_unit)
@@ -33,9 +30,7 @@ set yrange [0.22 * highest:1.12 * highest]
 set ytics tick_step(highest)
 set ylabel sprintf('$u_z$ (%s)', u_unit)
 set label 1 'half-space' at 0.52 * end,MIDDLE_HALF_SPACE_mean + 0.10 * highest
-below = (MIDDLE_FITTED_mean + MIDDLE_STATED_mean) / 2 - 0.04 * highest
-set label 2 'block, inferred load' right at 0.97 * end,below
-set arrow 2 from 0.66 * end,below + 0.03 * highest to 0.63 * end,RIGHT_FITTED_mean - 0.01 * highest nohead lc rgb grey lw 0.8
+set label 2 'block, inferred load' right at 0.96 * end,RIGHT_FITTED_mean - 0.12 * highest
 set label 3 'block, stated load' at 0.02 * end,0.33 * highest
 plot curves using (x_of(column("x"))):(of("half_space")) with lines ls 1, \
      curves using (x_of(column("x"))):(of("block_stated")) with lines ls 3, \
@@ -50,7 +45,6 @@ set ytics tick_step(datum)
 set ylabel sprintf('difference (%s)', u_unit)
 set label 1 'datum' at 0.5 * end,1.14 * datum
 set label 2 'sum' at 0.62 * end,0.62 * datum
-unset arrow 2
 set label 3 'load' at 0.62 * end,-0.86 * datum
 plot 0 with lines lc rgb grey lw 0.8, \
      curves using (x_of(column("x"))):(difference("half_space", "block_stated")) with lines ls 3 lc rgb dim, \
