@@ -116,20 +116,28 @@ inline constexpr Definition definitions[] = {
 /// The names that stand for several units, of which UDUNITS-2 takes one without a word: the calorie
 /// of steam tables, the short ton, the tropical year, a nanomile, the millimetre of mercury for a
 /// torr, the gallon and the horsepower of the USA.
-inline constexpr const char* ambiguous_names[] = {"cal",          "calorie",      "Btu",
-                                                  "ton",          "torr",         "year",
-                                                  "yr",           "nmi",          "hp",
-                                                  "horsepower",   "gallon",       "quart",
-                                                  "pint",         "pt",           "cup",
-                                                  "gill",         "oz",           "floz",
-                                                  "fluid_ounce",  "liquid_ounce", "liquid_gallon",
-                                                  "liquid_quart", "liquid_pint",  "liquid_cup",
-                                                  "liquid_gill",  "fluid_dram",   "fldr",
-                                                  "tablespoon",   "Tbl",          "Tbsp",
-                                                  "tbsp",         "Tblsp",        "tblsp",
-                                                  "teaspoon",     "tsp",          "barrel",
-                                                  "bbl",          "bushel",       "bu",
-                                                  "peck",         "pk",           "dram",
-                                                  "dr",           "pica"};
+inline constexpr const char* ambiguous_names[] = {"cal",          "calorie",
+                                                  "Btu",          "BTU",
+                                                  "ton",          "torr",
+                                                  "year",         "yr",
+                                                  "nmi",          "hp",
+                                                  "horsepower",   "gallon",
+                                                  "quart",        "pint",
+                                                  "pt",           "cup",
+                                                  "gill",         "oz",
+                                                  "floz",         "fluid_ounce",
+                                                  "liquid_ounce", "liquid_gallon",
+                                                  "liquid_quart", "liquid_pint",
+                                                  "liquid_cup",   "liquid_gill",
+                                                  "fluid_dram",   "fldr",
+                                                  "tablespoon",   "Tbl",
+                                                  "Tbsp",         "tbsp",
+                                                  "Tblsp",        "tblsp",
+                                                  "teaspoon",     "tsp",
+                                                  "barrel",       "bbl",
+                                                  "bushel",       "bu",
+                                                  "peck",         "pk",
+                                                  "dram",         "dr",
+                                                  "pica"};
 
 }  // namespace config

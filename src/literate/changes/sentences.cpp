@@ -93,31 +93,6 @@ std::vector<std::size_t> ends_in(std::string_view text) {
   return ends;
 }
 
-std::set<std::string> named_in(std::string_view latex) {
-  static const auto commands = [] {
-    std::set<std::string> all;
-    for (const auto& [command, kind] : named_by) all.insert(command);
-    return all;
-  }();
-  std::set<std::string> names;
-  for (const TexCommand& use : commands_in(latex, commands)) {
-    names.insert(named_by.at(use.name) + " " + use.argument);
-  }
-  return names;
-}
-
-/// Adds what the document's own commands in a text print.
-void add_names_of_own(std::string_view latex, const OwnCommands& own,
-                      std::set<std::string>& names) {
-  if (own.empty()) return;
-  TexScanner scanner(latex);
-  while (const auto token = scanner.next()) {
-    if (token->kind != TexKind::command) continue;
-    const auto found = own.find(token->name);
-    if (found != own.end()) names.insert(found->second.begin(), found->second.end());
-  }
-}
-
 /// The extent of a branch of \\ifflag{flag}{yes}{no}, with its flag.
 struct Extent {
   std::size_t begin, end;
@@ -153,43 +128,12 @@ std::string without_comments(std::string_view text) {
 
 }  // namespace
 
-OwnCommands own_commands_in(std::string_view latex) {
-  static const std::set<std::string_view> defining{
-      "newcommand", "renewcommand", "providecommand", "def", "DeclareRobustCommand", "gdef"};
-  std::vector<std::pair<std::string, std::string_view>> definitions;
-  TexScanner scanner(latex);
-  while (const auto token = scanner.next()) {
-    if (token->kind != TexKind::command || !defining.contains(token->name)) continue;
-    // {\name}{body} or \name{body}
-    const std::string_view rest = scanner.rest();
-    const auto slash = rest.find('\\');
-    if (slash == rest.npos || rest.substr(0, slash).find_first_not_of("* \t\n{") != rest.npos)
-      continue;
-    TexScanner behind(rest.substr(slash));
-    const std::string name(behind.next()->name);
-    const auto open = std::min(behind.rest().find_first_not_of("} \t\n"), behind.rest().size());
-    definitions.emplace_back(name, group_at(behind.rest().substr(open)));
-  }
-  OwnCommands own;
-  for (const auto& [name, body] : definitions) own[name].merge(named_in(body));
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const auto& [name, body] : definitions) {
-      const std::size_t n_before = own[name].size();
-      add_names_of_own(body, own, own[name]);
-      grows = grows || own[name].size() > n_before;
-    }
-  }
-  std::erase_if(own, [](const auto& command) { return command.second.empty(); });
-  return own;
-}
-
 std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,
                                    const std::map<std::string, bool>& flags,
                                    const OwnCommands& own) {
   std::set<std::string> commands;
   for (const auto& [command, kind] : named_by) commands.insert(command);
-  const std::vector<TexCommand> uses = commands_in(latex, commands);
+  const std::vector<TexCommand> uses = commands_in(latex, commands, own);
   const std::vector<TexCommand> headings =
       commands_in(latex, {"chapter", "section", "subsection", "subsubsection"});
 
@@ -211,7 +155,6 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
       if (uses[n_used].end < begin || is_left_out(uses[n_used].branches, flags)) continue;
       sentence.names.insert(named_by.at(uses[n_used].name) + " " + uses[n_used].argument);
     }
-    add_names_of_own(text, own, sentence.names);
     for (const Extent& branch : branches) {
       if (branch.begin < end && begin < branch.end) sentence.names.insert("flag " + branch.flag);
     }
@@ -234,15 +177,11 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
 
 std::vector<Sentence> sentences_below(const std::filesystem::path& document,
                                       const std::map<std::string, bool>& flags) {
-  std::map<std::string, std::string> texts;
-  std::string whole;
-  for (const std::string& file : document_files(document)) {
-    whole += texts[file] = sys::read_file(document / file) + "\n";
-  }
-  const OwnCommands own = own_commands_in(whole);
+  const OwnCommands own = own_commands_of(document);
   std::vector<Sentence> all;
-  for (const auto& [file, text] : texts) {
-    std::ranges::move(sentences_in(text, file, flags, own), std::back_inserter(all));
+  for (const std::string& file : document_files(document)) {
+    std::ranges::move(sentences_in(sys::read_file(document / file), file, flags, own),
+                      std::back_inserter(all));
   }
   for (Sentence& sentence : all) sentence.folder = source_label(document);
   return all;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "literate/prose/tex_commands.hpp"
+
 namespace literate {
 
 /// A sentence of a document, as its author wrote it.
@@ -28,19 +30,14 @@ struct Sentence {
 std::string path_of(const Sentence& sentence);
 std::string place_of(const Sentence& sentence);
 
-/// What a document's own commands without arguments print, by their names: for \newcommand\peak
-/// {\val{p0}} «peak» has «value p0». Of one that is defined twice both are told, and of one in
-/// whose definition another stands what that prints, too.
-using OwnCommands = std::map<std::string, std::set<std::string>, std::less<>>;
-OwnCommands own_commands_in(std::string_view latex);
-
 /// Splits a LaTeX text into sentences, in order.
 ///
 /// A sentence ends with a full stop, a question mark or an exclamation mark before a blank and
 /// something that may begin a sentence, unless an abbreviation such as «Fig.» ends there; with an
 /// empty line; and where a heading, an item, a caption or an environment begins or ends. What
 /// precedes \begin{document} is none. Whatever holds no letter and no name is left out. It prints
-/// no name in a branch of \ifflag that these flags do not take.
+/// what the document's own commands in it do, and no name in a branch of \ifflag that these flags
+/// do not take.
 std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,
                                    const std::map<std::string, bool>& flags = {},
                                    const OwnCommands& own = {});

@@ -264,11 +264,15 @@ namespace {
 
 }  // namespace
 
+std::string digest_of(const Excerpt& excerpt) {
+  return sys::sha256_of_text(fmt::format("{}\n{}", excerpt.first_line, excerpt.text));
+}
+
 std::string excerpt_hashes_source(const std::vector<Excerpt>& excerpts, std::string_view space) {
   std::string entries;
   for (const Excerpt& excerpt : excerpts) {
     entries += fmt::format("    {{R\"text({})text\", R\"text({})text\", \"{}\"}},\n", excerpt.name,
-                           excerpt.file, sys::sha256_of_text(excerpt.text));
+                           excerpt.file, digest_of(excerpt));
   }
   return fmt::format(
       "// Written by the build.\n"
@@ -285,7 +289,7 @@ void require_compiled(const std::vector<Excerpt>& excerpts,
   for (const Excerpt& excerpt : excerpts) {
     const auto known = std::ranges::find(compiled, excerpt.name, &CompiledExcerpt::name);
     const bool is_same = known != compiled.end() && known->file == excerpt.file &&
-                         known->sha256 == sys::sha256_of_text(excerpt.text);
+                         known->sha256 == digest_of(excerpt);
     if (!is_same) refuse(excerpt.file, excerpt.name);
   }
   for (const CompiledExcerpt& known : compiled) {

@@ -45,8 +45,11 @@ std::vector<Excerpt> find_excerpts(const std::filesystem::path& source_root,
 struct CompiledExcerpt {
   std::string_view name;
   std::string_view file;    ///< relative to the source root
-  std::string_view sha256;  ///< of the text between the markers
+  std::string_view sha256;  ///< by digest_of
 };
+
+/// The SHA-256 of the text between the markers and of its first line's number, which is printed.
+std::string digest_of(const Excerpt& excerpt);
 
 /// Writes a C++ source that defines `const std::vector<CompiledExcerpt> compiled_excerpts` in the
 /// given namespace. The build compiles it into the program together with the excerpts themselves.

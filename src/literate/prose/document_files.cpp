@@ -42,6 +42,14 @@ std::vector<std::string> document_files(const fs::path& source_dir) {
   return files;
 }
 
+OwnCommands own_commands_of(const fs::path& source_dir) {
+  OwnCommands own;
+  for (const std::string& file : document_files(source_dir)) {
+    own.merge(own_commands_in(sys::read_file(source_dir / file)));
+  }
+  return own;
+}
+
 std::vector<std::string> images_of(const fs::path& source_dir) {
   static const std::set<std::string> endings = {".png", ".jpg", ".jpeg", ".pdf"};
   std::set<std::string> found;

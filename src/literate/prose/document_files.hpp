@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "literate/prose/tex_commands.hpp"
+
 namespace literate {
 
 /// The last part of a folder's path, by which messages name it wherever it lies.
@@ -22,6 +24,9 @@ inline constexpr std::string_view page_preamble = "page.tex";
 /// a document of its own and is left out. Throws sys::OutputError if the folder or a file cannot be
 /// read.
 std::vector<std::string> document_files(const std::filesystem::path& source_dir);
+
+/// The commands that the files of a document define.
+OwnCommands own_commands_of(const std::filesystem::path& source_dir);
 
 /// Finds the pictures that a document shows by \includegraphics and no program made: files of PNG,
 /// JPEG or PDF of exactly the name that is given there, from the document's folder on and not above

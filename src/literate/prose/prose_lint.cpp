@@ -78,7 +78,8 @@ bool has_unit(const Surroundings& around) {
   static const sys::Pattern end_of_math(R"(^[\s}]*\$)");
   // 5\%, 12$'$, 90^\circ, 3\,\Omega, 3 $\Omega$, but not 2\Omega
   static const sys::Pattern sign(
-      "^[\\s}]*(\\$\\s*''?\\s*\\$|\\\\%|((\\s|~|\\\\[,;: ]|[{}$])*\\^[\\s{]*|(\\s|~|\\\\[,;: ]|[{}$])+)\x04)");
+      "^[\\s}]*(\\$\\s*''?\\s*\\$|\\\\%|((\\s|~|\\\\[,;: ]|[{}$])*\\^[\\s{]*|(\\s|~|\\\\[,;: "
+      "]|[{}$])+)\x04)");
   static const sys::Pattern upright("^(\\s|~|\\\\[,;: ]|[{}$])*\x01\\s*\\{");
   static const sys::Pattern per_unit("^/(s|min|h|d|cm|mm|km|kg|mol)(?![A-Za-z])");
   if (quantity.is_in(around.before) || sign.is_in(around.after)) return true;

@@ -71,6 +71,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
   std::set<std::string> commands;
   for (const ReferenceKind& kind : kinds) commands.insert(kind.command);
 
+  const OwnCommands own = own_commands_of(source_dir);
   ReferenceReport report;
   std::set<std::pair<std::string, std::string>> used;
   for (const std::string& file : document_files(source_dir)) {
@@ -78,7 +79,7 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     if (prints_ledger(text)) {
       for (const std::string& claim : claims) used.emplace("claim", claim);
     }
-    for (const auto& use : commands_in(text, commands)) {
+    for (const auto& use : commands_in(text, commands, own)) {
       const ReferenceKind& kind = *std::ranges::find(kinds, use.name, &ReferenceKind::command);
       used.emplace(kind.noun, use.argument);
       if (kind.names.contains(use.argument) || is_left_out(use.branches, names.flags)) continue;

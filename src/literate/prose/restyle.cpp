@@ -310,9 +310,10 @@ double restyled_number(const StoredNumber& stored, std::string_view text) {
 Restyled restyled_values(const std::filesystem::path& source_dir, const Names& names) {
   Restyled result;
   std::set<std::string> lines;
+  const OwnCommands own = own_commands_of(source_dir);
   for (const std::string& file : document_files(source_dir)) {
     for (const TexCommand& use :
-         commands_in(sys::read_file(source_dir / file), {"val", "rawval"})) {
+         commands_in(sys::read_file(source_dir / file), {"val", "rawval"}, own)) {
       if (use.options.empty() || !names.values.contains(use.argument)) continue;
       const auto stored = names.numbers.find(use.argument);
       try {

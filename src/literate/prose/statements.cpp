@@ -20,7 +20,7 @@ namespace literate {
 namespace {
 
 constexpr const char* cited = "cited";
-constexpr const char* own = "own";
+constexpr const char* own_part = "own";
 
 /// Takes the next group off a text, over the ends of lines, without its delimiters.
 std::string take_group(std::string_view& text, char open, char close) {
@@ -167,10 +167,10 @@ std::vector<NumberedStatement> numbered_statements(const std::vector<Statement>&
 
 std::string statements_tex(const std::vector<Statement>& statements, const Names& names) {
   std::string text;
-  std::map<std::string, std::map<std::string, int>> counts{{cited, {}}, {own, {}}};
+  std::map<std::string, std::map<std::string, int>> counts{{cited, {}}, {own_part, {}}};
   for (const auto& [number, statement] : numbered_statements(statements, names)) {
     const NamedClaim& claim = names.claims.at(statement.id);
-    const char* part = statement.source.empty() ? own : cited;
+    const char* part = statement.source.empty() ? own_part : cited;
     auto& count = counts[part];
     ++count["all"];
     ++count[claim.found];

@@ -2,6 +2,7 @@
 #include "literate/prose/tex_commands.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "literate/prose/tex_scanner.hpp"
@@ -75,8 +76,77 @@ bool is_left_out(const std::vector<Branch>& branches, const std::map<std::string
   });
 }
 
-std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names) {
-  std::vector<TexCommand> commands;
+OwnCommands own_commands_in(std::string_view text) {
+  static const std::set<std::string_view> defining{
+      "newcommand", "renewcommand", "providecommand", "def", "DeclareRobustCommand", "gdef"};
+  OwnCommands own;
+  TexScanner scanner(text);
+  while (const auto token = scanner.next()) {
+    if (token->kind != TexKind::command || !defining.contains(token->name)) continue;
+    // {\name}[2][default]{body}, \name[2][default]{body} or, of \def, \name#1#2{body}
+    const std::string_view rest = scanner.rest();
+    const auto slash = rest.find('\\');
+    if (slash == rest.npos || rest.substr(0, slash).find_first_not_of("* \t\n{") != rest.npos) {
+      continue;
+    }
+    TexScanner behind(rest.substr(slash));
+    const std::string name(behind.next()->name);
+    behind.skip(behind.rest().find_first_not_of("} \t\n"));
+    OwnCommand command;
+    const auto in_brackets = [&] { return behind.skip(group_at(behind.rest(), '[', ']').size()); };
+    if (token->name.ends_with("def")) {
+      const std::string_view pattern = behind.skip(behind.rest().find('{'));
+      command.n_arguments = static_cast<std::size_t>(std::ranges::count(pattern, '#'));
+    } else if (const std::string_view number = in_brackets(); number.size() == 3) {
+      command.n_arguments = static_cast<std::size_t>(number[1] - '0');
+      const std::string_view default_text = in_brackets();
+      command.has_option = !default_text.empty();
+      command.default_text = in_one_line(default_text);
+    }
+    const std::string_view body = group_at(behind.rest());
+    if (body.size() > 2) command.body = body.substr(body.find('{') + 1, body.size() - 2);
+    own.emplace(name, std::move(command));
+  }
+  return own;
+}
+
+namespace {
+
+/// What a command of the document's own expands to before `rest`; none where its arguments are not
+/// groups, as in its definition.
+std::optional<std::string> expanded(const OwnCommand& command, std::string_view rest) {
+  TexScanner scanner(rest);
+  std::vector<std::string> arguments;
+  if (command.has_option) {
+    const std::string_view option = group_at(scanner.rest(), '[', ']');
+    scanner.skip(option.size());
+    arguments.push_back(option.empty() ? command.default_text : in_one_line(option));
+  }
+  while (arguments.size() < command.n_arguments) {
+    scanner.skip_blanks();
+    const std::string_view group = group_at(scanner.rest());
+    if (group.empty()) return std::nullopt;
+    arguments.emplace_back(group.substr(1, group.size() - 2));
+    scanner.skip(group.size());
+  }
+  std::string text;
+  for (std::size_t i = 0; i < command.body.size(); ++i) {
+    const auto n = command.body[i] == '#' && i + 1 < command.body.size()
+                       ? static_cast<std::size_t>(command.body[i + 1] - '1')
+                       : arguments.size();
+    if (n < arguments.size()) {
+      text += arguments[n];
+      ++i;
+    } else {
+      text += command.body[i];
+    }
+  }
+  return text;
+}
+
+void add_commands(std::string_view text, const std::set<std::string>& names, const OwnCommands& own,
+                  int depth, std::vector<TexCommand>& commands) {
+  constexpr int deepest = 8;  // a command may contain itself
   Conditionals conditionals;
   TexScanner scanner(text);
   while (const auto token = scanner.next()) {
@@ -84,17 +154,39 @@ std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::s
     if (token->kind != TexKind::command) continue;
     const std::string name(token->name);
     const std::string_view rest = scanner.rest();
+    const auto end = static_cast<std::size_t>(rest.data() - text.data());
+    const auto [first, last] = own.equal_range(name);
+    for (auto command = first; command != last && depth < deepest; ++command) {
+      const auto expansion = expanded(command->second, rest);
+      if (!expansion) continue;
+      std::vector<TexCommand> inner;
+      add_commands(*expansion, names, own, depth + 1, inner);
+      const auto [line, column] = place_in(text, token->text);
+      for (TexCommand& use : inner) {
+        std::vector<Branch> branches = conditionals.branches();
+        branches.insert(branches.end(), use.branches.begin(), use.branches.end());
+        commands.push_back(
+            {use.name, use.argument, use.options, line, column, std::move(branches), end});
+      }
+    }
     const std::string_view in_brackets = group_at(rest, '[', ']');
     const std::string argument(argument_at(rest.substr(in_brackets.size())));
     if (argument.empty() || argument.find('#') != std::string::npos) continue;
     if (names.contains(name)) {
       const auto [line, column] = place_in(text, token->text);
-      const auto end = static_cast<std::size_t>(rest.data() - text.data());
       commands.push_back(
           {name, argument, in_one_line(in_brackets), line, column, conditionals.branches(), end});
     }
     if (name == "ifflag") conditionals.begin(argument);
   }
+}
+
+}  // namespace
+
+std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names,
+                                    const OwnCommands& own) {
+  std::vector<TexCommand> commands;
+  add_commands(text, names, own, 0, commands);
   return commands;
 }
 

@@ -31,10 +31,23 @@ struct TexCommand {
 /// Whether one of the branches is not taken.
 bool is_left_out(const std::vector<Branch>& branches, const std::map<std::string, bool>& flags);
 
-/// Finds the uses of the named commands in a LaTeX text, in order.
+/// A command that the document defines by \newcommand or \def.
+struct OwnCommand {
+  std::size_t n_arguments = 0;
+  bool has_option = false;   ///< whether the first argument stands in brackets
+  std::string default_text;  ///< of the first argument
+  std::string body;
+};
+/// By name. Of one that is defined twice both stand there.
+using OwnCommands = std::multimap<std::string, OwnCommand, std::less<>>;
+OwnCommands own_commands_in(std::string_view text);
+
+/// Finds the uses of the named commands in a LaTeX text, in order, and those to which the
+/// document's own commands in it expand, at the places of these.
 ///
 /// Comments and verbatim text are skipped, and so is what belongs to a definition: a name without
 /// an argument in braces, and an argument with a parameter (#1).
-std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names);
+std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names,
+                                    const OwnCommands& own = {});
 
 }  // namespace literate

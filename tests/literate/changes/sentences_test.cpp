@@ -72,9 +72,8 @@ BOOST_AUTO_TEST_CASE(a_sentence_knows_its_lines_and_what_it_prints) {
 
 BOOST_AUTO_TEST_CASE(a_sentence_prints_what_the_documents_own_commands_in_it_print) {
   const auto own = literate::own_commands_in(
-      "\\newcommand{\\peak}{\\val{p0}}\n\\def\\all{\\peak{} and \\val{p1}}% \\def\\no{\\val{x}}\n"
-      "\\newcommand*\\bold[1]{\\textbf{#1}}\n\\renewcommand\\peak{\\val{p2}}");
-  BOOST_TEST(own.size() == 2U);
+      "\\newcommand{\\peak}{\\val{p0}}\\def\\all{\\peak{} and "
+      "\\val{p1}}\\renewcommand\\peak{\\val{p2}}");
 
   const auto sentences = sentences_in("It is \\peak. They are \\all.", "a.tex", {}, own);
   BOOST_TEST_REQUIRE(sentences.size() == 2U);

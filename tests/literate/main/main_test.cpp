@@ -89,7 +89,7 @@ class Workplace {
 
  private:
   fs::path folder_ = fs::temp_directory_path() / ("literate main " + std::to_string(::getpid()));
-  std::string hash_ = sys::sha256_of_text("x += y;\n");
+  std::string hash_ = literate::digest_of({"sum", "src/a.cpp", 2, "x += y;\n"});
   literate::Paper paper_{.project = "toy",
                          .version = "1",
                          .compiler = "none",

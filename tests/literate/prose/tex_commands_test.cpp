@@ -44,6 +44,29 @@ BOOST_AUTO_TEST_CASE(comments_and_verbatim_text_hold_no_uses) {
              per_element());
 }
 
+BOOST_AUTO_TEST_CASE(commands_of_the_documents_own_are_uses_of_what_they_expand_to) {
+  const std::string definitions =
+      "\\newcommand{\\len}[1]{\\val{len.#1}}\\newcommand*\\both[2][a]{\\len{#1} and \\len{#2}}"
+      "\\def\\two#1#2{\\tab{#2}\\ifflag{#1}{}{\\val{x}}}\\newcommand\\again{\\again\\val{y}}% "
+      "\\def\\no{\\val{n}}\n";
+  const auto uses = [&](const std::string& latex) {
+    std::vector<std::string> found;
+    for (const TexCommand& use : commands_in(latex, {"val", "tab"}, own_commands_in(definitions))) {
+      std::string text = fmt::format("{} {} {}", use.column, use.name, use.argument);
+      for (const Branch& branch : use.branches) text += (branch.is_yes ? " ?" : " !") + branch.flag;
+      found.push_back(text);
+    }
+    return found;
+  };
+  BOOST_TEST(uses("a \\len{b}, \\no") == (Uses{"3 val len.b"}), per_element());
+  BOOST_TEST(uses("\\both{b} \\both[c] {d}") ==
+                 (Uses{"1 val len.a", "1 val len.b", "10 val len.c", "10 val len.d"}),
+             per_element());
+  BOOST_TEST(uses("\\ifflag{g}{\\two{f} {t}}{}") == (Uses{"12 tab t ?g", "12 val x ?g !f"}),
+             per_element());
+  BOOST_TEST(uses("\\again").size() == 8U);
+}
+
 BOOST_AUTO_TEST_CASE(a_use_knows_its_branches_outermost_first) {
   BOOST_TEST(uses_in("\\ifflag{f}{\\val{a}\\ifflag{g}{}{{\\val{b}}}}% }\n {\\val{c}}{\\val{d}}") ==
                  (Uses{"1:12 val a ?f", "1:33 val b ?f !g", "2:3 val c !f", "2:12 val d"}),
