@@ -7,7 +7,6 @@
 
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
-#include "course/assignment/files.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/make_toolkit.hpp"
 #include "course/release/markers.hpp"

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -106,6 +107,9 @@ struct Assignment {
 /// Reads folder/assignment.toml. Throws config::Error «file:line:column: …» for an entry that
 /// is malformed or contradicts another.
 Assignment read_assignment(const std::filesystem::path& folder);
+
+/// The texts of a project's files, by path, such as "src/closed_form.cpp".
+using Files = std::map<std::string, std::string>;
 
 /// The files of an exercise and of all that it builds on.
 std::set<std::string> files_behind(const Assignment& assignment, const Exercise& exercise);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "course/assignment/assignment.hpp"
-#include "course/assignment/files.hpp"
 #include "course/marking/compiler.hpp"
 #include "course/sandbox/sandbox.hpp"
 

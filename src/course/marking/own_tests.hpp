@@ -7,7 +7,6 @@
 
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
-#include "course/assignment/files.hpp"
 #include "course/sandbox/sandbox.hpp"
 
 namespace course {

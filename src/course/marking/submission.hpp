@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "course/assignment/assignment.hpp"
-#include "course/assignment/files.hpp"
 #include "course/sandbox/sandbox.hpp"
 
 namespace course {

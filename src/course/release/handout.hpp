@@ -6,7 +6,6 @@
 #include <string>
 
 #include "course/assignment/assignment.hpp"
-#include "course/assignment/files.hpp"
 #include "course/assignment/variant.hpp"
 #include "course/release/markers.hpp"
 

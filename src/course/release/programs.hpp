@@ -2,7 +2,6 @@
 #pragma once
 
 #include "course/assignment/assignment.hpp"
-#include "course/assignment/files.hpp"
 #include "course/marking/toolkit.hpp"
 
 namespace course {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "course/assignment/assignment.hpp"
-#include "course/assignment/files.hpp"
 
 namespace course {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "course/assignment/assignment.hpp"
-#include "course/assignment/files.hpp"
 #include "course/assignment/variant.hpp"
 #include "course/marking/submission.hpp"
 #include "course/reporting/report_typesetting.hpp"

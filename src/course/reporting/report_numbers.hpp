@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "course/assignment/assignment.hpp"
-#include "course/assignment/files.hpp"
 #include "course/assignment/variant.hpp"
 #include "course/sandbox/sandbox.hpp"
 
