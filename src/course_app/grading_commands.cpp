@@ -11,7 +11,7 @@
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
 #include "command_line/options.hpp"
-#include "course/assignment/check_list.hpp"
+#include "course/assignment/assignment.hpp"
 #include "course/assignment/student.hpp"
 #include "course/assignment/variants.hpp"
 #include "course/marking/grade.hpp"

@@ -7,7 +7,6 @@
 #include "assignment/public_checks.hpp"
 #include "assignment/valid_variant.hpp"
 #include "command_line/options.hpp"
-#include "course/assignment/check_list.hpp"
 #include "course/assignment/variants.hpp"
 #include "course_app/commands.hpp"
 #include "system/files.hpp"

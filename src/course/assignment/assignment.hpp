@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "course/assignment/check.hpp"
+
 namespace course {
 
 /// Who decides a check, and what students are told of it: code of which they have a copy; code of
@@ -113,6 +115,11 @@ using Files = std::map<std::string, std::string>;
 
 /// The files of an exercise and of all that it builds on.
 std::set<std::string> files_behind(const Assignment& assignment, const Exercise& exercise);
+
+/// The code of every check that the assignment lists, but of those that students' own tests decide
+/// (course/marking/own_tests.hpp). Throws config::Error for a listed check,
+/// with its place, that has no code of its visibility, and for code of a check that is not listed.
+Checks all_checks(const Assignment& assignment, const Checks& visible, const Checks& hidden);
 
 /// The value from + k·step of a quantity, rounded to 12 digits, so that it is 0.28 and not
 /// 0.28000000000000003.

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "course/assignment/check_list.hpp"
 #include "course/assignment/variants.hpp"
 #include "course/marking/own_tests.hpp"
 #include "course/marking/solution_trial.hpp"

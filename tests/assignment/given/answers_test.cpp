@@ -9,7 +9,7 @@
 #include "assignment/hidden_checks.hpp"
 #include "assignment/programs.hpp"
 #include "assignment/public_checks.hpp"
-#include "course/assignment/check_list.hpp"
+#include "course/assignment/assignment.hpp"
 
 BOOST_AUTO_TEST_SUITE(answers_test)
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "config/table.hpp"
-#include "course/assignment/check_list.hpp"
 #include "course/toy.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"

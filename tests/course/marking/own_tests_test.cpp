@@ -6,7 +6,7 @@
 #include <boost/test/unit_test.hpp>
 #include <map>
 
-#include "course/assignment/check_list.hpp"
+#include "course/assignment/assignment.hpp"
 #include "course/marking/grade.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "course/toy_grading.hpp"
