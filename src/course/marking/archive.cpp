@@ -7,7 +7,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "system/lines.hpp"
 #include "system/process.hpp"
 

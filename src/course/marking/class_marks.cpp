@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "course/assignment/student.hpp"
-#include "course/assignment/student_text.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

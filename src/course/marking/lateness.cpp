@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "system/error.hpp"
 #include "system/pattern.hpp"
 

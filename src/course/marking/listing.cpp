@@ -7,7 +7,6 @@
 #include <map>
 
 #include "course/assignment/student.hpp"
-#include "course/assignment/student_text.hpp"
 #include "system/error.hpp"
 
 namespace course {

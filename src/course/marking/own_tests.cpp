@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "course/marking/build.hpp"
 #include "course/marking/compiler.hpp"
 #include "course/marking/program_run.hpp"

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <limits>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "system/decimal.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "course/assignment/student.hpp"
-#include "course/assignment/student_text.hpp"
 #include "system/csv.hpp"
 #include "system/decimal.hpp"
 #include "system/error.hpp"

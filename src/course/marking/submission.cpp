@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "course/assignment/student.hpp"
-#include "course/assignment/student_text.hpp"
 #include "course/marking/archive.hpp"
 #include "course/sandbox/file_beneath.hpp"
 #include "system/error.hpp"

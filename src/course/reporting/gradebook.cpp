@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "system/csv.hpp"
 #include "system/error.hpp"
 

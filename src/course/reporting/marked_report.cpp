@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/reporting/report_findings.hpp"
 #include "course/reporting/report_numbers.hpp"

@@ -11,7 +11,7 @@
 #include <set>
 #include <string_view>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "literate/prose/prose_lint.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "literate/typesetting/latex_log.hpp"

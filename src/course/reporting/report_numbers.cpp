@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "course/marking/archive.hpp"
 #include "course/marking/build.hpp"
 #include "course/marking/toolkit.hpp"

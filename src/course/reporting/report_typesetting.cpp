@@ -7,7 +7,7 @@
 #include <chrono>
 #include <csignal>
 
-#include "course/assignment/student_text.hpp"
+#include "course/assignment/student.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "course/assignment/student.hpp"
-#include "course/assignment/student_text.hpp"
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
 #include "system/error.hpp"
