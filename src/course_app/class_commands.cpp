@@ -13,7 +13,7 @@
 #include "assignment/valid_variant.hpp"
 #include "command_line/options.hpp"
 #include "course/assignment/variants.hpp"
-#include "course/marking/collect.hpp"
+#include "course/marking/class_marks.hpp"
 #include "course/marking/listing.hpp"
 #include "course/marking/submission.hpp"
 #include "course/reporting/gradebook.hpp"

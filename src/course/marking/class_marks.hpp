@@ -56,4 +56,7 @@ ClassMarks class_marks(const Assignment& assignment, const std::filesystem::path
 /// The ids of all checks, in the assignment's order.
 std::vector<std::string> check_ids(const Assignment& assignment);
 
+/// The marks of a class as a table: a header and a line for each student.
+std::string marks_csv(const Assignment& assignment, const ClassMarks& marks);
+
 }  // namespace course

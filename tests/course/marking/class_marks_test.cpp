@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/marking/collect.hpp"
+#include "course/marking/class_marks.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include "course/marking/mark.hpp"
 #include "course/toy_grading.hpp"
 
-BOOST_AUTO_TEST_SUITE(collect_test)
+BOOST_AUTO_TEST_SUITE(class_marks_test)
 
 using namespace course;
 
