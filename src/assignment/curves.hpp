@@ -5,7 +5,7 @@
 
 #include "course/assignment/check.hpp"
 #include "course/assignment/variant.hpp"
-#include "course/marking/feedback_picture.hpp"
+#include "course/marking/feedback.hpp"
 
 namespace assignment {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/marking/feedback_picture.hpp"
+#include "course/marking/feedback.hpp"
 
 #include <fmt/core.h>
 

@@ -3,7 +3,6 @@
 
 #include "course/marking/feedback.hpp"
 #include "course/marking/own_tests.hpp"
-#include "course/marking/results.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "course/marking/feedback_picture.hpp"
+#include "course/marking/feedback.hpp"
 #include "course/marking/mark.hpp"
 
 namespace course {

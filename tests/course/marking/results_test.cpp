@@ -5,7 +5,6 @@
 
 #include "course/marking/feedback.hpp"
 #include "course/marking/grade.hpp"
-#include "course/marking/results.hpp"
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
 #include "system/error.hpp"
