@@ -8,7 +8,7 @@
 #include "course/assignment/variants.hpp"
 #include "course/marking/build.hpp"
 #include "course/marking/own_tests.hpp"
-#include "course/marking/solution_trial.hpp"
+#include "course/marking/try_checks.hpp"
 #include "course/release/expected_values.hpp"
 #include "course/release/leaks.hpp"
 #include "course/release/zip.hpp"
