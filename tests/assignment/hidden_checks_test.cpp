@@ -6,7 +6,6 @@
 #include <set>
 
 #include "assignment/programs.hpp"
-#include "course/release/expected_values.hpp"
 #include "course/release/secret_numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(hidden_checks_test)

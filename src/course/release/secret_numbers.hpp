@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "course/assignment/check.hpp"
 
 namespace course {
 
@@ -31,6 +34,21 @@ class SecretNumbers {
 
   std::set<std::string, std::less<>> digits_;  // of six to eight digits, cut and rounded
   std::vector<std::uint64_t> patterns_;        // sorted
+};
+
+/// Records what the checks ask the instructor's program and what it answers. These answers are
+/// the values that a handout must not hold.
+class ExpectedValues {
+ public:
+  /// The same checks, which now record in this object; it must outlive them.
+  Checks listening(const Checks& checks);
+
+  /// The answers, each once, without those that were also an input.
+  std::vector<double> values() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::set<double> inputs_, answers_;
 };
 
 }  // namespace course

@@ -4,7 +4,6 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
-#include "course/release/expected_values.hpp"
 #include "course/release/secret_numbers.hpp"
 #include "course/small_pdf.hpp"
 #include "course/toy.hpp"
