@@ -9,8 +9,6 @@
 #include "course/assignment/variants.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/handout.hpp"
-#include "course/release/programs.hpp"
-#include "course/release/run_compiler.hpp"
 #include "course/sandbox/sandbox.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -107,6 +105,16 @@ void compile_all(const Assignment& assignment, const Toolkit& toolkit,
 }
 
 }  // namespace
+
+void run_compiler(std::vector<std::string> arguments, const std::filesystem::path& product) {
+  std::filesystem::create_directories(product.parent_path());
+  arguments.insert(arguments.end(), {"-o", product.string()});
+  const sys::ProcessResult result = sys::run(
+      {.program = "g++", .arguments = std::move(arguments), .environment = {{"LC_ALL", "C"}}});
+  if (result.exit_status != 0) {
+    throw sys::ToolError(fmt::format("the toolkit does not compile: g++ says\n{}", result.output));
+  }
+}
 
 void make_toolkit(const Assignment& assignment, const fs::path& source, const fs::path& output) {
   std::vector<std::string> former;

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "course/assignment/assignment.hpp"
+#include "course/marking/toolkit.hpp"
 
 namespace course {
 
@@ -13,5 +16,15 @@ namespace course {
 /// SourceError as read_project does.
 void make_toolkit(const Assignment& assignment, const std::filesystem::path& source,
                   const std::filesystem::path& output);
+
+/// Runs g++ for a product of the toolkit. Throws sys::ToolError with what it says if it fails.
+void run_compiler(std::vector<std::string> arguments, const std::filesystem::path& product);
+
+/// Compiles the programs on which students' own tests are tried, for each exercise that asks for
+/// tests: the solution, and the solution with the mistake that each wrong solution makes in the
+/// exercise's own file. They lie beside the toolkit, where this process's user alone can read them.
+/// Throws config::Error as read_wrong_solutions does, sys::SourceError if no wrong solution changes
+/// such an exercise's file, and sys::ToolError with what the compiler says.
+void make_programs(const Assignment& assignment, const Toolkit& toolkit, const Files& solution);
 
 }  // namespace course

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/release/programs.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
 
-#include "course/release/run_compiler.hpp"
+#include "course/release/make_toolkit.hpp"
 #include "course/release/wrong_solutions.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/error.hpp"
