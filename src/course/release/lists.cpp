@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "course/release/comment_lines.hpp"
+#include "course/release/markers.hpp"
 #include "system/error.hpp"
 #include "system/lines.hpp"
 

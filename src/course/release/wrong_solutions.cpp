@@ -7,7 +7,7 @@
 #include <set>
 
 #include "config/table.hpp"
-#include "course/release/comment_lines.hpp"
+#include "course/release/markers.hpp"
 #include "system/lines.hpp"
 
 namespace course {
