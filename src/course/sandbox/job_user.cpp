@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "course/sandbox/private_folder.hpp"
+#include "course/sandbox/scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 

@@ -2,10 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "system/descriptor.hpp"
 
 namespace course {
+
+/// The folder `above`/`name`-UID of this process's user, which is made if it does not exist.
+/// Other users can reach files in it whose names they know, but cannot list it. Throws
+/// sys::OutputError if something else has that name, such as a link or another user's folder.
+std::filesystem::path private_folder(const std::filesystem::path& above, const std::string& name);
 
 /// A new folder, which is removed with everything in it at the end of its scope. Folders that a
 /// killed process left behind are removed when the next one is made. Submissions run as other
