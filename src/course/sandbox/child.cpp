@@ -20,8 +20,6 @@
 #include <random>
 #include <thread>
 
-#include "course/sandbox/usage.hpp"
-#include "course/sandbox/write_fence.hpp"
 #include "system/ascii.hpp"
 #include "system/descriptor.hpp"
 #include "system/error.hpp"

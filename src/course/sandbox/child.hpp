@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "system/descriptor.hpp"
 
 namespace course {
 
@@ -46,5 +50,34 @@ struct ChildEnd {
 /// They also end if this process is killed. Throws sys::ToolError if it cannot start, or if the
 /// kernel does not take the filter or the fence around what is writable.
 ChildEnd run_child(const Child& child);
+
+/// Writes the filter of system calls under which a submission runs, in the form that bubblewrap
+/// reads. Calls fail with EPERM if no numerical program needs them and if they reach what the
+/// limits do not count: memory of System V and of key rings, new namespaces, other processes.
+/// Throws sys::ToolError if the filter cannot be made.
+void write_syscall_filter(const std::filesystem::path& file);
+
+/// A fence of Landlock (Linux 5.13): within it a process can write, make, rename and remove nothing
+/// but these files and what is below these folders, which must exist. Any user can have one. There
+/// is no fence, but a descriptor of −1, where the kernel has no Landlock. Throws sys::ToolError if
+/// a path cannot be opened.
+sys::Descriptor write_fence(const std::vector<std::filesystem::path>& writable);
+
+/// Encloses this process and all that it starts, which also gains no rights by running programs any
+/// more. Returns whether the kernel has done so. Allocates nothing.
+bool enclose(const sys::Descriptor& fence);
+
+/// What some processes use together.
+struct Usage {
+  std::size_t bytes = 0;   ///< of memory; a page that two processes share counts twice
+  double cpu_seconds = 0;  ///< including that of their children that have ended
+  std::size_t tasks = 0;   ///< processes and threads
+  bool is_waiting = true;  ///< whether none of them wants a processor
+};
+
+Usage usage_of(const std::vector<pid_t>& processes);
+
+/// The number of processes and threads of this process's user.
+std::size_t own_tasks();
 
 }  // namespace course

@@ -11,8 +11,6 @@
 
 #include "course/sandbox/child.hpp"
 #include "course/sandbox/job_user.hpp"
-#include "course/sandbox/syscall_filter.hpp"
-#include "course/sandbox/usage.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"

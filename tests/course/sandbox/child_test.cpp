@@ -8,7 +8,6 @@
 #include <chrono>
 #include <csignal>
 
-#include "course/sandbox/syscall_filter.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/proc.hpp"

@@ -15,7 +15,6 @@
 #include "course/sandbox/child.hpp"
 #include "course/sandbox/job_user.hpp"
 #include "course/sandbox/scratch_folder.hpp"
-#include "course/sandbox/write_fence.hpp"
 #include "course/walls.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/sandbox/usage.hpp"
+#include "course/sandbox/child.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
