@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment/valid_variant.hpp"
+#include "assignment/assignment.hpp"
 
 #include <algorithm>
 #include <cmath>

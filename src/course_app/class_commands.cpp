@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "assignment/valid_variant.hpp"
+#include "assignment/assignment.hpp"
 #include "command_line/options.hpp"
 #include "course/assignment/variants.hpp"
 #include "course/marking/class_marks.hpp"

@@ -6,10 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "assignment/curves.hpp"
-#include "assignment/hidden_checks.hpp"
-#include "assignment/public_checks.hpp"
-#include "assignment/valid_variant.hpp"
+#include "assignment/assignment.hpp"
 #include "command_line/options.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/student.hpp"

@@ -3,9 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "assignment/hidden_checks.hpp"
-#include "assignment/public_checks.hpp"
-#include "assignment/valid_variant.hpp"
+#include "assignment/assignment.hpp"
 #include "command_line/options.hpp"
 #include "course/assignment/variants.hpp"
 #include "course_app/commands.hpp"

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "assignment/hidden_checks.hpp"
-#include "assignment/public_checks.hpp"
-#include "assignment/valid_variant.hpp"
+#include "assignment/assignment.hpp"
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "course/marking/roster.hpp"

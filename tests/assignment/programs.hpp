@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "assignment/assignment.hpp"
 #include "assignment/given/shapes.hpp"
-#include "assignment/valid_variant.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
 #include "course/assignment/variants.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment/valid_variant.hpp"
+#include "assignment/assignment.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <set>

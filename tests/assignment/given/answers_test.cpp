@@ -6,9 +6,8 @@
 #include <set>
 #include <string>
 
-#include "assignment/hidden_checks.hpp"
+#include "assignment/assignment.hpp"
 #include "assignment/programs.hpp"
-#include "assignment/public_checks.hpp"
 #include "course/assignment/assignment.hpp"
 
 BOOST_AUTO_TEST_SUITE(answers_test)
