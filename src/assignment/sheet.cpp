@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "assignment/sheet_figures.hpp"
-
 namespace assignment {
 
 using course::Assignment;

@@ -4,6 +4,7 @@
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/variant.hpp"
 #include "literate/document/document.hpp"
+#include "literate/figures/figure.hpp"
 
 namespace assignment {
 
@@ -17,5 +18,12 @@ namespace assignment {
 /// std::out_of_range for a quantity that the variant lacks.
 void register_sheet(literate::Document& document, const course::Assignment& assignment,
                     const course::Variant& variant);
+
+/// The triangle of eq. (4), and overlapping triangles with their sum.
+literate::Figure setting();
+
+/// How many digits of the slope are wrong when eq. (3)'s three terms are added as they stand,
+/// against the distance from the load.
+literate::Figure lost_digits();
 
 }  // namespace assignment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment/sheet_figures.hpp"
+#include "assignment/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
