@@ -12,6 +12,7 @@
 #include "course_app/options.hpp"
 #include "literate/document/document.hpp"
 #include "literate/figures/draw.hpp"
+#include "literate/main/stages.hpp"
 
 namespace course_app {
 namespace {
@@ -33,6 +34,16 @@ ExitCode run(const SheetOptions& options) {
   return ExitCode::success;
 }
 
+// The sheet with nominal numbers, as a paper of the engine: its stages, beside the command `sheet`,
+// which writes the sheet of one student.
+void compute(literate::Document& document, const literate::Inputs& inputs) {
+  CourseOptions options;
+  options.assignment = inputs.case_file.parent_path().string();
+  options.source = inputs.source.string();
+  const course::Assignment assignment = read_assignment(options);
+  assignment::register_sheet(document, assignment, variant_of(options, assignment));
+}
+
 }  // namespace
 
 void add_sheet_command(CLI::App& program, ExitCode& exit_code) {
@@ -45,6 +56,11 @@ void add_sheet_command(CLI::App& program, ExitCode& exit_code) {
                 add_assignment(command, *options);
                 return [options] { return run(*options); };
               });
+}
+
+void add_sheet_stages(CLI::App& program, ExitCode& exit_code) {
+  static const literate::Compute computation = compute;
+  literate::add_stages(program, exit_code, literate::this_paper(), computation);
 }
 
 }  // namespace course_app
