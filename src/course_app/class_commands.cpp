@@ -12,7 +12,7 @@
 
 #include "assignment/assignment.hpp"
 #include "command_line/options.hpp"
-#include "course/assignment/variants.hpp"
+#include "course/assignment/assignment.hpp"
 #include "course/marking/class_marks.hpp"
 #include "course/marking/listing.hpp"
 #include "course/marking/submission.hpp"

@@ -10,7 +10,6 @@
 #include "command_line/options.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/student.hpp"
-#include "course/assignment/variants.hpp"
 #include "course/marking/grade.hpp"
 #include "course/marking/listing.hpp"
 #include "course/marking/roster.hpp"

@@ -5,7 +5,6 @@
 
 #include "assignment/assignment.hpp"
 #include "command_line/options.hpp"
-#include "course/assignment/variants.hpp"
 #include "course_app/commands.hpp"
 #include "system/files.hpp"
 

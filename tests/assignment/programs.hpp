@@ -14,7 +14,6 @@
 #include "assignment/given/shapes.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
-#include "course/assignment/variants.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "line_contact/cylinders.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/assignment/variants.hpp"
+#include "course/assignment/assignment.hpp"
 
 #include <fmt/core.h>
 

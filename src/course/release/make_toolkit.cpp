@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "course/assignment/variants.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/handout.hpp"
 #include "course/sandbox/sandbox.hpp"

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "course/assignment/variants.hpp"
 #include "course/marking/own_tests.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/marking/try_checks.hpp"

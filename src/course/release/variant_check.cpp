@@ -5,7 +5,6 @@
 
 #include <map>
 
-#include "course/assignment/variants.hpp"
 #include "course/marking/build.hpp"
 #include "course/marking/own_tests.hpp"
 #include "course/marking/try_checks.hpp"

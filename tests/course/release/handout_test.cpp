@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "course/assignment/variants.hpp"
+#include "course/assignment/assignment.hpp"
 #include "course/toy.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

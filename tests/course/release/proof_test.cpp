@@ -6,7 +6,7 @@
 #include <string>
 
 #include "config/table.hpp"
-#include "course/assignment/variants.hpp"
+#include "course/assignment/assignment.hpp"
 #include "course/release/make_toolkit.hpp"
 #include "course/release/variant_check.hpp"
 #include "course/release/wrong_solutions.hpp"
@@ -90,7 +90,6 @@ class Toy {
   }
 
   std::string prove() const { return prove(course::nominal_variant(assignment())); }
-
 
   fs::path zip() const { return folder_.path() / "handout.zip"; }
 

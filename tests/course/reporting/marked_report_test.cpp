@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-#include "course/assignment/variants.hpp"
+#include "course/assignment/assignment.hpp"
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
 #include "message_of.hpp"
