@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/sandbox/job_user.hpp"
+#include "course/sandbox/sandbox.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>

@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "course/sandbox/child.hpp"
-#include "course/sandbox/job_user.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"

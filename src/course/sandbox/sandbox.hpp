@@ -44,6 +44,10 @@ struct JobEnd {
   double seconds = 0;  ///< of processor time, and in which nothing wanted a processor
 };
 
+/// The user as whom root's jobs run. No other process uses it as long as this one lives. Throws
+/// sys::ToolError if no user is left or no lock can be made.
+unsigned job_user();
+
 /// Runs jobs within limits and so that they reach no file, process or network but their own.
 ///
 /// bubblewrap keeps them apart. If root starts them, they run as a user that only this process

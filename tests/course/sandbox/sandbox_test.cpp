@@ -13,7 +13,6 @@
 #include <string>
 
 #include "course/sandbox/child.hpp"
-#include "course/sandbox/job_user.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "course/walls.hpp"
 #include "system/error.hpp"
