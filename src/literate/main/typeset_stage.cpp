@@ -24,7 +24,6 @@
 #include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
 #include "literate/provenance/manifest.hpp"
-#include "literate/typesetting/latex_run.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/typesetting/latex_run.hpp"
+#include "literate/typesetting/typeset.hpp"
 
 #include <fmt/ranges.h>
 

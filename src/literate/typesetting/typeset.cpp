@@ -15,7 +15,6 @@
 #include "literate/prose/references.hpp"
 #include "literate/text/embedded_texts.hpp"
 #include "literate/typesetting/latex_log.hpp"
-#include "literate/typesetting/latex_run.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

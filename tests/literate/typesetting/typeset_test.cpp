@@ -8,7 +8,6 @@
 #include "literate/document/names.hpp"
 #include "literate/figures/draw.hpp"
 #include "literate/prose/restyle.hpp"
-#include "literate/typesetting/latex_run.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
