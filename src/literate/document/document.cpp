@@ -14,7 +14,7 @@
 #include "literate/document/page_html.hpp"
 #include "literate/document/registered.hpp"
 #include "literate/text/characters.hpp"
-#include "literate/text/embedded_texts.hpp"
+#include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/staging.hpp"

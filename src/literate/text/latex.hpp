@@ -24,4 +24,8 @@ std::string escape_latex_path(std::string_view path);
 /// no character stays as it is.
 std::string plain_text(std::string_view latex);
 
+/// The texts of literate.sty, keep_preamble.tex and contents_decide.pl, which the build puts into
+/// the library.
+extern const std::string_view literate_sty, keep_preamble_tex, contents_decide_pl;
+
 }  // namespace literate

@@ -13,7 +13,7 @@
 
 #include "literate/prose/document_files.hpp"
 
-#include "literate/text/embedded_texts.hpp"
+#include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

@@ -13,7 +13,7 @@
 #include "literate/figures/draw.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/references.hpp"
-#include "literate/text/embedded_texts.hpp"
+#include "literate/text/latex.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
