@@ -24,7 +24,7 @@
 #include "system/descriptor.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/proc.hpp"
+#include "system/process.hpp"
 #include "system/spawn.hpp"
 
 namespace course {

@@ -12,7 +12,7 @@
 
 #include "system/descriptor.hpp"
 #include "system/error.hpp"
-#include "system/proc.hpp"
+#include "system/process.hpp"
 
 namespace course {
 namespace {

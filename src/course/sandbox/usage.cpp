@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "system/proc.hpp"
+#include "system/process.hpp"
 
 namespace course {
 namespace {

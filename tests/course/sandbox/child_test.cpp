@@ -10,7 +10,7 @@
 
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/proc.hpp"
+#include "system/process.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(child_test)

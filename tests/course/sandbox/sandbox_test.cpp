@@ -17,7 +17,7 @@
 #include "course/walls.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/proc.hpp"
+#include "system/process.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sandbox_test, *boost::unit_test::fixture(&need_walls))

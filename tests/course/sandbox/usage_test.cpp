@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "system/proc.hpp"
+#include "system/process.hpp"
 
 BOOST_AUTO_TEST_SUITE(usage_test)
 
