@@ -194,11 +194,13 @@ std::string name_of(ChangeKind kind) {
 std::vector<Change> changes_between(const Manifest& before, const Manifest& after,
                                     const std::vector<Sentence>& sentences_before,
                                     const std::vector<Sentence>& sentences_after) {
-  // Manifests of earlier versions tell of no limits and of no texts.
+  // Manifests of earlier versions tell of no limits, no texts and no outcomes of criteria.
   const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
   const Manifest::Texts texts = before.texts.empty() ? Manifest::Texts() : after.texts;
+  const Manifest::Texts outcomes = before.outcomes.empty() ? Manifest::Texts() : after.outcomes;
   std::vector<Change> all;
   for (auto&& more : {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
+                      of_texts(before.outcomes, outcomes, ChangeKind::other_verdict),
                       of_texts(before.limits, limits, ChangeKind::other_limit),
                       of_numbers(before.numbers, after.numbers),
                       of_texts(before.texts, texts, ChangeKind::other_text),
@@ -211,6 +213,16 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
     const auto& sentences = change.kind == ChangeKind::gone ? sentences_before : sentences_after;
     for (const Sentence& sentence : sentences) {
       if (sentence.names.contains(name)) change.printed_in.push_back(sentence);
+    }
+    // Who prints a value with options may see what its own format hides.
+    const bool is_restyled = std::ranges::any_of(
+        change.printed_in, [&](const Sentence& s) { return s.restyled.contains(name); });
+    const auto was = before.numbers.find(change.name_of_value());
+    const auto is = after.numbers.find(change.name_of_value());
+    if (is_restyled && change.before == change.after && was != before.numbers.end() &&
+        is != after.numbers.end()) {
+      change.before = fmt::format("{} ({:.12g})", change.before, was->second.number);
+      change.after = fmt::format("{} ({:.12g})", change.after, is->second.number);
     }
   }
   return all;

@@ -37,6 +37,12 @@ struct Change {
     return kind != ChangeKind::other_data && (before.empty() || before != after);
   }
 
+  /// The name of the value that moved; empty for another thing.
+  std::string name_of_value() const {
+    constexpr std::string_view value = "value ";
+    return what.starts_with(value) ? what.substr(value.size()) : "";
+  }
+
   ChangeKind kind;
   std::string what;  ///< «value x», «table x, row 1, column 2», «figure x», «claim x», «check x»
   std::string before;  ///< as it was printed, or its former name; empty for something that is new

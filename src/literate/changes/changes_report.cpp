@@ -70,10 +70,10 @@ std::string quoted(const std::vector<Sentence>& sentences) {
 
 std::string changes_text(const std::vector<Change>& changes) {
   std::string text;
-  int n_unseen = 0;
+  int n_unseen = 0, n_figures = 0;
   for (const Change& change : changes) {
     if (!change.is_seen()) {
-      ++n_unseen;
+      ++(change.kind == ChangeKind::other_data ? n_figures : n_unseen);
       continue;
     }
     const std::string said = difference(change);
@@ -87,6 +87,11 @@ std::string changes_text(const std::vector<Change>& changes) {
     text +=
         fmt::format("{} {} moved in digits that are not printed: changes.csv has {}\n", n_unseen,
                     n_unseen == 1 ? "number" : "numbers", n_unseen == 1 ? "it" : "them");
+  }
+  if (n_figures > 0) {
+    text += fmt::format(
+        "{} {} drawn as before from other data or by another script: changes.csv has {}\n",
+        n_figures, n_figures == 1 ? "figure is" : "figures are", n_figures == 1 ? "it" : "them");
   }
   return text;
 }
@@ -128,7 +133,8 @@ std::string changes_html(const std::vector<Change>& changes, const Compared& com
       "<p>Before: {}. After: {}.</p>\n"
       "<p>A number moved beyond its error if it moved by more than both errors together. "
       "Other digits only are the same number printed in another way. Other data only belong to a "
-      "figure that is drawn as before.</p>\n<div tabindex=\"0\" role=\"region\" "
+      "figure that is drawn as before, from other data or by another script.</p>\n<div "
+      "tabindex=\"0\" role=\"region\" "
       "aria-label=\"Changes\">\n"
       "<table>\n<thead><tr><th scope=\"col\">Class</th><th scope=\"col\">What</th>"
       "<th scope=\"col\">Before</th><th scope=\"col\">After</th>"

@@ -153,7 +153,9 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
     sentence.latex = without_comments(text);
     for (; n_used < uses.size() && uses[n_used].end <= end; ++n_used) {
       if (uses[n_used].end < begin || is_left_out(uses[n_used].branches, flags)) continue;
-      sentence.names.insert(named_by.at(uses[n_used].name) + " " + uses[n_used].argument);
+      const std::string name = named_by.at(uses[n_used].name) + " " + uses[n_used].argument;
+      sentence.names.insert(name);
+      if (!uses[n_used].options.empty()) sentence.restyled.insert(name);
     }
     for (const Extent& branch : branches) {
       if (branch.begin < end && begin < branch.end) sentence.names.insert("flag " + branch.flag);

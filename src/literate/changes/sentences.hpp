@@ -21,8 +21,9 @@ struct Sentence {
   /// That it prints, «value x», «table x», «figure x», «claim x», or that decide whether it is
   /// printed, «flag x».
   std::set<std::string> names;
-  std::string heading = {};  ///< LaTeX, of the section that it stands in or begins with
-  std::string folder = {};   ///< what messages call the document's folder, if it is known
+  std::set<std::string> restyled = {};  ///< of these, the values that it prints with options
+  std::string heading = {};             ///< LaTeX, of the section that it stands in or begins with
+  std::string folder = {};  ///< what messages call the document's folder, if it is known
 };
 
 /// The file of a sentence as messages name it, «report/sections/a.tex», and its place there,

@@ -112,21 +112,34 @@ Manifest::Texts verdicts_in(const fs::path& names_json) {
   });
 }
 
-Manifest::Texts limits_in(const fs::path& names_json) {
-  return from_names(names_json, [](const json& names) {
-    Manifest::Texts limits;
+namespace {
+
+/// Of each criterion, by «claim x: quantity», what names.json has under `entry`.
+Manifest::Texts of_criteria(const fs::path& names_json, const char* entry) {
+  return from_names(names_json, [&](const json& names) {
+    Manifest::Texts texts;
     for (const auto& [id, claim] : names.at("claims").items()) {
       for (const json& criterion : claim.at("criteria")) {
         const std::string quantity = criterion.at("name");
-        limits[fmt::format("claim {}: {}", id, quantity)] = criterion.at("limit");
+        texts[fmt::format("claim {}: {}", id, quantity)] = criterion.at(entry);
       }
     }
-    return limits;
+    return texts;
   });
 }
 
+}  // namespace
+
+Manifest::Texts limits_in(const fs::path& names_json) {
+  return of_criteria(names_json, "limit");
+}
+
+Manifest::Texts outcomes_in(const fs::path& names_json) {
+  return of_criteria(names_json, "outcome");
+}
+
 Manifest::Texts texts_in(const fs::path& names_json) {
-  return from_names(names_json, [](const json& names) {
+  return from_names(names_json, [&](const json& names) {
     Manifest::Texts texts;
     for (const auto& [flag, is_set] : names.at("flags").items()) {
       texts["flag " + flag] = is_set.get<bool>() ? "yes" : "no";
@@ -137,12 +150,7 @@ Manifest::Texts texts_in(const fs::path& names_json) {
     for (const auto& [key, cell] : names.at("cells").items()) {
       if (!cell.contains("number")) texts[key] = cell.at("printed");
     }
-    for (const auto& [id, claim] : names.at("claims").items()) {
-      for (const json& criterion : claim.at("criteria")) {
-        const std::string quantity = criterion.at("name");
-        texts[fmt::format("claim {}: {}", id, quantity)] = criterion.at("found");
-      }
-    }
+    texts.merge(of_criteria(names_json, "found"));
     return texts;
   });
 }
@@ -192,7 +200,8 @@ std::string manifest_json(const Manifest& manifest) {
             {"units", units_of(manifest.numbers)},
             {"verdicts", manifest.verdicts},
             {"limits", manifest.limits},
-            {"texts", manifest.texts}};
+            {"texts", manifest.texts},
+            {"outcomes", manifest.outcomes}};
   if (!manifest.ages.empty()) text["ages"] = manifest.ages;
   return text.dump(2) + "\n";
 }
@@ -221,6 +230,7 @@ Manifest manifest_of(const std::string& json_text, const std::string& file,
             .verdicts = text.at("verdicts").get<Manifest::Texts>(),
             .limits = text.value("limits", Manifest::Texts()),
             .texts = text.value("texts", Manifest::Texts()),
+            .outcomes = text.value("outcomes", Manifest::Texts()),
             .ages = text.value("ages", Manifest::Texts())};
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a manifest", file));
@@ -301,6 +311,7 @@ ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
   with_their_results.verdicts = theirs.verdicts;
   with_their_results.limits = theirs.limits;
   with_their_results.texts = theirs.texts;
+  with_their_results.outcomes = theirs.outcomes;
   result.has_same_results = manifest_json(with_their_results) == manifest_json(ours);
   return result;
 }

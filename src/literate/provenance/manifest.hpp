@@ -35,7 +35,8 @@ struct Manifest {
   Texts limits = {};  ///< of each claim's criteria, «claim x: quantity»: «at most 1 %»
   Texts texts = {};  ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers,
                      ///< and what criteria found, «claim x: quantity»
-  Texts ages = {};  ///< of limits, by the same names, as dated_limits() tells them
+  Texts outcomes = {};  ///< of criteria, by the same names: «holds»; an earlier version has none
+  Texts ages = {};      ///< of limits, by the same names, as dated_limits() tells them
 };
 
 /// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file
@@ -50,6 +51,7 @@ std::map<std::string, ManifestNumber> numbers_in(const std::filesystem::path& na
 /// The verdict on each claim, and of each check whether it passed. Throws sys::OutputError as
 /// numbers_in does.
 Manifest::Texts verdicts_in(const std::filesystem::path& names_json);
+Manifest::Texts outcomes_in(const std::filesystem::path& names_json);
 
 /// What each criterion of each claim asks for. Throws sys::OutputError as numbers_in does.
 Manifest::Texts limits_in(const std::filesystem::path& names_json);

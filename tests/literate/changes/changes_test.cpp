@@ -31,6 +31,7 @@ Manifest state() {
   manifest.verdicts = {{"claim one", "confirmed"}, {"check sum", "passed"}};
   manifest.limits = {{"claim one: ratio", "at most 1 %"}};
   manifest.texts = {{"flag is-wide", "yes"}, {"table a, row 1, column 1", "steel"}};
+  manifest.outcomes = {{"claim one: ratio", "holds"}};
   return manifest;
 }
 
@@ -187,6 +188,30 @@ BOOST_AUTO_TEST_CASE(a_manifest_without_limits_is_of_an_earlier_version_and_tell
   Manifest before = state();
   before.limits.clear();
   BOOST_TEST(changes_between(before, state(), {}, {}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_criterion_that_turned_is_told_though_its_claim_did_not) {
+  Manifest after = state();
+  after.outcomes["claim one: ratio"] = "fails";
+  check_told(after, ChangeKind::other_verdict, "claim one: ratio", "holds", "fails");
+
+  Manifest earlier = state();
+  earlier.outcomes = {};
+  BOOST_TEST(changes_between(earlier, state(), {}, {}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_value_that_prints_as_before_is_seen_where_it_is_printed_with_options) {
+  Manifest after = state();
+  after.numbers["peak"].number = 10.0125;
+  const auto changes = [&](const std::string& latex) {
+    const auto sentences = literate::sentences_in(latex, "a.tex");
+    return changes_between(state(), after, sentences, sentences);
+  };
+  BOOST_TEST(!changes("It is \\val{peak}.").at(0).is_seen());
+  const auto restyled = changes("It is \\val[digits=4]{peak}.");
+  BOOST_TEST(restyled.at(0).is_seen());
+  BOOST_TEST(restyled.at(0).before == "10.0 psi (10)");
+  BOOST_TEST(restyled.at(0).after == "10.0 psi (10.0125)");
 }
 
 BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {

@@ -130,6 +130,9 @@ list | sed 1d >faults.toml
 refused 'computes does not name the case case.toml'
 list | sed 's/"src", /"source", /' >faults.toml
 refused 'computes: there is no source'
+echo "data=$PWD/other/other.txt" >>build/rod.settings
+list >faults.toml
+refused 'other/other.txt is data; faults are planted in code and in the case alone'
 echo 'computes = [' >faults.toml
 refused 'faults.toml: '
 sed -i '/^faults=/d' build/rod.settings
