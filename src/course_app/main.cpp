@@ -14,7 +14,6 @@ int main(int argc, char** argv) {
        course_app::add_student_command, course_app::add_class_command,
        course_app::add_collect_command, course_app::add_likeness_command,
        course_app::add_marking_command, course_app::add_results_command,
-       course_app::add_sheet_command,
-       course_app::add_sheet_stages},
+       course_app::add_sheet_command, course_app::add_sheet_stages},
       argc, argv);
 }

@@ -35,7 +35,8 @@ std::string Severity::text_of(const std::string& claim) const {
 
 std::string Severity::summary() const {
   return fmt::format(
-      "Of {} planted faults the verdicts show {}; internal checks, or an abort of the program, show {} more; "
+      "Of {} planted faults the verdicts show {}; internal checks, or an abort of the program, "
+      "show {} more; "
       "nothing here shows the other {}.",
       n_faults, n_turning_any, n_failing_only, n_faults - n_turning_any - n_failing_only);
 }

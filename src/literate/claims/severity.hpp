@@ -19,9 +19,8 @@ struct Severity {
   /// «3 of 41 faults»; of a claim that was not there then, «not known».
   std::string text_of(const std::string& claim) const;
 
-  /// «Of 41 planted faults the verdicts show 30; internal checks, or an abort of the program, show 8
-  /// more;
-  /// nothing here shows the other 3.»
+  /// «Of 41 planted faults the verdicts show 30; internal checks, or an abort of the program, show
+  /// 8 more; nothing here shows the other 3.»
   std::string summary() const;
 };
 

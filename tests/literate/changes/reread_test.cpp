@@ -87,8 +87,8 @@ BOOST_AUTO_TEST_CASE(a_flag_that_turned_is_listed_with_all_sentences_of_its_bran
   const Reread found = paper.reread(with_flag("no"));
 
   BOOST_TEST_REQUIRE(found.sentences.size() == 2U);
-  BOOST_TEST(holds(found.sentences[0],
-                   "a.tex:1: read this sentence again: flag near is no, and was yes"));
+  BOOST_TEST(
+      holds(found.sentences[0], "a.tex:1: read this sentence again: flag near is no, and was yes"));
   BOOST_TEST(holds(found.sentences[1], "a.tex:2: "));
 }
 

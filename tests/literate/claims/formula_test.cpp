@@ -26,7 +26,8 @@ BOOST_AUTO_TEST_CASE(a_name_that_begins_with_another_one_is_read_whole) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_formula_is_refused_with_its_text) {
-  for (const char* wrong : {"", "2 +", "2/", "(a", "[a)", "b", "a b", "ln", "a)", "a^2", "a²³", "2²²", "1 000 a", "1.5.2", "a 2", "(a)2"}) {
+  for (const char* wrong : {"", "2 +", "2/", "(a", "[a)", "b", "a b", "ln", "a)", "a^2", "a²³",
+                            "2²²", "1 000 a", "1.5.2", "a 2", "(a)2"}) {
     const std::string message = message_of<std::invalid_argument>([&] {
       (void)evaluated(wrong, {{"a", 2}});
     });

@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(a_record_tells_how_many_faults_turn_each_claim) {
   BOOST_TEST(severity->text_of("far") == "none of 3 faults");
   BOOST_TEST(severity->text_of("new") == "not known");
   BOOST_TEST(severity->summary() ==
-             "Of 3 planted faults the verdicts show 2; internal checks, or an abort of the program, show 1 more; "
+             "Of 3 planted faults the verdicts show 2; internal checks, or an abort of the "
+             "program, show 1 more; "
              "nothing here shows the other 0.");
 }
 
