@@ -125,6 +125,26 @@ std::vector<Change> of_texts(const Manifest::Texts& before, const Manifest::Text
   return changes;
 }
 
+/// The changes of numbers and of texts: what was a number and is a text, or the reverse, is told once.
+std::vector<Change> together(const std::vector<Change>& of_numbers,
+                             const std::vector<Change>& of_texts) {
+  std::map<std::string, Change> by_name;
+  for (const auto* changes : {&of_numbers, &of_texts}) {
+    for (const Change& change : *changes) {
+      const auto [place, is_first] = by_name.emplace(change.what, change);
+      if (is_first) continue;
+      // It is gone as the one, and so has no text after, and new as the other.
+      Change& told = place->second;
+      told.kind = ChangeKind::other_text;
+      told.before += change.before;
+      told.after += change.after;
+    }
+  }
+  std::vector<Change> all;
+  for (const auto& [what, change] : by_name) all.push_back(change);
+  return all;
+}
+
 /// The digests of what is drawn and of what it is drawn from, «figure x».
 struct Figures {
   Manifest::Texts drawings, data;
@@ -202,8 +222,8 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
   for (auto&& more : {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
                       of_texts(before.outcomes, outcomes, ChangeKind::other_verdict),
                       of_texts(before.limits, limits, ChangeKind::other_limit),
-                      of_numbers(before.numbers, after.numbers),
-                      of_texts(before.texts, texts, ChangeKind::other_text),
+                      together(of_numbers(before.numbers, after.numbers),
+                               of_texts(before.texts, texts, ChangeKind::other_text)),
                       of_figures(figures_in(before), figures_in(after))}) {
     const std::vector<Change> in_order = sorted(more);
     all.insert(all.end(), in_order.begin(), in_order.end());

@@ -142,6 +142,23 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   check_told(after, ChangeKind::added, "claim two", "", "confirmed");
 }
 
+BOOST_AUTO_TEST_CASE(what_was_a_number_and_is_a_text_or_the_reverse_is_told_once) {
+  Manifest after = state();
+  after.numbers.erase("table a, row 1, column 2");
+  after.texts["table a, row 1, column 2"] = "none";
+  check_told(after, ChangeKind::other_text, "table a, row 1, column 2", "3", "none");
+
+  after = state();
+  after.numbers.erase("peak");
+  after.texts["value peak"] = "high";
+  check_told(after, ChangeKind::other_text, "value peak", "10.0 psi", "high");
+
+  after = state();
+  after.texts.erase("table a, row 1, column 1");
+  after.numbers["table a, row 1, column 1"] = {.number = 2, .abs_error = {}, .printed = "2"};
+  check_told(after, ChangeKind::other_text, "table a, row 1, column 1", "steel", "2");
+}
+
 BOOST_AUTO_TEST_CASE(whatever_number_moves_is_named) {
   for (const auto& [name, number] : state().numbers) {
     for (const double moved : {1.5 * number.number, -number.number, number.number + 1e-13}) {
