@@ -99,6 +99,22 @@ claim 'parameters that are others are told with their table' "$(sed -n '/^## Par
   $'## Parameters that are others\n\n```diff\n@@ [rod]\n-side = 3\n+side = 4\n```'
 git checkout -q case.toml
 
+printf '%s\n' '\title{Rods}' '\newcommand{\kind}{thin}' '\begin{document}' 'It is \kind.' >paper/a.tex
+cp paper/a.tex "$former/checkout/paper/a.tex"
+echo '@book{one, year = 1985}' >"$former/checkout/paper/r.bib"
+echo '@book{one, year = 1987}' >paper/r.bib
+sed -i 's/{thin}/{thick}/' paper/a.tex
+changes SINCE=submitted
+claim 'a macro of the preamble and a reference that are others are told' "$(sed -n '/^## Lines/,$p' build/out/changes/answer.md)" = \
+  $'## Lines that are others in a.tex, before its text\n\n```diff\n@@\n-\\newcommand{\\kind}{thin}\n+\\newcommand{\\kind}{thick}\n```\n
+## Lines that are others in r.bib\n\n```diff\n@@\n-@book{one, year = 1985}\n+@book{one, year = 1987}\n```'
+rm paper/r.bib
+changes SINCE=submitted
+claim 'references that are gone are told' "$(grep -A 4 '^## Lines that are others in r.bib' build/out/changes/answer.md | tail -n 1)" = '-@book{one, year = 1985}'
+git checkout -q paper
+git -C "$former/checkout" checkout -q .
+rm "$former/checkout/paper/r.bib"
+
 # A dirty tree
 printf 'The peak is\n\\val{peak}. It is very high.\n' >paper/a.tex
 changes SINCE=submitted
