@@ -125,7 +125,8 @@ std::vector<Change> of_texts(const Manifest::Texts& before, const Manifest::Text
   return changes;
 }
 
-/// The changes of numbers and of texts: what was a number and is a text, or the reverse, is told once.
+/// The changes of numbers and of texts: what was a number and is a text, or the reverse, is told
+/// once.
 std::vector<Change> together(const std::vector<Change>& of_numbers,
                              const std::vector<Change>& of_texts) {
   std::map<std::string, Change> by_name;
