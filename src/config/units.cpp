@@ -50,7 +50,7 @@ ut_system* database() {
   return system.get();
 }
 
-/// UDUNITS reads m² but not m⁻² or m⁴, and m^0.5 as five times m⁰, without a word.
+/// UDUNITS reads m² but not m⁻² or m⁴, no deg, and m^0.5 as five times m⁰, without a word.
 std::string spelt_for_udunits(std::string name) {
   static const std::regex broken_power(R"((\^|\*\*)[+-]?\d+\.\d)");
   if (std::regex_search(name, broken_power)) {
@@ -60,7 +60,8 @@ std::string spelt_for_udunits(std::string name) {
       {"⁻", "-"}, {"⁺", "+"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
       {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}};
   for (const auto& [sign, digit] : raised) boost::replace_all(name, sign, digit);
-  return name;
+  static const std::regex degree("(^|[^A-Za-z_])deg(?![A-Za-z_])");
+  return std::regex_replace(name, degree, "$1degree");
 }
 
 Unit parse(const std::string& name) {

@@ -84,6 +84,8 @@ BOOST_AUTO_TEST_CASE(a_name_that_ends_as_another_is_its_own_unit) {
   BOOST_TEST(converted(1, "uPa", "Pa") == 1e-6);
   BOOST_TEST(converted(1, "kilopascals", "Pa") == 1000);
   BOOST_TEST(converted(1, "pi rad", "degree") == 180);
+  BOOST_TEST(converted(60, "arcminute/s", "deg s-1") == 1);
+  BOOST_TEST(converted(2, "deg2", "degree^2") == 2);
   BOOST_TEST(converted(1, "usec", "s") == 1e-6);
   BOOST_CHECK_THROW(converted(1, "us", "kg"), UnitError);
   BOOST_TEST(converted(1, "meV", "eV") == 1e-3);

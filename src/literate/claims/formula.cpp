@@ -24,7 +24,9 @@ class Reader {
     const double number = sum();
     if (!rest_.empty()) fail(fmt::format("'{}' is not understood", rest_));
     for (const auto& [name, value] : terms_) {
-      if (!used_.contains(name)) fail(fmt::format("it has no {}", name));
+      if (!used_.contains(name)) {
+        fail(fmt::format("a number is given for '{}', which it does not have", name));
+      }
     }
     if (!std::isfinite(number)) fail("it has no finite value");
     return number;
@@ -47,7 +49,9 @@ class Reader {
   }
 
   double sum() {
+    const bool is_negative = take("−") || take("-");
     double number = product();
+    if (is_negative) number = -number;
     for (;;) {
       if (take("+")) {
         number += product();
