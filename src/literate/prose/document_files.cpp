@@ -47,6 +47,10 @@ OwnCommands own_commands_of(const fs::path& source_dir) {
   for (const std::string& file : document_files(source_dir)) {
     own.merge(own_commands_in(sys::read_file(source_dir / file)));
   }
+  for (const std::string& file : sys::files_below(source_dir)) {
+    if (!file.ends_with(".sty")) continue;
+    own.merge(own_commands_in(sys::read_file(source_dir / file)));
+  }
   return own;
 }
 

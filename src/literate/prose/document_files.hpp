@@ -25,7 +25,7 @@ inline constexpr std::string_view page_preamble = "page.tex";
 /// read.
 std::vector<std::string> document_files(const std::filesystem::path& source_dir);
 
-/// The commands that the files of a document define.
+/// The commands that the files of a document, and styles (.sty) beside them, define.
 OwnCommands own_commands_of(const std::filesystem::path& source_dir);
 
 /// Finds the pictures that a document shows by \includegraphics and no program made: files of PNG,

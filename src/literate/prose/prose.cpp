@@ -37,8 +37,9 @@ const std::set<std::string_view> placed_environments = {"figure", "figure*", "ta
 
 /// What of a preamble is printed: titles, and what its definitions hold.
 const std::set<std::string_view> titles = {"title", "subtitle", "shorttitle"};
-const std::set<std::string_view> definitions = {"newcommand", "providecommand",
-                                                "DeclareRobustCommand", "def", "gdef"};
+const std::set<std::string_view> definitions = {
+    "newcommand", "providecommand",     "DeclareRobustCommand",   "def",
+    "gdef",       "NewDocumentCommand", "ProvideDocumentCommand", "DeclareDocumentCommand"};
 
 /// Symbols that the prose keeps: a per-cent sign and spaces, which may stand before a unit.
 const std::set<std::string_view> visible_symbols = {"\\%", "\\,", "\\;", "\\:", "\\ "};
@@ -106,11 +107,16 @@ void Reader::read_preamble(std::ptrdiff_t end) {
     const TexToken token = *scanner_.next();
     blank(token.text);
     const bool is_definition = definitions.contains(token.name);
+    const bool has_specification = token.name.ends_with("DocumentCommand");
     if (token.kind != TexKind::command || !(is_definition || titles.contains(token.name))) continue;
     if (is_definition) {  // the name, with or without braces, and the number of its arguments
       blank_group('{', '}');
       if (scanner_.rest().starts_with('\\')) blank(scanner_.next()->text);
-      blank_group('[', ']');
+      if (has_specification) {
+        blank_group('{', '}');
+      } else {
+        blank_group('[', ']');
+      }
     }
     const std::string_view rest = scanner_.rest();
     const std::size_t n_options = group_at(rest, '[', ']').size();

@@ -76,14 +76,48 @@ bool is_left_out(const std::vector<Branch>& branches, const std::map<std::string
   });
 }
 
+namespace {
+
+/// Reads what \NewDocumentCommand says of arguments, as far as \newcommand could say it, too:
+/// {O{default} m m}, {o m}, {}. False for others, such as stars.
+bool read_arguments(std::string_view specification, OwnCommand& command) {
+  TexScanner scanner(specification.substr(1, specification.size() - 2));
+  bool may_be_option = true;
+  for (scanner.skip_blanks(); !scanner.rest().empty(); scanner.skip_blanks()) {
+    const std::string_view kind = scanner.skip(1);
+    const bool is_option = may_be_option && (kind == "o" || kind == "O");
+    if (!is_option && kind != "m") return false;
+    if (is_option) {
+      command.has_option = true;
+      const std::string_view text =
+          kind == "O" ? scanner.skip(group_at(scanner.rest()).size()) : "";
+      if (text.size() > 2) command.default_text = text.substr(1, text.size() - 2);
+    }
+    may_be_option = false;
+    ++command.n_arguments;
+  }
+  return true;
+}
+
+}  // namespace
+
 OwnCommands own_commands_in(std::string_view text) {
-  static const std::set<std::string_view> defining{
-      "newcommand", "renewcommand", "providecommand", "def", "DeclareRobustCommand", "gdef"};
+  static const std::set<std::string_view> defining{"newcommand",
+                                                   "renewcommand",
+                                                   "providecommand",
+                                                   "def",
+                                                   "DeclareRobustCommand",
+                                                   "gdef",
+                                                   "NewDocumentCommand",
+                                                   "RenewDocumentCommand",
+                                                   "ProvideDocumentCommand",
+                                                   "DeclareDocumentCommand"};
   OwnCommands own;
   TexScanner scanner(text);
   while (const auto token = scanner.next()) {
     if (token->kind != TexKind::command || !defining.contains(token->name)) continue;
-    // {\name}[2][default]{body}, \name[2][default]{body} or, of \def, \name#1#2{body}
+    // {\name}[2][default]{body}, \name[2][default]{body}, of \def \name#1#2{body}, and of
+    // \NewDocumentCommand {\name}{O{default} m}{body}
     const std::string_view rest = scanner.rest();
     const auto slash = rest.find('\\');
     if (slash == rest.npos || rest.substr(0, slash).find_first_not_of("* \t\n{") != rest.npos) {
@@ -97,6 +131,8 @@ OwnCommands own_commands_in(std::string_view text) {
     if (token->name.ends_with("def")) {
       const std::string_view pattern = behind.skip(behind.rest().find('{'));
       command.n_arguments = static_cast<std::size_t>(std::ranges::count(pattern, '#'));
+    } else if (token->name.ends_with("DocumentCommand")) {
+      if (!read_arguments(behind.skip(group_at(behind.rest()).size()), command)) continue;
     } else if (const std::string_view number = in_brackets(); number.size() == 3) {
       command.n_arguments = static_cast<std::size_t>(number[1] - '0');
       const std::string_view default_text = in_brackets();

@@ -153,6 +153,8 @@ BOOST_AUTO_TEST_CASE(titles_and_definitions_of_a_preamble_are_prose) {
              "1.236 1.237 7 ");
   BOOST_TEST(found("\\def\\x{1.238}\\newcommand\\y{\\vspace{123mm}}\\renewcommand\\z{1.239}") ==
              "1.238 ");
+  BOOST_TEST(found("\\NewDocumentCommand{\\x}{O{3} m}{1.236}\\NewDocumentCommand\\y{}{7 mm}") ==
+             "1.236 7 ");
 }
 
 BOOST_AUTO_TEST_CASE(optional_arguments_that_are_printed_are_prose) {

@@ -67,6 +67,24 @@ BOOST_AUTO_TEST_CASE(commands_of_the_documents_own_are_uses_of_what_they_expand_
   BOOST_TEST(uses("\\again").size() == 8U);
 }
 
+BOOST_AUTO_TEST_CASE(
+    commands_by_NewDocumentCommand_are_own_ones_as_far_as_newcommand_could_say_them) {
+  const auto uses = [](const std::string& definition, const std::string& latex) {
+    std::vector<std::string> found;
+    for (const TexCommand& use : commands_in(latex, {"val"}, own_commands_in(definition))) {
+      found.push_back(use.argument);
+    }
+    return found;
+  };
+  BOOST_TEST(uses("\\NewDocumentCommand{\\len}{m}{\\val{len.#1}}", "\\len{b}") == Uses{"len.b"},
+             per_element());
+  BOOST_TEST(uses("\\NewDocumentCommand\\both{ O{a} m }{\\val{#1}\\val{#2}}",
+                  "\\both{b}\\both[c]{d}") == (Uses{"a", "b", "c", "d"}),
+             per_element());
+  BOOST_TEST(uses("\\DeclareDocumentCommand{\\n}{}{\\val{n}}", "\\n") == Uses{"n"}, per_element());
+  BOOST_TEST(uses("\\NewDocumentCommand{\\len}{s m}{\\val{#2}}", "\\len*{b}").empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_use_knows_its_branches_outermost_first) {
   BOOST_TEST(uses_in("\\ifflag{f}{\\val{a}\\ifflag{g}{}{{\\val{b}}}}% }\n {\\val{c}}{\\val{d}}") ==
                  (Uses{"1:12 val a ?f", "1:33 val b ?f !g", "2:3 val c !f", "2:12 val d"}),
