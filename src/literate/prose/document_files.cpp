@@ -132,8 +132,11 @@ std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& 
   std::vector<std::string> errors;
   for (const std::string& file : files) {
     const std::string text = sys::read_file(folder / file);
+    std::set<std::string> optional;
+    for (const TexCommand& use : commands_in(text, {"IfFileExists"})) optional.insert(use.argument);
     for (const TexCommand& use : commands_in(text, {"input", "include"})) {
       const std::string& name = use.argument;
+      if (optional.contains(name) || optional.contains(name + ".tex")) continue;
       if (name.find('\\') != std::string::npos || is_in(folder, name) || is_in(generated, name) ||
           is_in_tex(folder, name)) {
         continue;

@@ -207,7 +207,9 @@ void add_commands(std::string_view text, const std::set<std::string>& names, con
     }
     const std::string_view in_brackets = group_at(rest, '[', ']');
     const std::string argument(argument_at(rest.substr(in_brackets.size())));
-    if (argument.empty() || argument.find('#') != std::string::npos) continue;
+    const bool has_parameter =
+        argument.find('#') != std::string::npos || in_brackets.find('#') != std::string_view::npos;
+    if (argument.empty() || has_parameter) continue;
     if (names.contains(name)) {
       const auto [line, column] = place_in(text, token->text);
       commands.push_back(

@@ -46,7 +46,7 @@ OwnCommands own_commands_in(std::string_view text);
 /// document's own commands in it expand, at the places of these.
 ///
 /// Comments and verbatim text are skipped, and so is what belongs to a definition: a name without
-/// an argument in braces, and an argument with a parameter (#1).
+/// an argument in braces, and an argument or option with a parameter (#1).
 std::vector<TexCommand> commands_in(std::string_view text, const std::set<std::string>& names,
                                     const OwnCommands& own = {});
 

@@ -37,10 +37,10 @@ BOOST_AUTO_TEST_CASE(own_commands_stand_in_the_text_and_in_styles_beside_it) {
 BOOST_AUTO_TEST_CASE(a_part_that_is_not_there_is_told_with_its_place_and_the_nearest_name) {
   const TemporaryFolder scratch;
   const auto folder = scratch / "report";
-  sys::write_file_atomically(
-      folder / "main.tex",
-      "\\input{parts/theory}\\input{parts/theory.tex}\n"
-      "% \\input{none}\n \\include{parts/teory}\\input{values}\\input{\\x}\n");
+  sys::write_file_atomically(folder / "main.tex",
+                             "\\input{parts/theory}\\input{parts/theory.tex}\n"
+                             "% \\input{none}\n \\include{parts/teory}\\input{values}\\input{\\x}\n"
+                             "\\IfFileExists{local.tex}{\\input{local}}{}\n");
   sys::write_file_atomically(folder / "parts/theory.tex", "");
   sys::write_file_atomically(scratch / "generated/values.tex", "");
 

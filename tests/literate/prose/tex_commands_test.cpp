@@ -38,6 +38,14 @@ BOOST_AUTO_TEST_CASE(a_name_without_a_plain_argument_is_no_use) {
       uses_in("\\newcommand{\\val}[1]{x}\\def\\tab#1{\\val{#1}}\\value{a}\\val{}\\val").empty());
 }
 
+BOOST_AUTO_TEST_CASE(an_option_that_is_a_parameter_is_used_where_it_is_given) {
+  const std::string definition = "\\newcommand{\\dg}[1]{\\val[digits=#1]{x}}";
+  BOOST_TEST(uses_in(definition).empty());
+  const auto uses = commands_in(definition + "\\dg{3}", {"val"}, own_commands_in(definition));
+  BOOST_TEST_REQUIRE(uses.size() == 1U);
+  BOOST_TEST(uses[0].options == "digits=3");
+}
+
 BOOST_AUTO_TEST_CASE(comments_and_verbatim_text_hold_no_uses) {
   BOOST_TEST(uses_in("% \\val{a}\n\\verb|\\val{b}|\\begin{verbatim}\n\\val{c}\n\\end{verbatim}"
                      "50\\%\\val{d}") == Uses{"4:19 val d"},
