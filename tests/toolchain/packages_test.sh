@@ -18,6 +18,7 @@ cat >"$tools/packages.txt" <<'END'
 # a comment
 report why:    build
 test:          build tests [block]
+test-all:      build tests [block]
 page:          build page
 paper:         build tex
 
@@ -107,6 +108,15 @@ on debian setup report test
 claim 'setup succeeds when nothing is missing' "$status" -eq 0
 claim 'setup asks dpkg once for what is needed and once for what more tests would use' "$(asked_dpkg)" -eq 2
 claim 'setup leaves apt alone when nothing is missing' "$(asked_apt)" -eq 0
+printf 'touch "%s"\n' "$scratch/fetched" >"$tools/axe"
+ln -s "$(command -v touch)" "$scratch/debian/touch"
+on debian setup report
+claim 'setup fetches nothing else for a report' ! -e "$scratch/fetched"
+on debian setup test test-all
+claim 'setup fetches what is no package although none is missing' "$status $(ls "$scratch/fetched")" = "0 $scratch/fetched"
+echo 'exit 1' >"$tools/axe"
+on debian setup test test-all
+claim 'setup says what it could not fetch' "$status $(says 'axe-core could not be fetched')" = '0 yes'
 on debian require test
 claim 'require is content' "$status" -eq 0
 claim 'require is silent' -z "$said"
