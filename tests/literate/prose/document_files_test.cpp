@@ -30,8 +30,8 @@ BOOST_AUTO_TEST_CASE(own_commands_stand_in_the_text_and_in_styles_beside_it) {
   sys::write_file_atomically(scratch / "report/main.tex", "\\newcommand\\len[1]{\\val{len.#1}}\n");
   sys::write_file_atomically(scratch / "report/own.sty", "\\newcommand\\wide{\\val{width}}\n");
   const OwnCommands own = own_commands_of(scratch / "report");
-  BOOST_TEST(own.at("len").n_arguments == 1U);
-  BOOST_TEST(own.at("wide").body == "\\val{width}");
+  BOOST_TEST(own.find("len")->second.n_arguments == 1U);
+  BOOST_TEST(own.find("wide")->second.body == "\\val{width}");
 }
 
 BOOST_AUTO_TEST_CASE(a_part_that_is_not_there_is_told_with_its_place_and_the_nearest_name) {
