@@ -232,8 +232,13 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
   for (Change& change : all) {
     const std::string name = asked_for(change.what.substr(0, change.what.find(": ")));
     const auto& sentences = change.kind == ChangeKind::gone ? sentences_before : sentences_after;
+    const bool is_verdict = change.what.starts_with("claim ") && change.what == name;
     for (const Sentence& sentence : sentences) {
-      if (sentence.names.contains(name)) change.printed_in.push_back(sentence);
+      const auto counts = sentence.names.lower_bound(std::string(counts_claims));
+      const bool has_count = counts != sentence.names.end() && counts->starts_with(counts_claims);
+      if (sentence.names.contains(name) || (is_verdict && has_count)) {
+        change.printed_in.push_back(sentence);
+      }
     }
     // Who prints a value with options may see what its own format hides.
     const bool is_restyled = std::ranges::any_of(

@@ -153,7 +153,8 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
   std::map<std::string, std::vector<Commit>> of_files;
   for (const Sentence& sentence : sentences_below(document, flags_of(now))) {
     const bool prints = std::ranges::any_of(sentence.names, [](const std::string& name) {
-      return name.starts_with("value ") || name.starts_with("claim ") || name.starts_with("flag ");
+      return name.starts_with("value ") || name.starts_with("claim ") ||
+             name.starts_with(counts_claims) || name.starts_with("flag ");
     });
     if (!prints) continue;
     if (!of_files.contains(sentence.file)) {

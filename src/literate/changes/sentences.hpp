@@ -18,13 +18,16 @@ struct Sentence {
   int first_line = 0;  ///< from 1
   int last_line = 0;
   std::string latex;  ///< in one line, without comments
-  /// That it prints, «value x», «table x», «figure x», «claim x», or that decide whether it is
-  /// printed, «flag x».
+  /// That it prints, «value x», «table x», «figure x», «claim x», counts, «claims cited», or that
+  /// decide whether it is printed, «flag x».
   std::set<std::string> names;
   std::set<std::string> restyled = {};  ///< of these, the values that it prints with options
   std::string heading = {};             ///< LaTeX, of the section that it stands in or begins with
   std::string folder = {};  ///< what messages call the document's folder, if it is known
 };
+
+/// What begins the names of counts of verdicts, «claims cited».
+inline constexpr std::string_view counts_claims = "claims ";
 
 /// The file of a sentence as messages name it, «report/sections/a.tex», and its place there,
 /// «report/sections/a.tex:12».

@@ -255,6 +255,20 @@ BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {
       text.ends_with("2 numbers moved in digits that are not printed: changes.csv has them\n"));
 }
 
+BOOST_AUTO_TEST_CASE(a_sentence_that_counts_verdicts_is_told_with_each_that_turned) {
+  const auto sentences = literate::sentences_in(
+      "Of them \\claimcount{cited}{refuted} fell.\nIt is \\val{peak}.", "a.tex");
+  Manifest after = state();
+  after.verdicts["claim one"] = "refuted";
+  after.verdicts["check sum"] = "failed";
+  after.limits["claim one: ratio"] = "at most 2 %";
+  const auto changes = changes_between(state(), after, sentences, sentences);
+  BOOST_TEST_REQUIRE(changes.size() == 3U);
+  for (const Change& change : changes) {
+    BOOST_TEST(change.printed_in.size() == (change.what == "claim one" ? 1U : 0U), change.what);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_answer_quotes_old_and_new_words_and_lists_what_moved) {
   const std::string section = "\\section{Size}One. ";
   const auto before = literate::sentences_in(section + "About half. Three.", "a.tex");
