@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -119,6 +120,14 @@ void Document::claim(const std::string& id, Claim claim, Location location) {
   };
   require(!claim.route.empty(), "route");
   require(!claim.criteria.empty(), "criterion");
+  std::set<std::string> names;
+  for (const Criterion& criterion : claim.criteria) {
+    if (names.insert(criterion.name()).second) continue;
+    throw std::logic_error(
+        fmt::format("{}: claim '{}' has two criteria that are called '{}'; each needs a name of "
+                    "its own",
+                    text_of(place_of(location)), id, criterion.name()));
+  }
   registered_.claims.emplace_back(id, std::move(claim));
 }
 

@@ -127,7 +127,14 @@ ImportedCell cell_of(const CsvSource& source, const sys::CsvRow& row, const Fiel
                      bool is_text) {
   const std::string& text = row[fields.number].text;
   ImportedCell cell{.at = source.at(row[fields.number])};
-  if (text.empty()) return cell;
+  if (text.empty()) {
+    for (const auto& [name, column] : fields.errors) {
+      if (row[column].text.empty()) continue;
+      throw ImportError(fmt::format("{}: {} '{}' belongs to no number: the cell is empty",
+                                    source.at(row[column]), name, row[column].text));
+    }
+    return cell;
+  }
   const auto number = written_number(text);
   if (number && !is_text) {
     cell.content = *number;

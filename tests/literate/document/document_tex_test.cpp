@@ -23,8 +23,8 @@ namespace {
 
 const std::string here = "tests/literate/document/document_tex_test.cpp:";
 
-Criterion price_at_most(double limit) {
-  return Criterion::at_most("price", Value({2.612, 0.001}, fixed(2), "{kr}"),
+Criterion price_at_most(double limit, const std::string& name = "price") {
+  return Criterion::at_most(name, Value({2.612, 0.001}, fixed(2), "{kr}"),
                             {LimitKind::data, limit, "half of the last digit more"});
 }
 
@@ -33,7 +33,7 @@ Claim claim_of_apples(Verdict found) {
   Claim claim{.route = "weighing and adding up",
               .expected = Verdict::confirmed,
               .criteria = {price_at_most(found == Verdict::refuted ? 2.5 : 2.65)}};
-  if (found == Verdict::partly) claim.criteria.push_back(price_at_most(2.5));
+  if (found == Verdict::partly) claim.criteria.push_back(price_at_most(2.5, "low price"));
   return claim;
 }
 
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(another_verdict_than_the_expected_one_is_a_fault_of_one_lin
   const std::vector<std::string> expected = {
       "check sum failed: the sum is right",
       "claim apples is partly confirmed, not confirmed: price: 2.61 kr (asked: at most 2.65 kr); "
-      "price: 2.61 kr (asked: at most 2.5 kr)"};
+      "low price: 2.61 kr (asked: at most 2.5 kr)"};
   BOOST_TEST(without_lines(document.faults()) == expected, per_element());
   BOOST_TEST(holds(values_tex(document.registered()), "2 statements are not as expected"));
   const TemporaryFolder scratch;
@@ -192,6 +192,20 @@ BOOST_AUTO_TEST_CASE(a_claim_with_a_part_missing_is_a_logic_error_naming_its_pla
     BOOST_TEST(message.starts_with(here), message);
     BOOST_TEST(holds(message, ": claim 'apples' has no " + part), message);
   }
+}
+
+BOOST_AUTO_TEST_CASE(two_criteria_of_one_name_in_a_claim_are_a_logic_error_naming_its_place) {
+  Claim claim = claim_of_apples(Verdict::confirmed);
+  claim.criteria.push_back(price_at_most(2.5));
+  Document document;
+
+  const std::string message =
+      message_of<std::logic_error>([&] { document.claim("apples", claim); });
+
+  BOOST_TEST(message.starts_with(here), message);
+  BOOST_TEST(message.ends_with(": claim 'apples' has two criteria that are called 'price'; each "
+                               "needs a name of its own"),
+             message);
 }
 
 BOOST_AUTO_TEST_CASE(a_check_holds_if_all_of_its_criteria_do_and_tells_what_they_found) {
