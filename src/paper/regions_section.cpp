@@ -193,7 +193,7 @@ void compute_regions(Document& document, const Case& from) {
   const WavyCylinders wavy = wavy_cylinders(c, waves, hertz);
   const std::string& unit = from.units.length;
   document.value("wavy.amplitude",
-                 Value(wavy.amplitude, significant(3), unit).within(rounded(c, wavy.amplitude)));
+                 Value(wavy.amplitude, significant(4), unit).within(rounded(c, wavy.amplitude)));
   document.value("wavy.length",
                  Value(wavy.length, significant(3), unit).within(rounded(c, wavy.length)));
   document.value("wavy.waves", Value(waves.in_half_width, exact()));

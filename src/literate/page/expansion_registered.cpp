@@ -186,11 +186,6 @@ void Expander::know_registered() {
                         limits_));
     }
   });
-  // \PageAges{some}{none}: what is said of the ages of limits, if any is known and if none is.
-  know({"PageAges"}, [this](TexScanner& in, const TexToken&) {
-    const std::string some(argument(in)), none(argument(in));
-    read_all(RecordedAges(sources_.document, names_).has_any() ? some : none);
-  });
   know({"PageFile"}, [this](TexScanner& in, const TexToken&) {
     const std::string file(argument(in));
     if (file == "index.html") listed_.insert("val-");

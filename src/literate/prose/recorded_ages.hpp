@@ -23,9 +23,6 @@ class RecordedAges {
 
   const std::vector<std::string>& of(const std::string& claim) const { return ages_.at(claim); }
 
-  /// Whether any is known.
-  bool has_any() const { return !latex().empty(); }
-
   /// For LaTeX: «\LiterateLimitAge{claim}{2}{chosen after the result}» for each that is known.
   std::string latex() const;
 

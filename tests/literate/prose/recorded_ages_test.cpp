@@ -41,17 +41,6 @@ BOOST_AUTO_TEST_CASE(the_ledger_is_told_of_each_limit_whose_age_is_known) {
              "\\LiterateLimitAge{far}{2}{older than the result}\n");
 }
 
-BOOST_AUTO_TEST_CASE(a_ledger_in_which_no_age_is_known_can_say_so) {
-  const TemporaryFolder folder;
-  Names names;
-  names.case_sha256 = "c1";
-  names.claims["far"].limits = {
-      {.quantity = "ratio", .condition = "at most 1 %", .reason = "choice: y"}};
-  BOOST_TEST(!RecordedAges(folder.path(), names).has_any());
-  folder.write("results.json", record("c1", chosen_after));
-  BOOST_TEST(RecordedAges(folder.path(), names).has_any());
-}
-
 BOOST_AUTO_TEST_CASE(nothing_is_told_without_a_record_or_of_another_case_or_limit) {
   BOOST_TEST(told("") == "");
   BOOST_TEST(told(record("c2", chosen_after)) == "");
