@@ -125,6 +125,13 @@ std::vector<Change> of_texts(const Manifest::Texts& before, const Manifest::Text
   return changes;
 }
 
+/// Of the program's words. Those of what is new or gone are told with it.
+std::vector<Change> of_words(const Manifest::Texts& before, const Manifest::Texts& after) {
+  std::vector<Change> changes = of_texts(before, after, ChangeKind::other_text);
+  std::erase_if(changes, [](const Change& one) { return one.kind != ChangeKind::other_text; });
+  return changes;
+}
+
 /// The changes of numbers and of texts: what was a number and is a text, or the reverse, is told
 /// once.
 std::vector<Change> together(const std::vector<Change>& of_numbers,
@@ -220,12 +227,13 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
   const Manifest::Texts texts = before.texts.empty() ? Manifest::Texts() : after.texts;
   const Manifest::Texts outcomes = before.outcomes.empty() ? Manifest::Texts() : after.outcomes;
   std::vector<Change> all;
-  for (auto&& more : {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
-                      of_texts(before.outcomes, outcomes, ChangeKind::other_verdict),
-                      of_texts(before.limits, limits, ChangeKind::other_limit),
-                      together(of_numbers(before.numbers, after.numbers),
-                               of_texts(before.texts, texts, ChangeKind::other_text)),
-                      of_figures(figures_in(before), figures_in(after))}) {
+  for (auto&& more :
+       {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
+        of_texts(before.outcomes, outcomes, ChangeKind::other_verdict),
+        of_texts(before.limits, limits, ChangeKind::other_limit),
+        together(of_numbers(before.numbers, after.numbers),
+                 of_texts(before.texts, texts, ChangeKind::other_text)),
+        of_words(before.words, after.words), of_figures(figures_in(before), figures_in(after))}) {
     const std::vector<Change> in_order = sorted(more);
     all.insert(all.end(), in_order.begin(), in_order.end());
   }

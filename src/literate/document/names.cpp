@@ -2,6 +2,7 @@
 #include "literate/document/names.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -230,8 +231,33 @@ json texts_json(const Registered& registered) {
   for (const auto& [name, table] : registered.tables) {
     for (const Column& column : table.columns())
       add("table", name, "heading", column.format().heading);
+    for (const TableNote& note : table.notes()) add("table", name, "note", note.text);
   }
   return texts;
+}
+
+/// The same, as Manifest::words names them.
+json words_json(const Registered& registered) {
+  json words = json::object();
+  for (const auto& [id, claim] : registered.claims) {
+    words[fmt::format("claim {}: route", id)] = claim.route;
+    for (const Criterion& criterion : claim.criteria) {
+      words[fmt::format("claim {}: {}: reason", id, criterion.name())] = criterion.reason();
+    }
+  }
+  for (const Check& check : registered.checks) {
+    words[fmt::format("check {}: statement", check.id)] = check.statement;
+  }
+  for (const auto& [name, table] : registered.tables) {
+    std::vector<std::string> headings, notes;
+    for (const Column& column : table.columns()) {
+      headings.push_back(csv_heading(column.format()));
+    }
+    for (const TableNote& note : table.notes()) notes.push_back(note.mark + plain_text(note.text));
+    words[fmt::format("table {}: headings", name)] = fmt::format("{}", fmt::join(headings, " | "));
+    words[fmt::format("table {}: notes", name)] = fmt::format("{}", fmt::join(notes, " | "));
+  }
+  return words;
 }
 
 std::vector<NamedText> texts_in(const json& entries) {
@@ -266,6 +292,7 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["claims"] = claims_json(registered);
   names["imports"] = registered.attachments.digests();
   names["texts"] = texts_json(registered);
+  names["words"] = words_json(registered);
   names["faults"] = faults(registered);
   names["claim_notes"] = claim_notes(registered);
   names["files"] = files;

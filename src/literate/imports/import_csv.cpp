@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -147,6 +148,10 @@ ImportedCell cell_of(const CsvSource& source, const sys::CsvRow& row, const Fiel
     if (!error) {
       throw ImportError(fmt::format("{}: {} '{}' is not a number", source.at(row[column]), name,
                                     row[column].text));
+    }
+    if (!std::isfinite(error->number) || error->number < 0) {
+      throw ImportError(fmt::format("{}: {} = {}: must be finite and not negative",
+                                    source.at(row[column]), name, row[column].text));
     }
     cell.errors[name] = error->number;
   }

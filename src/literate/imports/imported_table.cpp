@@ -70,11 +70,6 @@ int printed_place(const ImportedColumn& column, const WrittenNumber& written) {
 
 std::optional<Uncertainty> uncertainty_of(const ImportedCell& cell) {
   if (cell.errors.empty()) return std::nullopt;
-  for (const auto& [name, number] : cell.errors) {
-    if (std::isfinite(number) && number >= 0) continue;
-    throw ImportError(fmt::format("{}: {} = {}: must be finite and not negative", cell.at, name,
-                                  round_trip(number)));
-  }
   const auto has = [&](const char* name) { return cell.errors.contains(name); };
   const auto error = [&](const char* name) { return has(name) ? cell.errors.at(name) : 0; };
   if (has("below") != has("above") || (has("below") && has("abs_error"))) {

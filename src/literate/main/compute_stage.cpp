@@ -105,10 +105,13 @@ ExitCode run(Settings settings, const Paper& paper, const Compute& compute) {
   document.severity(read_severity(settings.severity_record(), settings.root, settings.case_file));
   document.write(settings.generated(), inputs.excerpts);
   record.done(files_read(settings, document));
-  computing.done(fmt::format("{} values, {} tables, {} figures, {} checks, {} claims",
-                             document.values().size(), document.tables().size(),
-                             document.figures().size(), document.checks().size(),
-                             document.claims().size()));
+  const auto counted = [](std::size_t n, const char* name) {
+    return fmt::format("{} {}{}", n, name, n == 1 ? "" : "s");
+  };
+  computing.done(fmt::format(
+      "{}, {}, {}, {}, {}", counted(document.values().size(), "value"),
+      counted(document.tables().size(), "table"), counted(document.figures().size(), "figure"),
+      counted(document.checks().size(), "check"), counted(document.claims().size(), "claim")));
   // The document is written with its faults, which stamp every page; `typeset` and `check` tell
   // them.
   return ExitCode::success;

@@ -56,7 +56,8 @@ sys::ExitCode draw_changed(const Settings& settings) {
   write_attached(generated);
   sys::write_if_changed(settings.digest(), digest_of(generated));
   record.done(files_of(settings, names));
-  drawing.done(fmt::format("{} of {} figures", n_drawn, names.figures.size()));
+  drawing.done(fmt::format("{} of {} figure{}", n_drawn, names.figures.size(),
+                           names.figures.size() == 1 ? "" : "s"));
   return sys::ExitCode::success;
 }
 

@@ -164,7 +164,8 @@ Manifest manifest_without_pdf(const Settings& settings, const Paper& paper,
           .verdicts = verdicts_in(generated / "names.json"),
           .limits = limits_in(generated / "names.json"),
           .texts = texts_in(generated / "names.json"),
-          .outcomes = outcomes_in(generated / "names.json")};
+          .outcomes = outcomes_in(generated / "names.json"),
+          .words = words_in(generated / "names.json")};
 }
 
 // Says how this report differs from the one that `file` tells of. The same bytes are not asked of

@@ -155,6 +155,11 @@ Manifest::Texts texts_in(const fs::path& names_json) {
   });
 }
 
+Manifest::Texts words_in(const fs::path& names_json) {
+  return from_names(names_json,
+                    [](const json& names) { return names.at("words").get<Manifest::Texts>(); });
+}
+
 std::map<std::string, bool> flags_of(const Manifest& manifest) {
   constexpr std::string_view kind = "flag ";
   std::map<std::string, bool> flags;
@@ -201,7 +206,8 @@ std::string manifest_json(const Manifest& manifest) {
             {"verdicts", manifest.verdicts},
             {"limits", manifest.limits},
             {"texts", manifest.texts},
-            {"outcomes", manifest.outcomes}};
+            {"outcomes", manifest.outcomes},
+            {"words", manifest.words}};
   if (!manifest.ages.empty()) text["ages"] = manifest.ages;
   return text.dump(2) + "\n";
 }
@@ -231,6 +237,7 @@ Manifest manifest_of(const std::string& json_text, const std::string& file,
             .limits = text.value("limits", Manifest::Texts()),
             .texts = text.value("texts", Manifest::Texts()),
             .outcomes = text.value("outcomes", Manifest::Texts()),
+            .words = text.value("words", Manifest::Texts()),
             .ages = text.value("ages", Manifest::Texts())};
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a manifest", file));
@@ -312,6 +319,7 @@ ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
   with_their_results.limits = theirs.limits;
   with_their_results.texts = theirs.texts;
   with_their_results.outcomes = theirs.outcomes;
+  with_their_results.words = theirs.words;
   result.has_same_results = manifest_json(with_their_results) == manifest_json(ours);
   return result;
 }

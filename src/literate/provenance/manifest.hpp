@@ -36,6 +36,7 @@ struct Manifest {
   Texts texts = {};  ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers,
                      ///< and what criteria found, «claim x: quantity»
   Texts outcomes = {};  ///< of criteria, by the same names: «holds»; an earlier version has none
+  Texts words = {};     ///< of the program, as words_in() has them; an earlier version has none
   Texts ages = {};      ///< of limits, by the same names, as dated_limits() tells them
 };
 
@@ -59,6 +60,11 @@ Manifest::Texts limits_in(const std::filesystem::path& names_json);
 /// The values and cells of tables that are texts, the flags, «yes» or «no», and what each criterion
 /// found. Throws sys::OutputError as numbers_in does.
 Manifest::Texts texts_in(const std::filesystem::path& names_json);
+
+/// What the program says in words: «claim x: route», «claim x: quantity: reason», «check x:
+/// statement», «table x: headings» and «table x: notes». Throws sys::OutputError as numbers_in
+/// does.
+Manifest::Texts words_in(const std::filesystem::path& names_json);
 
 /// The flags, by name, that a manifest has among its texts.
 std::map<std::string, bool> flags_of(const Manifest& manifest);

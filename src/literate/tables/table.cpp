@@ -253,13 +253,13 @@ std::string Table::html() const {
   return text;
 }
 
-namespace {
-
 std::string csv_heading(const ColumnFormat& format) {
   const std::string group = format.group.empty() ? "" : plain_text(format.group) + ": ";
   const std::string unit = format.unit.empty() ? "" : fmt::format(" ({})", format.unit);
   return group + (format.plain.empty() ? plain_text(format.heading) : format.plain) + unit;
 }
+
+namespace {
 
 std::string csv_cell(const Cell& cell) {
   if (cell.is_empty()) return "";

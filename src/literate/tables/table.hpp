@@ -18,6 +18,9 @@ struct TableNote {
   std::string text;  ///< LaTeX
 };
 
+/// The heading of a column in CSV: «group: heading (unit)», as plain text.
+std::string csv_heading(const ColumnFormat& format);
+
 /// A table that is written as a booktabs tabular with its numbers aligned at the decimal point.
 class Table {
  public:

@@ -118,8 +118,9 @@ class Reader {
   }
 
   bool takes_quotient() {
-    for (const std::string_view word : {"per ", "PER "}) {
-      if (take(word)) return true;
+    for (const std::string_view word : {"per", "PER"}) {
+      const bool is_at_end = rest_ == word;
+      if (is_at_end || rest_.starts_with(std::string(word) + " ")) return take(word);
     }
     return take("/");
   }

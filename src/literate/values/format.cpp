@@ -391,7 +391,10 @@ RoundedNumber exactly(const Format& format, Estimate estimate) {
 /// the error it says nothing more.
 RoundedNumber bound_above(const Format& format, Estimate estimate) {
   const double bound = estimate.value + estimate.abs_error;
-  if (bound < 0) throw std::invalid_argument("a bound to be printed is negative");
+  if (bound < 0) {
+    throw std::invalid_argument(
+        fmt::format("rounded_up() prints a bound, and {} is negative", bound));
+  }
   int lowest = format.notation() == Notation::fixed
                    ? -format.digits() - (format.is_percentage() ? 2 : 0)
                    : rounded_up_to_digits(bound, format.digits()).place;

@@ -32,6 +32,10 @@ Manifest state() {
   manifest.limits = {{"claim one: ratio", "at most 1 %"}};
   manifest.texts = {{"flag is-wide", "yes"}, {"table a, row 1, column 1", "steel"}};
   manifest.outcomes = {{"claim one: ratio", "holds"}};
+  manifest.words = {{"claim one: route", "by hand"},
+                    {"claim one: ratio: reason", "data: printed"},
+                    {"table a: headings", "load | material"},
+                    {"table a: notes", ""}};
   return manifest;
 }
 
@@ -139,6 +143,21 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
 
   after = state();
   after.verdicts["claim two"] = "confirmed";
+  check_told(after, ChangeKind::added, "claim two", "", "confirmed");
+}
+
+BOOST_AUTO_TEST_CASE(other_words_of_the_program_are_told) {
+  for (const auto& [name, words] : state().words) {
+    Manifest after = state();
+    after.words[name] = "other words";
+    check_told(after, ChangeKind::other_text, name, words, "other words");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_words_of_what_is_new_are_told_with_it) {
+  Manifest after = state();
+  after.verdicts["claim two"] = "confirmed";
+  after.words["claim two: route"] = "by quadrature";
   check_told(after, ChangeKind::added, "claim two", "", "confirmed");
 }
 

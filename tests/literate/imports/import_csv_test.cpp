@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(digits_have_to_be_earned_by_the_error_beside_them) {
     BOOST_TEST(holds(latex, part), part << " in " << latex);
   }
   BOOST_TEST(checkout.error("x,abs_error\n1.5,-0.1\n") ==
-             "2:1: abs_error = -0.1: must be finite and not negative");
+             "2:5: abs_error = -0.1: must be finite and not negative");
   BOOST_TEST(checkout.error("x,abs_error\n1.5,much\n") == "2:5: abs_error 'much' is not a number");
   BOOST_TEST(checkout.error("x,abs_error\n1.5,0.1\n,0.1\n") ==
              "3:2: abs_error '0.1' belongs to no number: the cell is empty");

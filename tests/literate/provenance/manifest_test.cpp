@@ -62,6 +62,28 @@ BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
   BOOST_TEST(numbers.at("u").unit.value() == "in");
 }
 
+BOOST_AUTO_TEST_CASE(the_words_of_routes_reasons_headings_and_notes_come_from_it) {
+  const TemporaryFolder scratch;
+  Document document;
+  Table table("errors", {Column("$N$", integer()), Column("error", significant(2), "in")});
+  table.add_row({64, numerics::Estimate{1.2345e-6, 1e-9}});
+  table.note("on one grid");
+  document.table(table);
+  document.claim("small", {.route = "by hand",
+                           .expected = Verdict::confirmed,
+                           .criteria = {Criterion::at_most("error", Value(0.5, exact()),
+                                                           {LimitKind::data, 1, "printed"})}});
+  document.check("finite", true, "all numbers are finite");
+  document.write(scratch / "out");
+
+  const Manifest::Texts expected = {{"check finite: statement", "all numbers are finite"},
+                                    {"claim small: error: reason", "data: printed"},
+                                    {"claim small: route", "by hand"},
+                                    {"table errors: headings", "N | error (in)"},
+                                    {"table errors: notes", "on one grid"}};
+  BOOST_TEST((words_in(scratch / "out/names.json") == expected));
+}
+
 BOOST_AUTO_TEST_CASE(numbers_of_tables_and_verdicts_come_from_it_too) {
   const TemporaryFolder scratch;
   Document document;

@@ -113,6 +113,7 @@ BOOST_AUTO_TEST_CASE(a_unit_that_cannot_be_printed_is_refused_with_how_one_is_sp
   is_told("(m", "a parenthesis is not closed");
   is_told("m)", "')' has no place there");
   is_told("m/", "a name is missing at its end");
+  is_told("m3 per", "a name is missing at its end");
   is_told(" ", "a name is missing at its end");
   is_told("m/語", "'語' has no place there");
 }
