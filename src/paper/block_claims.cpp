@@ -133,7 +133,7 @@ void claim_comparison(Document& document, const HalfSpaceCase& half_space,
   }
   document.claim(
       "nearly-identical-under-load",
-      {.route = "under the load eq. (3) less the printed FEA (z), over the latter; outside it the "
+      {.route = "under the load eq. (3) less the printed FEA (𝑧), over the latter; outside it the "
                 "printed error column",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_most("largest difference under the load",

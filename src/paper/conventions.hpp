@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "literate/claims/criterion.hpp"
@@ -25,6 +27,19 @@ inline Limit nearly_identical() {
 inline Limit of_second_order(double square) {
   return {literate::LimitKind::choice, square,
           "(𝑐/𝑎)²; at the peak linear interpolation has an eighth of it"};
+}
+
+/// The number of criteria that hold.
+inline long n_holding(const std::vector<Criterion>& criteria) {
+  return std::ranges::count(criteria, literate::Outcome::holds, &Criterion::outcome);
+}
+
+/// Whether a fitted order of convergence is the expected one.
+inline Criterion is_of_order(std::string what, const Measured& order, double expected) {
+  const Limit nearest(literate::LimitKind::choice, 0.25,
+                      "nearer to the order stated than to any other multiple of ½");
+  return Criterion::agrees(std::move(what), Value(order, uncertain()), Value(expected, exact()),
+                           nearest.counting(2));
 }
 
 /// The fewest decimals, at most nine, that print every one of the points exactly.

@@ -12,6 +12,7 @@
 #include "numerics/dense_lu.hpp"
 #include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
+#include "paper/conventions.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
@@ -146,9 +147,7 @@ Measured order_of(const EdgeErrors& errors) {
 }
 
 Criterion of_order(const char* what, const EdgeErrors& errors, double expected) {
-  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other multiple of ½");
-  return Criterion::agrees(what, Value(order_of(errors), uncertain()), Value(expected, exact()),
-                           nearest.counting(2));
+  return is_of_order(what, order_of(errors), expected);
 }
 
 void check_graded(Document& document, const Graded& graded) {

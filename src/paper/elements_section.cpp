@@ -10,6 +10,7 @@
 #include "line_contact/solver.hpp"
 #include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
+#include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
 #include "paper/edge_study.hpp"
 #include "paper/paper.hpp"
@@ -26,12 +27,6 @@ constexpr const char* places = "places of the edge";
 
 // How many standard uncertainties count: about 95 % of a normal distribution.
 constexpr double counted = 2;
-
-Criterion of_order(const char* what, const Measured& order, double expected) {
-  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other multiple of ½");
-  return Criterion::agrees(what, Value(order, uncertain()), Value(expected, exact()),
-                           nearest.counting(counted));
-}
 
 // Grids of so many nodes, odd so that one lies in the middle: 60 to 400 elements over the
 // half-width, where the factors of all errors are constant, and before them the coarser ones that
@@ -158,10 +153,10 @@ void claim_pressures(Document& document, const Study& triangular, const Study& u
       {.route = "the errors against Hertz with the edge at 20 places between two nodes, on grids "
                 "of 60 to 400 elements over the half-width",
        .expected = Verdict::confirmed,
-       .criteria = {of_order("order of the error inside, triangles",
-                             order_of(triangular, quantities[inside]), 2),
-                    of_order("order of the error inside, uniform elements",
-                             order_of(uniform, quantities[inside]), 2),
+       .criteria = {is_of_order("order of the error inside, triangles",
+                                order_of(triangular, quantities[inside]), 2),
+                    is_of_order("order of the error inside, uniform elements",
+                                order_of(uniform, quantities[inside]), 2),
                     no_better("error inside, triangles over uniform elements", inside),
                     no_better("error of the peak, triangles over uniform elements", of_peak)}});
 }
@@ -187,7 +182,7 @@ void register_orders(Document& document, const Study& triangular, const Study& u
     const Measured first = order_of(triangular, quantity);
     const Measured second = order_of(uniform, quantity);
     for (const Measured& order : {first, second}) {
-      orders.push_back(of_order(quantity.name, order, quantity.expected));
+      orders.push_back(is_of_order(quantity.name, order, quantity.expected));
     }
     table.add_row({quantity.name, first, mean_factor(triangular, quantity), second,
                    mean_ratio(triangular, uniform, quantity)});
@@ -258,7 +253,7 @@ void claim_quality(Document& document, const std::vector<QualityAt>& triangular,
                    const std::vector<QualityAt>& uniform) {
   const auto order = [&](const char* what, const std::vector<QualityAt>& study, Errors errors,
                          double expected) {
-    return of_order(what, order_between_nodes(study, errors), expected);
+    return is_of_order(what, order_between_nodes(study, errors), expected);
   };
   document.claim(
       "triangles-gain-between-nodes",

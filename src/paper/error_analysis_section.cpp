@@ -73,7 +73,7 @@ void claim_datum(Document& document, const HalfSpaceCase& c,
   const Estimate shift = abs(displacement - nearer.normal_displacement(end));
   document.claim(
       "insensitive-to-c",
-      {.route = "eq. (2) by quadrature less the printed FEA (z) at the last point, for the "
+      {.route = "eq. (2) by quadrature less the printed FEA (𝑧) at the last point, for the "
                 "datum given and one at half of its distance, both far from the load",
        .expected = Verdict::refuted,
        .criteria = {Criterion::at_most("change of the error, over the error",
@@ -110,7 +110,7 @@ void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSyste
   document.claim(
       "same-load",
       {.route =
-           "the printed columns: the slope of FEA (z) over that of the analytical "
+           "the printed columns: the slope of FEA (𝑧) over that of the analytical "
            "column at the outermost points, times 𝑝₀𝑎, for the same 𝐸 and ν; against the 𝑝₀𝑎 of "
            "eq. (4)",
        .expected = Verdict::refuted,
@@ -180,6 +180,7 @@ void compare_error(Document& document, const HalfSpaceCase& c, const UnitSystem&
       {.route = "the printed error column",
        .expected = Verdict::partly,
        .criteria = {Criterion::in_each("distance from 10⁻⁷ in decades", "points", of_order)}});
+  document.value("error.n-of-order", Value(n_holding(of_order), integer()));
   document.value("error.first", Value(first, scientific(2), unit));
   document.value("error.smallest", Value(smallest, scientific(2), unit));
   document.value("error.last", Value(last, scientific(2), unit));

@@ -105,7 +105,7 @@ void register_fit(Document& document, const HalfSpaceCase& half_space, const Uni
        column("$p_{\\mathrm e}$", units.stress), column("resultant", units.line_load)});
   table.add_row({"the displacements", fit.peak, fit.edge, a * sum});
   table.add_row({"the same, with the printed resultant", held, printed_sum - held, "held"});
-  table.add_row({"the same, with the largest vertical stress", peak_of_all,
+  table.add_row({"both, with the largest vertical stress", peak_of_all,
                  printed_sum - peak_of_all, "held"});
   document.table(table);
 

@@ -10,6 +10,7 @@
 
 #include "numerics/scatter.hpp"
 #include "paper/bounds.hpp"
+#include "paper/conventions.hpp"
 #include "paper/prelude.hpp"
 #include "point_contact/study/two_spheres.hpp"
 
@@ -89,10 +90,8 @@ Measured ratio(const ElementStudy& first, const ElementStudy& second, const Stud
 }
 
 Criterion of_order(const StudiedError& error, std::size_t element, const ElementStudy& study) {
-  const Limit nearest(LimitKind::choice, 0.25, "nearer to it than to any other multiple of ½");
-  return Criterion::agrees(std::string(error.name) + ", " + names_of_elements[element] + ": order",
-                           Value(fit(study, error).order, uncertain()),
-                           Value(error.expected[element], exact()), nearest.counting(2));
+  return is_of_order(std::string(error.name) + ", " + names_of_elements[element] + ": order",
+                     fit(study, error).order, error.expected[element]);
 }
 
 void claim_elements(Document& document, const std::vector<ElementStudy>& studies) {

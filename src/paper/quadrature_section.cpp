@@ -143,7 +143,7 @@ Criterion within_errors(const std::vector<const Comparisons*>& all) {
 void claim_quadrature(Document& document, const Comparisons& gradients,
                       const Comparisons& displacements, const Comparisons& from_gradients,
                       double displacement_unit) {
-  const char* const reason = "ten digits of the scale 𝐾, for which the quadratures are written";
+  const char* const reason = "ten digits of the scale 𝐾, the aim of the quadratures";
   document.claim(
       "equation-3-follows",
       {.route = "eq. (2) by quadrature, integrated from the datum by quadrature, at the points of "
@@ -197,7 +197,7 @@ void compute_quadrature(Document& document, const Case& from) {
   document.table(table);
   claim_quadrature(document, all_gradients, wide_displacements, from_gradients, unit);
 
-  const char* const reason = "ten digits of the scale, for which the quadratures are written";
+  const char* const reason = "ten digits of the scale, the aim of the quadratures";
   const auto reported = [&](const Comparisons& comparisons, double scale) {
     return Value(largest_estimate(comparisons) / scale, scientific(1).rounded_up()).as_is();
   };

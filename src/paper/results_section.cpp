@@ -204,16 +204,12 @@ void check_measures(Document& document, const PrintedData& printed_data) {
   }
   document.check("fea-z-are-measures",
                  {Criterion::in_each("difference in units of the last place", "points", same)},
-                 "the column FEA (z) of Fig. 5 has the digits of measure1, measure2, … of the "
+                 "the column FEA (𝑧) of Fig. 5 has the digits of measure1, measure2, … of the "
                  "run's summary");
 }
 
 // Decimal fractions as doubles, in units of the last of seven places.
 constexpr double rounding_of_print = 1e-8;
-
-long n_holding(const std::vector<Criterion>& criteria) {
-  return std::ranges::count(criteria, literate::Outcome::holds, &Criterion::outcome);
-}
 
 // Fig. 5 rebuilt: the analytical column from eq. (3), the error column from the other columns, and
 // the tangential displacement that they imply.
@@ -262,7 +258,7 @@ Criterion compare_figure5(Document& document, const HalfSpaceCase& c, const Unit
   document.table(table);
   document.claim(
       "error-of-z",
-      {.route = "the difference of the printed columns, analytical less FEA (z)",
+      {.route = "the difference of the printed columns, analytical less FEA (𝑧)",
        .expected = Verdict::refuted,
        .criteria = {Criterion::in_each("that difference less the printed error, in units of the "
                                        "columns' last place",

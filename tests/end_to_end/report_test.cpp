@@ -196,6 +196,25 @@ BOOST_AUTO_TEST_CASE(the_manifest_names_all_files_and_nothing_of_the_machine) {
   BOOST_TEST((first == other));
 }
 
+BOOST_AUTO_TEST_CASE(the_attachments_are_those_that_their_own_list_names) {
+  const TemporaryFolder saved;
+  const std::string folder = saved.path().string();
+
+  sys::run({.program = "pdfdetach",
+            .arguments = {"-saveall", "-o", folder, steel_report().pdf().string()}});
+  const sys::ProcessResult checked = sys::run(
+      {.program = "sha256sum",
+       .arguments = {"--check", "--strict", "--ignore-missing", "--quiet", "attached.sha256"},
+       .working_directory = saved.path()});
+
+  BOOST_TEST(checked.exit_status == 0, checked.output);
+  for (const std::string& file : sys::files_below(saved.path())) {
+    const bool is_listed = file == "attached.sha256" ||
+                           holds(sys::read_file(saved / "attached.sha256"), "  " + file + "\n");
+    BOOST_TEST(is_listed, file);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_manifest_from_elsewhere_is_compared_by_bytes_then_by_numbers) {
   const Report& report = steel_report();
   const TemporaryFolder folder;

@@ -125,6 +125,12 @@ std::vector<Change> of_texts(const Manifest::Texts& before, const Manifest::Text
   return changes;
 }
 
+/// What stands for digests, which tell a reader nothing.
+std::vector<Change> without_digests(std::vector<Change> changes) {
+  for (Change& change : changes) change.before = change.after = "";
+  return changes;
+}
+
 /// Of the program's words. Those of what is new or gone are told with it.
 std::vector<Change> of_words(const Manifest::Texts& before, const Manifest::Texts& after) {
   std::vector<Change> changes = of_texts(before, after, ChangeKind::other_text);
@@ -151,6 +157,22 @@ std::vector<Change> together(const std::vector<Change>& of_numbers,
   std::vector<Change> all;
   for (const auto& [what, change] : by_name) all.push_back(change);
   return all;
+}
+
+constexpr std::string_view of_listings = "listing ";
+
+std::vector<Change> of_excerpts(const Manifest& before, const Manifest& after) {
+  const auto digests = [](const Manifest& manifest) {
+    constexpr std::string_view folder = "generated/excerpts/", ending = ".txt";
+    Manifest::Texts listings;
+    for (const auto& [file, digest] : manifest.outputs) {
+      if (!file.starts_with(folder) || !file.ends_with(ending)) continue;
+      const std::size_t length = file.size() - folder.size() - ending.size();
+      listings[std::string(of_listings) + file.substr(folder.size(), length)] = digest;
+    }
+    return listings;
+  };
+  return without_digests(of_texts(digests(before), digests(after), ChangeKind::other_text));
 }
 
 /// The digests of what is drawn and of what it is drawn from, «figure x».
@@ -184,9 +206,7 @@ std::vector<Change> of_figures(const Figures& before, const Figures& after) {
   std::vector<Change> alike;
   std::ranges::copy_if(data, std::back_inserter(alike), is_drawn_alike);
   changes.insert(changes.end(), alike.begin(), alike.end());
-  // Digests tell a reader nothing.
-  for (Change& change : changes) change.before = change.after = "";
-  return changes;
+  return without_digests(std::move(changes));
 }
 
 /// As `sort -V` sorts: row 2 before row 10; values before cells.
@@ -233,7 +253,8 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
         of_texts(before.limits, limits, ChangeKind::other_limit),
         together(of_numbers(before.numbers, after.numbers),
                  of_texts(before.texts, texts, ChangeKind::other_text)),
-        of_words(before.words, after.words), of_figures(figures_in(before), figures_in(after))}) {
+        of_words(before.words, after.words), of_figures(figures_in(before), figures_in(after)),
+        of_excerpts(before, after)}) {
     const std::vector<Change> in_order = sorted(more);
     all.insert(all.end(), in_order.begin(), in_order.end());
   }
@@ -259,6 +280,10 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
       change.after = fmt::format("{} ({:.12g})", change.after, is->second.number);
     }
   }
+  // Another document may print this listing.
+  std::erase_if(all, [](const Change& change) {
+    return change.what.starts_with(of_listings) && change.printed_in.empty();
+  });
   return all;
 }
 

@@ -44,7 +44,7 @@ struct Change {
   }
 
   ChangeKind kind;
-  std::string what;  ///< «value x», «table x, row 1, column 2», «figure x», «claim x», «check x»
+  std::string what;  ///< «value x», «table x, row 1, column 2», «figure x», «listing x», «claim x»
   std::string before;  ///< as it was printed, or its former name; empty for something that is new
   std::string after;   ///< empty for something that is gone
   std::vector<Sentence> printed_in;  ///< the sentences that print it

@@ -22,7 +22,7 @@ namespace {
 const std::map<std::string, std::string> named_by{
     {"val", "value"},     {"rawval", "value"},  {"tab", "table"},         {"fig", "figure"},
     {"claim", "claim"},   {"finding", "claim"}, {"findingsays", "claim"}, {"statement", "claim"},
-    {"verdict", "claim"}, {"ifflag", "flag"},   {"claimcount", "claims"}};
+    {"verdict", "claim"}, {"ifflag", "flag"},   {"claimcount", "claims"}, {"excerpt", "listing"}};
 
 /// Commands that no sentence goes across.
 const std::set<std::string_view> divisions{

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -37,14 +39,20 @@ FileDigests files_of(const Settings& settings, const Names& names) {
 }
 
 // What the document may attach to the PDF, as a list that it attaches as well: so the PDF alone
-// tells whether its attachments are those that it was made with.
+// tells whether its attachments are those that it was made with, to `sha256sum --check`, too. They
+// are attached without folders; a line of comment gives the path of one that had any.
 void write_attached(const std::filesystem::path& generated) {
   std::vector<std::string> files = sys::files_below(generated);
   std::erase_if(files, [](const std::string& file) {
     return !file.ends_with(".csv") && !file.ends_with(".gp") && !file.starts_with("imports/");
   });
-  sys::write_if_changed(generated / attached_list,
-                        sys::record_text(sys::record_entries(generated, files)));
+  std::string list;
+  for (const auto& [digest, file] : sys::record_entries(generated, files)) {
+    const std::string attached = boost::replace_all_copy(file, "/", "-");
+    list +=
+        fmt::format("{}{}  {}\n", attached == file ? "" : "# " + file + ":\n", digest, attached);
+  }
+  sys::write_if_changed(generated / attached_list, list);
 }
 
 sys::ExitCode draw_changed(const Settings& settings) {

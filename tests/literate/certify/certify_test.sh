@@ -33,7 +33,7 @@ names() {
     "$(claims "$@")"
 }
 names confirmed 1 >out/generated/names.json
-(cd out/generated && sha256sum values.csv figures/f/script.gp >attached.sha256)
+(cd out/generated && sha256sum values.csv figures/f/script.gp | sed -E 's|^(\S+)  (figures/.*)|# \2:\n\1  figures-f-script.gp|' >attached.sha256)
 attach() {
   qpdf --empty --add-attachment out/generated/values.csv -- --add-attachment out/generated/attached.sha256 -- \
     --add-attachment "${1:-out/generated/figures/f/script.gp}" --filename=figures-f-script.gp -- --deterministic-id "${2:-out/rod.pdf}"

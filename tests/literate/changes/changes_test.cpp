@@ -146,6 +146,21 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   check_told(after, ChangeKind::added, "claim two", "", "confirmed");
 }
 
+BOOST_AUTO_TEST_CASE(a_listing_that_the_document_prints_and_that_is_another_is_told) {
+  Manifest before = state(), after = state();
+  before.outputs["generated/excerpts/sum.txt"] = "d5";
+  after.outputs["generated/excerpts/sum.txt"] = "d6";
+  const auto sentences = literate::sentences_in("\\excerpt[The sum]{sum}", "a.tex");
+
+  BOOST_TEST(changes_between(before, after, {}, {}).empty());
+  const auto changes = changes_between(before, after, sentences, sentences);
+
+  BOOST_TEST_REQUIRE(changes.size() == 1U);
+  BOOST_TEST(changes[0].what == "listing sum");
+  BOOST_TEST(name_of(changes[0].kind) == "another text");
+  BOOST_TEST(changes[0].is_seen());
+}
+
 BOOST_AUTO_TEST_CASE(other_words_of_the_program_are_told) {
   for (const auto& [name, words] : state().words) {
     Manifest after = state();

@@ -63,7 +63,7 @@ claim 'the table has the file' "$(sed -n 2p build/out/changes/changes.csv)" = \
 claim 'the page says what was compared' "$(grep -c 'Before: submitted, commit .* After: the sources as they are' build/out/changes/changes.html)" -eq 1
 manifest rod 12 >"$former/paper/manifest.json"
 changes SINCE=submitted
-claim 'what is the same does not differ' "$status $(says 'no value, text, table, figure, verdict or limit differs')" = '0 yes'
+claim 'what is the same does not differ' "$status $(says 'no value, text, table, figure, listing, verdict or limit differs')" = '0 yes'
 
 claim 'what LaTeX cannot set is told, and the rest stands' "$(says 'changes: marked.pdf is not made, since LaTeX stops at the marked text: ')$(
   cut -d / -f 4 <<<"$said" | tail -n 1)" = yesanswer.md

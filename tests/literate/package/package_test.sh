@@ -92,7 +92,7 @@ runs make verify MANIFEST=../forged.json
 claim 'a manifest whose files are right and whose results are not does not hold' \
   "$status$(says "'../forged.json' tells other results than these files hold")$(says 'full: it holds')" = 2yesno
 runs make changes SINCE=HEAD
-claim 'the same commit makes no difference' "$status$(says 'no value, text, table, figure, verdict or limit differs')" = 0yes
+claim 'the same commit makes no difference' "$status$(says 'no value, text, table, figure, listing, verdict or limit differs')" = 0yes
 runs make changes SINCE=no-such-tag
 claim 'a tag that is not there is told' "$status$(says 'changes: SINCE: there is neither a file nor a tag or commit no-such-tag')" = 2yes
 sed 's/^angle = 90/angle = 91/' case.toml >../other.toml
