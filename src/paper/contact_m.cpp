@@ -30,13 +30,14 @@ Index first_in_tension(const VectorXd& p) {
   return require_edge_within(p.size(), first - p.begin() + 1);
 }
 
-ContactM to_result(double c, const VectorXd& sides, const VectorXd& p, Index aa,
+ContactM to_result(double c, const VectorXd& sides, const VectorXd& p, Index aa, double gap,
                    const Hertz& hertz) {
   ContactM result{.x = {},
                   .pressure = {p.begin(), p.end()},
                   .has_mirror_images = sides[1] > 1,
                   .zero_node = aa,
                   .line_load = c * sides.dot(p),
+                  .gap_at_edge = gap,
                   .hertz_half_width = hertz.half_width(),
                   .hertz_peak_pressure = hertz.peak_pressure()};
   for (Index i = 0; i < p.size(); ++i) result.x.push_back(static_cast<double>(i) * c);
@@ -91,7 +92,9 @@ ContactM run_contact_m(const ContactCase& contact, const ContactMInput& input,
   const double times = mended.hertz_load ? 1 : 2;  // repair 6
   const Hertz hertz(contact.cylinders, times * contact.line_load);
   require_edge_within(nn, aa);
-  return to_result(c, sides, p, aa, hertz);
+  const double gap = (influence.row(aa - 1) - influence.row(0)).dot(p) +
+                     contact.cylinders.profile().gap(static_cast<double>(aa - 1) * c);
+  return to_result(c, sides, p, aa, gap, hertz);
 }
 
 }  // namespace paper

@@ -37,6 +37,7 @@ struct ContactM {
   bool has_mirror_images;        ///< whether the pressures act at −x as well
   Eigen::Index zero_node;        ///< aa, typed or found
   double line_load;              ///< what the triangles carry, mirror images counted
+  double gap_at_edge;            ///< eq. (1b) at node aa, a length: negative if the bodies overlap
   double hertz_half_width;       ///< by the program's own lines
   double hertz_peak_pressure;
 };

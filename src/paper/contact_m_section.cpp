@@ -303,6 +303,10 @@ void check_rows(Document& document, const std::vector<Row>& rows, double p0) {
   document.check("contact-m-falls-to-its-edge",
                  std::ranges::is_sorted(before, std::ranges::greater()),
                  "the pressure of Contact.m as printed falls from the centre to the edge");
+  document.check(
+      "contact-m-overlaps-once-mirrored",
+      rows[printed].program.gap_at_edge > 0 && rows[mirror_images].program.gap_at_edge < 0,
+      "with mirror images the bodies of Contact.m overlap at the edge, and not before");
   const auto rises = [&](std::size_t i) {
     const double ratio = pressure_beside_edge(rows[i].program) / rows[i].program.pressure[0];
     return Criterion::at_least("row " + std::to_string(i),

@@ -128,19 +128,6 @@ Measured mean_ratio(const Study& triangular, const Study& uniform, const Quantit
   });
 }
 
-// On what share of the single grids triangles have the smaller error of the peak.
-double share_won(const Study& triangular, const Study& uniform) {
-  long n_won = 0;
-  long n_grids = 0;
-  for (std::size_t i = n_only_drawn; i < triangular.size(); ++i) {
-    for (std::size_t k = 0; k < triangular[i].errors.size(); ++k) {
-      n_won += std::abs(triangular[i].errors[k].peak) < std::abs(uniform[i].errors[k].peak);
-      ++n_grids;
-    }
-  }
-  return static_cast<double>(n_won) / static_cast<double>(n_grids);
-}
-
 void claim_pressures(Document& document, const Study& triangular, const Study& uniform) {
   const Limit same(LimitKind::data, 1.0, "less would be a gain");
   const auto no_better = [&](const char* what, std::size_t quantity) {
@@ -197,8 +184,6 @@ void register_orders(Document& document, const Study& triangular, const Study& u
   };
   ratio("elements.inside-ratio", inside);
   ratio("elements.peak-ratio", of_peak);
-  document.value("elements.peak-won",
-                 Value(closed_form(share_won(triangular, uniform)), percent(0)));
   document.value("elements.n-places", Value(n_edge_places, integer()));
   document.value("elements.n-spacings",
                  Value(std::ssize(triangular) - static_cast<long>(n_only_drawn), integer()));

@@ -105,7 +105,7 @@ void register_fit(Document& document, const HalfSpaceCase& half_space, const Uni
        column("$p_{\\mathrm e}$", units.stress), column("resultant", units.line_load)});
   table.add_row({"the displacements", fit.peak, fit.edge, a * sum});
   table.add_row({"the same, with the printed resultant", held, printed_sum - held, "held"});
-  table.add_row({"both, with the largest vertical stress", peak_of_all,
+  table.add_row({"the same, with resultant and largest vertical stress", peak_of_all,
                  printed_sum - peak_of_all, "held"});
   document.table(table);
 
@@ -277,11 +277,9 @@ void claim_shape(Document& document, const PrintedData& printed_data, const Unit
   std::vector<const Contestant*> meets;
   const Contestant* nearest = nullptr;
   long n_near_stress = 0, n_shapes = 0;
-  double most_chi_squared = 0;
   for (const Contestant& c : contestants) {
     if (c.supports != own || c.n_free != 2) continue;
     ++n_shapes;
-    most_chi_squared = std::max(most_chi_squared, c.misfit.chi_squared.value);
     if (off_stress(c.peak, printed_data).value <= 2) ++n_near_stress;
     if (!nearest || c.misfit.largest_share.value < nearest->misfit.largest_share.value)
       nearest = &c;
@@ -295,7 +293,6 @@ void claim_shape(Document& document, const PrintedData& printed_data, const Unit
   document.value("contest.n-shapes", Value(n_shapes, integer()));
   document.value("contest.n-met", Value(n_met, integer()));
   document.value("contest.n-near-stress", Value(n_near_stress, integer()));
-  document.value("contest.most-chi-squared", Value(most_chi_squared, significant(2)).as_is());
   document.value("contest.lowest-peak", Value(lowest, uncertain(), units.stress));
   document.value("contest.highest-peak", Value(highest, uncertain(), units.stress));
   const Limit apart(LimitKind::choice, 0.05, "ten times the run's own stress error");

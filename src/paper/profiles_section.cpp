@@ -135,6 +135,7 @@ struct ProfileStudy {
   std::vector<double> elements, inside, away, beside, bound;  // of each set
   std::vector<Estimate> edges;  // errors of the half-width on each grid, in elements
   ProfileErrors printed{};      // on the grids of the table
+  double fewest = 0, most = 0;  // elements on these
 };
 
 // The edge is worst just before a node comes into contact, within a tenth of a spacing.
@@ -158,7 +159,10 @@ ProfileStudy study_of(const KnownContact& known, const ContactCase& c, const Her
     study.away.push_back(errors.away);
     study.beside.push_back(errors.beside);
     study.bound.push_back(errors.bound);
-    if (n_nodes == printed) study.printed = errors;
+    if (n_nodes != printed) continue;
+    study.printed = errors;
+    study.fewest = on_grids.front().elements;
+    study.most = on_grids.back().elements;
   }
   return study;
 }
@@ -244,7 +248,8 @@ void register_profiles(Document& document, const ContactCase& c, const Hertz& he
                    Estimate{e.inside, e.bound + closed}, order_of(study, study.inside)});
   }
   document.table(std::move(table));
-  document.value("profiles.elements", Value(closed_form(studies[0].printed.elements), fixed(0)));
+  document.value("profiles.elements.least", Value(closed_form(studies[0].fewest), fixed(1)));
+  document.value("profiles.elements.most", Value(closed_form(studies[0].most), fixed(1)));
   document.value("profiles.n-positions", Value(n_places, integer()));
   const double slope = c.line_load / (c.cylinders.contact_modulus() * a);
   document.value("profiles.slope", Value(slope, significant(3)).within(rounded(c, slope)));
