@@ -173,14 +173,16 @@ Measured operator*(const Measured& a, const Measured& b) {
                          a.standard() * b.standard());
 }
 
-// With q = a/b: ∂q/∂a = 1/b, ∂q/∂b = −q/b, ∂²q/∂a∂b = −1/b², ½ ∂²q/∂b² = q/b²
+// With q = a/b: ∂q/∂a = 1/b, ∂q/∂b = −q/b. The terms of second order, −δa δb/b² + q (δb)²/b², are
+// −(δb/b) δq with δq = δa/b − q δb/b, that of first order, in which common sources cancel.
 Measured operator/(const Measured& a, const Measured& b) {
   require_away_from_zero("divisor", b, std::abs(b.value()));
   const Estimate quotient = a.bounded() / b.bounded();
-  const double relative = b.standard() / std::abs(b.value());
-  const double second_order =
-      relative * (a.standard() / std::abs(b.value()) + std::abs(quotient.value) * relative);
-  return Propagation::of(a, b, quotient, 1 / b.value(), -quotient.value / b.value(), second_order);
+  const auto with = [&](double second_order) {
+    return Propagation::of(a, b, quotient, 1 / b.value(), -quotient.value / b.value(),
+                           second_order);
+  };
+  return with(b.standard() / std::abs(b.value()) * with(0).standard());
 }
 
 Measured sqrt(const Measured& a) {

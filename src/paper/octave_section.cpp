@@ -12,7 +12,7 @@ namespace paper {
 namespace {
 
 double number(const Document& octave, const std::string& key) {
-  return octave.values().at(key).number().value();
+  return octave.value(key).number().value();
 }
 
 // Whether the case has the numbers that are typed into the listing, in its units.
@@ -23,8 +23,8 @@ bool is_case_of_listing(const Document& octave, const ContactCase& c, const Unit
            body.material.poisson() == number(octave, "v") &&
            body.radius.curvature() == 1 / number(octave, radius);
   };
-  return units.length == octave.values().at("c").unit() &&
-         units.stress == octave.values().at("EE").unit() && is_body(c.body1, "R1") &&
+  return units.length == octave.value("c").unit() &&
+         units.stress == octave.value("EE").unit() && is_body(c.body1, "R1") &&
          is_body(c.body2, "R2") && c.line_load == number(octave, "P") &&
          input.spacing == number(octave, "c") &&
          static_cast<double>(input.n_nodes + 1) == number(octave, "n") &&
@@ -35,7 +35,7 @@ bool is_case_of_listing(const Document& octave, const ContactCase& c, const Unit
 void compare(Document& document, const Document& octave, const ContactM& ours) {
   double largest = 0, difference = 0, error = 0;
   for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(ours.zero_node); ++i) {
-    const Value& theirs = octave.values().at("p" + std::to_string(i + 1));
+    const Value& theirs = octave.value("p" + std::to_string(i + 1));
     largest = std::max(largest, std::abs(ours.pressure[i]));
     difference = std::max(difference, std::abs(theirs.number().value() - ours.pressure[i]));
     error = std::max(error, theirs.uncertainty().value().bound);
@@ -58,7 +58,7 @@ void compute_octave(Document& document, const Case& from) {
   Document octave;
   literate::import_json(octave, source / "report/octave/contact_m.json", {.root = source});
   document.attach(octave.attachments());
-  document.value("octave.version", Value::text(octave.values().at("octave-version").printed()));
+  document.value("octave.version", Value::text(octave.value("octave-version").printed()));
   const ContactMInput input = as_printed(*from.printed_data);
   const bool is_same = is_case_of_listing(octave, from.contact, from.units, input);
   document.flag("octave.same-case", is_same);

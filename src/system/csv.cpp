@@ -29,7 +29,7 @@ class CsvReader {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     for (std::size_t at = 0; at < text.size(); ++at) {
-      if (begins_comment(text[at])) at = text.find('\n', at);
+      if (begins_comment(text.substr(at))) at = text.find('\n', at);
       if (at == text.npos) break;
       take(text[at]);
     }
@@ -42,18 +42,22 @@ class CsvReader {
   }
 
  private:
+  static bool is_blank(char byte) { return byte == ' ' || byte == '\t'; }
   static bool ends_line(char byte) { return byte == '\n' || byte == '\r'; }
 
   std::string place() const { return fmt::format("{}:{}:{}", file_, line_, column_); }
 
-  bool begins_comment(char byte) const {
-    return comments_ == CsvComments::number_sign && byte == '#' && column_ == 1 && !is_in_field_;
+  // «#1» is a field.
+  bool begins_comment(std::string_view rest) const {
+    return comments_ == CsvComments::number_sign && rest.starts_with('#') &&
+           (rest.size() == 1 || is_blank(rest[1]) || ends_line(rest[1])) && column_ == 1 &&
+           !is_in_field_;
   }
 
   void take(char byte) {
     if (byte == '\0') throw SourceError(place() + ": there is a zero byte");
-    const bool is_blank = byte == ' ' || byte == '\t' || (row_.empty() && ends_line(byte));
-    if (!is_in_field_ && !is_blank) {
+    const bool is_passed = is_blank(byte) || (row_.empty() && ends_line(byte));
+    if (!is_in_field_ && !is_passed) {
       begin_ = {line_, place()};
       is_in_field_ = true;
       is_quoted_ = byte == '"';

@@ -16,7 +16,7 @@ struct CsvField {
 
 using CsvRow = std::vector<CsvField>;
 
-/// What a line means that begins with #.
+/// What a line means that begins with # and a blank, or is # alone.
 enum class CsvComments { none, number_sign };
 
 /// Reads the rows of a CSV text (RFC 4180): lines end with LF or CR LF; a byte order mark and empty

@@ -141,6 +141,13 @@ BOOST_AUTO_TEST_CASE(tells_where_linear_theory_does_not_hold) {
   const Measured product = Measured(0.1, 1, "a") * Measured(0.1, 1, "b");
   BOOST_TEST(product.neglected() > product.standard());
   BOOST_TEST((square + 3).neglected() == 1);
+  const Measured a(2, 0.2, "a");
+  BOOST_TEST((a / a).neglected() == 0);
+  BOOST_TEST((1 / a).neglected() == 0.5 * 0.01, boost::test_tools::tolerance(1e-14));
+  const Measured clock(1, 0.1, "clock");
+  const Measured ratio = (Measured(8, 0.008, "h") * clock) / (Measured(2, 0.002, "p") * clock);
+  BOOST_TEST(ratio.standard() == 4e-3 * std::sqrt(2.0), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(ratio.neglected() < 0.25 * ratio.standard() + 1e-9);
   BOOST_TEST(Measured(3, 0.1, "x").neglected() == 0);
 }
 

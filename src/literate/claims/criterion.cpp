@@ -63,6 +63,13 @@ Measured difference_between(const std::string& place, const Value& computed, con
   return Measured::bounded({decimal_difference(c.value(), s.value()), 0});
 }
 
+/// A difference is held against a limit that it can meet and miss.
+void require_distance(const std::string& place, const Limit& limit) {
+  if (limit.number() >= 0) return;
+  throw std::invalid_argument(
+      fmt::format("{}: the limit of a difference is 0 or more, not {}", place, limit.number()));
+}
+
 /// How many standard uncertainties count; of a quantity that has none it does not matter.
 double k_of(const Limit& limit) {
   return limit.n_counted().value_or(1);
@@ -307,6 +314,7 @@ Criterion Criterion::at_least(std::string name, Value quantity, Limit limit, Loc
 Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limit tolerance,
                             Location location) {
   const std::string place = caller_of(location, name);
+  require_distance(place, tolerance);
   const Measured apart = magnitude(difference_between(place, computed, stated));
   const Estimate tested = counted(place, apart, tolerance);
   const Value difference = difference_of(computed, apart);
@@ -330,6 +338,7 @@ Criterion Criterion::agrees(std::string name, Value computed, Value stated, Limi
 Criterion Criterion::agrees_relatively(std::string name, Value computed, Value stated,
                                        Limit tolerance, Location location) {
   const std::string place = caller_of(location, name);
+  require_distance(place, tolerance);
   const Measured c = require_measured(place, computed);
   const Measured s = require_measured(place, stated);
   require_one_unit(place, computed, stated);
@@ -363,6 +372,7 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
 Criterion Criterion::differs(std::string name, Value computed, Value stated, Limit limit,
                              Location location) {
   const std::string place = caller_of(location, name);
+  require_distance(place, limit);
   const Measured apart = magnitude(difference_between(place, computed, stated));
   const Estimate tested = counted(place, apart, limit);
   const Value difference = difference_of(computed, apart);

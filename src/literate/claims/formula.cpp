@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -65,9 +66,14 @@ class Reader {
 
   double product() {
     std::optional<double> next = power();
-    if (!next) fail("a number, a term or a parenthesis is missing");
+    if (!next) {
+      if (rest_.empty() || !std::isalpha(static_cast<unsigned char>(rest_.front()))) {
+        fail("a number, a term or a parenthesis is missing");
+      }
+      fail(fmt::format("no number is given for '{}'", rest_));
+    }
     double number = *next;
-    for (;;) {
+    for (bool has_divided = false;;) {
       const bool divides = take("/");
       const bool has_sign = divides || take("·");
       // «1 000 a» is no thousand, and «1.5.2» no number.
@@ -75,6 +81,8 @@ class Reader {
       next = power();
       if (!next && has_sign) fail("a factor is missing");
       if (!next) return number;
+      if (has_divided && !has_sign) fail("«a/b c» may be read in two ways: a/(b c), or a/b·c");
+      has_divided = divides;
       number = divides ? number / *next : number * *next;
     }
   }

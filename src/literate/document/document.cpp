@@ -18,6 +18,7 @@
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/nearest_name.hpp"
 #include "system/staging.hpp"
 
 namespace literate {
@@ -45,6 +46,30 @@ void Document::append(Document part) {
   registered_.figures.merge(part.registered_.figures);
   std::ranges::move(part.registered_.checks, std::back_inserter(registered_.checks));
   std::ranges::move(part.registered_.claims, std::back_inserter(registered_.claims));
+}
+
+namespace {
+
+template <class T>
+const T& registered_as(const std::map<std::string, T>& all, const char* kind,
+                       const std::string& name, const std::source_location& location) {
+  const auto found = all.find(name);
+  if (found != all.end()) return found->second;
+  std::set<std::string> names;
+  for (const auto& [known, registered] : all) names.insert(known);
+  throw std::invalid_argument(fmt::format("{}: no {} '{}' is registered{}",
+                                          text_of(place_of(location)), kind, name,
+                                          sys::suggestion(name, names)));
+}
+
+}  // namespace
+
+const Value& Document::value(const std::string& key, Location location) const {
+  return registered_as(registered_.values, "value", key, location);
+}
+
+const Table& Document::table(const std::string& name, Location location) const {
+  return registered_as(registered_.tables, "table", name, location);
 }
 
 void Document::value(const std::string& key, Value value, Location location) {

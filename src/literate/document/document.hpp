@@ -75,6 +75,10 @@ class Document {
 
   const Registered& registered() const { return registered_; }
   const std::map<std::string, Value>& values() const { return registered_.values; }
+  /// A value or table that is registered already. Throws std::invalid_argument for another name.
+  const Value& value(const std::string& key, Location location = Location::current()) const;
+  const Table& table(const std::string& name, Location location = Location::current()) const;
+
   const std::map<std::string, bool>& flags() const { return registered_.flags; }
   const std::map<std::string, Table>& tables() const { return registered_.tables; }
   const std::map<std::string, Figure>& figures() const { return registered_.figures; }

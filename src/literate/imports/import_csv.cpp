@@ -173,6 +173,21 @@ bool holds_a_number(const std::vector<sys::CsvRow>& rows, const Fields& fields) 
   });
 }
 
+/// A column of texts has no unit: what stands in parentheses is of its heading. One that holds
+/// texts and was to be exact is refused.
+void keep_heading(ImportedColumn& column, const CsvSource& source,
+                  const std::vector<sys::CsvRow>& rows, const Fields& fields) {
+  const std::string& name = rows.front()[fields.number].text;
+  if (column.is_exact && rows.size() > 1) {
+    const sys::CsvField& first = rows[1][fields.number];
+    throw ImportError(fmt::format("{}: '{}' is not a number, and column '{}' is to be exact",
+                                  source.at(first), first.text, name));
+  }
+  column.unit.clear();
+  column.plain = name;
+  column.heading = escape_latex(name);
+}
+
 /// Throws SourceError at the first field with a byte that is no UTF-8.
 void require_utf8(const std::vector<sys::CsvRow>& rows) {
   for (const sys::CsvRow& row : rows) {
@@ -228,6 +243,7 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
   declare(columns, source, rows.front(), fields, options);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!holds_a_number(rows, fields[i])) columns[i].format = NumberFormat::text;
+    if (columns[i].format == NumberFormat::text) keep_heading(columns[i], source, rows, fields[i]);
   }
 
   std::vector<std::vector<ImportedCell>> cells;

@@ -182,7 +182,8 @@ double Uncertainty::error(double k) const {
 
 void require_error_bound(double abs_error) {
   if (std::isfinite(abs_error) && abs_error >= 0) return;
-  throw std::invalid_argument("an error bound to be printed is negative or not finite");
+  throw std::invalid_argument(
+      fmt::format("{} is no error bound: it is negative or not finite", abs_error));
 }
 
 std::optional<int> least_earned_place(double abs_error) {

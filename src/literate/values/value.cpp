@@ -132,7 +132,8 @@ void Value::require_untold() const {
     throw std::invalid_argument(fmt::format("'{}' is text and can have no error", printed_));
   }
   if (is_told()) {
-    throw std::invalid_argument(fmt::format("the error of '{}' is told already", printed_));
+    throw std::invalid_argument(
+        fmt::format("the error of {} is told already", round_trip(*number_)));
   }
 }
 

@@ -388,6 +388,14 @@ BOOST_AUTO_TEST_CASE(what_cannot_decide_is_refused) {
   BOOST_CHECK_THROW(Limit(LimitKind::choice, std::nan(""), "why"), std::invalid_argument);
   BOOST_CHECK_THROW(Limit(static_cast<LimitKind>(17), 1.0, "why"), std::invalid_argument);
   BOOST_CHECK_THROW(misfit_at_most(std::nan(""), 0, limit), std::invalid_argument);
+  const Value one(1, exact());
+  const Limit below(LimitKind::choice, -0.1, "no distance");
+  for (const auto relation :
+       {&Criterion::agrees, &Criterion::agrees_relatively, &Criterion::differs}) {
+    const std::string message = message_of<std::invalid_argument>(
+        [&] { relation("x", one, one, below, Criterion::Location::current()); });
+    BOOST_TEST(message.ends_with("x: the limit of a difference is 0 or more, not -0.1"), message);
+  }
   BOOST_CHECK_THROW(limit_of(1, -1e-3), std::invalid_argument);
 }
 

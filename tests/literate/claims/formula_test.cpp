@@ -39,6 +39,12 @@ BOOST_AUTO_TEST_CASE(what_is_no_formula_is_refused_with_its_text) {
 
 BOOST_AUTO_TEST_CASE(a_term_that_the_formula_does_not_have_and_what_is_not_finite_are_refused) {
   BOOST_TEST(message_of<std::invalid_argument>([] {
+               evaluated("a/b a", {{"a", 2}, {"b", 3}});
+             }) == "the formula 'a/b a': «a/b c» may be read in two ways: a/(b c), or a/b·c");
+  BOOST_TEST(message_of<std::invalid_argument>([] {
+               evaluated("a+z", {{"a", 2}});
+             }) == "the formula 'a+z': no number is given for 'z'");
+  BOOST_TEST(message_of<std::invalid_argument>([] {
                (void)evaluated("a", {{"a", 2}, {"c", 1}});
              }) == "the formula 'a': a number is given for 'c', which it does not have");
   BOOST_CHECK_THROW(evaluated("1/a", {{"a", 0}}), std::invalid_argument);

@@ -151,6 +151,10 @@ BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without
   BOOST_TEST(document.registered().places.at({"value", "radius"}).line == line);
   BOOST_REQUIRE(document.checks().size() == 2U);
   BOOST_TEST(document.checks()[1].id == "second");
+  BOOST_TEST(document.value("radius").printed() == "3");
+  BOOST_TEST(message_of<std::invalid_argument>([&] {
+               std::ignore = document.value("radios");
+             }).ends_with("no value 'radios' is registered, did you mean 'radius'?"));
   const std::string message = message_of<std::logic_error>([&] { document.append(part); });
   BOOST_TEST(message.find("check 'second' is registered twice") != std::string::npos);
 }

@@ -190,6 +190,25 @@ BOOST_AUTO_TEST_CASE(a_column_that_is_declared_to_hold_texts_holds_numbers_of_an
              }).ends_with("column 'x' is of texts and has errors"));
 }
 
+BOOST_AUTO_TEST_CASE(a_column_of_texts_keeps_its_heading_and_an_exact_one_holds_numbers) {
+  const Checkout checkout;
+
+  const Document document =
+      checkout.import_with({.text = {"x (m)"}}, "x (m),who (all)\n1,a\n2,b\n");
+
+  BOOST_TEST(document.table("points").csv() == "x (m),who (all)\n1,a\n2,b\n");
+  BOOST_TEST(checkout.error("x (m)\n\"1,5\"\n", {"x (m)"}) ==
+             "2:1: '1,5' is not a number, and column 'x (m)' is to be exact");
+}
+
+BOOST_AUTO_TEST_CASE(a_row_that_begins_with_a_number_sign_is_kept) {
+  const Checkout checkout;
+
+  const Document document = checkout.import_with({}, "who\n#1\n#2\n# a note\npump\n");
+
+  BOOST_TEST(document.table("points").rows().size() == 3U);
+}
+
 BOOST_AUTO_TEST_CASE(a_column_that_is_declared_uncertain_prints_its_errors) {
   const Checkout checkout;
   const auto import = [&](const std::string& csv) {

@@ -437,11 +437,11 @@ BOOST_AUTO_TEST_CASE(an_error_is_told_once_and_is_none_of_nothing) {
           "one that is printed as it came");
   refused([] { Value::text("0.25").within(1); }, "'0.25' is text and can have no error");
   refused([] { Value::text("0.25").as_is(); }, "'0.25' is text and can have no error");
-  refused([] { Value({1, 0.1}, fixed(1)).within(1); }, "the error of '1.0' is told already");
-  refused([] { Value({1, 0.1}, fixed(1)).as_is(); }, "the error of '1.0' is told already");
-  refused([] { Value(1, fixed(1)).as_is().within(1); }, "the error of '1.0' is told already");
-  refused([] { Value(0.25, exact()).as_is(); }, "the error of '0.25' is told already");
-  refused([] { Value(0.25, exact()).within(0.01); }, "the error of '0.25' is told already");
+  refused([] { Value({1, 0.1}, fixed(1)).within(1); }, "the error of 1 is told already");
+  refused([] { Value({1, 0.1}, fixed(1)).as_is(); }, "the error of 1 is told already");
+  refused([] { Value(1, fixed(1)).as_is().within(1); }, "the error of 1 is told already");
+  refused([] { Value(0.25, exact()).as_is(); }, "the error of 0.25 is told already");
+  refused([] { Value(0.25, exact()).within(0.01); }, "the error of 0.25 is told already");
   for (const double bad : {-1e-9, not_a_number, infinity}) {
     BOOST_CHECK_THROW(Value(1, fixed(2)).within(bad), std::invalid_argument);
   }
