@@ -7,12 +7,16 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
+
+#include "config/units.hpp"
+#include "system/ascii.hpp"
 
 namespace literate {
 namespace {
@@ -64,12 +68,46 @@ std::map<std::string, std::string> renamed(const Numbers& before, const Numbers&
   return former;
 }
 
+/// The number in another unit; none if it has no number there.
+std::optional<ManifestNumber> in_unit(ManifestNumber number, const std::string& unit) {
+  try {
+    const double former = number.number, factor = config::converted(1, *number.unit, unit);
+    number.number = config::converted(former, *number.unit, unit);
+    if (number.abs_error) number.abs_error = factor * *number.abs_error;
+    number.standard *= factor;
+    number.sides.reset();
+    number.unit = unit;
+    return number;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string digits_in(const std::string& printed) {
+  std::string digits;
+  std::ranges::copy_if(printed, std::back_inserter(digits), sys::is_digit);
+  return digits;
+}
+
 std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumber& after) {
-  if (have_other_units(before, after)) return ChangeKind::other_unit;
+  if (have_other_units(before, after)) {
+    const auto converted = in_unit(before, *after.unit);
+    constexpr double rounding = 1e-12;  // of the conversion
+    if (!converted ||
+        std::abs(converted->number - after.number) <= rounding * std::abs(after.number) ||
+        is_within_errors(*converted, after)) {
+      return ChangeKind::other_unit;
+    }
+    return before.abs_error && after.abs_error ? ChangeKind::beyond_error : ChangeKind::moved;
+  }
   if (before.number == after.number) {
     if (before.printed == after.printed) return std::nullopt;
     const bool has_same_error =
         before.abs_error == after.abs_error && before.standard == after.standard;
+    // A kind of uncertainty may have another name.
+    if (has_same_error && digits_in(before.printed) == digits_in(after.printed)) {
+      return ChangeKind::other_text;
+    }
     return has_same_error ? ChangeKind::other_digits : ChangeKind::other_error;
   }
   // Of a number that stands as it is nobody knows an error within which it could have moved.
@@ -93,7 +131,8 @@ std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
     if (earlier == before.end()) {
       changes.push_back({ChangeKind::added, what_of(name), "", number.printed, {}});
     } else if (const auto kind = moved(earlier->second, number)) {
-      const bool tells_unit = kind == ChangeKind::other_unit && name.starts_with(of_tables);
+      const bool tells_unit =
+          have_other_units(earlier->second, number) && name.starts_with(of_tables);
       const auto told = [&](const ManifestNumber& one) {
         return tells_unit ? one.printed + " " + *one.unit : one.printed;
       };

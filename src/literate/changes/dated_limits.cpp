@@ -70,9 +70,11 @@ class Dated {
   std::optional<std::size_t> chosen_after() const {
     if (is_computed_ || came_ == records_.size()) return std::nullopt;
     const Manifest::Texts& of_case = records_[came_].results.inputs;
-    for (std::size_t i = judged_; i < came_; ++i) {
-      const bool is_same_case = !of_case.empty() && records_[i].results.inputs == of_case;
-      if (judges(i) && is_same_case) return i;
+    // A verdict that is undecided shows the number, too.
+    for (std::size_t i = 0; i < came_; ++i) {
+      const Manifest& results = records_[i].results;
+      const bool is_same_case = !of_case.empty() && results.inputs == of_case;
+      if (results.limits.contains(what_) && is_same_case) return i;
     }
     return std::nullopt;
   }

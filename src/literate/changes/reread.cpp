@@ -13,6 +13,7 @@
 
 #include "literate/changes/changes.hpp"
 #include "literate/changes/history.hpp"
+#include "literate/prose/document_files.hpp"
 #include "system/csv.hpp"
 #include "system/decimal.hpp"
 #include "system/error.hpp"
@@ -69,6 +70,70 @@ Commit last_commit(const Sentence& sentence, const std::vector<Commit>& of_lines
   }
   return last;
 }
+
+/// The files of a document as they were: sentences and the commits of lines, at a commit or, where
+/// that is empty, as they are in the folder.
+class Past {
+ public:
+  Past(fs::path document, std::map<std::string, bool> flags)
+      : document_(std::move(document)),
+        flags_(std::move(flags)),
+        own_(own_commands_of(document_)) {}
+
+  /// The commit that last changed the words of a sentence that stands there now: one that breaks
+  /// its lines elsewhere, or changes what stands beside it, does not.
+  Commit that_wrote(const Sentence& sentence) {
+    Sentence at = sentence;
+    Commit commit = last_commit(at, lines(at.file, ""));
+    while (!commit.is_first) {
+      const std::string before = commit.is_made() ? commit.id + "^" : "HEAD";
+      const std::vector<Sentence>& former = sentences(at.file, before);
+      const auto same = std::ranges::find(former, at.latex, &Sentence::latex);
+      if (same == former.end()) break;
+      const Commit earlier = last_commit(*same, lines(at.file, before));
+      if (!has_results(earlier.id)) break;  // what the words were written beside is not known
+      at = *same;
+      commit = earlier;
+    }
+    return commit;
+  }
+
+ private:
+  bool has_results(const std::string& commit) {
+    const auto [entry, is_new] = has_results_.try_emplace(commit);
+    if (is_new) {
+      entry->second = git(document_, {"cat-file", "-e", commit + ":./results.json"}).has_value();
+    }
+    return entry->second;
+  }
+
+  const std::vector<Commit>& lines(const std::string& file, const std::string& commit) {
+    const auto [entry, is_new] = lines_.try_emplace({file, commit});
+    if (is_new) {
+      std::vector<std::string> blame{"blame", "-w", "-M", "--porcelain"};
+      if (!commit.empty()) blame.push_back(commit);
+      blame.insert(blame.end(), {"--", file});
+      entry->second = commits_of_lines(git(document_, blame).value_or(""));
+    }
+    return entry->second;
+  }
+
+  const std::vector<Sentence>& sentences(const std::string& file, const std::string& commit) {
+    const auto [entry, is_new] = sentences_.try_emplace({file, commit});
+    if (is_new) {
+      const auto text = git(document_, {"show", commit + ":./" + file});
+      if (text) entry->second = sentences_in(*text, file, flags_, own_);
+    }
+    return entry->second;
+  }
+
+  fs::path document_;
+  std::map<std::string, bool> flags_;
+  OwnCommands own_;
+  std::map<std::string, bool> has_results_;
+  std::map<std::pair<std::string, std::string>, std::vector<Commit>> lines_;
+  std::map<std::pair<std::string, std::string>, std::vector<Sentence>> sentences_;
+};
 
 /// The results at a commit, or why they are not known.
 struct Former {
@@ -150,18 +215,14 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
 
   // The sentences by the commit that wrote them.
   std::map<std::string, std::pair<Commit, std::vector<Sentence>>> written;
-  std::map<std::string, std::vector<Commit>> of_files;
+  Past past(document, flags_of(now));
   for (const Sentence& sentence : sentences_below(document, flags_of(now))) {
     const bool prints = std::ranges::any_of(sentence.names, [](const std::string& name) {
       return name.starts_with("value ") || name.starts_with("claim ") ||
              name.starts_with(counts_claims) || name.starts_with("flag ");
     });
     if (!prints) continue;
-    if (!of_files.contains(sentence.file)) {
-      const auto blame = git(document, {"blame", "-w", "-M", "--porcelain", "--", sentence.file});
-      of_files[sentence.file] = commits_of_lines(blame.value_or(""));
-    }
-    const Commit commit = last_commit(sentence, of_files[sentence.file]);
+    const Commit commit = past.that_wrote(sentence);
     if (!commit.is_made()) continue;
     auto& [of_these, sentences] = written[commit.id];
     of_these = commit;

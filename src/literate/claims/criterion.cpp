@@ -431,8 +431,11 @@ Criterion Criterion::in_each(std::string name, std::string cases,
     take_least(criterion.margin_.errors, c.margin_.errors);
     take_least(criterion.margin_.factor, c.margin_.factor);
   }
-  if (n_undecided > 0) {
-    criterion.missing_ = fmt::format("{} of {} {} are undecided", n_undecided, n, cases);
+  // What is undecided makes no difference where one holds and another fails.
+  const bool is_in_part = n_holding > 0 && n_with(Outcome::fails) > 0;
+  if (n_undecided > 0 && !is_in_part) {
+    criterion.missing_ = fmt::format("{} of {} {} {} undecided", n_undecided, n, cases,
+                                     n_undecided == 1 ? "is" : "are");
   } else if (n_holding == n) {
     criterion.outcome_ = Outcome::holds;
   } else {

@@ -146,7 +146,7 @@ void Expander::read_preamble(std::string_view text) {
       const fs::path file = file_of(argument(in));
       if (fs::is_regular_file(file)) read_preamble(sys::read_file(file));
     } else if (definitions_.contains(token->name)) {
-      commands_.at(token->name)(in, *token);
+      commands_.find(token->name)->second(in, *token);
     }
   }
 }
@@ -254,16 +254,30 @@ void Expander::read_command(TexScanner& in, const TexToken& token) {
 }
 
 void Expander::read_begin(TexScanner& in, const TexToken& token) {
-  if (picture_environments_.contains(token.name)) return picture_environment(in, token);
+  begin_group();
+  const std::size_t n_open = ends_.size();
+  if (begin_environment(in, token) && ends_.size() == n_open) end_group();
+}
+
+// Returns whether the environment has a form of its own; without an entry in ends_ it is read to
+// its end.
+bool Expander::begin_environment(TexScanner& in, const TexToken& token) {
+  if (picture_environments_.contains(token.name)) {
+    picture_environment(in, token);
+    return true;
+  }
   if (const auto own = own_environments_.find(token.name); own != own_environments_.end()) {
     const Macro macro = own->second;
     ends_.emplace_back(token.name, macro.end);
-    return read_all(filled(in, macro));
+    read_all(filled(in, macro));
+    return true;
   }
   if (const auto handler = environments_.find(token.name); handler != environments_.end()) {
-    return handler->second(in, token);
+    handler->second(in, token);
+    return true;
   }
   emit(token.text);
+  return false;
 }
 
 void Expander::read_end(const TexToken& token) {
@@ -271,7 +285,10 @@ void Expander::read_end(const TexToken& token) {
   const auto open = std::find_if(ends_.rbegin(), ends_.rend(),
                                  [&](const auto& begun) { return begun.first == token.name; });
   const bool is_own = own_environments_.contains(token.name);
-  if (open == ends_.rend() || (open != ends_.rbegin() && !is_own)) return emit(token.text);
+  if (open == ends_.rend() || (open != ends_.rbegin() && !is_own)) {
+    emit(token.text);
+    return end_group();
+  }
   const std::string end = open->second;
   ends_.erase(std::next(open).base());
   if (end == "block") {
@@ -290,6 +307,7 @@ void Expander::read_end(const TexToken& token) {
   } else {
     read_all(end);
   }
+  end_group();
 }
 
 std::string Expander::filled(TexScanner& in, const Macro& macro) const {

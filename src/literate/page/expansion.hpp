@@ -94,7 +94,7 @@ class Expander {
     std::vector<std::string> authors = {}, lines = {};  ///< LaTeX
   };
   using Handler = std::function<void(TexScanner& in, const TexToken& token)>;
-  using Handlers = std::map<std::string_view, Handler>;
+  using Handlers = std::map<std::string, Handler, std::less<>>;
 
   // The scanner's tokens.
   void read_file(const std::filesystem::path& file);
@@ -105,6 +105,7 @@ class Expander {
   void verbatim(const TexToken& token);
   void read_command(TexScanner& in, const TexToken& token);
   void read_begin(TexScanner& in, const TexToken& token);
+  bool begin_environment(TexScanner& in, const TexToken& token);
   void read_end(const TexToken& token);
   std::string filled(TexScanner& in, const Macro& macro) const;
   std::string_view body_of(TexScanner& in, std::string_view name) const;
@@ -133,14 +134,14 @@ class Expander {
   void know_references();
   void know_quantities();
   void know(std::initializer_list<std::string_view> names, const Handler& handler) {
-    for (const std::string_view name : names) commands_[name] = handler;
+    for (const std::string_view name : names) commands_[std::string(name)] = handler;
   }
   void know_in_preamble(std::initializer_list<std::string_view> names, const Handler& handler) {
     know(names, handler);
     definitions_.insert(names);
   }
   void know_environments(std::initializer_list<std::string_view> names, const Handler& handler) {
-    for (const std::string_view name : names) environments_[name] = handler;
+    for (const std::string_view name : names) environments_[std::string(name)] = handler;
   }
 
   Macro macro_at(TexScanner& in) const;

@@ -128,6 +128,28 @@ void Expander::know_definitions() {
       define(name, std::move(macro));
     }
   });
+  // \let\name=\other
+  know_in_preamble({"let"}, [this](TexScanner& in, const TexToken&) {
+    const auto name = in.next();
+    in.skip_blanks();
+    if (in.rest().starts_with('=')) in.skip(1);
+    in.skip_blanks();
+    const auto other = in.next();
+    if (!name || !other || name->kind != TexKind::command) return;
+    const std::string alias(name->name), known(other->name);
+    const bool is_command = other->kind == TexKind::command;
+    if (const auto macro = macros_.find(known); is_command && macro != macros_.end()) {
+      define(alias, Macro(macro->second));
+    } else if (const auto handler = commands_.find(known);
+               is_command && handler != commands_.end()) {
+      commands_[alias] = [read = handler->second, known](TexScanner& from, TexToken token) {
+        token.name = known;
+        read(from, token);
+      };
+    } else {
+      define(alias, {.body = known == "relax" ? "" : std::string(other->text)});
+    }
+  });
   know({"begingroup", "bgroup"}, [this](TexScanner&, const TexToken&) {
     begin_group();
     emit("{");

@@ -49,7 +49,7 @@ const sys::Pattern& inches() {
 /// parentheses are its uncertainty. Of $12\times 10^{3}$ the sign is blank here.
 const sys::Pattern& numeral() {
   static const sys::Pattern pattern(
-      R"re(^(\d+:\d\d:\d\d|\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)((?:\.|\{\.\})\d+)?(?:\(\d+\))?([eE][+-]?\d+|\s+10\^(?:\{[+-]?\d+\}|\d))?)re");
+      R"re(^(\d+:\d\d:\d\d|\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)((?:\.|\{\.\})\d+)?(?:\(\d+\))?([eE][+-]?\d+|(?:\s+10)?\^(?:\{[+-]?\d+\}|\d))?)re");
   return pattern;
 }
 
@@ -114,11 +114,15 @@ bool is_reference(const std::string& number, const Surroundings& around) {
       "|[Tt]ables?)[\\s~]+$");
   static const sys::Pattern of_citation("^[\\s~]+(of|in)[\\s~]+\x03");
   if (part.is_in(around.before) && of_citation.is_in(around.after)) return true;
-  static const sys::Pattern behind_citation("\x03\\s*,[^.;)\x03]*$");
+  // \cite{x}, pp. 3–5, or eq. (4.45)
+  static const sys::Pattern behind_citation(
+      "\x03\\s*,[\\s~]*(?:(?:[Pp]ages?|pp?\\.|[Cc]hap(?:ter|\\.)|[Ss]ec(?:tions?|s?\\.)"
+      "|[Ee]q(?:uations?|s?\\.)|[Ff]ig(?:ures?|s?\\.)|[Tt]ab(?:les?|\\.)|[Nn]o\\.|[Vv]ol\\.)[\\s~]*"
+      "|and[\\s~]+|or[\\s~]+|[\\d.,()~–-]+[a-z]?\\)?|\\s+)*$");
   static const sys::Pattern before_citation(
       "^[a-z]?\\)(\\s+and\\s+\\(\\d+(\\.\\d+)?[a-z]?\\))?[\\s~]+of[\\s~]+\x03");
   static const sys::Pattern second_of_two("\\(\\d+(\\.\\d+)?[a-z]?\\)\\s+and\\s+\\($");
-  return behind_citation.is_in(around.before) ||
+  return (behind_citation.is_in(around.before) && !has_unit(around)) ||
          ((around.before.ends_with('(') || second_of_two.is_in(around.before)) &&
           before_citation.is_in(around.after));
 }

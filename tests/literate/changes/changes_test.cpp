@@ -121,13 +121,24 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   check_told(after, ChangeKind::other_drawing, "figure curve", "", "");
 
   after = state();
-  after.numbers["peak"].unit = "bar";
-  after.numbers["peak"].printed = "10.0 bar";
-  check_told(after, ChangeKind::other_unit, "value peak", "10.0 psi", "10.0 bar");
+  after.numbers["peak"] = {.number = 68.9, .abs_error = 0.7, .printed = "68.9 kPa", .unit = "kPa"};
+  check_told(after, ChangeKind::other_unit, "value peak", "10.0 psi", "68.9 kPa");
 
   after = state();
+  after.numbers["peak"].unit = "bar";
+  after.numbers["peak"].printed = "10.0 bar";
+  check_told(after, ChangeKind::beyond_error, "value peak", "10.0 psi", "10.0 bar");
+
+  after = state();
+  after.numbers["peak"].unit = "s";
+  after.numbers["peak"].printed = "10.0 s";
+  check_told(after, ChangeKind::other_unit, "value peak", "10.0 psi", "10.0 s");
+
+  after = state();
+  after.numbers["table a, row 1, column 2"].number = 76.2;
+  after.numbers["table a, row 1, column 2"].printed = "76.2";
   after.numbers["table a, row 1, column 2"].unit = "mm";
-  check_told(after, ChangeKind::other_unit, "table a, row 1, column 2", "3 in", "3 mm");
+  check_told(after, ChangeKind::other_unit, "table a, row 1, column 2", "3 in", "76.2 mm");
 
   after = state();
   after.verdicts["claim one"] = "refuted";

@@ -97,7 +97,11 @@ BOOST_AUTO_TEST_CASE(a_limit_that_stood_while_its_claim_was_undecided_is_older_t
 
 BOOST_AUTO_TEST_CASE(a_limit_that_did_not_stand_since_is_not_older) {
   BOOST_TEST(History({without_claim(), open, two_percent}).age(one_percent) == "");
-  BOOST_TEST(History({without_claim(), open, two_percent}).age(two_percent) == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_that_came_after_an_undecided_verdict_at_another_is_chosen_after_it) {
+  BOOST_TEST(History({without_claim(), open, two_percent}).age(two_percent) == chosen_after);
+  BOOST_TEST(History({open}).age(two_percent) == chosen_after);
 }
 
 BOOST_AUTO_TEST_CASE(before_the_first_record_there_may_have_been_results) {

@@ -65,6 +65,27 @@ BOOST_AUTO_TEST_CASE(a_value_that_moved_beyond_its_error_is_listed_with_its_sent
   BOOST_TEST(found.unknown.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_sentence_whose_lines_and_neighbours_changed_keeps_its_age) {
+  const Written paper;
+  const auto is_listed = [&] {
+    const Reread found = paper.reread(results(12));
+    return found.sentences.size() == 1U && holds(found.sentences[0], "was 10 psi");
+  };
+  paper.write("a.tex", "Our peak\nis here. The peak\nis \\val{peak}.\n\nIt holds \\claim{far}.\n");
+  BOOST_TEST(is_listed());
+
+  Written committed;
+  committed.write("a.tex", "Another one. The peak\nis \\val{peak}.\n\nIt holds \\claim{far}.\n");
+  committed.record(results(12));
+  committed.commit();
+  committed.write("a.tex", "The\npeak is \\val{peak}.\n\nIt holds \\claim{far}.\n");
+  committed.commit();
+
+  const Reread found = committed.reread(results(12));
+  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
+  BOOST_TEST(holds(found.sentences[0], "was 10 psi"));
+}
+
 BOOST_AUTO_TEST_CASE(a_value_that_moved_within_its_error_is_not) {
   BOOST_TEST(Written().reread(results(10.15)).sentences.empty());
 }

@@ -167,6 +167,14 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
       {"\\newcommand\\who{one}{\\renewcommand\\who{two}\\who, {\\def\\who{three}\\who, "
        "\\gdef\\new{six}}\\who,} \\who, \\begingroup\\def\\who{four}\\who\\endgroup, \\who, \\new",
        {"two, <span>three, </span>two,</span> one, <span>four</span>, one, six"}},
+      {"\\newcommand\\one{4.2 kJ}\\let\\same\\one \\same{}, \\renewcommand\\one{five}\\one{} and "
+       "\\same.",
+       {"4.2 kJ, five and 4.2 kJ."}},
+      {"\\let\\eps=\\varepsilon $\\eps$ \\let\\gone\\relax\\gone \\let\\up\\MakeUppercase\\up{act}",
+       {"ε", "ACT"}},
+      {"\\newcommand\\two{a}\\begin{quote}\\renewcommand\\two{b}Then \\two.\\end{quote}After "
+       "\\two.",
+       {"Then b.", "After a."}},
       {"\\MakeUppercase{Act i}", {"ACT I"}},
       {"\\url{https://e.org/a%20b} goes on", {"goes on"}},
       {"\\makebox[4em][l]{$a$}width", {"style=\"min-width:4em\"><math"}},

@@ -96,6 +96,10 @@ BOOST_AUTO_TEST_CASE(years_and_places_in_sources_are_no_results) {
              "");
   BOOST_TEST(found_in("Page 123 of \\cite{a}, p.~123 of~\\cite{a}, equation 2.25 of \\cite{a}") ==
              "");
+  BOOST_TEST(found_in("\\cite{a}, pp.~123--145 and eq.~(4.45), no.~123") == "");
+  BOOST_TEST(found_in("as in~\\cite{a}, at 17 kW, and $x = 3.14159$, or 1999 of 12~\\%") ==
+             "17 3.14159 1999 12 ");
+  BOOST_TEST(found_in("\\cite{a}, 17 kW; $10^5$ Pa, $2^{16}$ nodes") == "17 10^5 ");
   BOOST_TEST(found_in("1234~\\cite{a}. 1921 points \\cite{a}") == "1234 1921 ");
   BOOST_TEST(found_in("2001 points (2.25) by \\cite{a}: 1.234") == "2001 2.25 1.234 ");
 }
