@@ -39,7 +39,7 @@ void print(const std::vector<std::string>& lines) {
 /// without a comment «# outside: reason».
 std::vector<std::string> script_findings(const std::filesystem::path& generated, const Names& names,
                                          const std::string& label) {
-  static const sys::Pattern mark(R"((?:^|\n)\s*#\s*outside\b:?[ \t]*(\S?))");
+  static const sys::Pattern mark(R"((?:^|\n)\s*(?:set\b[^\n#]*)?#\s*outside\b:?[ \t]*(\S?))");
   const std::filesystem::path scratch = generated.string() + ".points";
   const auto figures = generated / "figures";
   std::vector<std::string> drawn;
