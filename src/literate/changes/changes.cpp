@@ -101,9 +101,11 @@ std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumb
     return before.abs_error && after.abs_error ? ChangeKind::beyond_error : ChangeKind::moved;
   }
   if (before.number == after.number) {
-    if (before.printed == after.printed) return std::nullopt;
     const bool has_same_error =
         before.abs_error == after.abs_error && before.standard == after.standard;
+    if (before.printed == after.printed) {
+      return has_same_error ? std::nullopt : std::optional(ChangeKind::other_error);
+    }
     // A kind of uncertainty may have another name.
     if (has_same_error && digits_in(before.printed) == digits_in(after.printed)) {
       return ChangeKind::other_text;
@@ -115,6 +117,13 @@ std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumb
   if (!has_errors && before.printed == after.printed) return ChangeKind::other_digits;
   if (!has_errors) return ChangeKind::moved;
   return is_within_errors(before, after) ? ChangeKind::within_error : ChangeKind::beyond_error;
+}
+
+/// As index and ledger print it.
+std::string error_of(const ManifestNumber& number) {
+  const double bound = number.abs_error.value_or(0);
+  return number.standard > 0 ? fmt::format("{:.2g} ± {:.2g}", number.standard, bound)
+                             : fmt::format("{:.2g}", bound);
 }
 
 std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
@@ -133,7 +142,10 @@ std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
     } else if (const auto kind = moved(earlier->second, number)) {
       const bool tells_unit =
           have_other_units(earlier->second, number) && name.starts_with(of_tables);
+      const bool tells_error =
+          kind == ChangeKind::other_error && earlier->second.printed == number.printed;
       const auto told = [&](const ManifestNumber& one) {
+        if (tells_error) return fmt::format("{} (error {})", one.printed, error_of(one));
         return tells_unit ? one.printed + " " + *one.unit : one.printed;
       };
       changes.push_back({*kind, what_of(name), told(earlier->second), told(number), {}});
@@ -175,6 +187,71 @@ std::vector<Change> of_words(const Manifest::Texts& before, const Manifest::Text
   std::vector<Change> changes = of_texts(before, after, ChangeKind::other_text);
   std::erase_if(changes, [](const Change& one) { return one.kind != ChangeKind::other_text; });
   return changes;
+}
+
+/// «table a, row 2, column 1» in parts.
+struct CellName {
+  std::string table, row, column;
+};
+
+std::optional<CellName> cell_in(const std::string& name) {
+  constexpr std::string_view row = ", row ", column = ", column ";
+  const auto at_row = name.rfind(row), at_column = name.rfind(column);
+  if (!name.starts_with(of_tables) || at_row == name.npos || at_column == name.npos) return {};
+  return CellName{.table = name.substr(0, at_row),
+                  .row = name.substr(at_row + row.size(), at_column - at_row - row.size()),
+                  .column = name.substr(at_column + column.size())};
+}
+
+/// What each row of a table is called in its first column, where these are texts, all of another
+/// wording; by table and row.
+using RowNames = std::map<std::string, std::map<std::string, std::string>>;
+
+RowNames row_names(const Manifest& manifest) {
+  RowNames names;
+  std::set<std::string> unnamed;  // tables with numbers in the first column, or one name twice
+  for (const auto& [key, number] : manifest.numbers) {
+    if (const auto cell = cell_in(key); cell && cell->column == "1") unnamed.insert(cell->table);
+  }
+  std::set<std::pair<std::string, std::string>> taken;
+  for (const auto& [key, text] : manifest.texts) {
+    const auto cell = cell_in(key);
+    if (!cell || cell->column != "1") continue;
+    if (!taken.emplace(cell->table, text).second) unnamed.insert(cell->table);
+    names[cell->table][cell->row] = text;
+  }
+  std::erase_if(names, [&](const auto& entry) { return unnamed.contains(entry.first); });
+  return names;
+}
+
+/// Whether a row stands at another place.
+bool has_moved(const std::map<std::string, std::string>& rows,
+               const std::map<std::string, std::string>& others) {
+  return std::ranges::any_of(rows, [&](const auto& row) {
+    return std::ranges::any_of(others, [&](const auto& other) {
+      return row.second == other.second && row.first != other.first;
+    });
+  });
+}
+
+/// Where rows stand at other places they go by their names.
+template <class T>
+std::map<std::string, T> by_row_names(const std::map<std::string, T>& cells, const RowNames& names,
+                                      const RowNames& other) {
+  std::map<std::string, T> renamed;
+  for (const auto& [key, cell] : cells) {
+    const auto name = cell_in(key);
+    const auto mine = name ? names.find(name->table) : names.end();
+    const auto theirs = name ? other.find(name->table) : other.end();
+    const bool is_renamed = mine != names.end() && theirs != other.end() &&
+                            mine->second.contains(name->row) &&
+                            has_moved(mine->second, theirs->second);
+    renamed.emplace(is_renamed ? fmt::format("{}, row «{}», column {}", name->table,
+                                             mine->second.at(name->row), name->column)
+                               : key,
+                    cell);
+  }
+  return renamed;
 }
 
 /// The changes of numbers and of texts: what was a number and is a text, or the reverse, is told
@@ -285,13 +362,16 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
   const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
   const Manifest::Texts texts = before.texts.empty() ? Manifest::Texts() : after.texts;
   const Manifest::Texts outcomes = before.outcomes.empty() ? Manifest::Texts() : after.outcomes;
+  const RowNames rows_before = row_names(before), rows_after = row_names(after);
   std::vector<Change> all;
   for (auto&& more :
        {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
         of_texts(before.outcomes, outcomes, ChangeKind::other_verdict),
         of_texts(before.limits, limits, ChangeKind::other_limit),
-        together(of_numbers(before.numbers, after.numbers),
-                 of_texts(before.texts, texts, ChangeKind::other_text)),
+        together(of_numbers(by_row_names(before.numbers, rows_before, rows_after),
+                            by_row_names(after.numbers, rows_after, rows_before)),
+                 of_texts(by_row_names(before.texts, rows_before, rows_after),
+                          by_row_names(texts, rows_after, rows_before), ChangeKind::other_text)),
         of_words(before.words, after.words), of_figures(figures_in(before), figures_in(after)),
         of_excerpts(before, after)}) {
     const std::vector<Change> in_order = sorted(more);

@@ -98,7 +98,6 @@ class Past {
     return commit;
   }
 
- private:
   bool has_results(const std::string& commit) {
     const auto [entry, is_new] = has_results_.try_emplace(commit);
     if (is_new) {
@@ -107,6 +106,12 @@ class Past {
     return entry->second;
   }
 
+  bool stands(const Sentence& sentence, const std::string& commit) {
+    const std::vector<Sentence>& all = sentences(sentence.file, commit);
+    return std::ranges::find(all, sentence.latex, &Sentence::latex) != all.end();
+  }
+
+ private:
   const std::vector<Commit>& lines(const std::string& file, const std::string& commit) {
     const auto [entry, is_new] = lines_.try_emplace({file, commit});
     if (is_new) {
@@ -142,7 +147,7 @@ struct Former {
 };
 
 Former results_at(const Commit& commit, const fs::path& document, const std::string& project,
-                  const fs::path& former) {
+                  const fs::path& former, const fs::path& case_file) {
   if (commit.is_first) return {.unknown = "the history that there is begins with it"};
   const fs::path made = former / commit.id / "paper/manifest.json";
   try {
@@ -156,7 +161,15 @@ Former results_at(const Commit& commit, const fs::path& document, const std::str
     if (commit.authored < commit.committed && (!when || *when > commit.authored)) {
       return {.unknown = "it was rewritten, and its results may be newer than its words"};
     }
-    return {.results = printed_results(manifest_of(*text, commit.id + ":results.json", project))};
+    const Manifest record = manifest_of(*text, commit.id + ":results.json", project);
+    const auto of_case = record.inputs.find("case");
+    const auto its_case = git(
+        document, {"show", commit.id + ":./" + fs::relative(case_file, document).generic_string()});
+    if (of_case != record.inputs.end() && its_case &&
+        sys::sha256_of_text(*its_case) != of_case->second) {
+      return {.unknown = "its results.json is of another case"};
+    }
+    return {.results = printed_results(record)};
   } catch (const sys::OutputError& error) {
     return {.unknown = error.what()};
   }
@@ -201,7 +214,8 @@ Manifest printed_results(Manifest manifest) {
   return manifest;
 }
 
-Reread sentences_to_reread(const fs::path& document, const Manifest& now, const fs::path& former) {
+Reread sentences_to_reread(const fs::path& document, const Manifest& now, const fs::path& former,
+                           const fs::path& case_file) {
   Reread found;
   try {
     const auto is_shallow = git(document, {"rev-parse", "--is-shallow-repository"});
@@ -213,8 +227,11 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
     return {.unknown = {error.what()}, .has_history = false};
   }
 
-  // The sentences by the commit that wrote them.
-  std::map<std::string, std::pair<Commit, std::vector<Sentence>>> written;
+  // The sentences by the commit that wrote them; of older ones by the first record, if they stood.
+  std::map<std::string, std::pair<Commit, std::vector<Sentence>>> written, recorded;
+  const std::string first_record =
+      git(document, {"rev-list", "--reverse", "HEAD", "--", "results.json"}).value_or("");
+  const Commit first{.id = first_record.substr(0, first_record.find('\n'))};
   Past past(document, flags_of(now));
   for (const Sentence& sentence : sentences_below(document, flags_of(now))) {
     const bool prints = std::ranges::any_of(sentence.names, [](const std::string& name) {
@@ -224,38 +241,48 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
     if (!prints) continue;
     const Commit commit = past.that_wrote(sentence);
     if (!commit.is_made()) continue;
-    auto& [of_these, sentences] = written[commit.id];
-    of_these = commit;
+    const bool is_known = fs::exists(former / commit.id) || past.has_results(commit.id);
+    const bool is_older =
+        !commit.is_first && !first.id.empty() && !is_known && past.stands(sentence, first.id);
+    auto& [of_these, sentences] = is_older ? recorded[first.id] : written[commit.id];
+    of_these = is_older ? first : commit;
     sentences.push_back(sentence);
   }
 
   const auto ticks = ticks_in(document / "read.csv");
   const Manifest results = printed_results(now);
   std::map<std::string, std::pair<std::size_t, std::string>> unknown;  // by reason
-  for (const auto& [id, entry] : written) {
-    const auto& [commit, sentences] = entry;
-    const Former then = results_at(commit, document, now.project, former);
-    const std::string at = id.substr(0, 12);
-    if (!then.results) {
-      auto& [n_unknown, first] = unknown[then.unknown];
-      if (n_unknown == 0) {
-        first = fmt::format("{} of commit {}", place_of(sentences.front()), at);
-      }
-      n_unknown += sentences.size();
-      continue;
+  const auto not_known = [&](const std::string& reason, const std::vector<Sentence>& sentences,
+                             const Commit& commit) {
+    auto& [n_unknown, place] = unknown[reason];
+    if (n_unknown == 0) {
+      place = fmt::format("{} of commit {}", place_of(sentences.front()), commit.id.substr(0, 12));
     }
+    n_unknown += sentences.size();
+  };
+  const auto hold = [&](const Commit& commit, const std::vector<Sentence>& sentences,
+                        const char* when) {
+    const Former then = results_at(commit, document, now.project, former, case_file);
+    if (!then.results) return not_known(then.unknown, sentences, commit);
     for (const Change& change : changes_between(*then.results, results, {}, sentences)) {
       if (!is_to_be_read(change) || !change.is_seen()) continue;
       for (const Sentence& sentence : change.printed_in) {
         const std::string digest = digest_of_words(sentence);
         if (ticks.contains({digest, change.what, change.after})) continue;
         found.sentences.push_back(fmt::format(
-            "{}: read this sentence again: {} is {}, and was {} when it was written, at {}; then "
+            "{}: read this sentence again: {} is {}, and was {} when it was {}, at {}; then "
             "change it, or write into read.csv: {}",
-            place_of(sentence), change.what, change.after, change.before, at,
+            place_of(sentence), change.what, change.after, change.before, when,
+            commit.id.substr(0, 12),
             sys::stripped(sys::csv_line({digest, change.what, change.after, "your name"}))));
       }
     }
+  };
+  for (const auto& [id, entry] : written) hold(entry.first, entry.second, "written");
+  for (const auto& [id, entry] : recorded) {
+    hold(entry.first, entry.second, "first recorded");
+    not_known("they are older than this first record and held against it", entry.second,
+              entry.first);
   }
   for (const auto& [reason, sentences] : unknown) {
     found.unknown.push_back(

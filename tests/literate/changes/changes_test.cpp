@@ -187,6 +187,38 @@ BOOST_AUTO_TEST_CASE(the_words_of_what_is_new_are_told_with_it) {
   check_told(after, ChangeKind::added, "claim two", "", "confirmed");
 }
 
+BOOST_AUTO_TEST_CASE(a_row_that_is_put_before_others_is_the_only_new_one) {
+  Manifest before = state(), after = state();
+  const auto set = [](Manifest& manifest, int row, const std::string& name, double number) {
+    const std::string cell = "table b, row " + std::to_string(row) + ", column ";
+    manifest.texts[cell + "1"] = name;
+    manifest.numbers[cell + "2"] = {
+        .number = number, .abs_error = {}, .printed = std::to_string(static_cast<int>(number))};
+  };
+  set(before, 1, "steel", 3);
+  set(before, 2, "brass", 2);
+  set(after, 1, "lead", 1);
+  set(after, 2, "steel", 3);
+  set(after, 3, "brass", 4);
+
+  const auto changes = changes_between(before, after, {}, {});
+
+  BOOST_TEST_REQUIRE(changes.size() == 3U);
+  BOOST_TEST(changes[0].what == "table b, row «brass», column 2");
+  BOOST_TEST(name_of(changes[0].kind) == "moved");
+  for (const std::size_t i : {1U, 2U}) {
+    BOOST_TEST(changes[i].what.starts_with("table b, row «lead», column "));
+    BOOST_TEST(name_of(changes[i].kind) == "new");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_error_that_is_another_is_told_where_the_number_prints_alike) {
+  Manifest after = state();
+  after.numbers["peak"].abs_error = 0.2;
+  check_told(after, ChangeKind::other_error, "value peak", "10.0 psi (error 0.1)",
+             "10.0 psi (error 0.2)");
+}
+
 BOOST_AUTO_TEST_CASE(what_was_a_number_and_is_a_text_or_the_reverse_is_told_once) {
   Manifest after = state();
   after.numbers.erase("table a, row 1, column 2");

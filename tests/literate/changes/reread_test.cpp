@@ -39,7 +39,7 @@ Manifest results(double peak, const std::string& verdict = "confirmed") {
 class Paper : public MadeUpPaper {
  public:
   Reread reread(const Manifest& now) const {
-    return sentences_to_reread(folder(), now, folder() / ".git/former");
+    return sentences_to_reread(folder(), now, folder() / ".git/former", folder() / "case.toml");
   }
 };
 
@@ -84,6 +84,42 @@ BOOST_AUTO_TEST_CASE(a_sentence_whose_lines_and_neighbours_changed_keeps_its_age
   const Reread found = committed.reread(results(12));
   BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
   BOOST_TEST(holds(found.sentences[0], "was 10 psi"));
+}
+
+BOOST_AUTO_TEST_CASE(words_that_are_older_than_the_first_record_are_held_against_it_and_named) {
+  Paper paper;
+  paper.write("a.tex", first_words);
+  paper.commit();
+  paper.record(results(10));
+  paper.commit();
+
+  const Reread found = paper.reread(results(12));
+
+  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
+  BOOST_TEST(holds(found.sentences[0], "was 10 psi when it was first recorded, at "));
+  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
+  BOOST_TEST(holds(found.unknown[0], "they are older than this first record"));
+}
+
+BOOST_AUTO_TEST_CASE(a_record_of_another_case_than_its_commit_has_is_none) {
+  Paper paper;
+  paper.write("case.toml", "load = 2\n");
+  paper.write("a.tex", first_words);
+  Manifest of_another = results(10);
+  of_another.inputs["case"] = sys::sha256_of_text("load = 1\n");
+  paper.record(of_another);
+  paper.commit();
+  const Reread other = paper.reread(results(12));
+  BOOST_TEST(other.sentences.empty());
+  BOOST_TEST_REQUIRE(other.unknown.size() == 1U);
+  BOOST_TEST(holds(other.unknown[0], "its results.json is of another case"));
+
+  Paper same;
+  same.write("case.toml", "load = 1\n");
+  same.write("a.tex", first_words);
+  same.record(of_another);
+  same.commit();
+  BOOST_TEST(same.reread(results(12)).sentences.size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(a_value_that_moved_within_its_error_is_not) {
@@ -221,19 +257,6 @@ BOOST_AUTO_TEST_CASE(words_are_not_known_where_history_begins_with_them) {
   BOOST_TEST(holds(found.unknown[0], "the history that there is begins with it"));
 }
 
-BOOST_AUTO_TEST_CASE(words_from_before_the_record_are_not_known) {
-  Paper paper;
-  paper.write("a.tex", first_words);
-  paper.commit();
-  paper.record(results(10));
-  paper.commit();
-
-  const Reread found = paper.reread(results(10));
-
-  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
-  BOOST_TEST(holds(found.unknown[0], "it has no results.json"));
-}
-
 BOOST_AUTO_TEST_CASE(without_history_nothing_is_known) {
   const TemporaryFolder scratch;
   sys::write_file_atomically(scratch / "plain/a.tex", first_words);
@@ -243,8 +266,11 @@ BOOST_AUTO_TEST_CASE(without_history_nothing_is_known) {
        .arguments = {"clone", "-q", "--depth=1", "file://" + fs::canonical(paper.folder()).string(),
                      (scratch / "shallow").string()}});
 
-  const Reread plain = sentences_to_reread(scratch / "plain", results(12), scratch / "former");
-  const Reread shallow = sentences_to_reread(scratch / "shallow", results(12), scratch / "former");
+  const auto reread_in = [&](const char* folder) {
+    return sentences_to_reread(scratch / folder, results(12), scratch / "former",
+                               scratch / "case.toml");
+  };
+  const Reread plain = reread_in("plain"), shallow = reread_in("shallow");
 
   BOOST_TEST(!plain.has_history);
   BOOST_TEST(plain.unknown.size() == 1U);
