@@ -73,8 +73,8 @@ void claim_datum(Document& document, const HalfSpaceCase& c,
   const Estimate shift = abs(displacement - nearer.normal_displacement(end));
   document.claim(
       "insensitive-to-c",
-      {.route = "eq. (2) by quadrature less the printed FEA (𝑧) at the last point, for the "
-                "datum given and one at half of its distance, both far from the load",
+      {.route = "the integral of eq. (2) by quadrature less the printed FEA (𝑧) at the last point, "
+                "for the datum given and one at half of its distance, both far from the load",
        .expected = Verdict::refuted,
        .criteria = {Criterion::at_most("change of the error, over the error",
                                        Value(shift / difference, percent(0)),

@@ -164,8 +164,9 @@ void register_round(Document& document, const UnitSystem& units, const PrintedDa
   const Estimate printed_energy = abs(as_estimate(printed.measures.at("strain_energy")));
   document.claim(
       "round-load-fits",
-      {.route = "the block by finite elements under the load as it is, on the supports assumed, "
-                "against what the run prints of its displacements and energy",
+      {.route =
+           "the block by finite elements under this load, not fitted, on the supports assumed, "
+           "against what the run prints of its displacements and energy",
        .expected = Verdict::confirmed,
        .criteria = {
            Criterion::at_most("largest misfit of a displacement, over its printed convergence",
