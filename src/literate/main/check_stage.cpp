@@ -11,6 +11,7 @@
 #include "command_line/options.hpp"
 #include "literate/changes/changes.hpp"
 #include "literate/changes/dated_limits.hpp"
+#include "literate/changes/history.hpp"
 #include "literate/changes/reread.hpp"
 #include "literate/document/names.hpp"
 #include "literate/figures/plotted.hpp"
@@ -21,7 +22,9 @@
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
+#include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/lines.hpp"
 #include "system/parallel.hpp"
 #include "system/pattern.hpp"
 
@@ -135,6 +138,33 @@ ExitCode reread(const Settings& settings, const std::string& project, const Name
       ExitCode::bad_input);
 }
 
+// Inputs of the paper that git ignores, where it knows others: no commit has them, and a checkout
+// is called clean without them.
+std::vector<std::string> ignored_inputs(const Settings& settings, const std::string& project) {
+  const std::filesystem::path made = settings.output / "manifest.json";
+  if (!std::filesystem::exists(made)) return {};
+  std::vector<std::string> tracked{"ls-files", "--"},
+      ignored{"ls-files", "--others", "--ignored", "--exclude-standard", "--"};
+  for (const auto& [file, digest] : read_manifest(made, project).inputs) {
+    tracked.push_back(file);
+    ignored.push_back(file);
+  }
+  std::vector<std::string> findings;
+  try {
+    if (git(settings.root, tracked).value_or("").empty()) return {};
+    const std::string files = git(settings.root, ignored).value_or("");
+    for (const std::string_view file : sys::lines_of(files)) {
+      if (file.empty()) continue;
+      findings.push_back(fmt::format(
+          "{}: git ignores this file, so that no commit has it, and nobody else can make the paper",
+          file));
+    }
+  } catch (const sys::ToolError&) {
+    return {};  // without git there are no commits
+  }
+  return findings;
+}
+
 ExitCode run(const Settings& settings, const Paper& paper, const std::string& quoted_text,
              bool records) {
   const Names names = read_names(settings.generated() / "names.json");
@@ -147,6 +177,7 @@ ExitCode run(const Settings& settings, const Paper& paper, const std::string& qu
   };
   add(typed_numbers_in(names.texts));
   add(script_findings(settings.generated(), names, settings.figures.filename().string()));
+  add(ignored_inputs(settings, paper.project));
   add(unquoted_statements(statements_below(settings.document)));
   if (!quoted_text.empty()) {
     add(quotation_errors(read_quotations(settings.document), quoted_text));

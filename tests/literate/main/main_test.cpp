@@ -21,6 +21,7 @@
 #include "numerics/estimate_algebra.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/process.hpp"
 
 BOOST_AUTO_TEST_SUITE(main_test)
 
@@ -358,6 +359,36 @@ BOOST_AUTO_TEST_CASE(check_fails_prose_that_leaves_a_value_out) {
   BOOST_TEST(answer.exit_code == 1);
   BOOST_TEST(answer.errors.starts_with("toy: tests/literate/main/main_test.cpp:"), answer.errors);
   BOOST_TEST(answer.errors.ends_with(": value 'sum' is registered and not used\n"), answer.errors);
+}
+
+BOOST_AUTO_TEST_CASE(check_names_an_input_that_git_ignores) {
+  const Workplace place;
+  place.compute(register_sum);
+  const auto git = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"-c", "user.name=t", "-c", "user.email=t@example.org"});
+    const auto said =
+        sys::run({.program = "git", .arguments = arguments, .working_directory = place.path()});
+    BOOST_TEST_REQUIRE(said.exit_status == 0, said.output);
+  };
+  sys::write_file_atomically(place.path("data.csv"), "1\n");
+  sys::write_file_atomically(
+      place.path("manifest.json"),
+      R"({"project": "toy", "made_with": {}, "inputs": {"data.csv": "d", "case.toml": "e"},
+          "outputs": {}, "numbers": {}, "verdicts": {}})");
+  git({"init", "-q"});
+  git({"add", "case.toml", "data.csv"});
+  git({"commit", "-qm", "all"});
+  const Answer with_all = place.stage("check", register_sum);
+
+  sys::write_file_atomically(place.path(".gitignore"), "data.csv\n");
+  git({"rm", "-q", "--cached", "data.csv"});
+  const Answer answer = place.stage("check", register_sum);
+
+  BOOST_TEST(with_all.exit_code == 0, with_all.errors);
+  BOOST_TEST(answer.exit_code == 1);
+  BOOST_TEST(answer.errors.find("data.csv: git ignores this file, so that no commit has it") !=
+                 std::string::npos,
+             answer.errors);
 }
 
 BOOST_AUTO_TEST_CASE(check_tells_what_it_cannot_know_without_git_and_a_record_of_other_results) {
