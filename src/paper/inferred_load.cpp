@@ -83,9 +83,7 @@ void register_fit(Document& document, const HalfSpaceCase& half_space, const Uni
   }
   document.value("fit.least-convergence", Value(least_convergence, percent(1)).as_is());
   document.value("fit.most-convergence", Value(most_convergence, percent(1)).as_is());
-  // The pressures of the load that the report calls inferred.
-  document.value("fit.peak", Value(fit.peak, uncertain(), units.stress));
-  document.value("fit.edge", Value(fit.edge, uncertain(), units.stress));
+  // Of the pressures of the load that the report calls inferred.
   document.value("fit.correlation",
                  Value(numerics::correlation(fit.peak, fit.edge), fixed(4)).as_is());
   const double a = half_space.load.half_width();

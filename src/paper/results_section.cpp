@@ -135,7 +135,7 @@ void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& un
                                         Value(peak, significant(4), units.line_load), in_words,
                                         apart),
            Criterion::agrees_relatively(
-               "the run's largest vertical stress, on unit thickness",
+               "the run's largest vertical stress as printed, on unit thickness",
                Value(abs(as_estimate(run.at("max_stress_yy"))), significant(4), units.line_load),
                in_words, apart),
            Criterion::agrees_relatively("the program's whole load 𝑃",
