@@ -242,8 +242,8 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
     const Commit commit = past.that_wrote(sentence);
     if (!commit.is_made()) continue;
     const bool is_known = fs::exists(former / commit.id) || past.has_results(commit.id);
-    const bool is_older =
-        !commit.is_first && !first.id.empty() && !is_known && past.stands(sentence, first.id);
+    const bool is_older = found.has_history && (commit.is_first || !is_known) &&
+                          !first.id.empty() && past.stands(sentence, first.id);
     auto& [of_these, sentences] = is_older ? recorded[first.id] : written[commit.id];
     of_these = is_older ? first : commit;
     sentences.push_back(sentence);

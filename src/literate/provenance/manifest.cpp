@@ -270,10 +270,13 @@ std::string text_or_none(const std::string* text) {
 }
 
 /// A number as a message tells it; a cell of a table is printed without its unit.
+// A value prints its unit behind the number, in signs of its own; a cell of a table does not.
 std::string printed_or_none(const ManifestNumber* number) {
   if (number == nullptr) return "none";
   const std::string unit = number->unit.value_or("");
-  const bool tells_unit = unit.empty() || number->printed.ends_with(" " + unit);
+  const bool ends_with_number =
+      number->printed.find_last_of("0123456789)") == number->printed.size() - 1;
+  const bool tells_unit = unit.empty() || !ends_with_number;
   return fmt::format("{} ({}{})", number->number, number->printed, tells_unit ? "" : " " + unit);
 }
 
