@@ -347,7 +347,7 @@ void claim_program(Document& document, const ContactCase& c, const UnitSystem& u
            Criterion::agrees("half-width of the contact over Hertz's",
                              Value(share, fixed(2)).within(rounded(c, share)), Value(1, exact()),
                              Limit::theory("𝑐/𝑎", {{"𝑐", input.spacing}, {"𝑎", hertz.half_width()}},
-                                           "one element: an edge is only known to a node")),
+                                           "one element: an edge is known only to one spacing")),
            Criterion::at_most("departure of the pressure from Hertz's, as a share of the load",
                               Value({row.misfit, 4 * of_system}, percent(0)),
                               less_than_a_plot_shows())}});
@@ -372,7 +372,7 @@ void claim_mended(Document& document, const ContactCase& contact, const ContactM
       "contact-m-mended",
       {.route =
            "the corrected program on a hundred grids of about its own spacing, on which the edge "
-           "falls at every hundredth between two nodes, and on a hundred four times as fine",
+           "falls at every hundredth of a spacing, and on a hundred four times as fine",
        .expected = Verdict::confirmed,
        .criteria = {
            peak_error("largest relative difference of the peaks", own),

@@ -26,7 +26,7 @@ inline Limit nearly_identical() {
 /// elements.
 inline Limit of_second_order(double square) {
   return {literate::LimitKind::choice, square,
-          "(𝑐/𝑎)²; at the peak linear interpolation has an eighth of it"};
+          "(𝑐/𝑎)²; at the peak linear interpolation errs by an eighth of it"};
 }
 
 /// The number of criteria that hold.

@@ -168,9 +168,9 @@ void verify_by_hertz(Document& document, const ContactCase& c,
   document.claim(
       "hertz-verifies",
       {.route = point_contact ? "overlapping triangles and pyramids against Hertz; for the "
-                                "triangles with the edge at every hundredth between two nodes"
+                                "triangles with the edge at every hundredth of a spacing"
                               : "overlapping triangles against Hertz, with the edge of the "
-                                "contact at every hundredth between two nodes",
+                                "contact at every hundredth of a spacing",
        .expected = Verdict::confirmed,
        .criteria = criteria});
 }

@@ -129,7 +129,7 @@ Measured mean_ratio(const Study& triangular, const Study& uniform, const Quantit
 }
 
 void claim_pressures(Document& document, const Study& triangular, const Study& uniform) {
-  const Limit same(LimitKind::data, 1.0, "less would be a gain");
+  const Limit same(LimitKind::data, 1.0, "a ratio below 1 would be a gain");
   const auto no_better = [&](const char* what, std::size_t quantity) {
     return Criterion::at_least(
         what, Value(mean_ratio(triangular, uniform, quantities[quantity]), uncertain()),

@@ -102,8 +102,8 @@ void claim_resultant(Document& document, const HalfSpaceCase& c, const UnitSyste
           Value(with, significant(3), unit),
           {LimitKind::choice, 2e-2,
            "far from the load its shape changes the slope by (𝑎/𝑥)²/6 if it is triangular and by "
-           "(𝑎/𝑥)²/3 if it is uniform; the rest is left to the mesh of the run, which is not known "
-           "there"}));
+           "(𝑎/𝑥)²/3 if it is uniform; the rest is left to the mesh of the run, which is not "
+           "known"}));
     }
     return Criterion::in_each("load that follows from the slopes", "pairs of points", pairs);
   };

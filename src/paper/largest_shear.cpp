@@ -71,7 +71,7 @@ void claim_shear(Document& document, const BlockStudy& study, const PrintedData&
                 "convergence",
        .expected = Verdict::confirmed,
        .criteria = {
-           Criterion::in_each("by how much the printed shear exceeds it", "loads", beyond)}});
+           Criterion::in_each("excess of the printed shear over the block's", "loads", beyond)}});
 }
 
 void register_coarse_mesh(Document& document, const HalfSpaceCase& half_space, block::Support sides,

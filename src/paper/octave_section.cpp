@@ -23,9 +23,8 @@ bool is_case_of_listing(const Document& octave, const ContactCase& c, const Unit
            body.material.poisson() == number(octave, "v") &&
            body.radius.curvature() == 1 / number(octave, radius);
   };
-  return units.length == octave.value("c").unit() &&
-         units.stress == octave.value("EE").unit() && is_body(c.body1, "R1") &&
-         is_body(c.body2, "R2") && c.line_load == number(octave, "P") &&
+  return units.length == octave.value("c").unit() && units.stress == octave.value("EE").unit() &&
+         is_body(c.body1, "R1") && is_body(c.body2, "R2") && c.line_load == number(octave, "P") &&
          input.spacing == number(octave, "c") &&
          static_cast<double>(input.n_nodes + 1) == number(octave, "n") &&
          static_cast<double>(input.zero_node) == number(octave, "zero-node");

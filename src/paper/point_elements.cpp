@@ -111,7 +111,7 @@ void claim_elements(Document& document, const std::vector<ElementStudy>& studies
   const StudiedError& pressure = studied_errors[inside];
   const Measured of_pyramids = ratio(studies[pyramid], studies[uniform], pressure, 2);
   const Measured of_hats = ratio(studies[hat], studies[uniform], pressure, 2);
-  const Limit no_gain(LimitKind::data, 1.0, "less would be a gain");
+  const Limit no_gain(LimitKind::data, 1.0, "a ratio below 1 would be a gain");
   std::vector<Criterion> criteria = slopes;
   criteria.push_back(
       Criterion::at_least("pressure inside: error of pyramids over that of uniform elements",

@@ -201,7 +201,7 @@ void check_orders(Document& document, const std::vector<ProfileStudy>& studies) 
   }
   document.value("profiles.worst-edge", Value(worst_edge, significant(2).rounded_up()));
   document.claim("edges-found", {.route = "the closed forms of five profiles, with the edge at "
-                                          "every hundredth between two nodes; the elements' edge "
+                                          "every hundredth of a spacing; the elements' edge "
                                           "is extrapolated from the last two loaded nodes, to the "
                                           "next node at most",
                                  .expected = Verdict::confirmed,
