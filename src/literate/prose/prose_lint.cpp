@@ -114,11 +114,12 @@ bool is_reference(const std::string& number, const Surroundings& around) {
       "|[Tt]ables?)[\\s~]+$");
   static const sys::Pattern of_citation("^[\\s~]+(of|in)[\\s~]+\x03");
   if (part.is_in(around.before) && of_citation.is_in(around.after)) return true;
-  // \cite{x}, pp. 3–5, or eq. (4.45)
+  // \cite{x}, pp. 3–5, or eq. (4.45); no repetition within the repetition, which could take for
+  // ever
   static const sys::Pattern behind_citation(
-      "\x03\\s*,[\\s~]*(?:(?:[Pp]ages?|pp?\\.|[Cc]hap(?:ter|\\.)|[Ss]ec(?:tions?|s?\\.)"
-      "|[Ee]q(?:uations?|s?\\.)|[Ff]ig(?:ures?|s?\\.)|[Tt]ab(?:les?|\\.)|[Nn]o\\.|[Vv]ol\\.)[\\s~]*"
-      "|and[\\s~]+|or[\\s~]+|[\\d.,()~–-]+[a-z]?\\)?|\\s+)*$");
+      "\x03\\s*,(?:[\\s~\\d.,()–-]|[a-z]\\)|and|or|[Pp]ages?|pp?\\.|[Cc]hap(?:ter|\\.)"
+      "|[Ss]ec(?:tions?|s?\\.)|[Ee]q(?:uations?|s?\\.)|[Ff]ig(?:ures?|s?\\.)"
+      "|[Tt]ab(?:les?|\\.)|[Nn]o\\.|[Vv]ol\\.)*$");
   static const sys::Pattern before_citation(
       "^[a-z]?\\)(\\s+and\\s+\\(\\d+(\\.\\d+)?[a-z]?\\))?[\\s~]+of[\\s~]+\x03");
   static const sys::Pattern second_of_two("\\(\\d+(\\.\\d+)?[a-z]?\\)\\s+and\\s+\\($");

@@ -104,6 +104,14 @@ BOOST_AUTO_TEST_CASE(years_and_places_in_sources_are_no_results) {
   BOOST_TEST(found_in("2001 points (2.25) by \\cite{a}: 1.234") == "2001 2.25 1.234 ");
 }
 
+// A pattern that repeats a repetition would not end within the age of the author.
+BOOST_AUTO_TEST_CASE(long_text_behind_a_citation_is_read_to_its_end) {
+  for (const char filling : {' ', '1', '.', '~'}) {
+    const std::string text = "\\cite{a}, " + std::string(200, filling) + " kinds, x of 12.345";
+    BOOST_TEST(found_in(text).ends_with("12.345 "), filling);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_marked_line_is_exempt_if_its_mark_has_a_reason) {
   BOOST_TEST(found_in("a ``1000 pound/inch load'' % constant: the paper's words\n") == "");
   BOOST_TEST(typed_numbers("1.234 % constant:\n1.234 50\\% constant\n", "a").size() == 3U);
