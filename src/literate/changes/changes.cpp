@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "config/units.hpp"
+#include "literate/changes/row_names.hpp"
 #include "system/ascii.hpp"
 
 namespace literate {
@@ -189,71 +190,6 @@ std::vector<Change> of_words(const Manifest::Texts& before, const Manifest::Text
   return changes;
 }
 
-/// «table a, row 2, column 1» in parts.
-struct CellName {
-  std::string table, row, column;
-};
-
-std::optional<CellName> cell_in(const std::string& name) {
-  constexpr std::string_view row = ", row ", column = ", column ";
-  const auto at_row = name.rfind(row), at_column = name.rfind(column);
-  if (!name.starts_with(of_tables) || at_row == name.npos || at_column == name.npos) return {};
-  return CellName{.table = name.substr(0, at_row),
-                  .row = name.substr(at_row + row.size(), at_column - at_row - row.size()),
-                  .column = name.substr(at_column + column.size())};
-}
-
-/// What each row of a table is called in its first column, where these are texts, all of another
-/// wording; by table and row.
-using RowNames = std::map<std::string, std::map<std::string, std::string>>;
-
-RowNames row_names(const Manifest& manifest) {
-  RowNames names;
-  std::set<std::string> unnamed;  // tables with numbers in the first column, or one name twice
-  for (const auto& [key, number] : manifest.numbers) {
-    if (const auto cell = cell_in(key); cell && cell->column == "1") unnamed.insert(cell->table);
-  }
-  std::set<std::pair<std::string, std::string>> taken;
-  for (const auto& [key, text] : manifest.texts) {
-    const auto cell = cell_in(key);
-    if (!cell || cell->column != "1") continue;
-    if (!taken.emplace(cell->table, text).second) unnamed.insert(cell->table);
-    names[cell->table][cell->row] = text;
-  }
-  std::erase_if(names, [&](const auto& entry) { return unnamed.contains(entry.first); });
-  return names;
-}
-
-/// Whether a row stands at another place.
-bool has_moved(const std::map<std::string, std::string>& rows,
-               const std::map<std::string, std::string>& others) {
-  return std::ranges::any_of(rows, [&](const auto& row) {
-    return std::ranges::any_of(others, [&](const auto& other) {
-      return row.second == other.second && row.first != other.first;
-    });
-  });
-}
-
-/// Where rows stand at other places they go by their names.
-template <class T>
-std::map<std::string, T> by_row_names(const std::map<std::string, T>& cells, const RowNames& names,
-                                      const RowNames& other) {
-  std::map<std::string, T> renamed;
-  for (const auto& [key, cell] : cells) {
-    const auto name = cell_in(key);
-    const auto mine = name ? names.find(name->table) : names.end();
-    const auto theirs = name ? other.find(name->table) : other.end();
-    const bool is_renamed = mine != names.end() && theirs != other.end() &&
-                            mine->second.contains(name->row) &&
-                            has_moved(mine->second, theirs->second);
-    renamed.emplace(is_renamed ? fmt::format("{}, row «{}», column {}", name->table,
-                                             mine->second.at(name->row), name->column)
-                               : key,
-                    cell);
-  }
-  return renamed;
-}
-
 /// The changes of numbers and of texts: what was a number and is a text, or the reverse, is told
 /// once.
 std::vector<Change> together(const std::vector<Change>& of_numbers,
@@ -355,23 +291,21 @@ std::string name_of(ChangeKind kind) {
   return names.at(static_cast<std::size_t>(kind));
 }
 
-std::vector<Change> changes_between(const Manifest& before, const Manifest& after,
+std::vector<Change> changes_between(const Manifest& former, const Manifest& later,
                                     const std::vector<Sentence>& sentences_before,
                                     const std::vector<Sentence>& sentences_after) {
+  const Manifest before = with_row_names(former, later), after = with_row_names(later, former);
   // Manifests of earlier versions tell of no limits, no texts and no outcomes of criteria.
   const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
   const Manifest::Texts texts = before.texts.empty() ? Manifest::Texts() : after.texts;
   const Manifest::Texts outcomes = before.outcomes.empty() ? Manifest::Texts() : after.outcomes;
-  const RowNames rows_before = row_names(before), rows_after = row_names(after);
   std::vector<Change> all;
   for (auto&& more :
        {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
         of_texts(before.outcomes, outcomes, ChangeKind::other_verdict),
         of_texts(before.limits, limits, ChangeKind::other_limit),
-        together(of_numbers(by_row_names(before.numbers, rows_before, rows_after),
-                            by_row_names(after.numbers, rows_after, rows_before)),
-                 of_texts(by_row_names(before.texts, rows_before, rows_after),
-                          by_row_names(texts, rows_after, rows_before), ChangeKind::other_text)),
+        together(of_numbers(before.numbers, after.numbers),
+                 of_texts(before.texts, texts, ChangeKind::other_text)),
         of_words(before.words, after.words), of_figures(figures_in(before), figures_in(after)),
         of_excerpts(before, after)}) {
     const std::vector<Change> in_order = sorted(more);

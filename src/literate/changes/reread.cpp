@@ -91,7 +91,8 @@ class Past {
       const auto same = std::ranges::find(former, at.latex, &Sentence::latex);
       if (same == former.end()) break;
       const Commit earlier = last_commit(*same, lines(at.file, before));
-      if (!has_results(earlier.id)) break;  // what the words were written beside is not known
+      // What the words were written beside is not known.
+      if (!earlier.is_made() || !has_results(earlier.id)) break;
       at = *same;
       commit = earlier;
     }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -67,10 +66,10 @@ class Reader {
   double product() {
     std::optional<double> next = power();
     if (!next) {
-      if (rest_.empty() || !std::isalpha(static_cast<unsigned char>(rest_.front()))) {
-        fail("a number, a term or a parenthesis is missing");
-      }
-      fail(fmt::format("no number is given for '{}'", rest_));
+      std::string_view name = rest_.substr(0, rest_.find_first_of(" +-*/()[]"));
+      for (const char* sign : {"−", "·", "²", "³", "⁴"}) name = name.substr(0, name.find(sign));
+      if (name.empty()) fail("a number, a term or a parenthesis is missing");
+      fail(fmt::format("no number is given for '{}'", name));
     }
     double number = *next;
     for (bool has_divided = false;;) {

@@ -45,6 +45,12 @@ BOOST_AUTO_TEST_CASE(a_term_that_the_formula_does_not_have_and_what_is_not_finit
                evaluated("a+z", {{"a", 2}});
              }) == "the formula 'a+z': no number is given for 'z'");
   BOOST_TEST(message_of<std::invalid_argument>([] {
+               evaluated("a + ζ²·(a + 1)", {{"a", 2}});
+             }).ends_with(": no number is given for 'ζ'"));
+  BOOST_TEST(message_of<std::invalid_argument>([] {
+               evaluated("a + ·a", {{"a", 2}});
+             }).ends_with(": a number, a term or a parenthesis is missing"));
+  BOOST_TEST(message_of<std::invalid_argument>([] {
                (void)evaluated("a", {{"a", 2}, {"c", 1}});
              }) == "the formula 'a': a number is given for 'c', which it does not have");
   BOOST_CHECK_THROW(evaluated("1/a", {{"a", 0}}), std::invalid_argument);
