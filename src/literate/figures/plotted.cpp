@@ -11,6 +11,7 @@
 #include "system/decimal.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
+#include "system/pattern.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -235,6 +236,24 @@ std::size_t n_points_outside(const fs::path& folder, const std::string& name,
     }
   }
   return n_outside;
+}
+
+std::vector<std::string> unread_blocks(const fs::path& folder) {
+  const std::string text = sys::read_file(folder / "script.gp");
+  std::string script;
+  for (const std::string_view line : sys::lines_of(text)) {
+    if (!sys::stripped(line).starts_with('#')) script.append(line) += '\n';
+  }
+  if (script.find("value(") != script.npos) return {};
+  std::vector<std::string> unread;
+  for (const std::string& file : sys::files_below(folder)) {
+    const fs::path path(file);
+    // The name of a block is an identifier, and so needs no escape in the pattern.
+    const std::string block = path.stem().string();
+    if (path.extension() == ".csv" && !sys::Pattern("\\b" + block + "\\b").is_in(script))
+      unread.push_back(block);
+  }
+  return unread;
 }
 
 }  // namespace literate

@@ -50,6 +50,11 @@ std::vector<PlottedPanel> plotted_panels(const std::filesystem::path& folder,
 std::size_t n_points_outside(const std::filesystem::path& folder, const std::string& name,
                              const std::filesystem::path& scratch);
 
+/// The blocks of data that were registered for a figure and that its script does not name outside
+/// its comments; none for a script that makes names up by value(). `folder` is that of
+/// plotted_panels.
+std::vector<std::string> unread_blocks(const std::filesystem::path& folder);
+
 /// A script that says to gnuplot's messages, after each plot, which frame and axes it had.
 std::string telling_axes(const std::string& script);
 

@@ -55,6 +55,10 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
     const std::string script = sys::read_file(figures / drawn[i] / "script.gp");
     const std::string file = fmt::format("{}/{}.gp", label, drawn[i]);
     found[i] = typed_numbers_in_script(script, file);
+    for (const std::string& block : unread_blocks(figures / drawn[i])) {
+      found[i].push_back(fmt::format(
+          "{}: the data '{}' are registered, and the script does not draw them", file, block));
+    }
     const std::size_t n_outside =
         n_points_outside(figures / drawn[i], drawn[i], scratch / drawn[i]);
     const auto marked = mark.find_in(script);

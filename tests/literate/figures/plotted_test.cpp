@@ -127,6 +127,19 @@ BOOST_AUTO_TEST_CASE(points_that_a_range_leaves_out_are_counted) {
   BOOST_TEST(n_outside("set xrange [2.1:*]\n") == 2U);
 }
 
+BOOST_AUTO_TEST_CASE(data_that_the_script_does_not_name_are_told) {
+  const auto unread = [](const std::string& script) {
+    const Drawn drawn(script);
+    return unread_blocks(drawn.folder / "generated/figures/apples");
+  };
+
+  BOOST_TEST(unread("plot curve using \"x\":\"y\", dots using \"x\":\"y\"\n").empty());
+  BOOST_TEST(unread("plot value('do' . 'ts') using \"x\":\"y\"\n").empty());
+  BOOST_TEST(unread("# dots\nplot curve using \"x\":\"y\" # and no other\n") ==
+                 std::vector<std::string>{"dots"},
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(points_that_a_logarithmic_axis_cannot_show_are_counted) {
   const Drawn drawn(
       "set logscale y\nplot curve using \"x\":(column(\"y\") - 20) with points, \\\n"
