@@ -46,10 +46,11 @@ const sys::Pattern& inches() {
 }
 
 /// A number at the start of a text, with whole part, decimals and power of ten as groups; digits in
-/// parentheses are its uncertainty. Of $12\times 10^{3}$ the sign is blank here.
+/// parentheses are its uncertainty. Three digits behind a blank belong to it, as in 12 500. Of
+/// $12\times 10^{3}$ the sign is blank here.
 const sys::Pattern& numeral() {
   static const sys::Pattern pattern(
-      R"re(^(\d+:\d\d:\d\d|\d{1,3}(?:(?:\{,\}|\\,|,)\d{3})+|\d+)((?:\.|\{\.\})\d+)?(?:\(\d+\))?([eE][+-]?\d+|(?:\s+10)?\^(?:\{[+-]?\d+\}|\d))?)re");
+      R"re(^(\d+:\d\d:\d\d|\d{1,3}(?:(?:\{,\}|\\,|[,~ ])\d{3}(?!\d))+|\d+)((?:\.|\{\.\})\d+)?(?:\(\d+\))?([eE][+-]?\d+|(?:\s+10)?\^(?:\{[+-]?\d+\}|\d))?)re");
   return pattern;
 }
 
