@@ -176,7 +176,8 @@ Phrase apart_phrase(const Value& computed, const Value& stated, const Value& dif
       found_print(difference, is_beyond ? std::numeric_limits<double>::infinity() : limit, side, k);
   const auto sentence = [&](const Value& from, const Value& to, const Printed& by) {
     const bool is_told = distance == Distance::absolute || difference.is_percentage();
-    return phrase(is_told ? "{}, {} from {}" : "{}, relatively {} from {}", from, by.phrase, to);
+    if (is_told) return phrase("{}, {} from {}", from, by.phrase, to);
+    return phrase("{} against {}, relative difference {}", from, to, by.phrase);
   };
   const auto reads_true = [&](const Value& from, const Value& to) {
     const double seen = distance_of(from, to, distance);

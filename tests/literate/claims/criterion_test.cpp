@@ -239,7 +239,8 @@ BOOST_AUTO_TEST_CASE(a_difference_that_is_lost_in_its_error_is_told_by_what_it_i
                                         Value(2, exact(), "in"),
                                         {LimitKind::choice, limit, "theory"});
   };
-  BOOST_TEST(step(2, 1e-9).computed() == "step: 2.00 in, relatively at most 5.0e-13 from 2 in");
+  BOOST_TEST(step(2, 1e-9).computed() ==
+             "step: 2.00 in against 2 in, relative difference at most 5.0e-13");
   BOOST_TEST(step(2, 1e-9).condition().plain == "within 1e-9 of 2 in");
   BOOST_TEST(step(2.2, 0.2).computed() == "step: 2.20 in, 10 % from 2 in");
 }
