@@ -54,7 +54,8 @@ struct Mapping {
 
 const std::vector<Mapping>& mappings() {
   static const std::vector<Mapping> all = [] {
-    std::vector<Mapping> mappings{{"\u00a0", "\\ "}, {"ο", "o"}};
+    std::vector<Mapping> mappings{
+        {"\u00a0", "~"}, {"\u202f", "\\,"}, {"\u2009", "\\,"}, {"ο", "o"}};
     std::string character, latex;
     for (std::istringstream words(in_formulas); words >> character >> latex;) {
       mappings.push_back({character, "\\ensuremath{" + latex + "}"});
