@@ -63,7 +63,8 @@ void claim_mass(Document& document, const BlockCase& block_case, const UnitSyste
     properties.push_back(Criterion::at_most(
         "difference", Value({apart, rounded(value) / number.last_place()}, significant(2)),
         {LimitKind::data, 1.0,
-         "the density is computed from the printed mass and has no more digits"}));
+         "half a unit for the rounding of the number, and half for that of the printed mass, which "
+         "gives the density"}));
   }
   document.value("mass.n", Value(std::ssize(properties), integer()));
   document.value(

@@ -243,7 +243,7 @@ void claim_quality(Document& document, const std::vector<QualityAt>& triangular,
   document.claim(
       "triangles-gain-between-nodes",
       {.route = "powers fitted to the mean errors of the slope and of the shear stress at the "
-                "depth 𝑐/2, |𝑥| ≤ 0.9𝑎, on grids of 60 to 120 elements over the half-width",
+                "depth 𝑐/2, |𝑥| ≤ 0.9 𝑎, on grids of 60 to 120 elements over the half-width",
        .expected = Verdict::confirmed,
        .criteria = {
            order("order of the slope, triangles", triangular, &QualityAt::slope, 2),

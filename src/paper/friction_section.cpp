@@ -187,7 +187,7 @@ void compare_pairs(Document& document, const ContactCase& c, const FrictionCase&
   };
   const Material& body1 = c.body1.material;
   const Material& body2 = c.body2.material;
-  add("this case", own, closed_form(body1.young() / body2.young()), body1, body2);
+  add("our bodies", own, closed_form(body1.young() / body2.young()), body1, body2);
   // Only the ratio of the moduli matters, so that the second body may have this case's.
   for (const parameters::SlidingPair& pair : friction.pairs) {
     const double ratio = pair.young_ratio.value();

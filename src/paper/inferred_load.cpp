@@ -298,7 +298,7 @@ void claim_shape(Document& document, const PrintedData& printed_data, const Unit
   document.claim(
       "shape-undecided",
       {.route = "two numbers fitted for each shape, on the supports assumed; the shapes that meet "
-                "every displacement to its printed convergence",
+                "every displacement to within its printed convergence",
        .expected = Verdict::confirmed,
        .criteria = {Criterion::at_least("their number", Value(n_met, integer()),
                                         {LimitKind::data, 2,

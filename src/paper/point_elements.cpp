@@ -121,7 +121,7 @@ void claim_elements(Document& document, const std::vector<ElementStudy>& studies
                           Value(of_hats, uncertain()), no_gain.counting(2)));
   document.claim(
       "pyramids-gain-between-nodes",
-      {.route = "powers fitted to the errors against Hertz: of the pressure over 𝑟 ≤ 0.8𝑎, of the "
+      {.route = "powers fitted to the errors against Hertz: of the pressure over 𝑟 ≤ 0.8 𝑎, of the "
                 "slope at eight places between the nodes",
        .expected = Verdict::confirmed,
        .criteria = criteria});

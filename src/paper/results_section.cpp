@@ -182,10 +182,10 @@ std::vector<Criterion> compare_tri_dist(Document& document, const HalfSpaceCase&
   document.value("tri-dist.n-agree-stepped", Value(n_agree_stepped, integer()));
   document.value("tri-dist.step", Value(printed.step.value(), exact(), units.length));
   document.check("tri-dist-steps-off",
-                 {rounds_to_print("eq. (3) less the output of Tri_dist.m, there", at_step)},
+                 {rounds_to_print("eq. (3) less the program's output, there", at_step)},
                  "where the listing evaluates it, eq. (3) has every digit of its output");
   document.value("tri-dist.n-digits", Value(printed.displacement.front().n_digits(), integer()));
-  return {rounds_to_print("eq. (3) less the output of Tri_dist.m", at_point),
+  return {rounds_to_print("eq. (3) less the program's output", at_point),
           rounds_to_print("eq. (3) at the abscissae that the listing assigns, less that output",
                           at_step)};
 }
