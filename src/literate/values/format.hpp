@@ -71,7 +71,8 @@ class Format {
   bool tells_kinds_ = false;
 };
 
-/// Prints `n_digits` significant digits, 1 ≤ n_digits ≤ 100, with an exponent outside [1e-3, 1e6).
+/// Prints `n_digits` significant digits, 1 ≤ n_digits ≤ 100, with an exponent outside
+/// [1e-3, 1e6), or if the digits end before the point, as 4.12e4 does.
 /// In a column of a table it is the largest number that has so many digits, and the power of ten
 /// that all have in common stands below the heading.
 Format significant(int n_digits);
