@@ -173,11 +173,9 @@ void tabulate_measures(Document& document, const UnitSystem& units, const Printe
   }
   if (n_beyond > 0)
     table.note("*",
-               "More than the printed convergence, even allowing for the error of the deviation. "
-               "Deviations have no more digits than the mesh of the block warrants.");
+               "More than the printed convergence, even allowing for the error of the deviation.");
   table.note(
-      "A dash: the value of this tension depends on the mesh, as the text explains. Four measures "
-      "that repeat another are left out.");
+      "A dash: this tension depends on the mesh. Four measures that repeat another are left out.");
   document.table(table);
   document.value("fit.n-beyond", Value(n_beyond, integer()));
   document.value("fit.most-beyond", Value(1e-2 * most_beyond, percent(1)));
