@@ -5,58 +5,19 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 
 #include "literate/changes/history.hpp"
 #include "literate/prose/recorded_ages.hpp"
-#include "system/error.hpp"
-#include "system/lines.hpp"
 
 namespace literate {
 namespace {
 
-/// A record, and the commit that has it.
-struct Record {
-  std::string commit;
-  Manifest results;
-};
-
-/// All records of the history, the oldest first; none if one cannot be read.
-std::vector<Record> records_in(const std::filesystem::path& document, const std::string& project) {
-  const std::string commits = git(document, {"log", "--diff-filter=AM", "--topo-order", "--reverse",
-                                             "--format=%H", "--", "results.json"})
-                                  .value_or("");
-  std::vector<Record> records;
-  std::vector<std::string> show{"show"};
-  for (const std::string_view line : sys::lines_of(commits)) {
-    if (line.empty()) continue;
-    records.push_back({.commit = std::string(line), .results = {}});
-    show.push_back(records.back().commit + ":./results.json");
-  }
-  if (records.empty()) return {};
-  const auto texts = git(document, show);
-  if (!texts) return {};
-  std::istringstream stream(*texts);
-  try {
-    for (Record& record : records) {
-      nlohmann::json text;
-      stream >> text;
-      record.results = manifest_of(text.dump(), record.commit + ":results.json", project);
-    }
-  } catch (const nlohmann::json::exception&) {
-    return {};
-  } catch (const sys::OutputError&) {
-    return {};
-  }
-  return records;
-}
-
 /// One limit through the records.
 class Dated {
  public:
-  Dated(const std::vector<Record>& records, const std::string& claim, const NamedLimit& limit)
+  Dated(const std::vector<RecordedResults>& records, const std::string& claim,
+        const NamedLimit& limit)
       : records_(records),
         claim_("claim " + claim),
         what_(claim_ + ": " + limit.quantity),
@@ -107,7 +68,7 @@ class Dated {
     return n_criteria > 1 || verdict == results.verdicts.end() || verdict->second != "undecided";
   }
 
-  const std::vector<Record>& records_;
+  const std::vector<RecordedResults>& records_;
   std::string claim_, what_, condition_;
   bool is_computed_;
   std::size_t came_ = 0;    // the first record with this limit
@@ -118,7 +79,7 @@ class Dated {
 
 DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& now,
                          const Names& names) {
-  std::vector<Record> records = records_in(document, now.project);
+  std::vector<RecordedResults> records = records_in(document, now.project);
   if (records.empty()) return {};
   records.push_back({.commit = "", .results = now});
   const auto at = [](const std::string& commit) {

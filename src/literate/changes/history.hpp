@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What git knows of a document: who wrote its lines, and which results were recorded beside them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "literate/provenance/manifest.hpp"
 
 namespace literate {
 
@@ -12,5 +16,28 @@ namespace literate {
 /// sys::ToolError where there is no git.
 std::optional<std::string> git(const std::filesystem::path& folder,
                                std::vector<std::string> arguments);
+
+/// A commit that wrote lines of a file.
+struct Commit {
+  std::string id;
+  std::int64_t authored = 0, committed = 0;
+  bool is_first = false;  ///< of the history that there is
+
+  bool is_made() const { return id.find_first_not_of('0') != std::string::npos; }
+};
+
+/// The commit of each line of a file, from what `git blame --porcelain` says.
+std::vector<Commit> commits_of_lines(const std::string& blame);
+
+/// The results.json of a commit.
+struct RecordedResults {
+  std::string commit;
+  Manifest results;
+};
+
+/// All records of a document in the history of the commit that is checked out, the oldest first;
+/// none if one of them cannot be read.
+std::vector<RecordedResults> records_in(const std::filesystem::path& document,
+                                        const std::string& project);
 
 }  // namespace literate

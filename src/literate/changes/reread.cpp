@@ -8,7 +8,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "literate/changes/changes.hpp"
@@ -23,41 +22,6 @@
 namespace literate {
 namespace fs = std::filesystem;
 namespace {
-
-/// A commit that wrote lines of a file.
-struct Commit {
-  std::string id;
-  std::int64_t authored = 0, committed = 0;
-  bool is_first = false;  ///< of the history that there is
-
-  bool is_made() const { return id.find_first_not_of('0') != std::string::npos; }
-};
-
-/// The commit of each line of a file, as `git blame --porcelain` writes them.
-std::vector<Commit> commits_of_lines(const std::string& blame) {
-  std::map<std::string, Commit> commits;
-  std::vector<std::string> ids;
-  std::istringstream lines(blame);
-  std::string line, id;
-  const auto time = [&] { return sys::parsed<std::int64_t>(line.substr(line.find(' ') + 1)); };
-  while (std::getline(lines, line)) {
-    if (line.starts_with('\t')) {
-      ids.push_back(std::exchange(id, ""));
-    } else if (id.empty()) {
-      id = line.substr(0, line.find(' '));
-      commits[id].id = id;
-    } else if (line.starts_with("author-time ")) {
-      commits[id].authored = time().value_or(0);
-    } else if (line.starts_with("committer-time ")) {
-      commits[id].committed = time().value_or(0);
-    } else if (line == "boundary") {
-      commits[id].is_first = true;
-    }
-  }
-  std::vector<Commit> of_lines;
-  for (const std::string& of_line : ids) of_lines.push_back(commits[of_line]);
-  return of_lines;
-}
 
 /// The commit that last changed the words of a sentence; one that is not made yet if they are new.
 Commit last_commit(const Sentence& sentence, const std::vector<Commit>& of_lines) {
