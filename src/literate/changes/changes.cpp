@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "config/units.hpp"
-#include "literate/changes/row_names.hpp"
 #include "system/ascii.hpp"
 
 namespace literate {

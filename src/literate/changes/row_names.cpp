@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/changes/row_names.hpp"
+#include "literate/changes/changes.hpp"
 
 #include <fmt/core.h>
 
