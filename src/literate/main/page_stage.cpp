@@ -16,7 +16,6 @@
 #include "literate/main/stages.hpp"
 #include "literate/page/one_file.hpp"
 #include "literate/page/page.hpp"
-#include "literate/page/page_data.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 

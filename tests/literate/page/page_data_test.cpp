@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/page/page_data.hpp"
+#include "literate/page/page.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
