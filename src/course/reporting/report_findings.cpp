@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "course/assignment/student.hpp"
-#include "literate/prose/prose_lint.hpp"
+#include "literate/prose/prose.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "system/lines.hpp"

@@ -17,7 +17,7 @@
 #include "literate/figures/plotted.hpp"
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/prose_lint.hpp"
+#include "literate/prose/prose.hpp"
 #include "literate/prose/quotations.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/prose/prose_lint.hpp"
+#include "literate/prose/prose.hpp"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,6 @@
 
 #include "config/units.hpp"
 #include "literate/prose/document_files.hpp"
-#include "literate/prose/prose.hpp"
 #include "literate/text/characters.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/prose/prose_lint.hpp"
+#include "literate/prose/prose.hpp"
 
 #include <boost/test/unit_test.hpp>
 
