@@ -12,7 +12,7 @@
 #include "course/marking/toolkit.hpp"
 #include "course/reporting/report_findings.hpp"
 #include "course/reporting/report_numbers.hpp"
-#include "course/sandbox/own_work.hpp"
+#include "course/sandbox/child.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "system/files.hpp"
 

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,5 +81,13 @@ Usage usage_of(const std::vector<pid_t>& processes);
 
 /// The number of processes and threads of this process's user.
 std::size_t own_tasks();
+
+/// Does work of this program's own on a text that somebody else wrote in a child process, which is
+/// ended if it takes longer than `cpu_seconds` of processor time or `memory_mb` of address space
+/// beyond what this process has when it begins, so that no text can hold this process up or crash
+/// it. Returns what the work returns; nothing if it was ended, crashed or threw. Not for a process
+/// with several threads. Throws sys::ToolError if there can be no child.
+std::optional<std::string> apart(const std::function<std::string()>& work, unsigned cpu_seconds,
+                                 unsigned memory_mb);
 
 }  // namespace course

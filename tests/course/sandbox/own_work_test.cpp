@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/sandbox/own_work.hpp"
+#include "course/sandbox/child.hpp"
 
 #include <unistd.h>
 
