@@ -9,7 +9,6 @@
 
 #include "course/assignment/student.hpp"
 #include "course/marking/archive.hpp"
-#include "course/sandbox/file_beneath.hpp"
 #include "system/error.hpp"
 
 namespace course {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -51,5 +52,11 @@ std::string place_of_files(const std::vector<std::string>& entries,
 
 /// Why a text cannot be the file of an exercise; empty if it can.
 std::string fault_of(std::string_view text);
+
+/// Reads a regular file below a folder that somebody else wrote. It follows no symbolic link
+/// and reads nothing but a regular file. Throws std::invalid_argument whose message completes «file
+/// …»: "is missing", "is a symbolic link", "is larger than 256 kB".
+std::string read_beneath(const std::filesystem::path& folder, const std::string& file,
+                         std::size_t max_bytes);
 
 }  // namespace course

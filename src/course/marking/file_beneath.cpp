@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/sandbox/file_beneath.hpp"
+#include "course/marking/submission.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
