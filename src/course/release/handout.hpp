@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/variant.hpp"
@@ -47,5 +48,14 @@ std::string variant_header(const Assignment& assignment, const Variant& variant)
 void write_project(const Project& project, Edition edition, const Assignment& assignment,
                    const Variant& variant, const std::filesystem::path& sheet,
                    const std::filesystem::path& output);
+
+/// Unpacks a zip that this project made into an existing folder. Throws sys::ToolError if
+/// bsdtar is missing or cannot read the zip.
+void unpack_zip(const std::filesystem::path& zip, const std::filesystem::path& folder);
+
+/// A line for each file that differs between a zip and a folder or is missing in one of them.
+/// The zip may hold the files at its top or in one folder. Throws as unpack_zip does.
+std::vector<std::string> differences_of_zip(const std::filesystem::path& zip,
+                                            const std::filesystem::path& folder);
 
 }  // namespace course

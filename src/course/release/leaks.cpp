@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "course/release/zip.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/ascii.hpp"
 #include "system/error.hpp"

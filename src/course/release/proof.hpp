@@ -52,4 +52,12 @@ struct ProvedClaim {
 /// do.
 bool prove(const ProofInput& input, const std::function<void(const ProvedClaim&)>& tell);
 
+/// Runs `make` and `make check` in a copy of a handout, as a student does first, and compiles
+/// `n_jobs` files at a time. Returns a line for each error and warning of the compiler, and for
+/// each check but the hidden ones whose id `make check` does not print. Throws sys::ToolError if
+/// make is not installed.
+std::vector<std::string> faults_of_student_build(const Assignment& assignment,
+                                                 const std::filesystem::path& handout,
+                                                 std::size_t n_jobs);
+
 }  // namespace course

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/release/student_build.hpp"
+#include "course/release/proof.hpp"
 
 #include <fmt/core.h>
 

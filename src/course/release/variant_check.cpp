@@ -10,7 +10,6 @@
 #include "course/marking/try_checks.hpp"
 #include "course/release/leaks.hpp"
 #include "course/release/secret_numbers.hpp"
-#include "course/release/zip.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/files.hpp"
 #include "system/parallel.hpp"
