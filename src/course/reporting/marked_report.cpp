@@ -10,8 +10,6 @@
 
 #include "course/assignment/student.hpp"
 #include "course/marking/toolkit.hpp"
-#include "course/reporting/report_findings.hpp"
-#include "course/reporting/report_numbers.hpp"
 #include "course/sandbox/child.hpp"
 #include "literate/typesetting/latex_log.hpp"
 #include "system/files.hpp"

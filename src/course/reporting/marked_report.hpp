@@ -14,6 +14,41 @@
 
 namespace course {
 
+/// What a student's functions give for the report.
+struct ReportNumbers {
+  Files files;                        ///< by name, such as "numbers.tex"
+  std::vector<std::string> problems;  ///< a line each: what does not compile, run or come out
+};
+
+/// Compiles the handout's report/figures.cpp with the student's numbers and files, and runs it in
+/// the sandbox, as `make figures` of the handout does; a second run must give the same. Of the
+/// files that it leaves numbers.tex and NAME.dat are taken. `toolkit` is the toolkit's folder,
+/// `scratch` an empty one. The program may take `seconds_left`, of which what it takes is
+/// subtracted. Nothing is computed if the handout has no such program. Throws ToolError
+/// if compiler or sandbox cannot work, never because of what was submitted.
+ReportNumbers report_numbers(const Assignment& assignment, const std::filesystem::path& toolkit,
+                             const Files& exercises, const Variant& variant,
+                             const std::filesystem::path& scratch, Isolation isolation,
+                             double& seconds_left);
+
+/// The texts of a report that are held against each other.
+struct ReportTexts {
+  std::string report;    ///< report.tex
+  std::string computed;  ///< numbers.tex that the student's functions give; empty if there is none
+  std::string log;       ///< what LaTeX said of report.tex
+};
+
+// What a marker should look at, «report/report.tex:line:column: what». Texts of any bytes are
+// taken.
+
+/// In this order: bytes that are no UTF-8; what LaTeX says; commands of numbers.tex that the report
+/// defines anew; commands that an ordinary report does not need, and by which one could hide
+/// something from the other findings.
+std::vector<std::string> findings_of_commands(const ReportTexts& texts);
+
+/// Typed numbers, by the engine's lint.
+std::vector<std::string> findings_of_numbers(const ReportTexts& texts);
+
 /// A report to be made ready for a marker, and what that takes.
 struct ReportTask {
   Report report;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/reporting/report_findings.hpp"
+#include "course/reporting/marked_report.hpp"
 
 #include <fmt/core.h>
 
