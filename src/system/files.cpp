@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <stdexcept>
 
-#include "system/descriptor.hpp"
 #include "system/error.hpp"
 
 namespace sys {

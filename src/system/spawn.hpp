@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "system/descriptor.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace sys {
 

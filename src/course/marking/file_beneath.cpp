@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "system/descriptor.hpp"
+#include "system/files.hpp"
 
 namespace course {
 namespace {

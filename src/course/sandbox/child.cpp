@@ -21,7 +21,6 @@
 #include <thread>
 
 #include "system/ascii.hpp"
-#include "system/descriptor.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"

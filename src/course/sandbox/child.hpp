@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "system/descriptor.hpp"
+#include "system/files.hpp"
 
 namespace course {
 

@@ -10,8 +10,8 @@
 #include <cerrno>
 #include <charconv>
 
-#include "system/descriptor.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
 #include "system/process.hpp"
 
 namespace course {

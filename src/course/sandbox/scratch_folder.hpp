@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "system/descriptor.hpp"
+#include "system/files.hpp"
 
 namespace course {
 

@@ -10,8 +10,8 @@
 #include <csignal>
 #include <memory>
 
-#include "system/descriptor.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace course {
 namespace {
