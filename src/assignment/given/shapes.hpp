@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "assignment/given/student_types.hpp"
+
 namespace assignment {
 
 /// The shape of a pressure over ξ = s/a. It is zero for |ξ| > 1.
@@ -38,6 +40,14 @@ inline double pressure(Shape shape, double unit_pressure, double half_width, dou
       return unit_pressure * parabola * (1 + at / 2);
   }
   return 0;
+}
+
+/// The pressure that the numbers S p₀ a of a task name: S is the number of its shape, 0 for the
+/// triangle, 1 for a smooth one, 2 for one that is not symmetric.
+inline exercise::Load load_of(double number, double unit_pressure, double half_width) {
+  const Shape shape = shape_of(number);
+  const auto pressure_at = [=](double s) { return pressure(shape, unit_pressure, half_width, s); };
+  return {pressure_at, half_width, unit_pressure};
 }
 
 }  // namespace assignment

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "assignment.hpp"
-#include "assignment/given/loads.hpp"
+#include "assignment/given/shapes.hpp"
 #include "variant_of_this_handout.hpp"
 
 namespace {
