@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "assignment/given/answers.hpp"
 #include "assignment/given/cylinders.hpp"
 #include "assignment/given/surface.hpp"
+#include "exercise_list.hpp"
 
 namespace assignment {
 namespace {
@@ -39,6 +41,22 @@ bool is_valid_contact(const Cylinders& c) {
 }
 
 }  // namespace
+
+course::Checks public_checks() {
+  course::Checks checks;
+  for (const ChecksOfExercise of_exercise : public_checks_of_exercises) {
+    checks.merge(guarded(of_exercise()));
+  }
+  return checks;
+}
+
+course::Checks hidden_checks() {
+  course::Checks checks;
+  for (const ChecksOfExercise of_exercise : hidden_checks_of_exercises) {
+    checks.merge(guarded(of_exercise()));
+  }
+  return checks;
+}
 
 bool is_valid(const course::Variant& variant) {
   const Cylinders c = cylinders_of(variant);
