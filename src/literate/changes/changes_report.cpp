@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/changes/changes_report.hpp"
+#include "literate/changes/changes.hpp"
 
 #include <fmt/core.h>
 

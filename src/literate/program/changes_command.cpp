@@ -8,7 +8,6 @@
 
 #include "command_line/options.hpp"
 #include "literate/changes/changes.hpp"
-#include "literate/changes/changes_report.hpp"
 #include "literate/program/commands.hpp"
 #include "literate/provenance/manifest.hpp"
 #include "system/files.hpp"

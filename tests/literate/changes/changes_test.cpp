@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "literate/changes/changes_report.hpp"
-
 BOOST_AUTO_TEST_SUITE(changes_test)
 
 using literate::Change;
