@@ -21,7 +21,6 @@
 #include "course/reporting/report_typesetting.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "course_app/commands.hpp"
-#include "course_app/options.hpp"
 #include "system/files.hpp"
 #include "system/staging.hpp"
 

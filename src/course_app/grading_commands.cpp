@@ -15,7 +15,6 @@
 #include "course/marking/roster.hpp"
 #include "course/release/make_toolkit.hpp"
 #include "course_app/commands.hpp"
-#include "course_app/options.hpp"
 #include "system/files.hpp"
 
 namespace course_app {

@@ -14,7 +14,6 @@
 #include "course/reporting/likeness.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "course_app/commands.hpp"
-#include "course_app/options.hpp"
 #include "system/files.hpp"
 #include "system/staging.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course_app/options.hpp"
-
 #include <fmt/core.h>
 
 #include "assignment/assignment.hpp"

@@ -16,7 +16,6 @@
 #include "course/release/proof.hpp"
 #include "course/release/variant_check.hpp"
 #include "course_app/commands.hpp"
-#include "course_app/options.hpp"
 #include "system/files.hpp"
 
 namespace course_app {

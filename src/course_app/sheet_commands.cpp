@@ -9,7 +9,6 @@
 #include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "course_app/commands.hpp"
-#include "course_app/options.hpp"
 #include "literate/document/document.hpp"
 #include "literate/figures/draw.hpp"
 #include "literate/main/stages.hpp"
