@@ -6,8 +6,7 @@
 #include <numbers>
 
 #include "assignment/given/answers.hpp"
-#include "assignment/given/cylinders.hpp"
-#include "assignment/given/surface.hpp"
+#include "assignment/given/bodies.hpp"
 #include "exercise_list.hpp"
 
 namespace assignment {

@@ -6,8 +6,8 @@
 #include <cstddef>
 
 #include "assignment/given/answers.hpp"
+#include "assignment/given/bodies.hpp"
 #include "assignment/given/student_types.hpp"
-#include "assignment/given/surface.hpp"
 #include "assignment/given/task.hpp"
 
 namespace exercise {

@@ -10,7 +10,7 @@
 
 #include "assignment/exercises/influence.hpp"
 #include "assignment/given/answers.hpp"
-#include "assignment/given/cylinders.hpp"
+#include "assignment/given/bodies.hpp"
 #include "assignment/given/student_types.hpp"
 #include "assignment/given/task.hpp"
 

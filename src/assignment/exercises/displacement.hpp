@@ -6,9 +6,9 @@
 
 #include "assignment/exercises/closed_form.hpp"
 #include "assignment/given/answers.hpp"
+#include "assignment/given/bodies.hpp"
 #include "assignment/given/shapes.hpp"
 #include "assignment/given/student_types.hpp"
-#include "assignment/given/surface.hpp"
 #include "assignment/given/task.hpp"
 
 namespace exercise {

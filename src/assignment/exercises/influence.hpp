@@ -7,8 +7,7 @@
 
 #include "assignment/exercises/displacement.hpp"
 #include "assignment/given/answers.hpp"
-#include "assignment/given/cylinders.hpp"
-#include "assignment/given/surface.hpp"
+#include "assignment/given/bodies.hpp"
 #include "assignment/given/task.hpp"
 
 namespace exercise {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "assignment/given/answers.hpp"
-#include "assignment/given/surface.hpp"
+#include "assignment/given/bodies.hpp"
 #include "elasticity/load.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/surface_quadrature.hpp"
