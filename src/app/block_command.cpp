@@ -9,13 +9,10 @@
 
 #include "app/commands.hpp"
 #include "app/load_choices.hpp"
-#include "app/output.hpp"
 #include "block/analysis.hpp"
 #include "block/exports.hpp"
 #include "block/rectangle.hpp"
-#include "command_line/options.hpp"
 #include "command_line/stage.hpp"
-#include "parameters/case.hpp"
 #include "system/files.hpp"
 #include "system/require.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "app/commands.hpp"
 #include "app/contact_options.hpp"
-#include "app/output.hpp"
 
 namespace app {
 namespace {

@@ -13,12 +13,9 @@
 #include "app/commands.hpp"
 #include "app/displacement_table.hpp"
 #include "app/load_choices.hpp"
-#include "app/output.hpp"
-#include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "elasticity/triangular_load.hpp"
-#include "parameters/case.hpp"
 #include "system/require.hpp"
 
 namespace app {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.hpp"
-#include "command_line/options.hpp"
 #include "literate/main/paper.hpp"
 
 int main(int argc, char** argv) {

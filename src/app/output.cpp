@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/output.hpp"
+#include "app/commands.hpp"
 
 #include <fmt/core.h>
 #include <stdlib.h>
@@ -10,7 +10,6 @@
 #include <system_error>
 #include <vector>
 
-#include "command_line/options.hpp"
 #include "literate/figures/gnuplot.hpp"
 #include "system/files.hpp"
 #include "system/lines.hpp"
@@ -91,11 +90,11 @@ void require_folder_of(const std::string& flag, const std::string& file) {
 }
 
 void Output::add_to(CLI::App& command) {
-  command_line::add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
-  command_line::add_text(
+  add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
+  add_text(
       command, "--units", units_, "NAME",
       "Units of the numbers given, for the headings of a table: in-lbf (default), mm-N or m-N");
-  command_line::add_text(command, "--plot", plot_, "FILE.svg|FILE.png|FILE.pdf|-",
+  add_text(command, "--plot", plot_, "FILE.svg|FILE.png|FILE.pdf|-",
                          "Draw the result in the report's style; - draws it in the terminal");
 }
 
@@ -121,16 +120,16 @@ void Output::require_drawable() const {
   require_folder_of("--plot", plot_);
 }
 
-command_line::ExitCode Output::print(const Result& result) const {
+ExitCode Output::print(const Result& result) const {
   require_finite(result);
   for (const std::string& warning : result.warnings) {
-    fmt::print(stderr, "{}: warning: {}\n", command_line::program_name(), warning);
+    fmt::print(stderr, "{}: warning: {}\n", program_name(), warning);
   }
   fmt::print("{}", format_ == "csv"    ? csv_text(result.tables.front())
                    : format_ == "json" ? json_of(result)
                                        : text_for_people(result));
   if (!plot_.empty() && result.figure) draw(result.script, result.figure());
-  return command_line::ExitCode::success;
+  return ExitCode::success;
 }
 
 void Output::draw(const std::string& script, literate::Figure figure) const {

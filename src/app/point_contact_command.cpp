@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/output.hpp"
 #include "app/point_contact_options.hpp"
 #include "point_contact/solver/solution.hpp"
 #include "system/files.hpp"

@@ -9,7 +9,6 @@
 #include "app/commands.hpp"
 #include "app/contact_options.hpp"
 #include "app/csv_files.hpp"
-#include "app/output.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/element_field.hpp"
 
