@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/body_choices.hpp"
+#include "app/point_contact_options.hpp"
 
 #include <algorithm>
 #include <cmath>

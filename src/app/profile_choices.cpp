@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/profile_choices.hpp"
+#include "app/contact_options.hpp"
 
 #include <limits>
 
