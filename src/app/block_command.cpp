@@ -64,7 +64,6 @@ struct Problem {
 Problem problem_of(const BlockOptions& options) {
   parameters::Case c = parameters::read_case(options.case_file);
   if (!c.block) throw sys::InputError(options.case_file + ": has no [block]");
-  const parameters::HalfSpaceCase& h = c.half_space;
   block::Discretization discretization = c.block->discretization;
   if (const auto order = options.order.integer()) discretization.order = static_cast<int>(*order);
   if (const auto refine = options.refine.integer())
@@ -72,10 +71,7 @@ Problem problem_of(const BlockOptions& options) {
   const block::Rectangle rectangle(options.width.number_or(c.block->rectangle.width()),
                                    options.height.number_or(c.block->rectangle.height()));
   elasticity::Load load = wide_load_choices()[options.load.row()]
-                              .make(options.load, {.peak_pressure = h.load.peak_pressure(),
-                                                   .half_width = h.load.half_width(),
-                                                   .line_load = {},
-                                                   .parameter = {}})
+                              .make(options.load, numbers_of(c.half_space.load))
                               .load;
   const block::Supports supports = block::with_sides(sides_of(options.sides, c.block->sides));
   return {std::move(c), rectangle, discretization, std::move(load), supports};

@@ -36,6 +36,17 @@ std::optional<line_contact::Radius> radius_of(const NumberOption& radius) {
   return line_contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length);
 }
 
+line_contact::Radius radius_or(const NumberOption& radius,
+                               const std::optional<parameters::CylinderCase>& given) {
+  if (const auto own = radius_of(radius)) return *own;
+  if (given) return given->radius;
+  throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
+}
+
+std::vector<double> to_vector(const Eigen::VectorXd& numbers) {
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
 std::vector<std::string> half_space_warnings(double half_width, double least_radius) {
   if (!(least_radius > 0 && half_width > small_ratio * least_radius)) return {};
   return {fmt::format(

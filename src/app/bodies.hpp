@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -34,6 +35,10 @@ struct MaterialOption {
 
 /// The radius that a flag gives, if any: a length other than 0, negative for a hollow, or "plane".
 std::optional<line_contact::Radius> radius_of(const NumberOption& radius);
+
+/// The same, or else the radius of the case's body; throws sys::InputError where there is neither.
+line_contact::Radius radius_or(const NumberOption& radius,
+                               const std::optional<parameters::CylinderCase>& given);
 
 /// What is left out where half-spaces stand for bodies is of the order of the square of a ratio:
 /// from a tenth on it is some per cent, and the user is warned.
@@ -100,6 +105,9 @@ std::string regions_text(const std::vector<Region>& regions, const OfRegion& of_
   }
   return text;
 }
+
+/// The numbers at the nodes, for a column.
+std::vector<double> to_vector(const Eigen::VectorXd& numbers);
 
 /// A line with the residuals of a solution.
 template <class Residuals>

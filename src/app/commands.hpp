@@ -46,6 +46,13 @@ std::optional<parameters::Case> case_of(const std::string& file);
 /// computation, so that a wrong name is found at once and not at its end.
 void require_folder_of(const std::string& flag, const std::string& file);
 
+/// The i-th of n places from `begin` to `end`, evenly spaced, for a picture.
+double place(int i, int n, double begin, double end);
+
+/// A function at n such places, in a column for these and one for its values.
+literate::FigureData curve(const std::string& of_places, const std::string& of_values, int n,
+                           double begin, double end, const std::function<double(double)>& value);
+
 /// How a command prints: --format, --units for the headings where no case file says them, and
 /// --plot, which draws by the script of that name in the folder plots, in the report's style.
 class Output {

@@ -19,10 +19,6 @@ struct ContactCommandOptions {
   Output output;
 };
 
-std::vector<double> to_vector(const Eigen::VectorXd& vector) {
-  return {vector.data(), vector.data() + vector.size()};
-}
-
 std::vector<Quantity> quantities_of(const ContactInput& input, const SolvedContact& solved,
                                     const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
@@ -119,12 +115,12 @@ literate::Figure contact_figure(const ContactInput& input, const SolvedContact& 
                                 const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
   const auto regions = s.regions();
-  const double begin = regions.front().begin;
-  const double end = regions.back().end;
-  const double margin = 0.15 * (end - begin);
+  const double margin = 0.15 * (regions.back().end - regions.front().begin);
+  const double begin = regions.front().begin - margin;
+  const double end = regions.back().end + margin;
   std::vector<double> x, pressure, shear;
   for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
-    if (s.grid.x(i) < begin - margin || s.grid.x(i) > end + margin) continue;
+    if (s.grid.x(i) < begin || s.grid.x(i) > end) continue;
     x.push_back(s.grid.x(i));
     pressure.push_back(s.pressure[i]);
     if (solved.friction) shear.push_back(solved.friction->shear[i]);
@@ -136,15 +132,10 @@ literate::Figure contact_figure(const ContactInput& input, const SolvedContact& 
       .texts = {{"axis", "x"}, {"length_unit", units.length}, {"stress_unit", units.stress}}};
   if (solved.friction) figure.data["shear"] = {{"x", x}, {"shear", shear}};
   if (input.closed_form) {
-    std::vector<double> along, exact;
-    constexpr int n = 400;
-    for (int i = 0; i <= n; ++i) {
-      const double at = begin - margin + (end - begin + 2 * margin) * i / n;
-      const double p = input.closed_form->pressure(at);
-      along.push_back(at);
-      exact.push_back(std::isfinite(p) ? p : literate::gap);
-    }
-    figure.data["closed"] = {{"x", along}, {"pressure", exact}};
+    figure.data["closed"] = curve("x", "pressure", 401, begin, end, [&](double at) {
+      const double exact = input.closed_form->pressure(at);
+      return std::isfinite(exact) ? exact : literate::gap;
+    });
   }
   return figure;
 }

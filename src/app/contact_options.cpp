@@ -18,7 +18,6 @@ namespace app {
 namespace {
 
 using line_contact::Element;
-using parameters::CylinderCase;
 
 constexpr std::array elements{Element::triangular, Element::uniform, Element::point};
 
@@ -54,20 +53,13 @@ ContactOptions::ContactOptions(CLI::App& command)
   add_text(command, "--case", case_file_, "FILE", "Case file; flags override what it says");
 }
 
-line_contact::Radius ContactOptions::Body::radius_or(
-    const std::optional<CylinderCase>& given) const {
-  if (const auto own = radius_of(radius)) return *own;
-  if (given) return given->radius;
-  throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
-}
-
 void ContactOptions::set_profile(ContactInput& input, const GivenBodies& given) const {
   profile_.refuse_flags_of_others();
   line_contact::Profile& profile = input.problem.profile;
   const ProfileChoice& choice = profile_choices()[profile_.row()];
   if (!choice.choose) {
-    const line_contact::Radius radius1 = body1_.radius_or(given.body1);
-    const line_contact::Radius radius2 = body2_.radius_or(given.body2);
+    const line_contact::Radius radius1 = radius_or(body1_.radius, given.body1);
+    const line_contact::Radius radius2 = radius_or(body2_.radius, given.body2);
     const line_contact::CylinderPair cylinders(input.material1, radius1, input.material2, radius2);
     profile = cylinders.profile();
     input.least_radius = 1 / std::max(std::abs(radius1.curvature()), std::abs(radius2.curvature()));

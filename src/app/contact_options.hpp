@@ -84,7 +84,6 @@ class ContactOptions {
  private:
   struct Body {
     Body(CLI::App& command, const std::string& number);
-    line_contact::Radius radius_or(const std::optional<parameters::CylinderCase>& given) const;
     MaterialOption material;
     NumberOption radius;
   };

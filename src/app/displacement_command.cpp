@@ -91,19 +91,6 @@ std::vector<double> points_of(const DisplacementOptions& options, const Optional
   throw sys::InputError("no points: give --x, --x-file, or a --case that has them");
 }
 
-elasticity::LoadNumbers numbers_of(const DisplacementOptions& options,
-                                   const OptionalCase& from_file) {
-  elasticity::LoadNumbers of_case;
-  if (from_file) {
-    const elasticity::TriangularLoad& load = from_file->half_space.load;
-    of_case = {.peak_pressure = load.peak_pressure(),
-               .half_width = load.half_width(),
-               .line_load = load.line_load(),
-               .parameter = {}};
-  }
-  return app::numbers_of(options.shape, of_case);
-}
-
 // A function of x on the surface, by quadrature and in closed form.
 struct SurfaceFunction {
   std::function<numerics::Estimate(double)> quadrature;
@@ -119,23 +106,21 @@ literate::Figure displacement_figure(const SurfaceFunction& displacement, bool h
                                      const std::vector<DisplacementRow>& rows,
                                      const std::string& component,
                                      const config::UnitSystem& units) {
-  std::vector<double> x, u, curve_x, curve_u;
+  std::vector<double> x, u;
   for (const DisplacementRow& row : rows) {
     x.push_back(row.x);
     u.push_back(row.displacement.quadrature.value);
   }
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  constexpr int n = 400;
-  for (int i = 0; i <= n; ++i) {
-    const double at = *low + (*high - *low) * i / n;
-    if (at == 0 && has_force) continue;  // infinite there
-    curve_x.push_back(at);
-    curve_u.push_back(displacement.closed_form ? displacement.closed_form(at)
-                                               : displacement.quadrature(at).value);
-  }
+  const auto value = [&](double at) {
+    if (at == 0 && has_force) return literate::gap;  // infinite there
+    return displacement.closed_form ? displacement.closed_form(at)
+                                    : displacement.quadrature(at).value;
+  };
   return {.width_cm = 14,
           .height_cm = 9,
-          .data = {{"points", {{"x", x}, {"u", u}}}, {"curve", {{"x", curve_x}, {"u", curve_u}}}},
+          .data = {{"points", {{"x", x}, {"u", u}}},
+                   {"curve", curve("x", "u", 401, *low, *high, value)}},
           .texts = {{"unit", units.length},
                     {"component", component},
                     {"line", displacement.closed_form ? "closed form" : "quadrature"}}};
@@ -151,7 +136,9 @@ ExitCode run(const DisplacementOptions& options) {
   if (from_file) datum = from_file->half_space.datum;
   const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
   const LoadChoice& choice = load_choices()[options.shape.row()];
-  const elasticity::KnownLoad known = choice.make(options.shape, numbers_of(options, from_file));
+  const elasticity::KnownLoad known = choice.make(
+      options.shape, numbers_of(options.shape, from_file ? numbers_of(from_file->half_space.load)
+                                                         : elasticity::LoadNumbers()));
   const bool has_force = !known.load.forces.empty();
   const bool is_tangential = options.component == "tangential";
   if (is_tangential && has_force) {

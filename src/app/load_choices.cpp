@@ -118,6 +118,13 @@ const std::vector<LoadChoice>& wide_load_choices() {
   return choices;
 }
 
+LoadNumbers numbers_of(const elasticity::TriangularLoad& load) {
+  return {.peak_pressure = load.peak_pressure(),
+          .half_width = load.half_width(),
+          .line_load = load.line_load(),
+          .parameter = {}};
+}
+
 LoadNumbers numbers_of(const ChoiceOption& given, LoadNumbers from_case) {
   for (const LoadNumber& number : elasticity::load_numbers()) {
     if (const auto own = given.given(flag_of(number))) from_case.*number.number = own;

@@ -8,6 +8,7 @@
 
 #include "app/choices.hpp"
 #include "elasticity/load_shapes.hpp"
+#include "elasticity/triangular_load.hpp"
 
 namespace app {
 
@@ -37,6 +38,9 @@ const std::vector<LoadChoice>& load_choices();
 /// Those of elasticity::load_shapes() that act on |x| ≤ a, without flags, for a command that takes
 /// pressure and width from the case.
 const std::vector<LoadChoice>& wide_load_choices();
+
+/// The numbers of the case's own load.
+elasticity::LoadNumbers numbers_of(const elasticity::TriangularLoad& load);
 
 /// The numbers that were given, and what `from_case` has of the others.
 elasticity::LoadNumbers numbers_of(const ChoiceOption& given, elasticity::LoadNumbers from_case);

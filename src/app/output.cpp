@@ -43,24 +43,18 @@ class ScratchFolder {
   fs::path path_;
 };
 
-// The kinds of pictures, and what a terminal shows.
-const std::vector<literate::Canvas>& canvases() {
-  static const std::vector<literate::Canvas> all = {
+// What a picture of this name is drawn on; none if its ending is of no kind.
+const literate::Canvas* canvas_of(const std::string& picture) {
+  static const std::vector<literate::Canvas> canvases = {
       {"svg size 50 * width_cm, 50 * height_cm dynamic background '#ffffff' font 'Helvetica,16'",
        ".svg"},
       {"pngcairo size 60 * width_cm, 60 * height_cm font 'Helvetica,16'", ".png"},
-      {"pdfcairo size width_cm cm, height_cm cm", ".pdf"}};
-  return all;
-}
-const literate::Canvas terminal_canvas{"dumb noenhanced size 79, 24", ".txt"};
-
-// What a picture of this name is drawn on; none if its ending is of no kind.
-const literate::Canvas* canvas_of(const std::string& picture) {
-  if (picture == terminal_name) return &terminal_canvas;
-  const auto& all = canvases();
-  const auto found =
-      std::ranges::find(all, fs::path(picture).extension().string(), &literate::Canvas::ending);
-  return found == all.end() ? nullptr : &*found;
+      {"pdfcairo size width_cm cm, height_cm cm", ".pdf"},
+      {"dumb noenhanced size 79, 24", terminal_name}};
+  const std::string ending =
+      picture == terminal_name ? picture : fs::path(picture).extension().string();
+  const auto found = std::ranges::find(canvases, ending, &literate::Canvas::ending);
+  return found == canvases.end() ? nullptr : &*found;
 }
 
 // A gnuplot script of the folder plots beside the program. It is no part of the program, since a
@@ -89,13 +83,27 @@ void require_folder_of(const std::string& flag, const std::string& file) {
   throw sys::InputError(fmt::format("{} {}: folder does not exist", flag, file));
 }
 
+double place(int i, int n, double begin, double end) {
+  return begin + (end - begin) * i / (n - 1);
+}
+
+literate::FigureData curve(const std::string& of_places, const std::string& of_values, int n,
+                           double begin, double end, const std::function<double(double)>& value) {
+  std::vector<double> places, values;
+  for (int i = 0; i < n; ++i) {
+    places.push_back(place(i, n, begin, end));
+    values.push_back(value(places.back()));
+  }
+  return {{of_places, places}, {of_values, values}};
+}
+
 void Output::add_to(CLI::App& command) {
   add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
   add_text(
       command, "--units", units_, "NAME",
       "Units of the numbers given, for the headings of a table: in-lbf (default), mm-N or m-N");
   add_text(command, "--plot", plot_, "FILE.svg|FILE.png|FILE.pdf|-",
-                         "Draw the result in the report's style; - draws it in the terminal");
+           "Draw the result in the report's style; - draws it in the terminal");
 }
 
 config::UnitSystem Output::units(const std::optional<parameters::Case>& from_file) const {

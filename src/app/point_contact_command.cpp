@@ -125,9 +125,6 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
 // Where nobody reads the table, it has the pressures alone, which have to be finite all the same.
 Table nodes_of(const SolvedPointContact& solved, bool with_places) {
   const point_contact::Solution& s = solved.solution;
-  const auto to_vector = [](const Eigen::VectorXd& v) {
-    return std::vector<double>(v.data(), v.data() + v.size());
-  };
   if (!with_places) {
     return {.columns = {{.key = "pressure", .numbers = to_vector(s.pressure)}},
             .in_json = InJson::no};
@@ -225,21 +222,6 @@ Vector2 half_sides_of(const point_contact::Solution& solution) {
   return room * half;
 }
 
-// The i-th of n coordinates from -half_side to half_side.
-double coordinate(int i, int n, double half_side) {
-  return half_side * (2.0 * i / (n - 1) - 1);
-}
-
-// The pressure at n points of an axis.
-literate::FigureData curve(int n, double half_side, const std::function<double(double)>& pressure) {
-  std::vector<double> along, values;
-  for (int i = 0; i < n; ++i) {
-    along.push_back(coordinate(i, n, half_side));
-    values.push_back(pressure(along.back()));
-  }
-  return {{"s", along}, {"pressure", values}};
-}
-
 literate::Figure point_contact_figure(const PointContactInput& input,
                                       const SolvedPointContact& solved,
                                       const config::UnitSystem& units) {
@@ -250,8 +232,8 @@ literate::Figure point_contact_figure(const PointContactInput& input,
   std::vector<double> x, y, pressure;
   for (int j = 0; j < n_across; ++j) {
     for (int i = 0; i < n_across; ++i) {
-      x.push_back(coordinate(i, n_across, half.x()));
-      y.push_back(coordinate(j, n_across, half.y()));
+      x.push_back(place(i, n_across, -half.x(), half.x()));
+      y.push_back(place(j, n_across, -half.y(), half.y()));
       pressure.push_back(pressure_at(s, {x.back(), y.back()}));
     }
   }
@@ -262,14 +244,15 @@ literate::Figure point_contact_figure(const PointContactInput& input,
                           .texts = {{"unit", units.length}, {"stress_unit", units.stress}}};
 
   for (const int axis : {0, 1}) {
-    constexpr int n_along = 61;
-    figure.data[axis == 0 ? "along_x" : "along_y"] = curve(
-        n_along, half[axis], [&](double at) { return pressure_at(s, at * Vector2::Unit(axis)); });
+    const auto along = [&](int n, const std::function<double(double)>& of_place) {
+      return curve("s", "pressure", n, -half[axis], half[axis], of_place);
+    };
+    figure.data[axis == 0 ? "along_x" : "along_y"] =
+        along(61, [&](double at) { return pressure_at(s, at * Vector2::Unit(axis)); });
     if (!input.curvatures || !input.closed_form) continue;
     const PointClosedForm& exact = *input.closed_form;
     const double width = axis == 0 ? exact.half_width_x : exact.half_width_y;
-    constexpr int n_exact = 401;
-    figure.data[axis == 0 ? "closed_x" : "closed_y"] = curve(n_exact, half[axis], [&](double at) {
+    figure.data[axis == 0 ? "closed_x" : "closed_y"] = along(401, [&](double at) {
       const double share = at / width;
       return exact.peak_pressure * std::sqrt(std::max(0.0, 1 - share * share));
     });

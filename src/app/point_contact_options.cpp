@@ -82,10 +82,8 @@ point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
     }
     return {radius_of(radius_x)->curvature(), radius_of(radius_y)->curvature()};
   }
-  std::optional<line_contact::Radius> both = radius_of(radius);
-  if (!both && given) both = given->radius;
-  if (!both) throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
-  return {both->curvature(), both->curvature()};
+  const double both = radius_or(radius, given).curvature();
+  return {both, both};
 }
 
 void PointContactOptions::set_curved_bodies(PointContactInput& input,

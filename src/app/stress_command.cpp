@@ -66,8 +66,7 @@ void compute(std::vector<Point>& points, const ContactInput& input, const Solved
   std::optional<line_contact::McEwen> mcewen;
   if (input.hertz && !solved.friction) mcewen.emplace(*input.hertz);
   for (Point& point : points) {
-    const elasticity::Stress s = traction.stress(point.x, point.z);
-    point.stress = {s.xx + 0.0, s.zz + 0.0, s.xz + 0.0};  // no -0
+    point.stress = traction.stress(point.x, point.z);
     if (mcewen) point.mcewen = mcewen->stress(point.x, point.z);
   }
 }
@@ -100,9 +99,9 @@ Table table_of(const std::vector<Point>& points, double poisson, const config::U
 literate::Figure stress_figure(std::vector<Point> points, double poisson,
                                const config::UnitSystem& units) {
   const bool is_along_x =
-      std::all_of(points.begin(), points.end(),
-                  [&](const Point& point) { return point.z == points.front().z; }) &&
-      points.size() > 1;
+      points.size() > 1 && std::ranges::all_of(points, [z = points.front().z](const Point& point) {
+        return point.z == z;
+      });
   const auto curve = [&](const Point& point) { return is_along_x ? point.z : point.x; };
   const auto place = [&](const Point& point) { return is_along_x ? point.x : point.z; };
   std::stable_sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
