@@ -65,12 +65,8 @@ auto element_named(const std::string& name, const Elements& elements) {
 /// Throws sys::InputError for flags of a contact that want or exclude one another.
 template <class Input>
 void require_consistent(const Input& input, const NumberOption& load) {
-  if (input.approach && load.number()) {
-    throw sys::InputError("--load and --approach: give one of them");
-  }
-  if (input.tangential && !input.friction) {
-    throw sys::InputError("--tangential-load needs --friction");
-  }
+  refuse_if(input.approach && load.number(), "--load and --approach: give one of them");
+  refuse_if(input.tangential && !input.friction, "--tangential-load needs --friction");
 }
 
 /// «sliding» or «partial slip».

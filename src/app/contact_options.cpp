@@ -127,19 +127,16 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
                      .closed_form = {},
                      .hertz = {}};
   require_consistent(input, load_);
-  if (input.approach && !datum)
-    throw sys::InputError("--datum is missing: --approach is relative to it");
+  refuse_if(input.approach && !datum, "--datum is missing: --approach is relative to it");
   if (!input.approach) {
     input.line_load = sys::require_positive("load", load_.number_or(given_load));
   }
-  if (input.friction && grid_ == "one-sided") {
-    throw sys::InputError("--friction needs --grid symmetric: its shear has no mirror image");
-  }
+  refuse_if(input.friction && grid_ == "one-sided",
+            "--friction needs --grid symmetric: its shear has no mirror image");
   constexpr long quickly_inverted = 1000;
   if (method_.empty()) input.method = *n_nodes <= quickly_inverted ? "matrix-inversion" : "fft";
-  if (input.method != "fft" && tolerance_.number()) {
-    throw sys::InputError("--tolerance has no meaning for --method " + input.method);
-  }
+  refuse_if(input.method != "fft" && tolerance_.number(),
+            "--tolerance has no meaning for --method " + input.method);
   line_contact::require_tolerance(input.tolerance);
   set_profile(input, given);
   set_grid(input, *n_nodes);

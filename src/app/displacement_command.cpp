@@ -80,9 +80,7 @@ elasticity::Load counted(elasticity::Load load, const std::shared_ptr<long>& n_e
 // they lie in a file or under an expression.
 std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file,
                               const elasticity::Load& load) {
-  if (!options.x.empty() && !options.x_file.empty()) {
-    throw sys::InputError("--x and --x-file: give one of them");
-  }
+  refuse_if(!options.x.empty() && !options.x_file.empty(), "--x and --x-file: give one of them");
   if (!options.x.empty()) return parse_numbers("--x", options.x);
   if (!options.x_file.empty()) return read_numbers(options.x_file);
   if (from_file) return from_file->half_space.points;
@@ -141,9 +139,8 @@ ExitCode run(const DisplacementOptions& options) {
                                                          : elasticity::LoadNumbers()));
   const bool has_force = !known.load.forces.empty();
   const bool is_tangential = options.component == "tangential";
-  if (is_tangential && has_force) {
-    throw sys::InputError("--component tangential: not with --shape " + options.shape.text());
-  }
+  refuse_if(is_tangential && has_force,
+            "--component tangential: not with --shape " + options.shape.text());
   const std::vector<double> points = points_of(options, from_file, known.load);
 
   const Stopwatch stopwatch;

@@ -143,10 +143,8 @@ void PointContactOptions::set_profile(PointContactInput& input, const GivenBodie
 long PointContactOptions::n_nodes() const {
   constexpr long usual = 256;
   const long n = nodes_.integer().value_or(usual);
-  if (n < point_contact::min_nodes) {
-    throw sys::InputError(
-        fmt::format("--nodes = {}: must be {} or more", n, point_contact::min_nodes));
-  }
+  refuse_if(n < point_contact::min_nodes,
+            fmt::format("--nodes = {}: must be {} or more", n, point_contact::min_nodes));
   constexpr long too_many = 1'000'000'000;  // whose rows need no exact count
   point_contact::require_memory(n, grid_ == "hexagonal" && n < too_many ? n + n / 6 : n);
   return n;
@@ -158,7 +156,7 @@ void PointContactOptions::set_grid(PointContactInput& input) const {
   std::optional<double> height = domain_y_.number();
   if (width) sys::require_positive("domain", *width);
   if (height) sys::require_positive("domain-y", *height);
-  if (!width && height) throw sys::InputError("--domain-y needs --domain");
+  refuse_if(!width && height, "--domain-y needs --domain");
   const auto& half_sides = input.problem.profile.half_sides();
   if (!width && std::isfinite(half_sides.x())) {
     width = 2 * half_sides.x();
@@ -199,32 +197,23 @@ PointContactInput PointContactOptions::read(
       .curvatures = {},
       .hertz = {}};
   require_consistent(input, load_);
-  if (!input.approach && !input.load)
-    throw sys::InputError("--load is missing: give it, or --approach");
+  refuse_if(!input.approach && !input.load, "--load is missing: give it, or --approach");
   if (input.load) sys::require_positive("load", *input.load);
-  if (input.approach && method_ != "fft") {
-    throw sys::InputError("--approach needs --method fft");
-  }
-  if (element_ == "bilinear" && grid_ != "square") {
-    throw sys::InputError("--element bilinear needs --grid square");
-  }
-  if (method_ == "matrix-inversion" && tolerance_.number()) {
-    throw sys::InputError("--tolerance has no meaning for --method matrix-inversion");
-  }
+  refuse_if(input.approach && method_ != "fft", "--approach needs --method fft");
+  refuse_if(element_ == "bilinear" && grid_ != "square", "--element bilinear needs --grid square");
+  refuse_if(method_ == "matrix-inversion" && tolerance_.number(),
+            "--tolerance has no meaning for --method matrix-inversion");
   if (!depths_.empty()) input.depths = parse_numbers("--depths", depths_);
   for (const double depth : input.depths) sys::require_positive("depth", depth);
-  if (!depths_.empty() && input.friction) {
-    throw sys::InputError("--depths and --friction: the stresses are those of the pressure alone");
-  }
+  refuse_if(!depths_.empty() && input.friction,
+            "--depths and --friction: the stresses are those of the pressure alone");
   input.is_second_body = body_ == "2";
-  if (input.is_second_body && depths_.empty()) throw sys::InputError("--body needs --depths");
+  refuse_if(input.is_second_body && depths_.empty(), "--body needs --depths");
   input.accuracy.tolerance = tolerance_.number().value_or(input.accuracy.tolerance);
   point_contact::require_tolerance(input.accuracy.tolerance);
   const long n_threads = threads_.integer().value_or(1);
-  if (n_threads < 1 || n_threads > most_threads) {
-    throw sys::InputError(
-        fmt::format("--threads = {}: must be from 1 to {}", n_threads, most_threads));
-  }
+  refuse_if(n_threads < 1 || n_threads > most_threads,
+            fmt::format("--threads = {}: must be from 1 to {}", n_threads, most_threads));
   input.accuracy.n_threads = static_cast<int>(n_threads);
   set_profile(input, given);
   set_grid(input);

@@ -40,12 +40,9 @@ struct Point {
 std::vector<Point> points_of(const StressCommandOptions& options) {
   std::vector<Point> points;
   const bool is_list = !options.x.empty() || !options.z.empty();
-  if (is_list == !options.points.empty()) {
-    throw sys::InputError("give either --x and --z, or --points");
-  }
-  if (is_list && (options.x.empty() || options.z.empty())) {
-    throw sys::InputError(options.x.empty() ? "--x is missing" : "--z is missing");
-  }
+  refuse_if(is_list == !options.points.empty(), "give either --x and --z, or --points");
+  refuse_if(is_list && options.x.empty(), "--x is missing");
+  refuse_if(is_list && options.z.empty(), "--z is missing");
   if (!options.points.empty()) {
     const CsvColumns columns = read_columns(options.points, "x", "z");
     for (std::size_t i = 0; i < columns.first.size(); ++i) {

@@ -131,6 +131,10 @@ std::optional<long> NumberOption::integer() const {
   return number;
 }
 
+void refuse_if(bool is_wrong, const std::string& message) {
+  if (is_wrong) throw sys::InputError(message);
+}
+
 double parse_number(const std::string& what, const std::string& text) {
   const char* begin = text.data();
   const char* end = begin + text.size();

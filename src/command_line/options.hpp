@@ -60,6 +60,9 @@ void add_switch(CLI::App& command, const std::string& flag, bool& is_given,
 void add_choice(CLI::App& command, const std::string& flag, std::string& chosen,
                 const std::vector<std::string>& choices, const std::string& help);
 
+/// Throws sys::InputError with this message if flags exclude or want one another.
+void refuse_if(bool is_wrong, const std::string& message);
+
 /// The number that the whole text spells, rounded once and without regard to the locale. Throws
 /// sys::InputError naming `what` and the text if it is none, or not finite.
 double parse_number(const std::string& what, const std::string& text);
