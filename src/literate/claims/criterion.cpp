@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "literate/claims/formula.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
 #include "literate/values/decimal.hpp"

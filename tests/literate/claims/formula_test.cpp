@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/claims/formula.hpp"
+#include "literate/claims/criterion.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
