@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "course/release/lists.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 

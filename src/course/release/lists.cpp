@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/release/lists.hpp"
+#include "course/release/handout.hpp"
 
 #include <fmt/core.h>
 
