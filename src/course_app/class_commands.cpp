@@ -14,7 +14,6 @@
 #include "command_line/options.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/marking/class_marks.hpp"
-#include "course/marking/listing.hpp"
 #include "course/marking/submission.hpp"
 #include "course/reporting/gradebook.hpp"
 #include "course/reporting/marked_report.hpp"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "command_line/options.hpp"
-#include "course/marking/listing.hpp"
 #include "course/marking/submission.hpp"
 #include "course/release/handout.hpp"
 #include "course/release/wrong_solutions.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "course/marking/listing.hpp"
+#include "course/marking/submission.hpp"
 
 #include <boost/test/unit_test.hpp>
 
