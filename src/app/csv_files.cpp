@@ -10,7 +10,7 @@
 #include "command_line/options.hpp"
 #include "system/csv.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace app {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "literate/figures/gnuplot.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace app {
 namespace fs = std::filesystem;

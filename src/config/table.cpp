@@ -10,8 +10,8 @@
 #include <limits>
 #include <sstream>
 
-#include "system/lines.hpp"
 #include "system/nearest_name.hpp"
+#include "system/text.hpp"
 
 namespace config {
 namespace {

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "config/unit_definitions.hpp"
-#include "system/ascii.hpp"
 #include "system/decimal.hpp"
+#include "system/text.hpp"
 
 namespace config {
 namespace {

@@ -7,7 +7,7 @@
 #include "literate/text/latex.hpp"
 #include "paper/paper.hpp"
 #include "paper/prelude.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace paper {
 namespace {

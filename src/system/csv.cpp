@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "system/error.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace sys {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "system/ascii.hpp"
+#include "system/text.hpp"
 
 namespace sys {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 #include "temporary_folder.hpp"
 
 inline const std::filesystem::path source_dir = HALFSPACE_SOURCE_DIR;

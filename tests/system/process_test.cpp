@@ -15,7 +15,7 @@
 #include "system/decimal.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 #include "temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(process_test)

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "config/table.hpp"
-#include "system/ascii.hpp"
 #include "system/decimal.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

@@ -9,9 +9,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "system/ascii.hpp"
 #include "system/error.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

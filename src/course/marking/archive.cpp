@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "course/assignment/student.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

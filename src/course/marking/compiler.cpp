@@ -10,7 +10,7 @@
 #include "course/assignment/student.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

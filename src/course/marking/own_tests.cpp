@@ -13,7 +13,7 @@
 #include "course/marking/compiler.hpp"
 #include "course/marking/program_run.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

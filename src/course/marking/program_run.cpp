@@ -12,7 +12,7 @@
 #include "course/assignment/student.hpp"
 #include "system/decimal.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

@@ -7,11 +7,10 @@
 #include <set>
 
 #include "course/sandbox/scratch_folder.hpp"
-#include "system/ascii.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

@@ -9,7 +9,7 @@
 
 #include "course/release/markers.hpp"
 #include "system/error.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace {

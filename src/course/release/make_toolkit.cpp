@@ -11,9 +11,9 @@
 #include "course/sandbox/sandbox.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
 #include "system/staging.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

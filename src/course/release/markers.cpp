@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "system/error.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace {

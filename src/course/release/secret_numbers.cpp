@@ -9,8 +9,8 @@
 #include <cstring>
 #include <iterator>
 
-#include "system/ascii.hpp"
 #include "system/decimal.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

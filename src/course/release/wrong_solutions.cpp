@@ -8,7 +8,7 @@
 
 #include "config/table.hpp"
 #include "course/release/markers.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace {

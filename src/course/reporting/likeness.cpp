@@ -13,9 +13,9 @@
 
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

@@ -15,8 +15,7 @@
 #include "literate/prose/prose.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "literate/typesetting/latex_log.hpp"
-#include "system/lines.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace {

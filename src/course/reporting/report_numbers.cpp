@@ -11,9 +11,8 @@
 #include "course/marking/build.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/handout.hpp"
-#include "system/ascii.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

@@ -11,8 +11,8 @@
 #include "literate/typesetting/latex_log.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace fs = std::filesystem;

@@ -20,11 +20,11 @@
 #include <random>
 #include <thread>
 
-#include "system/ascii.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
 #include "system/spawn.hpp"
+#include "system/text.hpp"
 
 namespace course {
 namespace {

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "config/units.hpp"
-#include "system/ascii.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

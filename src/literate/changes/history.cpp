@@ -9,8 +9,8 @@
 
 #include "system/decimal.hpp"
 #include "system/error.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 

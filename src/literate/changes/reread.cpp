@@ -17,7 +17,7 @@
 #include "system/decimal.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

@@ -11,9 +11,8 @@
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/prose/tex_scanner.hpp"
-#include "system/ascii.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -15,8 +15,7 @@
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 

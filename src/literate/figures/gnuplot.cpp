@@ -12,8 +12,8 @@
 
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

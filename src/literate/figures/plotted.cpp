@@ -10,8 +10,8 @@
 #include "literate/figures/gnuplot.hpp"
 #include "system/decimal.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

@@ -15,7 +15,7 @@
 #include "system/csv.hpp"
 #include "system/nearest_name.hpp"
 #include "system/pattern.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

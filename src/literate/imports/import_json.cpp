@@ -20,7 +20,7 @@
 #include "literate/imports/imported_table.hpp"
 #include "literate/text/characters.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -24,9 +24,9 @@
 #include "literate/prose/statements.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/parallel.hpp"
 #include "system/pattern.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

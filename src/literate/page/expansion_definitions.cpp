@@ -10,7 +10,7 @@
 #include "literate/page/expansion.hpp"
 #include "system/decimal.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

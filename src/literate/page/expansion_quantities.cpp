@@ -8,7 +8,7 @@
 #include "literate/page/expansion.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 using namespace page_reading;

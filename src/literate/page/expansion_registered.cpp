@@ -14,7 +14,7 @@
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 using namespace page_reading;

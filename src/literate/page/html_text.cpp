@@ -6,7 +6,7 @@
 #include <regex>
 #include <utility>
 
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 

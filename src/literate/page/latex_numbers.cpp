@@ -11,7 +11,7 @@
 #include "literate/prose/tex_scanner.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

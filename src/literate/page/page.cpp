@@ -12,8 +12,8 @@
 #include "literate/prose/document_files.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

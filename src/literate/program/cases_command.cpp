@@ -16,7 +16,7 @@
 #include "literate/program/commands.hpp"
 #include "system/csv.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

@@ -11,10 +11,10 @@
 #include "literate/program/commands.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
 #include "system/process.hpp"
 #include "system/staging.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

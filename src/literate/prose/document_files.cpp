@@ -9,9 +9,9 @@
 
 #include "literate/prose/tex_commands.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/nearest_name.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

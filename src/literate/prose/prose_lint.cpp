@@ -9,9 +9,8 @@
 #include "literate/prose/document_files.hpp"
 #include "literate/text/characters.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

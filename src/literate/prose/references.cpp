@@ -18,9 +18,9 @@
 #include "literate/prose/tex_commands.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/nearest_name.hpp"
 #include "system/pattern.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -18,7 +18,7 @@
 #include "literate/text/unit.hpp"
 #include "system/decimal.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -13,8 +13,8 @@
 #include "literate/prose/recorded_ages.hpp"
 #include "literate/prose/tex_scanner.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/nearest_name.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

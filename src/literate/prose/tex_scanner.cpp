@@ -7,8 +7,7 @@
 #include <set>
 
 #include "literate/text/characters.hpp"
-#include "system/lines.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -13,7 +13,7 @@
 #include "literate/tables/column_writer.hpp"
 #include "literate/text/latex.hpp"
 #include "system/csv.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "system/ascii.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 

@@ -8,7 +8,7 @@
 
 #include "literate/text/characters.hpp"
 #include "literate/text/unit.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -17,7 +17,7 @@
 #include "config/units.hpp"
 #include "literate/text/characters.hpp"
 #include "system/decimal.hpp"
-#include "system/utf8.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "literate/text/characters.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -16,8 +16,8 @@
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

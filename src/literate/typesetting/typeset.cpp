@@ -17,9 +17,9 @@
 #include "literate/typesetting/latex_log.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
 #include "system/pattern.hpp"
 #include "system/process.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

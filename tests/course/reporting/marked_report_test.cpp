@@ -19,7 +19,7 @@
 #include "course/walls.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"
-#include "system/lines.hpp"
+#include "system/text.hpp"
 
 BOOST_AUTO_TEST_SUITE(marked_report_test, *boost::unit_test::fixture(&need_walls_and_tex))
 
