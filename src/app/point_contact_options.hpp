@@ -15,7 +15,7 @@
 #include "parameters/case.hpp"
 #include "point_contact/bodies/profile.hpp"
 #include "point_contact/closed_forms/spheres.hpp"
-#include "point_contact/solver/nested_grids.hpp"
+#include "point_contact/solver/methods.hpp"
 #include "point_contact/solver/partial_slip.hpp"
 #include "point_contact/solver/problem.hpp"
 #include "system/require.hpp"

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/material.hpp"
-#include "point_contact/solver/nested_grids.hpp"
+#include "point_contact/solver/methods.hpp"
 
 namespace point_contact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/nested_grids.hpp"
+#include "point_contact/solver/methods.hpp"
 
 #include <algorithm>
 #include <array>

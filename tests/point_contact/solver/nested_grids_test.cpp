@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/nested_grids.hpp"
+#include "point_contact/solver/methods.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
 
 #include "point_contact/rough_surface.hpp"
-#include "point_contact/solver/methods.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 
