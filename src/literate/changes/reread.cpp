@@ -55,8 +55,7 @@ class Past {
       const auto same = std::ranges::find(former, at.latex, &Sentence::latex);
       if (same == former.end()) break;
       const Commit earlier = last_commit(*same, lines(at.file, before));
-      // What the words were written beside is not known.
-      if (!earlier.is_made() || !has_results(earlier.id)) break;
+      if (!earlier.is_made()) break;
       at = *same;
       commit = earlier;
     }

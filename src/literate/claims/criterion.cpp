@@ -274,6 +274,11 @@ void Criterion::decide(const Estimate& tested, bool is_upper_limit, const Value&
   if (tested.value > 0 && limit_.number() > 0) {
     const double ratio = tested.value / limit_.number();
     margin_.factor = std::max(ratio, 1 / ratio);
+    // The limit that the error would just reach, on the side of this one.
+    const double turning = tested.value + (excess_ * sign < 0 ? unsure : -unsure);
+    const double moved = turning / limit_.number();
+    margin_.turning_factor =
+        outcome_ == Outcome::undecided ? margin_.factor : std::max(moved, 1 / moved);
   }
   const Outcome of_unrounded = outcome_of(sign * (tested.value - limit_.unrounded()), unsure);
   if (of_unrounded != outcome_) {
@@ -400,10 +405,13 @@ Criterion Criterion::in_each(std::string name, std::string cases,
                              const std::vector<Criterion>& each) {
   if (each.empty()) throw std::invalid_argument(name + ": there is no case to try");
   const Criterion& first = each.front();
-  if (!std::ranges::all_of(each, [&](const Criterion& c) {
-        return c.condition_.plain == first.condition_.plain && c.reason() == first.reason();
-      })) {
-    throw std::invalid_argument(name + ": the cases are not held to one limit");
+  const auto condition = [](const Criterion& c) {
+    return fmt::format("{} ({})", c.condition_.plain, c.reason());
+  };
+  for (const Criterion& other : each) {
+    if (condition(other) == condition(first)) continue;
+    throw std::invalid_argument(fmt::format("{}: the cases have more than one condition: {} and {}",
+                                            name, condition(first), condition(other)));
   }
   const auto n_with = [&](Outcome outcome) {
     return std::ranges::count(each, outcome, &Criterion::outcome_);
@@ -429,6 +437,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
     };
     take_least(criterion.margin_.errors, c.margin_.errors);
     take_least(criterion.margin_.factor, c.margin_.factor);
+    take_least(criterion.margin_.turning_factor, c.margin_.turning_factor);
   }
   // What is undecided makes no difference where one holds and another fails.
   const bool is_in_part = n_holding > 0 && n_with(Outcome::fails) > 0;

@@ -34,6 +34,9 @@ struct Margin {
   /// to the tolerance. None where one of the two is not positive.
   std::optional<double> factor;
 
+  /// The least factor in the limit that would change the outcome, the error counted.
+  std::optional<double> turning_factor;
+
   /// «4.1 times; 97 errors»; «exact» if there is neither.
   std::string text() const;
 };

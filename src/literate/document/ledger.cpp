@@ -116,11 +116,13 @@ std::vector<std::string> claim_notes(const Registered& registered) {
     for (const Criterion& criterion : claim.criteria) {
       constexpr double doubled = 2;
       const LimitKind kind = criterion.limit_kind();
-      if (kind == LimitKind::choice && criterion.margin().factor.value_or(doubled) < doubled) {
-        notes.push_back(fmt::format(
-            "{}: claim {}: {} hangs on a choice, {}: a factor of {:.2g} in "
-            "the limit would decide otherwise",
-            place, id, criterion.computed(), criterion.limit().plain, *criterion.margin().factor));
+      if (kind == LimitKind::choice &&
+          criterion.margin().turning_factor.value_or(doubled) < doubled) {
+        notes.push_back(
+            fmt::format("{}: claim {}: {} hangs on a choice, {}: a factor of {:.2g} in "
+                        "the limit would turn it",
+                        place, id, criterion.computed(), criterion.limit().plain,
+                        *criterion.margin().turning_factor));
       }
       if (kind != LimitKind::choice && kind != LimitKind::data) continue;
       const std::pair reason{kind, criterion.limit_reason()};

@@ -45,8 +45,8 @@ std::string claims_tex(const Registered& registered);
 std::string claims_csv(const Registered& registered);
 
 /// What an author should know of the claims though it keeps nobody from trusting the document, a
-/// line each with its place: claims that no planted fault turns; criteria that half or double of a
-/// chosen limit would decide otherwise; limits of one kind with one reason that differ.
+/// line each with its place: claims that no planted fault turns; criteria whose outcome half or
+/// double of a chosen limit would turn; limits of one kind with one reason that differ.
 std::vector<std::string> claim_notes(const Registered& registered);
 
 }  // namespace literate

@@ -82,8 +82,8 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
   const std::string folder = name_within(root, document);
   const std::string prefix = folder == "." ? "" : folder + "/";
   files.merge(digests(document, document_files(document), prefix));
-  for (const auto& [file, digest] :
-       sources_below(document, ".", {".bib", ".sty", "quotations.toml", "results.json"})) {
+  for (const auto& [file, digest] : sources_below(
+           document, ".", {".bib", ".sty", "quotations.toml", "results.json", "severity.csv"})) {
     files[prefix + file.substr(2)] = digest;
   }
   files.merge(digests(document, images_of(document), prefix));

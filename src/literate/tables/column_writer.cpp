@@ -258,9 +258,8 @@ RoundedNumber with_digits_of(const ColumnFormat& column, const Cell& cell) {
   if (format.notation() == Notation::fixed && !format.rounds_up()) {
     // Moving the decimal point is exact, so the number is rounded only once; dividing it would
     // round it again.
-    const int of_percentage = format.is_percentage() ? -2 : 0;
-    return rounded_at(number, cell.uncertainty(),
-                      column.exponent + of_percentage - format.digits());
+    const int ones = column.exponent + (format.is_percentage() ? -2 : 0);
+    return rounded_at(number, cell.uncertainty(), ones - format.digits(), ones);
   }
   return rounded(format, number, cell.uncertainty());
 }

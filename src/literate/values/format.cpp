@@ -338,17 +338,19 @@ Estimate estimate_of(double number, const std::optional<Uncertainty>& uncertaint
 
 /// Whether a number is rounded to zero, and this is not all that there is to say: it is known not
 /// to be zero, it has a standard uncertainty, which is no bound, or nothing is left but zeros
-/// before the point, such as 0 · 10² of 12 ± 34.
+/// before the point, which stands behind 10^ones, such as 0 · 10² of 12 ± 34.
 bool is_lost_by_rounding(const Decimal& digits, Estimate estimate,
-                         const std::optional<Uncertainty>& uncertainty) {
+                         const std::optional<Uncertainty>& uncertainty, int ones) {
   if (!is_zero(digits)) return false;
   return std::abs(estimate.value) > estimate.abs_error ||
-         (uncertainty && uncertainty->standard > 0) || (digits.place > 0 && estimate.abs_error > 0);
+         (uncertainty && uncertainty->standard > 0) ||
+         (digits.place > ones && estimate.abs_error > 0);
 }
 
 }  // namespace
 
-RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place) {
+RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place,
+                         int ones) {
   const Estimate estimate = estimate_of(number, uncertainty);
   const bool is_exact = uncertainty && estimate.abs_error == 0;
   const Decimal digits = is_exact
@@ -361,8 +363,9 @@ RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncert
     rounded.style = Style::automatic;
     return rounded;
   }
-  return is_lost_by_rounding(digits, estimate, uncertainty) ? with_uncertainty(number, *uncertainty)
-                                                            : rounded;
+  return is_lost_by_rounding(digits, estimate, uncertainty, ones)
+             ? with_uncertainty(number, *uncertainty)
+             : rounded;
 }
 
 namespace {
@@ -408,9 +411,9 @@ RoundedNumber bound_above(const Format& format, Estimate estimate) {
 
 RoundedNumber to_nearest(const Format& format, Estimate estimate,
                          const std::optional<Uncertainty>& uncertainty) {
+  const int ones = format.is_percentage() ? -2 : 0;
   if (format.notation() == Notation::fixed) {
-    return rounded_at(estimate.value, uncertainty,
-                      -format.digits() - (format.is_percentage() ? 2 : 0));
+    return rounded_at(estimate.value, uncertainty, ones - format.digits(), ones);
   }
   const auto to_digits = [&] {
     const int lowest = lowest_place(estimate, format.digits());
@@ -421,7 +424,7 @@ RoundedNumber to_nearest(const Format& format, Estimate estimate,
   const Decimal digits = format.notation() == Notation::supported
                              ? supported_digits(estimate, format.digits())
                              : to_digits();
-  if (is_lost_by_rounding(digits, estimate, uncertainty)) {
+  if (is_lost_by_rounding(digits, estimate, uncertainty, ones)) {
     return with_uncertainty(estimate.value, *uncertainty);
   }
   return {digits, Style::automatic, estimate.abs_error > 0};

@@ -179,8 +179,9 @@ RoundedNumber rounded(const Format& format, double number,
                       const std::optional<Uncertainty>& uncertainty);
 
 /// As rounded() for a format that fixes the place of the last digit: fixed() with decimals of the
-/// number divided by 10^exponent.
-RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place);
+/// number divided by 10^ones.
+RoundedNumber rounded_at(double number, const std::optional<Uncertainty>& uncertainty, int place,
+                         int ones = 0);
 
 /// The least power of ten that is not less than the bound, as the place of a last digit; none for a
 /// bound of 0.

@@ -101,6 +101,27 @@ BOOST_AUTO_TEST_CASE(words_that_are_older_than_the_first_record_are_held_against
   BOOST_TEST(holds(found.unknown[0], "they are older than this first record"));
 }
 
+BOOST_AUTO_TEST_CASE(such_words_keep_their_age_when_what_stands_beside_them_changes) {
+  Paper paper;
+  paper.write("a.tex", "Look here. " + first_words);
+  paper.commit();
+  paper.record(results(10));
+  paper.commit();
+  const auto is_listed = [&] {
+    const Reread found = paper.reread(results(12));
+    return found.sentences.size() == 1U &&
+           holds(found.sentences[0], "was 10 psi when it was first recorded, at ");
+  };
+
+  paper.write("a.tex", "Look there. " + first_words);
+  BOOST_TEST(is_listed());
+  paper.record(results(12));
+  paper.commit();
+  BOOST_TEST(is_listed());
+  paper.write("a.tex", "Look\nthere. The\npeak is \\val{peak}.\n\nIt holds \\claim{far}.\n");
+  BOOST_TEST(is_listed());
+}
+
 BOOST_AUTO_TEST_CASE(a_record_of_another_case_than_its_commit_has_is_none) {
   Paper paper;
   paper.write("case.toml", "load = 2\n");

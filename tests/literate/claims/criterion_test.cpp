@@ -323,6 +323,11 @@ BOOST_AUTO_TEST_CASE(a_margin_is_the_distance_from_the_limit_in_errors_and_as_a_
   BOOST_TEST(margin.text() == "5.0 times; 4.0 errors");
 
   BOOST_TEST(misfit_at_most(0.02, 0, limit_of(0.01)).margin().text() == "2.0 times");
+  // 2 ± 1 is undecided against 3, and 2 ± 0.5 against 1.5.
+  BOOST_TEST(*misfit_at_most(0.02, 0.01, limit_of(0.06)).margin().turning_factor == 2,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(*misfit_at_most(0.02, 0.005, limit_of(0.012)).margin().turning_factor == 1.25,
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(misfit_at_most(-0.02, 0.001, limit_of(0.01)).margin().text() == "30 errors");
   BOOST_TEST(misfit_at_most(1e-9, 0, limit_of(0.01)).margin().text() == "over 1000 times");
   BOOST_TEST(Criterion::agrees("node", Value(9, integer()), Value(9, integer()),

@@ -145,6 +145,9 @@ BOOST_AUTO_TEST_CASE(any_format_can_be_in_percent) {
   BOOST_TEST(Value(0.123456, significant(3).in_percent()).printed() == "12.3 %");
   BOOST_TEST(Value({0.123456, 2e-3}, significant(3).in_percent()).printed() == "12 %");
   BOOST_TEST(Value({0.123456, 2e-3}, uncertain().in_percent()).printed() == "(12.35 ± 0.21) %");
+  BOOST_TEST(Value({0.4, 0.6}, percent(0)).printed() == "(40 ± 60) %");
+  BOOST_TEST(Value({0.12, 0.34}, significant(2).in_percent()).printed() == "(12 ± 34) %");
+  BOOST_TEST(Value({0.004, 0.006}, percent(0)).printed() == "0 %");
   BOOST_TEST(Value(1, exact().in_percent()).printed() == "100 %");
   BOOST_TEST(Value(0.0125, exact().in_percent()).printed() == "1.25 %");
 }
