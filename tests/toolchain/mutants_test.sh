@@ -26,8 +26,11 @@ cmake_minimum_required(VERSION 3.25)
 project(small LANGUAGES NONE)
 enable_testing()
 add_test(NAME unit/a/data COMMAND grep -q "one = 1" "${CMAKE_SOURCE_DIR}/src/a/data.txt")
+file(WRITE "${CMAKE_BINARY_DIR}/report.settings" "name=report\noutput=${CMAKE_BINARY_DIR}/report\n")
 file(WRITE "${CMAKE_BINARY_DIR}/halfspace-report" "#!/bin/sh
-test $(grep -c 'two = 2' '${CMAKE_SOURCE_DIR}/src/a/data.txt') = 2 || { echo 'halfspace: claim twos is refuted'; exit 1; }
+test \"$1\" = compute && output=$(sed -n 's/^output=//p' \"$2\") && mkdir -p \"$output/generated\" || exit 2
+test $(grep -c 'two = 2' '${CMAKE_SOURCE_DIR}/src/a/data.txt') = 2 || fault='\"claim twos is refuted\"'
+echo \"{\\\"faults\\\": [$fault]}\" >\"$output/generated/names.json\"
 ")
 file(CHMOD "${CMAKE_BINARY_DIR}/halfspace-report" PERMISSIONS OWNER_READ OWNER_EXECUTE)
 add_custom_target(halfspace-report)
