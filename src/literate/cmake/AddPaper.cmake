@@ -54,7 +54,7 @@ endfunction()
 #
 # A program may serve several papers, such as one and its supplement. It is described once, by the folders with code of
 # all of them.
-function(literate_describe_paper name program main latex root sources)
+function(literate_describe_paper name program latex root sources)
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH engine)
   set(folder "${PROJECT_BINARY_DIR}/generated/${name}")
   set(repository "${folder}/repository")
@@ -92,7 +92,6 @@ function(literate_describe_paper name program main latex root sources)
   set(COMPILER "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
   set(BUILD_TYPE "${CMAKE_BUILD_TYPE}")
   set(FLAGS "${flags}")
-  set(MAIN "${main}")
   set(LATEX "${latex}")
   set(SOURCE_FOLDERS "R\"text($<JOIN:${folders},)text\"$<COMMA> R\"text(>)text\"")
   set(REPOSITORY "$<PATH:RELATIVE_PATH,${repository},$<TARGET_FILE_DIR:${program}>>")
@@ -218,7 +217,7 @@ function(literate_add_paper)
   set(settings "${PROJECT_BINARY_DIR}/${name}.settings")
   set(repository "${PROJECT_BINARY_DIR}/generated/${name}/repository")
 
-  literate_describe_paper(${name} ${arg_PROGRAM} "${arg_MAIN}" ${arg_ENGINE} "${root}" "${arg_SOURCES}")
+  literate_describe_paper(${name} ${arg_PROGRAM} ${arg_ENGINE} "${root}" "${arg_SOURCES}")
   # Without its table of symbols the program is half as large, and each build reads it to see that it is whole.
   target_link_options(${arg_PROGRAM} PRIVATE $<$<CONFIG:Release>:-s>)
 

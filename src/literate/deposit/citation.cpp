@@ -67,7 +67,6 @@ Citation citation_of(const fs::path& file, const YAML::Node& node) {
   Citation citation{.title = required_text(file, node, "title"),
                     .authors = authors_of(file, node),
                     .abstract = text_of(node, "abstract"),
-                    .version = text_of(node, "version"),
                     .license = text_of(node, "license"),
                     .doi = text_of(node, "doi"),
                     .url = text_of(node, "url"),

@@ -28,7 +28,6 @@ struct Citation {
   std::string title;
   std::vector<Author> authors;
   std::string abstract = {};
-  std::string version = {};
   std::string license = {};  ///< SPDX identifier
   std::string doi = {};
   std::string url = {};

@@ -138,8 +138,7 @@ json claims_json(const Registered& registered) {
   json entries = json::object();
   for (const auto& [id, claim] : registered.claims) {
     const SourcePlace& place = registered.places.at({"claim", id});
-    entries[id] = {{"number", entries.size() + 1},
-                   {"place", fmt::format("{}:{}", text_of(place), place.column)},
+    entries[id] = {{"place", fmt::format("{}:{}", text_of(place), place.column)},
                    {"route", claim.route},
                    {"criteria", criteria_json(claim.criteria)},
                    {"severity", severity_text(registered, id)},
@@ -192,8 +191,7 @@ std::map<std::string, NamedClaim> claims_in(const json& entries) {
   std::map<std::string, NamedClaim> claims;
   for (const auto& entry : entries.items()) {
     const json& claim = entry.value();
-    claims[entry.key()] = {.number = claim.at("number"),
-                           .place = claim.at("place"),
+    claims[entry.key()] = {.place = claim.at("place"),
                            .expected = claim.at("expected"),
                            .found = claim.at("found")};
     for (const json& criterion : claim.at("criteria")) {

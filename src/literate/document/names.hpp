@@ -22,7 +22,6 @@ struct NamedLimit {
 
 /// What names.json says of a claim.
 struct NamedClaim {
-  int number = 0;        ///< in the order of registration, from 1
   std::string place;     ///< «file:line:column» of its registration
   std::string expected;  ///< verdict
   std::string found;

@@ -32,7 +32,6 @@ struct Paper {
   std::string compiler = {};  ///< with its version
   std::string build_type = {};
   std::string flags = {};                             ///< of the compiler, for the build type
-  std::string main_file = {};                         ///< of the LaTeX document
   std::string latex = "pdflatex";                     ///< the program that typesets it
   std::vector<std::string> source_folders = {};       ///< that hold its code and excerpts
   std::string repository = {};                        ///< folder of its state, from the program's

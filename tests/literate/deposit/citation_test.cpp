@@ -45,9 +45,9 @@ BOOST_AUTO_TEST_CASE(persons_and_groups_are_authors) {
 }
 
 BOOST_AUTO_TEST_CASE(what_a_citation_leaves_out_is_empty_and_texts_stay_as_they_are_written) {
-  const Citation read = citation("title: A work\nauthors: [{name: x}]\nversion: 0.10\n");
+  const Citation read = citation("title: A work\nauthors: [{name: x}]\ndoi: 10.10\n");
 
-  BOOST_TEST(read.version == "0.10");
+  BOOST_TEST(read.doi == "10.10");
   BOOST_TEST(read.license.empty());
   BOOST_TEST(read.references.empty());
 }

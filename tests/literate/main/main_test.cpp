@@ -96,7 +96,6 @@ class Workplace {
                          .compiler = "none",
                          .build_type = "none",
                          .flags = "",
-                         .main_file = "toy.tex",
                          .source_folders = {"src"},
                          .excerpts = {{"sum", "src/a.cpp", hash_}}};
 };

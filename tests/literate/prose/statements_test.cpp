@@ -21,9 +21,9 @@ Names names_with(const std::map<std::string, NamedClaim>& claims) {
   return names;
 }
 
-const Names names = names_with({{"apples", {1, "fruit.cpp:12:3", "confirmed", "confirmed"}},
-                                {"pears", {2, "fruit.cpp:20:3", "confirmed", "refuted"}},
-                                {"plums", {3, "fruit.cpp:31:3", "refuted", "refuted"}}});
+const Names names = names_with({{"apples", {"fruit.cpp:12:3", "confirmed", "confirmed"}},
+                                {"pears", {"fruit.cpp:20:3", "confirmed", "refuted"}},
+                                {"plums", {"fruit.cpp:31:3", "refuted", "refuted"}}});
 
 // The statements of a document with this text.
 struct Text {
