@@ -174,7 +174,7 @@ Manifest printed_results(Manifest manifest) {
     return entry.first.starts_with("table ") || entry.first.starts_with("claim ");
   });
   manifest.facts = {};
-  manifest.inputs = manifest.outputs = {};
+  manifest.inputs = manifest.outputs = manifest.outcomes = manifest.words = {};
   return manifest;
 }
 

@@ -86,16 +86,8 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
 // results that they judged, if results.json beside the prose keeps those.
 ExitCode reread(const Settings& settings, const std::string& project, const Names& names,
                 bool records) {
-  const std::filesystem::path names_json = settings.generated() / "names.json";
   const std::filesystem::path record = settings.document / "results.json";
-  Manifest now = printed_results({.project = project,
-                                  .facts = {},
-                                  .inputs = {},
-                                  .outputs = {},
-                                  .numbers = numbers_in(names_json),
-                                  .verdicts = verdicts_in(names_json),
-                                  .limits = limits_in(names_json),
-                                  .texts = texts_in(names_json)});
+  Manifest now = printed_results(results_in(settings.generated() / "names.json", project));
   now.facts["case"] = {{"name", settings.case_file.filename().string()}};
   now.inputs["case"] = names.case_sha256;
   if (!records) {

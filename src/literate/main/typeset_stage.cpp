@@ -141,8 +141,8 @@ Manifest manifest_without_pdf(const Settings& settings, const Paper& paper,
   const fs::path generated = settings.generated();
   Manifest::Texts libraries = engine_libraries();
   libraries.insert(paper.libraries.begin(), paper.libraries.end());
-  return {.project = paper.project,
-          .facts = {{"sources",
+  Manifest manifest = results_in(generated / "names.json", paper.project);
+  manifest.facts = {{"sources",
                      {{"version", paper.version},
                       {"commit", repository.commit},
                       {"modified", repository.modified ? "yes" : "no"},
@@ -157,15 +157,10 @@ Manifest manifest_without_pdf(const Settings& settings, const Paper& paper,
                       {"flags", paper.flags},
                       {"processor", processor()}}},
                     {"libraries", libraries},
-                    {"tools", tools_of(settings)}},
-          .inputs = inputs_of(settings, paper, names),
-          .outputs = digests(generated, made_files(names), "generated/"),
-          .numbers = numbers_in(generated / "names.json"),
-          .verdicts = verdicts_in(generated / "names.json"),
-          .limits = limits_in(generated / "names.json"),
-          .texts = texts_in(generated / "names.json"),
-          .outcomes = outcomes_in(generated / "names.json"),
-          .words = words_in(generated / "names.json")};
+                    {"tools", tools_of(settings)}};
+  manifest.inputs = inputs_of(settings, paper, names);
+  manifest.outputs = digests(generated, made_files(names), "generated/");
+  return manifest;
 }
 
 // Says how this report differs from the one that `file` tells of. The same bytes are not asked of

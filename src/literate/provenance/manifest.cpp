@@ -86,78 +86,39 @@ Manifest::Texts digests(const fs::path& folder, const std::vector<std::string>& 
   return texts;
 }
 
-std::map<std::string, ManifestNumber> numbers_in(const fs::path& names_json) {
-  return from_names(names_json, [](const json& names) {
-    std::map<std::string, ManifestNumber> numbers;
+Manifest results_in(const fs::path& names_json, const std::string& project) {
+  return from_names(names_json, [&](const json& names) {
+    Manifest results;
+    results.project = project;
     for (const char* part : {"values", "cells"}) {
+      const std::string kind = part == std::string_view("values") ? "value " : "";
+      for (const auto& [key, entry] : names.at(part).items()) {
+        if (!entry.contains("number")) results.texts[kind + key] = entry.at("printed");
+      }
       for (auto& [key, number] : numbers_of(names.at(part))) {
         number.unit = names.at(part).at(key).value("unit", "");
-        numbers[key] = number;
+        results.numbers[key] = number;
       }
     }
-    return numbers;
-  });
-}
-
-Manifest::Texts verdicts_in(const fs::path& names_json) {
-  return from_names(names_json, [](const json& names) {
-    Manifest::Texts verdicts;
-    for (const auto& [id, claim] : names.at("claims").items()) {
-      verdicts["claim " + id] = claim.at("found");
+    for (const auto& [flag, is_set] : names.at("flags").items()) {
+      results.texts["flag " + flag] = is_set.get<bool>() ? "yes" : "no";
     }
-    for (const auto& [id, check] : names.at("checks").items()) {
-      verdicts["check " + id] = check.at("passed").get<bool>() ? "passed" : "failed";
-    }
-    return verdicts;
-  });
-}
-
-namespace {
-
-/// Of each criterion, by «claim x: quantity», what names.json has under `entry`.
-Manifest::Texts of_criteria(const fs::path& names_json, const char* entry) {
-  return from_names(names_json, [&](const json& names) {
-    Manifest::Texts texts;
     for (const auto& [id, claim] : names.at("claims").items()) {
+      results.verdicts["claim " + id] = claim.at("found");
       for (const json& criterion : claim.at("criteria")) {
         const std::string quantity = criterion.at("name");
-        texts[fmt::format("claim {}: {}", id, quantity)] = criterion.at(entry);
+        const std::string what = fmt::format("claim {}: {}", id, quantity);
+        results.limits[what] = criterion.at("limit");
+        results.outcomes[what] = criterion.at("outcome");
+        results.texts[what] = criterion.at("found");
       }
     }
-    return texts;
+    for (const auto& [id, check] : names.at("checks").items()) {
+      results.verdicts["check " + id] = check.at("passed").get<bool>() ? "passed" : "failed";
+    }
+    results.words = names.at("words").get<Manifest::Texts>();
+    return results;
   });
-}
-
-}  // namespace
-
-Manifest::Texts limits_in(const fs::path& names_json) {
-  return of_criteria(names_json, "limit");
-}
-
-Manifest::Texts outcomes_in(const fs::path& names_json) {
-  return of_criteria(names_json, "outcome");
-}
-
-Manifest::Texts texts_in(const fs::path& names_json) {
-  return from_names(names_json, [&](const json& names) {
-    Manifest::Texts texts;
-    for (const auto& [flag, is_set] : names.at("flags").items()) {
-      texts["flag " + flag] = is_set.get<bool>() ? "yes" : "no";
-    }
-    for (const auto& [key, value] : names.at("values").items()) {
-      if (!value.contains("number")) texts["value " + key] = value.at("printed");
-    }
-    for (const auto& [key, cell] : names.at("cells").items()) {
-      if (!cell.contains("number")) texts[key] = cell.at("printed");
-    }
-    texts.merge(of_criteria(names_json, "found"));
-    return texts;
-  });
-}
-
-Manifest::Texts words_in(const fs::path& names_json) {
-  return from_names(names_json,
-                    [](const json& names) { return names.at("words").get<Manifest::Texts>(); });
 }
 
 std::map<std::string, bool> flags_of(const Manifest& manifest) {
@@ -316,14 +277,12 @@ ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
                         result.moved.push_back(fmt::format("{}: {} there, {} here", name,
                                                            text_or_none(a), text_or_none(b)));
                       });
-  Manifest with_their_results = ours;
-  with_their_results.numbers = theirs.numbers;
-  with_their_results.verdicts = theirs.verdicts;
-  with_their_results.limits = theirs.limits;
-  with_their_results.texts = theirs.texts;
-  with_their_results.outcomes = theirs.outcomes;
-  with_their_results.words = theirs.words;
-  result.has_same_results = manifest_json(with_their_results) == manifest_json(ours);
+  const auto results_of = [](Manifest manifest) {
+    manifest.facts = {};
+    manifest.inputs = manifest.outputs = manifest.ages = {};
+    return manifest_json(manifest);
+  };
+  result.has_same_results = results_of(theirs) == results_of(ours);
   return result;
 }
 

@@ -36,8 +36,10 @@ struct Manifest {
   Texts texts = {};  ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers,
                      ///< and what criteria found, «claim x: quantity»
   Texts outcomes = {};  ///< of criteria, by the same names: «holds»; an earlier version has none
-  Texts words = {};     ///< of the program, as words_in() has them; an earlier version has none
-  Texts ages = {};      ///< of limits, by the same names, as dated_limits() tells them
+  /// What the program says in words: «claim x: route», «claim x: quantity: reason», «check x:
+  /// statement», «table x: headings» and «table x: notes»; an earlier version has none.
+  Texts words = {};
+  Texts ages = {};  ///< of limits, by the same names, as dated_limits() tells them
 };
 
 /// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file
@@ -45,32 +47,15 @@ struct Manifest {
 Manifest::Texts digests(const std::filesystem::path& folder, const std::vector<std::string>& files,
                         const std::string& prefix = "");
 
-/// Reads the values and cells of tables that have a number from the names.json that Document::write
-/// made; throws sys::OutputError naming a file that is missing or malformed.
-std::map<std::string, ManifestNumber> numbers_in(const std::filesystem::path& names_json);
-
-/// The verdict on each claim, and of each check whether it passed. Throws sys::OutputError as
-/// numbers_in does.
-Manifest::Texts verdicts_in(const std::filesystem::path& names_json);
-Manifest::Texts outcomes_in(const std::filesystem::path& names_json);
-
-/// What each criterion of each claim asks for. Throws sys::OutputError as numbers_in does.
-Manifest::Texts limits_in(const std::filesystem::path& names_json);
-
-/// The values and cells of tables that are texts, the flags, «yes» or «no», and what each criterion
-/// found. Throws sys::OutputError as numbers_in does.
-Manifest::Texts texts_in(const std::filesystem::path& names_json);
-
-/// What the program says in words: «claim x: route», «claim x: quantity: reason», «check x:
-/// statement», «table x: headings» and «table x: notes». Throws sys::OutputError as numbers_in
-/// does.
-Manifest::Texts words_in(const std::filesystem::path& names_json);
+/// The results that the names.json of Document::write tells of, as the manifest of a project
+/// without the rest. Throws sys::OutputError naming a file that is missing or malformed.
+Manifest results_in(const std::filesystem::path& names_json, const std::string& project);
 
 /// The flags, by name, that a manifest has among its texts.
 std::map<std::string, bool> flags_of(const Manifest& manifest);
 
 /// The SHA-256 of the files that values were imported from, with their scripts, by name, as
-/// names.json lists them. Throws sys::OutputError as numbers_in does.
+/// names.json lists them. Throws sys::OutputError as results_in does.
 Manifest::Texts imported_files(const std::filesystem::path& names_json);
 
 /// Writes the manifest as JSON with sorted keys.

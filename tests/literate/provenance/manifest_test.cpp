@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
   document.value("lean", Value(1.5, Uncertainty::to_sides(0.2, 0.3), uncertain(), "s"));
   document.write(scratch / "out");
 
-  const auto numbers = numbers_in(scratch / "out/names.json");
+  const auto numbers = results_in(scratch / "out/names.json", "paper").numbers;
 
   BOOST_TEST(numbers.size() == 2U);
   BOOST_TEST((numbers.at("lean").sides == std::pair(0.2, 0.3)));
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(the_words_of_routes_reasons_headings_and_notes_come_from_it
                                     {"claim small: route", "by hand"},
                                     {"table errors: headings", "N | error (in)"},
                                     {"table errors: notes", "on one grid"}};
-  BOOST_TEST((words_in(scratch / "out/names.json") == expected));
+  BOOST_TEST((results_in(scratch / "out/names.json", "paper").words == expected));
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_tables_and_verdicts_come_from_it_too) {
@@ -93,14 +93,14 @@ BOOST_AUTO_TEST_CASE(numbers_of_tables_and_verdicts_come_from_it_too) {
   document.check("finite", true, "all numbers are finite");
   document.write(scratch / "out");
 
-  const auto numbers = numbers_in(scratch / "out/names.json");
-  const auto verdicts = verdicts_in(scratch / "out/names.json");
+  const Manifest results = results_in(scratch / "out/names.json", "paper");
+  const auto& numbers = results.numbers;
 
   BOOST_TEST(numbers.at("table errors, row 1, column 1").printed == "64");
   BOOST_TEST(numbers.at("table errors, row 1, column 2").number == 1.2345e-6);
   BOOST_TEST(numbers.at("table errors, row 1, column 2").abs_error.value() == 1e-9);
   BOOST_TEST(numbers.at("table errors, row 1, column 2").printed == "1.2");
-  BOOST_TEST((verdicts == Manifest::Texts{{"check finite", "passed"}}));
+  BOOST_TEST((results.verdicts == Manifest::Texts{{"check finite", "passed"}}));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_manifest_of_the_project_is_named) {
