@@ -138,15 +138,6 @@ NumberWidth widest(const NumberWidth& a, const NumberWidth& b) {
           a.uncertainty.size() < b.uncertainty.size() ? b.uncertainty : a.uncertainty};
 }
 
-std::string table_format(const NumberWidth& width) {
-  std::string format = fmt::format("{}{}", width.negative ? "-" : "", width.n_whole);
-  if (width.n_decimals > 0) format += fmt::format(".{}", width.n_decimals);
-  if (width.n_exponent > 0) {
-    format += fmt::format("e{}{}", width.negative_exponent ? "-" : "", width.n_exponent);
-  }
-  return format;
-}
-
 std::string aligned_number(std::string_view number, const NumberWidth& column,
                            std::string_view mark) {
   const Parts parts = parts_of(number);
@@ -325,11 +316,7 @@ std::string ColumnWriter::cell(std::size_t row) const {
   const std::string mark =
       cell.mark.empty() ? "" : fmt::format("\\LiterateMark{{{}}}", escape_latex(cell.mark));
   if (!cell.is_number) return cell.text + mark;
-  const std::string aligned = aligned_number(cell.text, width_, mark);
-  const std::string format = table_format(width_);
-  return mark.empty() ? fmt::format("\\LiterateCell{{{}}}{{{}}}{{{}}}", format, cell.text, aligned)
-                      : fmt::format("\\LiterateMarkedCell{{{}}}{{{}}}{{{}}}{{{}}}", format,
-                                    cell.text, aligned, mark);
+  return fmt::format("${}$", aligned_number(cell.text, width_, mark));
 }
 
 std::string ColumnWriter::cell_html(std::size_t row) const {

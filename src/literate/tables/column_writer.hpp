@@ -28,9 +28,6 @@ NumberWidth width_of(std::string_view number);
 /// The least width that holds both.
 NumberWidth widest(const NumberWidth& a, const NumberWidth& b);
 
-/// Writes a width as siunitx's table-format, such as -1.2e-2.
-std::string table_format(const NumberWidth& width);
-
 /// Writes a number as mathematics, padded with blanks to the width of the column, which must not be
 /// less than its own. The points of centred cells then stand below one another; a power of ten
 /// follows its digits at once. Five digits or more are grouped by thin spaces. `mark` is LaTeX of
@@ -66,9 +63,7 @@ class ColumnWriter {
   /// The unit in parentheses, with the power of ten factored out; empty if there is none.
   std::string unit() const;
 
-  /// One cell. A number is \LiterateCell{format}{number}{mathematics}: the widest number of the
-  /// column as siunitx's table-format, the number itself, and the number padded to that width. With
-  /// a mark it is \LiterateMarkedCell, which has the mark besides.
+  /// One cell; a number is mathematics, padded to the width of the column.
   std::string cell(std::size_t row) const;
 
   /// The text of a cell, or its digits without the column's power of ten.

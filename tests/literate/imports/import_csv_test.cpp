@@ -55,8 +55,12 @@ class Checkout {
   TemporaryFolder folder_;
 };
 
+// The table, and behind it each of its numbers in braces.
 std::string latex_of_points(const Document& document) {
-  return document.tables().at("points").latex();
+  const Table& table = document.tables().at("points");
+  std::string text = table.latex();
+  for (const auto& [cell, printed] : table.printed_numbers()) text += "{" + printed + "}";
+  return text;
 }
 
 bool holds(const std::string& text, const std::string& part) {

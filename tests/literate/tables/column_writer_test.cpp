@@ -10,7 +10,6 @@ BOOST_AUTO_TEST_SUITE(column_writer_test)
 
 using literate::aligned_number;
 using literate::NumberWidth;
-using literate::table_format;
 using literate::widest;
 using literate::width_of;
 
@@ -33,12 +32,6 @@ std::string without_blanks(std::string text) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(the_format_holds_the_widest_number_of_each_kind) {
-  BOOST_TEST(table_format(of_all({"-1.5", "12345.678"})) == "-5.3");
-  BOOST_TEST(table_format(of_all({"1.5e-6", "-2.39e12", "0"})) == "-1.2e-2");
-  BOOST_TEST(table_format(of_all({"7", "100"})) == "3");
-}
 
 BOOST_AUTO_TEST_CASE(thin_spaces_group_from_five_digits_on_away_from_the_point) {
   const auto alone = [](const std::string& number) {
