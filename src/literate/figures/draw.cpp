@@ -53,13 +53,10 @@ void require_script(const Scripts& scripts, const std::string& name, const std::
                                     scripts.label_of(name), place));
 }
 
-/// The files that the program wrote for a figure: its variables and its data.
-std::vector<std::string> computed_files(const fs::path& folder, const std::string& name) {
-  std::vector<std::string> files = sys::files_below(folder);
-  std::erase_if(files, [&](const std::string& file) {
-    return file != name + ".gp" && !file.ends_with(".csv");
-  });
-  return files;
+/// What a drawing in a folder was made from; empty if none is there.
+std::string record_in(const fs::path& folder) {
+  const fs::path record = folder / record_name;
+  return fs::is_regular_file(record) ? sys::read_file(record) : std::string();
 }
 
 /// Where the scripts and data of the figures lie that were drawn beside one that gnuplot refused.
@@ -94,17 +91,12 @@ class Drawing {
 
   /// Whether the drawing that is there was made from this, and lies beside a copy of it.
   bool is_up_to_date() const {
-    const fs::path record = computed_ / record_name;
-    return fs::is_regular_file(record) && sys::read_file(record) == record_of(computed_) &&
-           are_as_recorded(inputs_, computed_);
+    return record_in(computed_) == record_of(computed_) && are_as_recorded(inputs_, computed_);
   }
 
   void draw(const fs::path& staging) const {
     const fs::path folder = staging / "figures" / name_;
-    fs::create_directories(folder);
-    for (const std::string& file : computed_files(computed_, name_)) {
-      fs::copy_file(computed_ / file, folder / file);
-    }
+    copy_computed(computed_, name_, folder);
     sys::write_file_atomically(folder / "script.gp", script_);
 
     const sys::ProcessResult result = run_gnuplot(folder, name_);
@@ -222,11 +214,8 @@ std::vector<std::string> drawn_files(const FigurePlaces& figures) {
 void require_drawn(const fs::path& generated, const FigurePlaces& figures) {
   for (const auto& [name, place] : figures) {
     const fs::path folder = generated / "figures" / name;
-    const fs::path record = folder / record_name;
-    if (fs::is_regular_file(record)) {
-      const auto drawn = sys::parse_record(sys::read_file(record));
-      if (drawn && are_as_recorded(*drawn, folder)) continue;
-    }
+    const auto drawn = sys::parse_record(record_in(folder));
+    if (drawn && !drawn->empty() && are_as_recorded(*drawn, folder)) continue;
     throw sys::OutputError(fmt::format(
         "figure '{}' in '{}' is not drawn from the data that are there; `draw` comes before this",
         name, generated.string()));
@@ -235,49 +224,35 @@ void require_drawn(const fs::path& generated, const FigurePlaces& figures) {
 
 namespace {
 
-constexpr const char* width_record = "drawn.sha256";
-
 double centimetres(std::int64_t scaled_points) {
   return static_cast<double>(scaled_points) / 65536 / 72.27 * 2.54;
 }
 
-/// What a drawing is made from: all that the drawing of the figure's own width is made from.
-std::string drawn_from(const fs::path& generated, const FigureAtWidth& figure) {
-  const fs::path record = generated / "figures" / figure.name / width_record;
-  return fs::is_regular_file(record) ? sys::read_file(record) : std::string();
-}
-
-std::string record_of(const std::string& inputs, const fs::path& folder, const std::string& name) {
+/// The drawing in this folder, and all that the drawing of the figure's own width is made from.
+std::string record_of(const fs::path& generated, const std::string& name, const fs::path& folder) {
   sys::Record drawn = sys::record_entries(folder, {name + ".pdf", name + ".tex"});
   for (sys::RecordEntry& entry : drawn) entry.name = "at width " + entry.name;
-  return inputs + sys::record_text(drawn);
+  return record_in(generated / "figures" / name) + sys::record_text(drawn);
 }
 
 bool is_up_to_date(const fs::path& generated, const fs::path& output, const FigureAtWidth& figure) {
   const fs::path folder = output / folder_of(figure);
-  const fs::path record = folder / width_record;
-  return fs::is_regular_file(record) &&
-         sys::read_file(record) == record_of(drawn_from(generated, figure), folder, figure.name);
+  return record_in(folder) == record_of(generated, figure.name, folder);
 }
 
 void draw(const fs::path& generated, const fs::path& work, const fs::path& drawn,
           const FigureAtWidth& figure, const ScriptRun& run) {
   const fs::path computed = generated / "figures" / figure.name;
-  fs::create_directories(run.folder);
-  fs::copy_file(generated / "figures/style.gp", work / "style.gp", fs::copy_options::skip_existing);
-  for (const std::string& file : sys::files_below(computed)) {
-    const bool is_read =
-        file == figure.name + ".gp" || file == "script.gp" || file.ends_with(".csv");
-    if (is_read) fs::copy_file(computed / file, run.folder / file);
-  }
+  copy_computed(computed, figure.name, run.folder);
+  fs::copy_file(computed / "script.gp", run.folder / "script.gp");
+  fs::copy_file(generated / "figures/style.gp", work / "style.gp");
   require_drawn_well(run, run_gnuplot(run.folder, figure.name,
                                       fmt::format("width_cm={:.6f}", centimetres(figure.width))));
   fs::create_directories(drawn);
   for (const std::string ending : {".pdf", ".tex"}) {
     fs::rename(run.folder / (figure.name + ending), drawn / (figure.name + ending));
   }
-  sys::write_file_atomically(drawn / width_record,
-                             record_of(drawn_from(generated, figure), drawn, figure.name));
+  sys::write_file_atomically(drawn / record_name, record_of(generated, figure.name, drawn));
 }
 
 }  // namespace
@@ -320,7 +295,7 @@ std::vector<std::string> keep_at_widths(const fs::path& output,
   for (const std::string& file : sys::files_below(output)) {
     if (!folders.contains(fs::path(file).parent_path().generic_string())) {
       fs::remove(output / file);
-    } else if (!file.ends_with(width_record)) {
+    } else if (!file.ends_with(record_name)) {
       files.push_back(file);
     }
   }

@@ -68,6 +68,21 @@ sys::ProcessResult run_gnuplot(const fs::path& folder, const std::string& name,
   return result;
 }
 
+std::vector<std::string> computed_files(const fs::path& folder, const std::string& name) {
+  std::vector<std::string> files = sys::files_below(folder);
+  std::erase_if(files, [&](const std::string& file) {
+    return file != name + ".gp" && !file.ends_with(".csv");
+  });
+  return files;
+}
+
+void copy_computed(const fs::path& folder, const std::string& name, const fs::path& copy) {
+  fs::create_directories(copy);
+  for (const std::string& file : computed_files(folder, name)) {
+    fs::copy_file(folder / file, copy / file);
+  }
+}
+
 namespace {
 
 /// What gnuplot says about a line of a script.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "system/process.hpp"
 
@@ -15,6 +16,14 @@ namespace literate {
 /// the caller's to judge. Throws sys::ToolError if there is no gnuplot.
 sys::ProcessResult run_gnuplot(const std::filesystem::path& folder, const std::string& name,
                                const std::string& settings = {});
+
+/// The files that the program wrote for a figure into its folder: its variables and its data.
+std::vector<std::string> computed_files(const std::filesystem::path& folder,
+                                        const std::string& name);
+
+/// Copies them to a folder, which is made.
+void copy_computed(const std::filesystem::path& folder, const std::string& name,
+                   const std::filesystem::path& copy);
 
 /// One figure whose script gnuplot runs, and what messages call its parts.
 struct ScriptRun {

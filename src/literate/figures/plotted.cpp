@@ -146,12 +146,8 @@ bool has_second_axes(const std::string& script) {
 /// Runs another form of a figure's script on its data, in a folder of its own.
 sys::ProcessResult run_as(const fs::path& folder, const std::string& name, const fs::path& copy,
                           const std::string& script, const std::string& settings) {
-  fs::create_directories(copy);
-  for (const std::string& file : sys::files_below(folder)) {
-    if (file.ends_with(".csv") || file == name + ".gp") fs::copy_file(folder / file, copy / file);
-  }
-  sys::write_file_atomically(copy.parent_path() / "style.gp",
-                             sys::read_file(folder.parent_path() / "style.gp"));
+  copy_computed(folder, name, copy);
+  fs::copy_file(folder.parent_path() / "style.gp", copy.parent_path() / "style.gp");
   sys::write_file_atomically(copy / "script.gp", script);
   return run_gnuplot(copy, name, settings);
 }
