@@ -39,6 +39,9 @@ std::size_t n_characters(std::string_view text);
 /// Splits a text into lines, without their ends "\n" or "\r\n". No line follows the last line end.
 std::vector<std::string_view> lines_of(std::string_view text);
 
+/// The parts of a text between separators, without empty ones.
+std::vector<std::string> split(std::string_view text, char separator);
+
 /// Removes blanks, tabs and line ends from both ends of a text.
 std::string_view stripped(std::string_view text);
 

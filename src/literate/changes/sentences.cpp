@@ -116,15 +116,6 @@ std::vector<Extent> branches_in(std::string_view latex) {
   return extents;
 }
 
-std::string without_comments(std::string_view text) {
-  std::string left;
-  TexScanner scanner(text);
-  while (const auto token = scanner.next()) {
-    if (token->kind != TexKind::comment) left += token->text;
-  }
-  return sys::one_line(left);
-}
-
 }  // namespace
 
 std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,

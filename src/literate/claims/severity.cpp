@@ -12,19 +12,6 @@
 
 namespace literate {
 namespace fs = std::filesystem;
-namespace {
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-}  // namespace
 
 std::string Severity::text_of(const std::string& claim) const {
   const auto found = n_turning.find(claim);
@@ -74,7 +61,7 @@ std::optional<Severity> read_severity(const fs::path& file, const fs::path& root
     refuse("the first line is not «# SHA-256 of folders»");
   }
   const std::vector<std::string> names =
-      split(std::string_view(head).substr(begins.size() + digest_length + of.size()), ':');
+      sys::split(std::string_view(head).substr(begins.size() + digest_length + of.size()), ':');
   const std::string this_case = fs::relative(case_file, root).generic_string();
   if (std::ranges::find(names, this_case) == names.end()) return std::nullopt;
   if (!std::ranges::all_of(names, [&](const auto& name) { return fs::exists(root / name); }) ||

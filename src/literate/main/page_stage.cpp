@@ -6,7 +6,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "literate/page/page.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -86,14 +86,6 @@ ExitCode write(const Settings& settings) {
   return ExitCode::success;
 }
 
-// The parts of a text between separators, without the blanks before them.
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream >> std::ws, part, separator);) parts.push_back(part);
-  return parts;
-}
-
 // Authors as the page prints them, unless a CITATION.cff names them.
 PageCitation citation_of(const Settings& settings, const Site& site) {
   const nlohmann::json page =
@@ -122,7 +114,7 @@ ExitCode embed(const Settings& settings, const Site& site) {
                                      .data = page_data(settings.generated(), build / "plotted"),
                                      .meta = citation_tags(citation),
                                      .bibtex = bibtex_entry(citation),
-                                     .beside = parts_of(site.beside, ':'),
+                                     .beside = sys::split(site.beside, ':'),
                                      .build = build});
   if (!site.folder.empty()) {
     sys::write_file_atomically(fs::path(site.folder) / (settings.name + "-citation.bib"),

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <map>
-#include <sstream>
 
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -47,14 +46,13 @@ Settings read_settings(const std::filesystem::path& file) {
                     .output = values["output"],
                     .repository = values["repository"],
                     .engine = values["engine"]};
-  std::istringstream reads(values["reads"]);
-  for (std::string read; std::getline(reads, read, ':');) settings.reads.emplace_back(read);
-  std::istringstream tools(values["tools"]);
-  for (std::string tool; std::getline(tools, tool, ':');) settings.tools.push_back(tool);
-  std::istringstream records(values["records"]);
-  for (std::string record; std::getline(records, record, ':');) {
-    settings.records.emplace_back(record);
+  for (const std::string& path : sys::split(values["reads"], ':')) {
+    settings.reads.emplace_back(path);
   }
+  for (const std::string& path : sys::split(values["records"], ':')) {
+    settings.records.emplace_back(path);
+  }
+  settings.tools = sys::split(values["tools"], ':');
   if (!values["latex"].empty()) settings.latex = values["latex"];
   if (settings.latex != "pdflatex" && settings.latex != "lualatex") {
     throw sys::InputError(fmt::format("{}: the setting 'latex' is '{}', not pdflatex or lualatex",

@@ -64,7 +64,8 @@ sys::ExitCode compare(const ChangesOptions& options) {
       folder / "answer.md",
       answer_to_referees(changes, compared, has_text ? former : sentences, sentences));
   fmt::print("{}", changes_text(changes));
-  if (changes.empty()) fmt::print("no value, text, table, figure, listing, verdict or limit differs\n");
+  if (changes.empty())
+    fmt::print("no value, text, table, figure, listing, verdict or limit differs\n");
   return sys::ExitCode::success;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
-#include <sstream>
 #include <string>
-#include <vector>
 
 #include "command_line/options.hpp"
 #include "literate/excerpts/excerpt.hpp"
 #include "literate/program/commands.hpp"
 #include "system/files.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {
@@ -15,13 +14,6 @@ namespace {
 struct ExcerptsOptions {
   std::string source, folders, output;
 };
-
-std::vector<std::string> split_at_colons(const std::string& text) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ':');) parts.push_back(part);
-  return parts;
-}
 
 }  // namespace
 
@@ -39,7 +31,7 @@ void add_excerpts_command(CLI::App& program, sys::ExitCode& exit_code) {
         add_required_text(command, "--output", options->output, "FILE",
                           "The source to write; left alone if it would not change");
         return [options] {
-          const auto excerpts = find_excerpts(options->source, split_at_colons(options->folders));
+          const auto excerpts = find_excerpts(options->source, sys::split(options->folders, ':'));
           sys::write_if_changed(options->output, excerpt_hashes_source(excerpts, "literate"));
           return ExitCode::success;
         };

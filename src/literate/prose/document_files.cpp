@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include "literate/prose/tex_commands.hpp"
 #include "system/files.hpp"
@@ -85,9 +84,8 @@ bool is_in_tex(const fs::path& folder, const std::string& name) {
 /// The names of the databases in the argument of \bibliography or \addbibresource, as files.
 std::vector<std::string> databases(const TexCommand& use) {
   std::vector<std::string> files;
-  std::istringstream names(use.argument);
-  for (std::string name; std::getline(names, name, ',');) {
-    name = sys::stripped(name);
+  for (const std::string& part : sys::split(use.argument, ',')) {
+    const std::string name(sys::stripped(part));
     if (!name.empty()) files.push_back(name.ends_with(".bib") ? name : name + ".bib");
   }
   return files;

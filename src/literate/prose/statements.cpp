@@ -32,16 +32,6 @@ std::string take_group(std::string_view& text, char open, char close) {
   return std::string(group.substr(1, group.size() - 2));
 }
 
-/// LaTeX without its comments, which end with their line.
-std::string without_comments(std::string_view latex) {
-  std::string text;
-  TexScanner scanner(latex);
-  while (const auto token = scanner.next()) {
-    if (token->kind != TexKind::comment) text += token->text;
-  }
-  return text;
-}
-
 std::string text_of_place(const Statement& statement) {
   return fmt::format("{}:{}:{}", statement.file, statement.line, statement.column);
 }
@@ -87,9 +77,9 @@ class InReadingOrder {
                         .line = command.line,
                         .column = command.column,
                         .branches = command.branches};
-    statement.source = sys::one_line(without_comments(take_group(rest, '[', ']')));
+    statement.source = without_comments(take_group(rest, '[', ']'));
     statement.id = take_group(rest, '{', '}');
-    statement.sentence = sys::one_line(without_comments(take_group(rest, '{', '}')));
+    statement.sentence = without_comments(take_group(rest, '{', '}'));
     statements.push_back(std::move(statement));
   }
 

@@ -115,6 +115,15 @@ TexToken TexScanner::take_environment(bool begins, std::size_t n_bytes, std::str
   return take(begins ? TexKind::begin : TexKind::end, n_bytes, name);
 }
 
+std::string without_comments(std::string_view latex) {
+  std::string text;
+  TexScanner scanner(latex);
+  while (const auto token = scanner.next()) {
+    if (token->kind != TexKind::comment) text += token->text;
+  }
+  return sys::one_line(text);
+}
+
 std::string_view group_at(std::string_view text, char open, char close) {
   std::size_t at = text.find_first_not_of(" \t");
   if (at == npos || text[at] != open) return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace literate {
@@ -58,6 +59,9 @@ class TexScanner {
   std::string_view rest_;
   TexMode mode_ = TexMode::text;
 };
+
+/// LaTeX in one line, without its comments, which end with their line.
+std::string without_comments(std::string_view latex);
 
 /// The group at the start of a text, with its delimiters and the blanks before them; empty if the
 /// text starts with something else or the group is not closed.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -99,8 +98,7 @@ std::vector<fs::path> tex_folders() {
   const sys::ProcessResult said =
       sys::run({.program = "kpsewhich", .arguments = {"-expand-path=$TEXMF"}});
   std::vector<fs::path> folders;
-  std::istringstream names(said.output);
-  for (std::string name; std::getline(names, name, ':');) {
+  for (const std::string& name : sys::split(said.output, ':')) {
     folders.push_back(fs::weakly_canonical(sys::stripped(name)));
   }
   return folders;
