@@ -157,6 +157,12 @@ std::string unescaped(std::string_view text) {
 
 }  // namespace
 
+std::optional<std::string> name_below(const fs::path& folder, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(folder);
+  if (relative.empty() || *relative.begin() == "..") return std::nullopt;
+  return relative.generic_string();
+}
+
 RecordEntry record_entry(const fs::path& folder, const std::string& file) {
   const bool is_there = fs::is_regular_file(folder / file);
   return {is_there ? sha256_of_file(folder / file) : "-", file};

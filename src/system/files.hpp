@@ -36,6 +36,11 @@ std::string sha256_of_file(const std::filesystem::path& file);
 /// OutputError if it cannot be read.
 std::vector<std::string> files_below(const std::filesystem::path& folder);
 
+/// A file's name from a folder on, as a generic path; none if it lies elsewhere. Both are whole
+/// paths.
+std::optional<std::string> name_below(const std::filesystem::path& folder,
+                                      const std::filesystem::path& file);
+
 /// What a file was, or something else that a result depends on.
 struct RecordEntry {
   std::string digest;  ///< a SHA-256; "-" for a file that is not there

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
+#include <deque>
 #include <iterator>
 #include <mutex>
 
@@ -37,32 +37,20 @@ std::string text_of(const SourcePlace& place) {
 
 namespace {
 
-struct KeptText {
-  std::array<char, 400> characters{};
-  std::size_t size = 0;
-};
-
-// One is read while the other is written.
-std::array<KeptText, 2> kept_texts;
-std::atomic<int> current_text = -1;
+std::mutex registering;
+std::deque<std::string> told;  // whose texts stay where they are
+std::atomic<const std::string*> last = nullptr;
 
 }  // namespace
 
 void remember_last_registered(const std::string& what) {
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  const int next = current_text == 0 ? 1 : 0;
-  KeptText& text = kept_texts.at(static_cast<std::size_t>(next));
-  text.size = std::min(what.size(), text.characters.size());
-  std::copy_n(what.begin(), text.size, text.characters.begin());
-  current_text = next;
+  const std::lock_guard lock(registering);
+  last = &told.emplace_back(what);
 }
 
 std::string_view last_registered() {
-  const int i = current_text;
-  if (i < 0) return "nothing";
-  const KeptText& text = kept_texts[static_cast<std::size_t>(i)];
-  return {text.characters.data(), text.size};
+  const std::string* const text = last;
+  return text == nullptr ? "nothing" : std::string_view(*text);
 }
 
 std::vector<Check> failed_checks(const Registered& registered) {

@@ -35,9 +35,8 @@ std::string text_of(const SourcePlace& place);
 /// Remembers what was registered, such as «value 'x' (src/main.cpp:31)». Any thread may call this.
 void remember_last_registered(const std::string& what);
 
-/// What was registered last, by any thread; «nothing» before the first. The text stays as it is
-/// until the next but one call of remember_last_registered, and no memory is asked for, so that a
-/// signal handler may call this.
+/// What was registered last, by any thread; «nothing» before the first. No memory is asked for, so
+/// that a signal handler may call this.
 std::string_view last_registered();
 
 /// Something that must hold for the computation to be trusted, and whether it did.

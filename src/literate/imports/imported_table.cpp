@@ -199,9 +199,8 @@ namespace {
 
 std::string name_below(const fs::path& root, const fs::path& file) {
   const fs::path whole = fs::weakly_canonical(file);
-  const fs::path relative = whole.lexically_relative(fs::weakly_canonical(root));
-  const bool is_inside = !relative.empty() && *relative.begin() != "..";
-  std::string name = (is_inside ? relative : whole.filename()).generic_string();
+  std::string name = sys::name_below(fs::weakly_canonical(root), whole)
+                         .value_or(whole.filename().generic_string());
   constexpr std::string_view allowed =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+.,=/-";
   if (name.find_first_not_of(allowed) != name.npos) {

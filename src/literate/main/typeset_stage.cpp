@@ -50,9 +50,7 @@ Manifest::Texts sources_below(const fs::path& source, const std::string& folder,
 // A file or folder from the root on, or by its name alone if it lies elsewhere: no folder of the
 // machine is told.
 std::string name_within(const fs::path& root, const fs::path& file) {
-  const fs::path relative = file.lexically_relative(root);
-  const bool is_inside = !relative.empty() && *relative.begin() != "..";
-  return (is_inside ? relative : file.filename()).generic_string();
+  return sys::name_below(root, file).value_or(file.filename().generic_string());
 }
 
 // The folder of the gnuplot scripts, from the root on.

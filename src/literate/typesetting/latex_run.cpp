@@ -54,11 +54,6 @@ std::string recorded(const TypesetOptions& options, const fs::path& at) {
   return fs::is_regular_file(recorder) ? sys::read_file(recorder) : "";
 }
 
-bool is_below(const fs::path& folder, const fs::path& file) {
-  const fs::path relative = file.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
-}
-
 }  // namespace
 
 bool was_made_here(const TypesetOptions& options, const fs::path& at) {
@@ -69,7 +64,7 @@ bool was_made_here(const TypesetOptions& options, const fs::path& at) {
   for (const std::string_view line : sys::lines_of(text)) {
     if (line.starts_with("PWD ")) is_source = fs::weakly_canonical(line.substr(4)) == source;
     if (line.starts_with("OUTPUT ")) {
-      is_output = is_output || is_below(made, fs::weakly_canonical(source / line.substr(7)));
+      is_output = is_output || sys::name_below(made, fs::weakly_canonical(source / line.substr(7)));
     }
   }
   return is_source && is_output;
@@ -149,8 +144,8 @@ void require_read_within(const TypesetOptions& options) {
   std::vector<std::string> errors;
   for (const std::string& file : files) {
     const fs::path path = fs::weakly_canonical(fs::absolute(options.source_dir) / file);
-    const bool is_known =
-        std::ranges::any_of(known, [&](const fs::path& folder) { return is_below(folder, path); });
+    const bool is_known = std::ranges::any_of(
+        known, [&](const fs::path& folder) { return sys::name_below(folder, path).has_value(); });
     if (!is_known && is_authors(file)) errors.push_back(stray(options, file));
   }
   if (!errors.empty()) throw sys::InputError(fmt::format("{}", fmt::join(errors, "\n")));
