@@ -85,11 +85,6 @@ void add_text(CLI::App& command, const std::string& flag, std::string& text,
   add(command, flag, text, help)->type_name(type);
 }
 
-void add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
-               const std::string& type, const std::string& help) {
-  command.add_option(name, texts, help)->type_name(type)->required();
-}
-
 void add_required_text(CLI::App& command, const std::string& flag, std::string& text,
                        const std::string& type, const std::string& help) {
   add(command, flag, text, help)->type_name(type)->required();

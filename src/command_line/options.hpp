@@ -41,10 +41,6 @@ void add_command(CLI::App& program, const std::string& name, const std::string& 
 void add_text(CLI::App& command, const std::string& flag, std::string& text,
               const std::string& type, const std::string& help);
 
-/// Adds what stands on the command line without a flag: at least one text, shown as `type`.
-void add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
-               const std::string& type, const std::string& help);
-
 /// As add_text, for a flag that must be given.
 void add_required_text(CLI::App& command, const std::string& flag, std::string& text,
                        const std::string& type, const std::string& help);

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -90,11 +89,5 @@ class Table {
   explicit Table(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
   std::shared_ptr<const Node> node_;
 };
-
-/// All entries of a case file as text, by their keys with dots between: «load.peak» → «1000 psi».
-///
-/// A quantity is its number and its unit, a text has no quotes, and everything else stands as the
-/// file writes it, in one line. Throws Error for a file that cannot be read or is not TOML.
-std::map<std::string, std::string> entries_of(const std::filesystem::path& file);
 
 }  // namespace config

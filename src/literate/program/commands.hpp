@@ -19,7 +19,4 @@ void add_excerpts_command(CLI::App& program, sys::ExitCode& exit_code);
 /// Adds `literate changes`, which compares two states of a paper.
 void add_changes_command(CLI::App& program, sys::ExitCode& exit_code);
 
-/// Adds `literate cases`, which sets the papers of several cases side by side.
-void add_cases_command(CLI::App& program, sys::ExitCode& exit_code);
-
 }  // namespace literate

@@ -7,7 +7,6 @@ int main(int argc, char** argv) {
       {.name = "literate",
        .description = "Papers whose numbers, tables, figures and claims come from their program.",
        .version = "literate " LITERATE_VERSION},
-      {literate::add_new_command, literate::add_excerpts_command, literate::add_cases_command,
-       literate::add_changes_command},
+      {literate::add_new_command, literate::add_excerpts_command, literate::add_changes_command},
       argc, argv);
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# cases_test.sh SOURCE PROGRAM: `literate cases` sets the results of several cases side by side.
+# cases_test.sh SOURCE: `cases` sets the results of several cases side by side.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
-literate=$2
+cases=$source_dir/src/literate/scripts/cases
 cd "$scratch" || exit 1
 
 # a_case NAME EXIT_CODE PRINTED VERDICT: names longer than what a string keeps in itself.
@@ -21,7 +21,7 @@ a_case two 1 '2.5 mm' refuted
 printf 'length = {value = 1, unit = "m"}\nload = 3\n' >one/case.toml
 printf 'length = {value = 2, unit = "m"}\nload = 3\n' >two/case.toml
 
-runs "$literate" cases one two --output cases.csv
+runs python3 -B "$cases" one two --output cases.csv
 claim 'cases are compared without being told what' "$status" -eq 0
 name=deflection-of-the-free-end
 claim 'each case is a row, with what varies, all numbers, printed, unrounded and with their errors, and all claims' "$(cat cases.csv)" = \
@@ -29,21 +29,21 @@ claim 'each case is a row, with what varies, all numbers, printed, unrounded and
 one,0,1 m,1.5 mm,1.5,0.3,0.2,0.3,confirmed
 two,1,2 m,2.5 mm,1.5,0.3,0.2,0.3,refuted"
 
-runs "$literate" cases one two --keys title-of-this-case --output cases.csv
+runs python3 -B "$cases" one two --keys title-of-this-case --output cases.csv
 claim 'a key that is asked for stands there' "$(cut -d, -f4 cases.csv | tr '\n' ' ')" = 'title-of-this-case a a '
 
 echo 'not = ' >two/case.toml
-runs "$literate" cases one two --output cases.csv
+runs python3 -B "$cases" one two --output cases.csv
 claim 'a case file that cannot be read leaves the others' "$(sed -n 3p cases.csv)" = 'two,1,,,2.5 mm,1.5,0.3,0.2,0.3,refuted'
 
 echo 2 >two/exit_code
-runs "$literate" cases one two --output cases.csv
+runs python3 -B "$cases" one two --output cases.csv
 claim 'a case that was computed and whose prose is wrong has its values' "$(sed -n 3p cases.csv)" = 'two,2,,,2.5 mm,1.5,0.3,0.2,0.3,refuted'
 rm two/computed
-runs "$literate" cases one two --output cases.csv
+runs python3 -B "$cases" one two --output cases.csv
 claim 'one that could not be computed has none of a run before' "$(sed -n 3p cases.csv)" = 'two,2,,,,,,,,'
 
-runs "$literate" cases one two --keys titel --output other.csv
+runs python3 -B "$cases" one two --keys titel --output other.csv
 claim 'a key that no case has is refused with 2' "$status $(says "no case has a value 'titel'")" = '2 yes'
 claim 'and nothing is written' ! -e other.csv
 
