@@ -16,6 +16,18 @@ cd "$root" || exit
 # cached VARIABLE: its value in CMake's cache.
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 
+# as_here CHECKOUT BUILD CASE OUTPUT: sets $configured to the command that configures another checkout as this one is: with the same
+# compiler, flags, engine and prefixes, but for a cache of the compiler. The project may lie below the paper's repository.
+as_here() {
+  local place setting
+  place=$(cached CMAKE_HOME_DIRECTORY)
+  configured=(cmake -S "$1${place#"$root"}" -B "$2" -G Ninja "-D${name}_CASE:FILEPATH=$3" "-D${name}_OUTPUT=$4")
+  while IFS= read -r setting; do configured+=("-D$setting"); done < <(
+    grep -E -e '^(literate_DIR|CMAKE_PREFIX_PATH|FETCHCONTENT_[A-Z_]*):[A-Z]+=.' \
+      -e '^CMAKE_(BUILD_TYPE|UNITY_BUILD|CXX_COMPILER|CXX_FLAGS|CXX_FLAGS_RELEASE):' "$build/CMakeCache.txt" |
+      grep -v '^FETCHCONTENT_BASE_DIR:' || true)
+}
+
 # forget_objects: removes those that were compiled from other files than there are now: of an older file in the place of one that
 # was compiled, its time tells Ninja nothing.
 forget_objects() {
