@@ -38,7 +38,7 @@ cat >CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(rod LANGUAGES CXX)
 add_executable(rod_program src/rod.cpp)
-add_custom_target(rod_linked DEPENDS rod_program)
+add_custom_target(rod_linked COMMAND sh -c "sha256sum '${CMAKE_SOURCE_DIR}/src/rod.cpp' >rod.compiled" DEPENDS rod_program VERBATIM)
 set(rod_OUTPUT "${CMAKE_BINARY_DIR}/rod" CACHE PATH "")
 file(WRITE "${CMAKE_BINARY_DIR}/rod.settings" "name=rod
 project=rod
