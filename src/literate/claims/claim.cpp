@@ -4,21 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace literate {
 
 std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::confirmed:
-      return "confirmed";
-    case Verdict::partly:
-      return "partly confirmed";
-    case Verdict::refuted:
-      return "refuted";
-    case Verdict::undecided:
-      break;
-  }
-  return "undecided";
+  constexpr std::array names{"confirmed", "partly confirmed", "refuted", "undecided"};
+  return names.at(static_cast<std::size_t>(verdict));
 }
 
 Verdict verdict_of(const std::vector<Criterion>& criteria) {

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 #include "literate/text/latex.hpp"
@@ -223,17 +225,8 @@ Limit Limit::counting(double k) const {
 }
 
 std::string_view name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::holds:
-      return "holds";
-    case Outcome::holds_in_part:
-      return "holds in part";
-    case Outcome::fails:
-      return "fails";
-    case Outcome::undecided:
-      break;
-  }
-  return "undecided";
+  constexpr std::array names{"holds", "holds in part", "fails", "undecided"};
+  return names.at(static_cast<std::size_t>(outcome));
 }
 
 Criterion::Criterion(std::string name, Value quantity, Limit limit)

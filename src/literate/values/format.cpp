@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -13,6 +14,9 @@ namespace {
 using numerics::Estimate;
 using numerics::rounding::add_up;
 using numerics::rounding::multiply_up;
+
+constexpr std::array<std::string_view, 7> names_of_notations{
+    "significant", "fixed", "scientific", "integer", "exact", "supported", "uncertain"};
 
 void require_count(const char* what, int count, int least) {
   constexpr int most = 100;
@@ -76,32 +80,15 @@ std::optional<Decimal> first_digits(Estimate estimate) {
 }  // namespace
 
 std::string_view name_of(Notation notation) {
-  switch (notation) {
-    case Notation::significant:
-      return "significant";
-    case Notation::fixed:
-      return "fixed";
-    case Notation::scientific:
-      return "scientific";
-    case Notation::integer:
-      return "integer";
-    case Notation::exact:
-      return "exact";
-    case Notation::supported:
-      return "supported";
-    case Notation::uncertain:
-      return "uncertain";
-  }
-  throw std::logic_error("no name for this notation");
+  return names_of_notations.at(static_cast<std::size_t>(notation));
 }
 
 Notation notation_of(std::string_view name) {
-  for (const Notation notation :
-       {Notation::significant, Notation::fixed, Notation::scientific, Notation::integer,
-        Notation::exact, Notation::supported, Notation::uncertain}) {
-    if (name_of(notation) == name) return notation;
+  const auto found = std::ranges::find(names_of_notations, name);
+  if (found == names_of_notations.end()) {
+    throw std::invalid_argument(fmt::format("there is no notation '{}'", name));
   }
-  throw std::invalid_argument(fmt::format("there is no notation '{}'", name));
+  return static_cast<Notation>(found - names_of_notations.begin());
 }
 
 Format Format::in_percent() const {
