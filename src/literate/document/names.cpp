@@ -17,7 +17,7 @@ namespace literate {
 namespace {
 
 using nlohmann::json;
-using Places = std::map<std::string, std::string>;
+using Places = Names::Places;
 
 /// A standard uncertainty by its kinds; a bound of 0 beside it says nothing.
 void add_uncertainty(json& entry, const std::optional<Uncertainty>& uncertainty) {
@@ -159,13 +159,6 @@ json excerpts_json(const std::vector<Excerpt>& excerpts) {
   return entries;
 }
 
-template <typename Map>
-json keys_json(const Map& map) {
-  json keys = json::array();
-  for (const auto& entry : map) keys.push_back(entry.first);
-  return keys;
-}
-
 /// Where each of a kind was registered, «file:line» by its name.
 json places_json(const Registered& registered, std::string_view kind) {
   json places = json::object();
@@ -191,9 +184,8 @@ std::map<std::string, NamedClaim> claims_in(const json& entries) {
   std::map<std::string, NamedClaim> claims;
   for (const auto& entry : entries.items()) {
     const json& claim = entry.value();
-    claims[entry.key()] = {.place = claim.at("place"),
-                           .expected = claim.at("expected"),
-                           .found = claim.at("found")};
+    claims[entry.key()] = {
+        .place = claim.at("place"), .expected = claim.at("expected"), .found = claim.at("found")};
     for (const json& criterion : claim.at("criteria")) {
       claims[entry.key()].limits.push_back({.quantity = criterion.at("name"),
                                             .condition = criterion.at("limit"),
@@ -280,7 +272,8 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   }
   names["flags"] = registered.flags;
   names["cells"] = cells_json(registered.tables);
-  names["tables"] = keys_json(registered.tables);
+  names["tables"] = json::array();
+  for (const auto& [name, table] : registered.tables) names["tables"].push_back(name);
   names["places"] = {{"flags", places_json(registered, "flag")},
                      {"tables", places_json(registered, "table")}};
   names["figures"] = json::object();
@@ -304,17 +297,14 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
 Names read_names(const std::filesystem::path& file) {
   try {
     const json names = json::parse(sys::read_file(file));
-    return {.values = keys_of(names.at("values")),
+    return {.values = places_in(names.at("values")),
+            .tables = names.at("places").at("tables").get<Places>(),
+            .figures = places_in(names.at("figures")),
             .numbers = numbers_in(names.at("values")),
             .flags = names.at("flags").get<std::map<std::string, bool>>(),
-            .tables = names.at("tables").get<std::set<std::string>>(),
-            .figures = keys_of(names.at("figures")),
+            .flag_places = names.at("places").at("flags").get<Places>(),
             .excerpts = keys_of(names.at("excerpts")),
             .claims = claims_in(names.at("claims")),
-            .figure_places = places_in(names.at("figures")),
-            .value_places = places_in(names.at("values")),
-            .flag_places = names.at("places").at("flags").get<Places>(),
-            .table_places = names.at("places").at("tables").get<Places>(),
             .texts = texts_in(names.at("texts")),
             .faults = names.at("faults").get<std::vector<std::string>>(),
             .claim_notes = names.value("claim_notes", std::vector<std::string>{}),

@@ -52,15 +52,14 @@ struct StoredNumber {
 
 /// The names that a document may refer to, read from names.json.
 struct Names {
-  std::set<std::string> values;
+  using Places = std::map<std::string, std::string>;  ///< where each was registered, by its name
+
+  Places values, tables, figures;
   std::map<std::string, StoredNumber> numbers;  ///< of those values that are no texts
   std::map<std::string, bool> flags;            ///< with whether they are set
-  std::set<std::string> tables;
-  std::set<std::string> figures;
+  Places flag_places;
   std::set<std::string> excerpts;
   std::map<std::string, NamedClaim> claims;
-  std::map<std::string, std::string> figure_places;  ///< where each was registered
-  std::map<std::string, std::string> value_places, flag_places, table_places;  ///< the same
   std::vector<NamedText> texts;     ///< of the program that reach the document
   std::vector<std::string> faults;  ///< a line each; empty if the document is to be trusted
   std::vector<std::string> claim_notes = {};  ///< what an author should know of the claims

@@ -46,7 +46,7 @@ std::vector<std::string> script_findings(const std::filesystem::path& generated,
   const std::filesystem::path scratch = generated.string() + ".points";
   const auto figures = generated / "figures";
   std::vector<std::string> drawn;
-  for (const auto& [name, place] : names.figure_places) {
+  for (const auto& [name, place] : names.figures) {
     if (std::filesystem::is_regular_file(figures / name / "script.gp")) drawn.push_back(name);
   }
   std::vector<std::vector<std::string>> found(drawn.size());

@@ -27,7 +27,7 @@ FileDigests files_of(const Settings& settings, const Names& names) {
   FileDigests files;
   const std::filesystem::path figures = settings.generated() / "figures";
   const std::filesystem::path folder = std::filesystem::absolute(settings.figures);
-  for (const std::string& name : names.figures) {
+  for (const auto& [name, place] : names.figures) {
     files[(folder / (name + ".gp")).string()] = sys::sha256_of_file(figures / name / "script.gp");
   }
   if (!names.figures.empty()) {
@@ -60,7 +60,7 @@ sys::ExitCode draw_changed(const Settings& settings) {
   const std::filesystem::path generated = settings.generated();
   StageRecord record(settings.record("draw"));
   const Names names = read_names(generated / "names.json");
-  const std::size_t n_drawn = draw_figures(generated, settings.figures, names.figure_places);
+  const std::size_t n_drawn = draw_figures(generated, settings.figures, names.figures);
   write_attached(generated);
   sys::write_if_changed(settings.digest(), digest_of(generated));
   record.done(files_of(settings, names));

@@ -61,7 +61,7 @@ std::string scripts_folder(const fs::path& root, const Settings& settings) {
 // All that `compute` and `draw` wrote.
 std::vector<std::string> made_files(const Names& names) {
   std::vector<std::string> files = names.files;
-  std::ranges::move(drawn_files(names.figure_places), std::back_inserter(files));
+  std::ranges::move(drawn_files(names.figures), std::back_inserter(files));
   files.emplace_back(attached_list);
   return files;
 }
@@ -254,7 +254,7 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
   StageRecord record(settings.record("typeset"));
   const fs::path generated = settings.generated();
   const Names names = read_names(generated / "names.json");
-  require_drawn(generated, names.figure_places);
+  require_drawn(generated, names.figures);
   require_as_made(generated, settings.digest(), made_files(names));
   const FileDigests prose = prose_of(settings);
 
@@ -286,7 +286,7 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
                              .build_dir = settings.latex_folder(),
                              .output_pdf = settings.pdf(),
                              .engine = settings.latex,
-                             .figures = names.figure_places,
+                             .figures = names.figures,
                              .scripts_label = settings.figures.filename().string(),
                              .tolerates_overfull = tolerates_overfull()};
   Typeset done;

@@ -25,12 +25,11 @@
 namespace literate {
 namespace {
 
-/// A command, what its argument names, and the names that are registered.
+/// A command, what its argument names, and where each name is registered.
 struct ReferenceKind {
   const char* command;
   const char* noun;
-  const std::set<std::string>& names;
-  const std::map<std::string, std::string>& places;  ///< where each was registered
+  const Names::Places& places;
 };
 
 /// Whether a text prints the ledger, in which all claims stand.
@@ -42,32 +41,32 @@ bool prints_ledger(std::string_view text) {
   return false;
 }
 
+std::set<std::string> names_in(const Names::Places& places) {
+  std::set<std::string> names;
+  for (const auto& [name, place] : places) names.insert(name);
+  return names;
+}
+
 }  // namespace
 
 ReferenceReport check_references(const std::filesystem::path& source_dir, const Names& names) {
-  std::set<std::string> flags, claims, quotations;
-  std::map<std::string, std::string> claim_places, quotation_places, excerpt_places;
-  for (const auto& [flag, is_set] : names.flags) flags.insert(flag);
-  for (const auto& [id, claim] : names.claims) {
-    claims.insert(id);
-    claim_places[id] = claim.place;
-  }
+  Names::Places claims, quotations, excerpts;
+  for (const auto& [id, claim] : names.claims) claims[id] = claim.place;
+  for (const std::string& excerpt : names.excerpts) excerpts[excerpt];
   for (const Quotation& quotation : read_quotations(source_dir)) {
-    quotations.insert(quotation.id);
-    quotation_places[quotation.id] = quotation.place;
+    quotations[quotation.id] = quotation.place;
   }
-  const std::array<ReferenceKind, 11> kinds{
-      {{"val", "value", names.values, names.value_places},
-       {"rawval", "value", names.values, names.value_places},
-       {"ifflag", "flag", flags, names.flag_places},
-       {"tab", "table", names.tables, names.table_places},
-       {"fig", "figure", names.figures, names.figure_places},
-       {"excerpt", "excerpt", names.excerpts, excerpt_places},
-       {"claim", "claim", claims, claim_places},
-       {"finding", "claim", claims, claim_places},
-       {"findingsays", "claim", claims, claim_places},
-       {"quoted", "quotation", quotations, quotation_places},
-       {"quotedpage", "quotation", quotations, quotation_places}}};
+  const std::array<ReferenceKind, 11> kinds{{{"val", "value", names.values},
+                                             {"rawval", "value", names.values},
+                                             {"ifflag", "flag", names.flag_places},
+                                             {"tab", "table", names.tables},
+                                             {"fig", "figure", names.figures},
+                                             {"excerpt", "excerpt", excerpts},
+                                             {"claim", "claim", claims},
+                                             {"finding", "claim", claims},
+                                             {"findingsays", "claim", claims},
+                                             {"quoted", "quotation", quotations},
+                                             {"quotedpage", "quotation", quotations}}};
   std::set<std::string> commands;
   for (const ReferenceKind& kind : kinds) commands.insert(kind.command);
 
@@ -77,20 +76,21 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
   for (const std::string& file : document_files(source_dir)) {
     const std::string text = sys::read_file(source_dir / file);
     if (prints_ledger(text)) {
-      for (const std::string& claim : claims) used.emplace("claim", claim);
+      for (const auto& [id, place] : claims) used.emplace("claim", id);
     }
     for (const auto& use : commands_in(text, commands, own)) {
       const ReferenceKind& kind = *std::ranges::find(kinds, use.name, &ReferenceKind::command);
       used.emplace(kind.noun, use.argument);
-      if (kind.names.contains(use.argument) || is_left_out(use.branches, names.flags)) continue;
+      if (kind.places.contains(use.argument) || is_left_out(use.branches, names.flags)) continue;
       const std::string place =
           fmt::format("{}/{}:{}:{}", source_label(source_dir), file, use.line, use.column);
-      const bool is_flag = kind.noun == std::string_view("value") && flags.contains(use.argument);
+      const bool is_flag =
+          kind.noun == std::string_view("value") && names.flags.contains(use.argument);
       report.errors.push_back(
           is_flag ? fmt::format("{}: '{}' is a flag, which \\ifflag{{{}}}{{yes}}{{no}} asks for",
                                 place, use.argument, use.argument)
                   : fmt::format("{}: unknown {} '{}'{}", place, kind.noun, use.argument,
-                                sys::suggestion(use.argument, kind.names)));
+                                sys::suggestion(use.argument, names_in(kind.places))));
     }
   }
   for (std::string& error : statement_errors(statements_below(source_dir), names)) {
@@ -101,9 +101,9 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
     if (kind.command == std::string_view("rawval")) continue;      // told already, as \val
     if (kind.command == std::string_view("quotedpage")) continue;  // as \quoted
     if (std::string_view(kind.command).starts_with("finding")) continue;  // as \claim
-    for (const std::string& name : kind.names) {
+    for (const auto& [name, place] : kind.places) {
       if (!used.contains({kind.noun, name})) {
-        report.unused.push_back(fmt::format("{}: {} '{}'", kind.places.at(name), kind.noun, name));
+        report.unused.push_back(fmt::format("{}: {} '{}'", place, kind.noun, name));
       }
     }
   }

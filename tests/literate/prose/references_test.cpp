@@ -15,17 +15,14 @@ using Lines = std::vector<std::string>;
 
 namespace {
 
-const Names names{.values = {"peak.pressure", "load"},
+const Names names{.values = {{"peak.pressure", "a.cpp:1"}, {"load", "a.cpp:2"}},
+                  .tables = {{"results", "a.cpp:6"}},
+                  .figures = {{"pressure", "a.cpp:5"}},
                   .numbers = {},
                   .flags = {{"converged", true}, {"diverged", false}},
-                  .tables = {"results"},
-                  .figures = {"pressure"},
+                  .flag_places = {{"converged", "a.cpp:3"}, {"diverged", "a.cpp:4"}},
                   .excerpts = {"hertz"},
                   .claims = {{"load-is-peak", {"load.cpp:3:1", "confirmed", "confirmed"}}},
-                  .figure_places = {{"pressure", "a.cpp:5"}},
-                  .value_places = {{"peak.pressure", "a.cpp:1"}, {"load", "a.cpp:2"}},
-                  .flag_places = {{"converged", "a.cpp:3"}, {"diverged", "a.cpp:4"}},
-                  .table_places = {{"results", "a.cpp:6"}},
                   .texts = {},
                   .faults = {},
                   .files = {}};
