@@ -53,29 +53,16 @@ std::vector<Author> authors_of(const fs::path& file, const YAML::Node& node) {
   return authors;
 }
 
-Reference reference_of(const fs::path& file, const YAML::Node& node) {
-  const std::string date = text_of(node, "date-released");
-  return {.title = required_text(file, node, "title"),
-          .authors = authors_of(file, node),
-          .date = date.empty() ? text_of(node, "year") : date,
-          .notes = text_of(node, "notes"),
-          .doi = text_of(node, "doi")};
-}
-
 Citation citation_of(const fs::path& file, const YAML::Node& node) {
   if (!node.IsMap()) throw error_at(file, node.Mark(), "is not a CITATION.cff");
-  Citation citation{.title = required_text(file, node, "title"),
-                    .authors = authors_of(file, node),
-                    .abstract = text_of(node, "abstract"),
-                    .license = text_of(node, "license"),
-                    .doi = text_of(node, "doi"),
-                    .url = text_of(node, "url"),
-                    .repository = text_of(node, "repository-code"),
-                    .date = text_of(node, "date-released")};
-  for (const YAML::Node& entry : node["references"]) {
-    citation.references.push_back(reference_of(file, entry));
-  }
-  return citation;
+  return {.title = required_text(file, node, "title"),
+          .authors = authors_of(file, node),
+          .abstract = text_of(node, "abstract"),
+          .license = text_of(node, "license"),
+          .doi = text_of(node, "doi"),
+          .url = text_of(node, "url"),
+          .repository = text_of(node, "repository-code"),
+          .date = text_of(node, "date-released")};
 }
 
 }  // namespace

@@ -14,15 +14,6 @@ struct Author {
   std::string orcid = {};  ///< an address https://orcid.org/…; empty if none is given
 };
 
-/// Another work that this one cites.
-struct Reference {
-  std::string title;
-  std::vector<Author> authors;
-  std::string date = {};   ///< ISO 8601, to the day or the year; empty if none is given
-  std::string notes = {};  ///< how else it is known; empty if none are given
-  std::string doi = {};    ///< without an address in front; empty if none is given
-};
-
 /// What a CITATION.cff (Citation File Format 1.2) says of a work. What it leaves out is empty here.
 struct Citation {
   std::string title;
@@ -33,7 +24,6 @@ struct Citation {
   std::string url = {};
   std::string repository = {};
   std::string date = {};
-  std::vector<Reference> references = {};
 };
 
 /// Reads a CITATION.cff. Throws sys::InputError «file:line:column: …» if it is not YAML, or has no

@@ -162,12 +162,12 @@ void set_unless_empty(json& entity, const char* property, const std::string& tex
   if (!text.empty()) entity[property] = text;
 }
 
-std::vector<json> author_entities(const std::vector<Author>& authors, const std::string& prefix) {
+std::vector<json> author_entities(const std::vector<Author>& authors) {
   std::vector<json> entities;
   for (const Author& author : authors) {
     entities.push_back(
-        {{"@id", author.orcid.empty() ? fmt::format("#{}author-{}", prefix, entities.size() + 1)
-                                      : author.orcid},
+        {{"@id",
+          author.orcid.empty() ? fmt::format("#author-{}", entities.size() + 1) : author.orcid},
          {"@type", author.is_person ? "Person" : "Organization"},
          {"name", author.name}});
   }
@@ -240,25 +240,6 @@ json license_entity(const Citation& citation) {
       {"description", fmt::format("The license with the SPDX identifier {}", citation.license)}};
 }
 
-/// The works that this one cites, and behind each its authors.
-std::vector<json> cited_works(const Citation& citation, std::vector<json>& authors_of_works) {
-  std::vector<json> works;
-  for (const Reference& reference : citation.references) {
-    const std::string number = std::to_string(works.size() + 1);
-    const auto authors = author_entities(reference.authors, fmt::format("work-{}-", number));
-    json work{
-        {"@id", reference.doi.empty() ? "#work-" + number : "https://doi.org/" + reference.doi},
-        {"@type", "CreativeWork"},
-        {"name", reference.title},
-        {"author", references_to(authors)}};
-    set_unless_empty(work, "datePublished", reference.date);
-    set_unless_empty(work, "description", reference.notes);
-    works.push_back(std::move(work));
-    authors_of_works.insert(authors_of_works.end(), authors.begin(), authors.end());
-  }
-  return works;
-}
-
 json program_entity(const Citation& citation, const Manifest& manifest,
                     const std::vector<json>& authors, const std::vector<json>& software,
                     const json& license) {
@@ -315,10 +296,8 @@ std::string ro_crate_json(const Citation& citation, const Manifest& manifest,
 
   // Describe who and what made it.
   const json license = license_entity(citation);
-  const std::vector<json> authors = author_entities(citation.authors, "");
+  const std::vector<json> authors = author_entities(citation.authors);
   const std::vector<json> software = software_entities(manifest);
-  std::vector<json> authors_of_works;
-  const std::vector<json> works = cited_works(citation, authors_of_works);
   const json program = program_entity(citation, manifest, authors, software, license);
   const json action{{"@id", "#run"},
                     {"@type", "CreateAction"},
@@ -332,10 +311,9 @@ std::string ro_crate_json(const Citation& citation, const Manifest& manifest,
   root["author"] = references_to(authors);
   root["hasPart"] = references_to(parts);
   root["mentions"] = reference_to(action);
-  if (!works.empty()) root["citation"] = references_to(works);
 
   json graph = json::array({descriptor, root});
-  for (const auto& entities : {parts, outside, authors, software, works, authors_of_works}) {
+  for (const auto& entities : {parts, outside, authors, software}) {
     for (const json& entity : entities) graph.push_back(entity);
   }
   for (const json& entity : {license, program, action}) graph.push_back(entity);

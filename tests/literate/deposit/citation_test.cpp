@@ -49,19 +49,6 @@ BOOST_AUTO_TEST_CASE(what_a_citation_leaves_out_is_empty_and_texts_stay_as_they_
 
   BOOST_TEST(read.doi == "10.10");
   BOOST_TEST(read.license.empty());
-  BOOST_TEST(read.references.empty());
-}
-
-BOOST_AUTO_TEST_CASE(works_that_are_cited_have_title_authors_and_date) {
-  const Citation read = citation(
-      "title: A work\nauthors: [{name: x}]\nreferences:\n"
-      "  - {title: First, authors: [{name: a}], date-released: 2001-04-23, notes: a report}\n"
-      "  - {title: Second, authors: [{name: b}], year: 1985}\n");
-
-  BOOST_REQUIRE(read.references.size() == 2U);
-  BOOST_TEST(read.references[0].date == "2001-04-23");
-  BOOST_TEST(read.references[0].notes == "a report");
-  BOOST_TEST(read.references[1].date == "1985");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
