@@ -16,7 +16,7 @@ struct Settings {
   std::filesystem::path root = {};       ///< the checkout
   std::filesystem::path document = {};   ///< the folder in which LaTeX runs
   std::string main_file = {};            ///< of the document, such as "report.tex"
-  std::filesystem::path case_file = {};  ///< the parameters; empty if there are none
+  std::filesystem::path case_file = {};  ///< the parameters
   std::filesystem::path figures = {};    ///< the folder of the gnuplot scripts
   /// What the scripts read that make its data (literate_run_script).
   std::vector<std::filesystem::path> reads = {};

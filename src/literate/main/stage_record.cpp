@@ -36,15 +36,14 @@ std::string costs_json(std::chrono::duration<double> elapsed) {
 
 }  // namespace
 
-StageRecord::StageRecord(fs::path record) : record_(std::move(record)) {
-  if (record_.empty()) return;
-  unfinished_ = record_.string() + ".unfinished";
+StageRecord::StageRecord(const fs::path& record)
+    : record_(record), unfinished_(record.string() + ".unfinished") {
   sys::write_file_atomically(unfinished_, "running\n");
   sys::remove_file(record_);
 }
 
 StageRecord::~StageRecord() {
-  if (record_.empty() || is_done_) return;
+  if (is_done_) return;
   try {
     sys::write_file_atomically(unfinished_, "failed\n");
   } catch (const sys::OutputError&) {
@@ -54,7 +53,6 @@ StageRecord::~StageRecord() {
 
 void StageRecord::done(const FileDigests& files) {
   is_done_ = true;
-  if (record_.empty()) return;
   sys::write_file_atomically(record_.string() + ".costs",
                              costs_json(std::chrono::steady_clock::now() - begin_));
   sys::Record record;

@@ -22,11 +22,10 @@ using FileDigests = std::map<std::string, std::string>;
 /// are compared.
 ///
 /// The constructor removes the record. A stage that is killed stays running, and one that ends
-/// without done() has failed. Without a name nothing is kept. Throws sys::OutputError for a folder
-/// that cannot be written.
+/// without done() has failed. Throws sys::OutputError for a folder that cannot be written.
 class StageRecord {
  public:
-  explicit StageRecord(std::filesystem::path record);
+  explicit StageRecord(const std::filesystem::path& record);
   ~StageRecord();
   StageRecord(const StageRecord&) = delete;
   StageRecord& operator=(const StageRecord&) = delete;

@@ -92,12 +92,8 @@ Manifest::Texts inputs_of(const Settings& settings, const Paper& paper, const Na
     const fs::path file = fs::weakly_canonical(read);
     files[name_within(root, file)] = sys::sha256_of_file(file);
   }
-  if (!settings.case_file.empty()) {
-    const fs::path file = fs::weakly_canonical(settings.case_file);
-    // A second reading could find another case than the computation did.
-    files[name_within(root, file)] =
-        names.case_sha256.empty() ? sys::sha256_of_file(file) : names.case_sha256;
-  }
+  // A second reading could find another case than the computation did.
+  files[name_within(root, fs::weakly_canonical(settings.case_file))] = names.case_sha256;
   // So could one of what was compiled, and of what scripts of data read and wrote.
   for (const fs::path& record : settings.records) {
     if (!fs::is_regular_file(record)) continue;
