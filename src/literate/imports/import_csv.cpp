@@ -69,8 +69,8 @@ void declare(std::vector<ImportedColumn>& columns, const CsvSource& source,
     const std::string& name = field.text;
     const bool is_text = options.text.contains(name);
     columns[i].is_exact = options.exact.contains(name);
-    if (options.uncertain.contains(name)) columns[i].format = NumberFormat::uncertain;
-    if (is_text) columns[i].format = NumberFormat::text;
+    if (options.uncertain.contains(name)) columns[i].format = uncertain();
+    columns[i].is_text = is_text;
     if (is_text && !fields[i].errors.empty()) {
       throw ImportError(
           fmt::format("{}: column '{}' is of texts and has errors", source.at(field), name));
@@ -242,16 +242,15 @@ void import_csv(Document& document, const std::string& name, const fs::path& fil
   std::vector<ImportedColumn> columns = columns_of(source, rows.front(), fields);
   declare(columns, source, rows.front(), fields, options);
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!holds_a_number(rows, fields[i])) columns[i].format = NumberFormat::text;
-    if (columns[i].format == NumberFormat::text) keep_heading(columns[i], source, rows, fields[i]);
+    if (!holds_a_number(rows, fields[i])) columns[i].is_text = true;
+    if (columns[i].is_text) keep_heading(columns[i], source, rows, fields[i]);
   }
 
   std::vector<std::vector<ImportedCell>> cells;
   for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
     cells.emplace_back();
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      cells.back().push_back(
-          cell_of(source, *row, fields[i], columns[i].format == NumberFormat::text));
+      cells.back().push_back(cell_of(source, *row, fields[i], columns[i].is_text));
     }
   }
   Table table = table_of(key, columns, cells, source.at(rows.front()[0].line));

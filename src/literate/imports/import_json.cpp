@@ -224,43 +224,30 @@ ImportedColumn column_of(const JsonFile& file, const Json::Value& entry, const s
                        "text", "exact"});
   ImportedColumn column{.heading = text_field(file, entry, what, "heading"),
                         .unit = unit_field(file, entry, what)};
-  const auto require_true = [&](const char* field) {
+  const auto is_true = [&](const char* field) {
+    if (!entry.isMember(field)) return false;
     if (!entry[field].isBool() || !entry[field].asBool()) {
       file.fail(entry[field], fmt::format("{}: {} can only be true", what, field));
     }
-  };
-  column.is_exact = entry.isMember("exact");
-  if (column.is_exact) require_true("exact");
-  int n_formats = 0;
-  const auto is_set = [&](const char* field) {
-    if (!entry.isMember(field)) return false;
-    ++n_formats;
     return true;
   };
-  if (is_set("decimals")) {
-    column.format = NumberFormat::decimals;
-    column.digits = whole_field(file, entry, what, "decimals", 0, max_digits);
+  column.is_exact = is_true("exact");
+  column.is_text = is_true("text");
+  std::vector<Format> formats;
+  if (is_true("integer")) formats.push_back(integer());
+  if (is_true("uncertain")) formats.push_back(uncertain());
+  if (entry.isMember("decimals")) {
+    formats.push_back(fixed(whole_field(file, entry, what, "decimals", 0, max_digits)));
   }
-  if (is_set("digits")) {
-    column.format = NumberFormat::digits;
-    column.digits = whole_field(file, entry, what, "digits", 1, max_digits);
+  if (entry.isMember("digits")) {
+    formats.push_back(scientific(whole_field(file, entry, what, "digits", 1, max_digits)));
   }
-  if (is_set("integer")) {
-    column.format = NumberFormat::integer;
-    require_true("integer");
-  }
-  if (is_set("uncertain")) {
-    column.format = NumberFormat::uncertain;
-    require_true("uncertain");
-  }
-  if (is_set("text")) {
-    column.format = NumberFormat::text;
-    require_true("text");
-  }
-  if (n_formats > 1)
+  if (formats.size() + (column.is_text ? 1 : 0) > 1) {
     file.fail(entry, what + " has more than one of decimals, digits, integer, uncertain, text");
+  }
+  if (!formats.empty()) column.format = formats.front();
   if (entry.isMember("exponent")) {
-    if (column.format != NumberFormat::decimals) {
+    if (!column.format || column.format->notation() != Notation::fixed) {
       file.fail(entry["exponent"], what + ": exponent needs decimals beside it");
     }
     constexpr int largest_exponent = 300;

@@ -28,25 +28,21 @@ bool has_exponents(const Rows& rows, std::size_t column) {
 
 Column column_of(const ImportedColumn& column, bool writes_exponents) {
   require_unit(column.unit);  // its place is that of the file, and not this line
-  const auto numbers = [&](const Format& format) {
-    const Column printed = Column(column.heading, format, column.unit).named(column.plain);
-    return column.is_exact ? printed.exact() : printed;
-  };
-  switch (column.format) {
-    case NumberFormat::decimals:
-      return numbers(fixed(column.digits)).scaled(column.exponent);
-    case NumberFormat::digits:
-      return numbers(scientific(column.digits));
-    case NumberFormat::integer:
-      return numbers(integer());
-    case NumberFormat::uncertain:
-      return numbers(uncertain());
-    case NumberFormat::text:
-      return Column::text(column.heading).named(column.plain);
-    case NumberFormat::as_written:
-      break;
-  }
-  return numbers(writes_exponents ? scientific(1) : fixed(0));
+  if (column.is_text) return Column::text(column.heading).named(column.plain);
+  const Format format = column.format.value_or(writes_exponents ? scientific(1) : fixed(0));
+  Column printed = Column(column.heading, format, column.unit).named(column.plain);
+  if (column.exponent != 0) printed = printed.scaled(column.exponent);
+  return column.is_exact ? printed.exact() : printed;
+}
+
+bool is_integer(const ImportedColumn& column) {
+  return column.format && column.format->notation() == Notation::integer;
+}
+
+/// Whether the column says how many digits its numbers have.
+bool names_digits(const ImportedColumn& column) {
+  return column.format && (column.format->notation() == Notation::fixed ||
+                           column.format->notation() == Notation::scientific);
 }
 
 /// The heading for messages.
@@ -56,16 +52,10 @@ const std::string& said(const ImportedColumn& column) {
 
 /// The power of ten of the last digit that a number of this column is printed with.
 int printed_place(const ImportedColumn& column, const WrittenNumber& written) {
-  switch (column.format) {
-    case NumberFormat::decimals:
-      return column.exponent - column.digits;
-    case NumberFormat::digits:
-      return rounded_to_digits(written.number, column.digits).place;
-    case NumberFormat::as_written:
-      return written.place;
-    default:
-      return 0;
-  }
+  const int digits = column.format->digits();
+  return column.format->notation() == Notation::fixed
+             ? column.exponent - digits
+             : rounded_to_digits(written.number, digits).place;
 }
 
 std::optional<Uncertainty> uncertainty_of(const ImportedCell& cell) {
@@ -86,17 +76,16 @@ void require_earned(const ImportedColumn& column, const ImportedCell& cell,
                     const WrittenNumber& written) {
   const auto uncertainty = uncertainty_of(cell);
   if (!uncertainty) {
-    if (column.is_exact || column.format == NumberFormat::integer) return;
+    if (column.is_exact || is_integer(column)) return;
     throw ImportError(
         fmt::format("{}: {} comes without its error: give column '{}' an abs_error or a standard, "
                     "or declare it exact",
                     cell.at, written.text, said(column)));
   }
+  if (!names_digits(column)) return;
   const double error = uncertainty->error();
   const int place = printed_place(column, written);
-  const bool is_asked_for =
-      column.format == NumberFormat::decimals || column.format == NumberFormat::digits;
-  if (is_asked_for && std::pow(10.0, place) < error) {
+  if (std::pow(10.0, place) < error) {
     throw ImportError(
         fmt::format("{}: {} is printed to the place 1e{}, more digits than its error of "
                     "{} supports",
@@ -106,8 +95,7 @@ void require_earned(const ImportedColumn& column, const ImportedCell& cell,
 
 void require_held(const ImportedColumn& column, const ImportedCell& cell,
                   const WrittenNumber& written) {
-  const bool prints_all =
-      column.format == NumberFormat::as_written || column.format == NumberFormat::integer;
+  const bool prints_all = !column.format || is_integer(column);
   const auto uncertainty = uncertainty_of(cell);
   if (is_held(written, prints_all || !uncertainty ? 0 : uncertainty->error())) return;
   throw ImportError(
@@ -117,20 +105,20 @@ void require_held(const ImportedColumn& column, const ImportedCell& cell,
 
 Cell number_cell(const ImportedColumn& column, const ImportedCell& cell,
                  const WrittenNumber& written) {
-  if (column.format == NumberFormat::text) {
+  if (column.is_text) {
     throw ImportError(fmt::format("{}: {} is a number in the column of texts '{}'", cell.at,
                                   round_trip(written.number), said(column)));
   }
   if (!std::isfinite(written.number)) {
     throw ImportError(fmt::format("{}: the number is not finite", cell.at));
   }
-  if (column.format == NumberFormat::integer && std::trunc(written.number) != written.number) {
+  if (is_integer(column) && std::trunc(written.number) != written.number) {
     throw ImportError(fmt::format("{}: {} is not a whole number, as column '{}' holds", cell.at,
                                   round_trip(written.number), said(column)));
   }
   require_earned(column, cell, written);
   require_held(column, cell, written);
-  if (column.format == NumberFormat::as_written) {
+  if (!column.format) {
     return Cell::quoted(written.number, written.place, uncertainty_of(cell));
   }
   if (const auto uncertainty = uncertainty_of(cell)) return {written.number, *uncertainty};
@@ -143,7 +131,7 @@ Cell cell_of(const ImportedColumn& column, const ImportedCell& cell) {
   }
   const auto* text = std::get_if<std::string>(&cell.content);
   if (text == nullptr) return {};
-  if (column.format != NumberFormat::text) {
+  if (!column.is_text) {
     throw ImportError(fmt::format("{}: '{}' is not a number, as column '{}' holds", cell.at, *text,
                                   said(column)));
   }

@@ -22,24 +22,14 @@ class ImportError : public sys::InputError {
   using InputError::InputError;
 };
 
-/// How the numbers of a column are printed.
-enum class NumberFormat {
-  as_written,  ///< each number with the digits that its file gives
-  decimals,    ///< `digits` of them after the point, of the number divided by 10^exponent
-  digits,      ///< `digits` significant ones, and an exponent for each number
-  integer,
-  uncertain,  ///< as uncertain() does, with the error beside it
-  text
-};
-
 /// A column of a table from elsewhere.
 struct ImportedColumn {
-  std::string heading = {};  ///< LaTeX
-  std::string plain = {};    ///< the heading as its file writes it, if that is plain text
-  std::string unit = {};     ///< literal text
-  NumberFormat format = NumberFormat::as_written;
-  int digits = 0;
-  int exponent = 0;
+  std::string heading = {};           ///< LaTeX
+  std::string plain = {};             ///< the heading as its file writes it, if that is plain text
+  std::string unit = {};              ///< literal text
+  std::optional<Format> format = {};  ///< none where each number has the digits that its file gives
+  int exponent = 0;                   ///< the power of ten that numbers are divided by
+  bool is_text = false;
   bool is_exact = false;  ///< whether a number without an error is exact
   std::string at = {};    ///< where it is described, for messages; filled in by what reads the file
 };
