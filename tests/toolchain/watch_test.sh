@@ -11,7 +11,7 @@ fi
 root="$scratch/check out"
 mkdir -p "$scratch/measured" "$root/src" "$root/report/sections" "$root/figures" "$scratch/cases" "$scratch/raw"
 cat >"$scratch/build" <<'END'
-echo "build $1 ${LITERATE_TOLERATES_OVERFULL:-}"
+echo "build $1 ${LITERATE_WATCHES:-}"
 if [ -e src/broken.cpp ]; then echo 'broken.cpp:1: error'; exit 1; fi
 END
 touch "$root/report/sections/a.tex" "$scratch/cases/my.toml"

@@ -197,7 +197,7 @@ ExitCode compare_with(const std::string& file, const Manifest& theirs, const Man
 
 // `watch` builds as any other build does, and says by a variable that its author is still writing.
 bool tolerates_overfull() {
-  return std::getenv("LITERATE_TOLERATES_OVERFULL") != nullptr;
+  return std::getenv("LITERATE_WATCHES") != nullptr;
 }
 
 // The digests of what LaTeX reads from the document's own folder.

@@ -146,20 +146,25 @@ sys::ToolError failure(const std::vector<std::string>& messages, const TypesetOp
   throw failure(errors, options);
 }
 
-/// What each label stands for, as LaTeX told it in its .aux files: «2 on page 3».
-std::map<std::string, std::string> labels_of(const TypesetOptions& options) {
-  static const sys::Pattern told(R"(\\newlabel\{([^{}]+)\}\{\{([^{}]*)\}\{([^{}]*)\}.*)");
-  std::map<std::string, std::string> labels;
+/// Calls visit(parts) for each line that LaTeX wrote to its .aux files and that matches.
+template <typename Visit>
+void for_each_told(const TypesetOptions& options, const sys::Pattern& pattern, Visit visit) {
   for (const std::string& file : sys::files_below(options.build_dir)) {
     if (!file.ends_with(".aux")) continue;
     const std::string text = sys::read_file(options.build_dir / file);
     for (const std::string_view line : sys::lines_of(text)) {
-      if (const auto found = told.match_all_of(line)) {
-        labels[std::string(found->parts[1])] =
-            fmt::format("'{}' on page {}", found->parts[2], found->parts[3]);
-      }
+      if (const auto found = pattern.match_all_of(line)) visit(found->parts);
     }
   }
+}
+
+/// What each label stands for: «2 on page 3».
+std::map<std::string, std::string> labels_of(const TypesetOptions& options) {
+  static const sys::Pattern told(R"(\\newlabel\{([^{}]+)\}\{\{([^{}]*)\}\{([^{}]*)\}.*)");
+  std::map<std::string, std::string> labels;
+  for_each_told(options, told, [&](const auto& parts) {
+    labels[std::string(parts[1])] = fmt::format("'{}' on page {}", parts[2], parts[3]);
+  });
   return labels;
 }
 
@@ -182,19 +187,13 @@ sys::ToolError unsettled(const TypesetOptions& options, const PreambleFormat& pr
                                     (options.source_dir / options.main_file).string(), causes));
 }
 
-/// The figures with a width that LaTeX told in its .aux files.
+/// The figures with a width.
 std::set<FigureAtWidth> wanted_widths(const TypesetOptions& options) {
   static const sys::Pattern told(R"(\\LiterateWidth\s*\{([^{}]+)\}\{(\d+)\})");
   std::set<FigureAtWidth> figures;
-  for (const std::string& file : sys::files_below(options.build_dir)) {
-    if (!file.ends_with(".aux")) continue;
-    const std::string text = sys::read_file(options.build_dir / file);
-    for (const std::string_view line : sys::lines_of(text)) {
-      if (const auto found = told.match_all_of(line)) {
-        figures.insert({std::string(found->parts[1]), std::stoll(std::string(found->parts[2]))});
-      }
-    }
-  }
+  for_each_told(options, told, [&](const auto& parts) {
+    figures.insert({std::string(parts[1]), std::stoll(std::string(parts[2]))});
+  });
   return figures;
 }
 
