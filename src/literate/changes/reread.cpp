@@ -111,11 +111,9 @@ struct Former {
 };
 
 Former results_at(const Commit& commit, const fs::path& document, const std::string& project,
-                  const fs::path& former, const fs::path& case_file) {
+                  const fs::path& case_file) {
   if (commit.is_first) return {.unknown = "the history that there is begins with it"};
-  const fs::path made = former / commit.id / "paper/manifest.json";
   try {
-    if (fs::exists(made)) return {.results = printed_results(read_manifest(made, project))};
     const auto text = git(document, {"show", commit.id + ":./results.json"});
     if (!text) return {.unknown = "it has no results.json"};
     // Words that a rebase put upon other results were not read beside them.
@@ -178,7 +176,7 @@ Manifest printed_results(Manifest manifest) {
   return manifest;
 }
 
-Reread sentences_to_reread(const fs::path& document, const Manifest& now, const fs::path& former,
+Reread sentences_to_reread(const fs::path& document, const Manifest& now,
                            const fs::path& case_file) {
   Reread found;
   try {
@@ -205,7 +203,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
     if (!prints) continue;
     const Commit commit = past.that_wrote(sentence);
     if (!commit.is_made()) continue;
-    const bool is_known = fs::exists(former / commit.id) || past.has_results(commit.id);
+    const bool is_known = past.has_results(commit.id);
     const bool is_older = found.has_history && (commit.is_first || !is_known) &&
                           !first.id.empty() && past.stands(sentence, first.id);
     auto& [of_these, sentences] = is_older ? recorded[first.id] : written[commit.id];
@@ -226,7 +224,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
   };
   const auto hold = [&](const Commit& commit, const std::vector<Sentence>& sentences,
                         const char* when) {
-    const Former then = results_at(commit, document, now.project, former, case_file);
+    const Former then = results_at(commit, document, now.project, case_file);
     if (!then.results) return not_known(then.unknown, sentences, commit);
     for (const Change& change : changes_between(*then.results, results, {}, sentences)) {
       if (!is_to_be_read(change) || !change.is_seen()) continue;

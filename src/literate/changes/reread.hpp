@@ -26,17 +26,16 @@ struct Reread {
 /// its error since then, so that its print is another, or if a text, a flag or a verdict is.
 ///
 /// The results of a commit are in its results.json beside the prose, which is printed_results() by
-/// manifest_json, or in «FORMER/commit/paper/manifest.json». They are not known if neither is
-/// there, if the record is of another case than the commit's `case_file`, if the commit is the
-/// first one that there is, since the words may be older, or if a rebase put it upon results that
-/// are newer than its words. Words that are older than the first record, and stand beside it, are
-/// held against that one, and named as not known. Words that are not committed yet are new.
+/// manifest_json. They are not known if it is not there, if the record is of another case than the
+/// commit's `case_file`, if the commit is the first one that there is, since the words may be
+/// older, or if a rebase put it upon results that are newer than its words. Words that are older
+/// than the first record, and stand beside it, are held against that one, and named as not known.
+/// Words that are not committed yet are new.
 ///
 /// A line «sentence,what,printed,reader» of read.csv beside the prose ticks it off, as long as
 /// neither the sentence nor what it prints changes; each line of the list tells its own. Throws
 /// sys::SourceError for a read.csv that is none.
 Reread sentences_to_reread(const std::filesystem::path& document, const Manifest& now,
-                           const std::filesystem::path& former,
                            const std::filesystem::path& case_file);
 
 }  // namespace literate

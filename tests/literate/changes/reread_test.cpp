@@ -39,7 +39,7 @@ Manifest results(double peak, const std::string& verdict = "confirmed") {
 class Paper : public MadeUpPaper {
  public:
   Reread reread(const Manifest& now) const {
-    return sentences_to_reread(folder(), now, folder() / ".git/former", folder() / "case.toml");
+    return sentences_to_reread(folder(), now, folder() / "case.toml");
   }
 };
 
@@ -290,8 +290,7 @@ BOOST_AUTO_TEST_CASE(without_history_nothing_is_known) {
                      (scratch / "shallow").string()}});
 
   const auto reread_in = [&](const char* folder) {
-    return sentences_to_reread(scratch / folder, results(12), scratch / "former",
-                               scratch / "case.toml");
+    return sentences_to_reread(scratch / folder, results(12), scratch / "case.toml");
   };
   const Reread plain = reread_in("plain"), shallow = reread_in("shallow");
 
