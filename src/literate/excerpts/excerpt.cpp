@@ -254,48 +254,27 @@ std::vector<Excerpt> find_excerpts(const fs::path& source_root,
   return excerpts;
 }
 
-namespace {
-
-[[noreturn]] void refuse(std::string_view file, std::string_view name) {
-  throw sys::SourceError(fmt::format(
-      "{}: excerpt '{}' is not what this program was compiled from: rebuild", file, name));
-}
-
-}  // namespace
-
-std::string digest_of(const Excerpt& excerpt) {
-  return sys::sha256_of_text(fmt::format("{}\n{}", excerpt.first_line, excerpt.text));
-}
-
-std::string excerpt_hashes_source(const std::vector<Excerpt>& excerpts, std::string_view space) {
-  std::string entries;
+std::string record_of(const std::vector<Excerpt>& excerpts) {
+  sys::Record record;
   for (const Excerpt& excerpt : excerpts) {
-    entries += fmt::format("    {{R\"text({})text\", R\"text({})text\", \"{}\"}},\n", excerpt.name,
-                           excerpt.file, digest_of(excerpt));
+    record.push_back({sys::sha256_of_text(fmt::format("{}\n{}", excerpt.first_line, excerpt.text)),
+                      fmt::format("{}: excerpt '{}'", excerpt.file, excerpt.name)});
   }
-  return fmt::format(
-      "// Written by the build.\n"
-      "#include \"literate/excerpts/excerpt.hpp\"\n\n"
-      "namespace {0} {{\n\n"
-      "extern const std::vector<literate::CompiledExcerpt> compiled_excerpts;\n"
-      "const std::vector<literate::CompiledExcerpt> compiled_excerpts = {{\n{1}}};\n\n"
-      "}}  // namespace {0}\n",
-      space, entries);
+  return sys::record_text(record);
 }
 
-void require_compiled(const std::vector<Excerpt>& excerpts,
-                      const std::vector<CompiledExcerpt>& compiled) {
-  for (const Excerpt& excerpt : excerpts) {
-    const auto known = std::ranges::find(compiled, excerpt.name, &CompiledExcerpt::name);
-    const bool is_same = known != compiled.end() && known->file == excerpt.file &&
-                         known->sha256 == digest_of(excerpt);
-    if (!is_same) refuse(excerpt.file, excerpt.name);
-  }
-  for (const CompiledExcerpt& known : compiled) {
-    if (std::ranges::find(excerpts, known.name, &Excerpt::name) == excerpts.end()) {
-      refuse(known.file, known.name);
+void require_compiled(const std::vector<Excerpt>& excerpts, std::string_view compiled) {
+  const std::string record = record_of(excerpts);
+  const auto now = sys::lines_of(record), then = sys::lines_of(compiled);
+  const auto require_same = [](const auto& lines, const auto& others) {
+    for (const std::string_view line : lines) {
+      if (std::ranges::find(others, line) != others.end()) continue;
+      throw sys::SourceError(fmt::format("{} is not what this program was compiled from: rebuild",
+                                         line.substr(line.find("  ") + 2)));
     }
-  }
+  };
+  require_same(now, then);
+  require_same(then, now);
 }
 
 std::vector<std::string> paper_sources(const std::filesystem::path& folder) {

@@ -41,25 +41,14 @@ std::vector<Excerpt> excerpts_of(std::string_view text, const std::string& file)
 std::vector<Excerpt> find_excerpts(const std::filesystem::path& source_root,
                                    const std::vector<std::string>& folders);
 
-/// An excerpt as it was when the program was compiled.
-struct CompiledExcerpt {
-  std::string_view name;
-  std::string_view file;    ///< relative to the source root
-  std::string_view sha256;  ///< by digest_of
-};
-
-/// The SHA-256 of the text between the markers and of its first line's number, which is printed.
-std::string digest_of(const Excerpt& excerpt);
-
-/// Writes a C++ source that defines `const std::vector<CompiledExcerpt> compiled_excerpts` in the
-/// given namespace. The build compiles it into the program together with the excerpts themselves.
-std::string excerpt_hashes_source(const std::vector<Excerpt>& excerpts, std::string_view space);
+/// A record, line by line, of excerpts: the SHA-256 of the text and of the number of its first
+/// line, which is printed, and «file: excerpt 'name'».
+std::string record_of(const std::vector<Excerpt>& excerpts);
 
 /// Throws sys::SourceError naming the first excerpt, and its file, that was changed, moved to
-/// another file, added or removed since the program was compiled: a listing of newer sources would
-/// not belong to the numbers beside it.
-void require_compiled(const std::vector<Excerpt>& excerpts,
-                      const std::vector<CompiledExcerpt>& compiled);
+/// another file, added or removed since the program was compiled, from what this record has: a
+/// listing of newer sources would not belong to the numbers beside it.
+void require_compiled(const std::vector<Excerpt>& excerpts, std::string_view compiled);
 
 /// All files below a folder of a paper's sources, sorted, as generic paths relative to it; without
 /// those of folders below that are a paper of their own (whose CMakeLists.txt calls

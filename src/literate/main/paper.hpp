@@ -4,9 +4,8 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "literate/excerpts/excerpt.hpp"
 
 namespace literate {
 
@@ -35,7 +34,7 @@ struct Paper {
   std::string latex = "pdflatex";                     ///< the program that typesets it
   std::vector<std::string> source_folders = {};       ///< that hold its code and excerpts
   std::string repository = {};                        ///< folder of its state, from the program's
-  std::vector<CompiledExcerpt> excerpts = {};         ///< as the program was compiled from them
+  std::string_view excerpts = {};                     ///< that it was compiled from, as record_of()
   std::map<std::string, std::string> libraries = {};  ///< versions, besides those of the engine
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <memory>
 #include <string>
 
@@ -32,7 +34,14 @@ void add_excerpts_command(CLI::App& program, sys::ExitCode& exit_code) {
                           "The source to write; left alone if it would not change");
         return [options] {
           const auto excerpts = find_excerpts(options->source, sys::split(options->folders, ':'));
-          sys::write_if_changed(options->output, excerpt_hashes_source(excerpts, "literate"));
+          sys::write_if_changed(
+              options->output,
+              fmt::format(
+                  "// Written by the build.\n#include <string_view>\n\nnamespace literate {{\n"
+                  "extern const std::string_view compiled_excerpts;\n"
+                  "const std::string_view compiled_excerpts = R\"text({})text\";\n"
+                  "}}  // namespace literate\n",
+                  record_of(excerpts)));
           return ExitCode::success;
         };
       });

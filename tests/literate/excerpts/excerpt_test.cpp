@@ -112,11 +112,8 @@ BOOST_AUTO_TEST_CASE(a_character_without_mapping_is_an_error_and_mathematics_is_
 namespace {
 
 const Excerpt hertz{"hertz", "src/contact/hertz.cpp", 7, "return p0;\n"};
-const std::string hash = digest_of(hertz);
-const std::vector<CompiledExcerpt> compiled = {{"hertz", "src/contact/hertz.cpp", hash}};
-
 std::string error_for(const std::vector<Excerpt>& excerpts) {
-  return message_of<sys::SourceError>([&] { require_compiled(excerpts, compiled); });
+  return message_of<sys::SourceError>([&] { require_compiled(excerpts, record_of({hertz})); });
 }
 
 }  // namespace
@@ -149,14 +146,6 @@ BOOST_AUTO_TEST_CASE(an_excerpt_that_changed_moved_came_or_went_is_refused) {
   BOOST_TEST(error_for({moved}).starts_with("src/contact/other.cpp: excerpt 'hertz'"));
   BOOST_TEST(error_for({hertz, added}).starts_with("src/new.cpp: excerpt 'new'"));
   BOOST_TEST(error_for({}) == refused);
-}
-
-BOOST_AUTO_TEST_CASE(the_source_that_a_build_compiles_holds_name_file_and_hash) {
-  const std::string source = excerpt_hashes_source({hertz}, "app");
-
-  for (const std::string& part : {hertz.name, hertz.file, hash, std::string("namespace app {")}) {
-    BOOST_TEST(source.find(part) != std::string::npos, part);
-  }
 }
 
 using Lines = std::vector<std::string>;

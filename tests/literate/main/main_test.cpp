@@ -90,14 +90,14 @@ class Workplace {
 
  private:
   fs::path folder_ = fs::temp_directory_path() / ("literate main " + std::to_string(::getpid()));
-  std::string hash_ = literate::digest_of({"sum", "src/a.cpp", 2, "x += y;\n"});
+  std::string record_ = literate::record_of({{"sum", "src/a.cpp", 2, "x += y;\n"}});
   literate::Paper paper_{.project = "toy",
                          .version = "1",
                          .compiler = "none",
                          .build_type = "none",
                          .flags = "",
                          .source_folders = {"src"},
-                         .excerpts = {{"sum", "src/a.cpp", hash_}}};
+                         .excerpts = record_};
 };
 
 void register_sum(literate::Document& document, const literate::Inputs&) {
