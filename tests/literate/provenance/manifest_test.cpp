@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(numbers_come_from_what_a_document_wrote) {
   BOOST_TEST(numbers.at("u").unit.value() == "in");
 }
 
-BOOST_AUTO_TEST_CASE(the_words_of_routes_reasons_headings_and_notes_come_from_it) {
+BOOST_AUTO_TEST_CASE(the_words_of_routes_reasons_headings_notes_and_faults_come_from_it) {
   const TemporaryFolder scratch;
   Document document;
   Table table("errors", {Column("$N$", integer()), Column("error", significant(2), "in")});
@@ -74,10 +74,12 @@ BOOST_AUTO_TEST_CASE(the_words_of_routes_reasons_headings_and_notes_come_from_it
                            .criteria = {Criterion::at_most("error", Value(0.5, exact()),
                                                            {LimitKind::data, 1, "printed"})}});
   document.check("finite", true, "all numbers are finite");
+  document.severity(Severity{.n_faults = 3, .n_turning = {{"small", 2}}});
   document.write(scratch / "out");
 
   const Manifest::Texts expected = {{"check finite: statement", "all numbers are finite"},
                                     {"claim small: error: reason", "data: printed"},
+                                    {"claim small: planted faults", "2 of 3 faults"},
                                     {"claim small: route", "by hand"},
                                     {"table errors: headings", "N | error (in)"},
                                     {"table errors: notes", "on one grid"}};
