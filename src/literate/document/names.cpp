@@ -231,8 +231,7 @@ json words_json(const Registered& registered) {
   json words = json::object();
   for (const auto& [id, claim] : registered.claims) {
     words[fmt::format("claim {}: route", id)] = claim.route;
-    words[fmt::format("claim {}: planted faults", id)] =
-        registered.severity ? registered.severity->text_of(id) : "not known";
+    words[fmt::format("claim {}: planted faults", id)] = severity_text(registered, id);
     for (const Criterion& criterion : claim.criteria) {
       words[fmt::format("claim {}: {}: reason", id, criterion.name())] = criterion.reason();
     }

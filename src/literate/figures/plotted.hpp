@@ -51,7 +51,7 @@ std::size_t n_points_outside(const std::filesystem::path& folder, const std::str
                              const std::filesystem::path& scratch);
 
 /// The blocks of data that were registered for a figure and that its script does not name outside
-/// its comments; none for a script that makes names up by value(). `folder` is that of
+/// lines of comment; none for a script that makes names up by value(). `folder` is that of
 /// plotted_panels.
 std::vector<std::string> unread_blocks(const std::filesystem::path& folder);
 

@@ -32,6 +32,25 @@ two,1,2 m,2.5 mm,1.5,0.3,0.2,0.3,refuted"
 runs python3 -B "$cases" one two --keys title-of-this-case --output cases.csv
 claim 'a key that is asked for stands there' "$(cut -d, -f4 cases.csv | tr '\n' ' ')" = 'title-of-this-case a a '
 
+cat >two/case.toml <<'END'
+title = 'a "b"'
+n = 12
+x = 0.1
+is_on = true
+length = {value = 39.4, unit = "in"}
+angles = [10,
+  30]
+[load.edge]
+x = {value = 30e6, unit = "psi"}
+[[body]]
+name = 'first'
+[[body]]
+name = 'second'
+END
+runs python3 -B "$cases" one two --keys title-of-this-case --output cases.csv
+claim 'each parameter is one text under its whole key' "$(sed -n '1p;3p' cases.csv)" = 'case,exit code,parameter angles,parameter body.1.name,parameter body.2.name,parameter is_on,parameter length,parameter load,parameter load.edge.x,parameter n,parameter title,parameter x,title-of-this-case,claim uniform-load-suffices
+two,1,"[10, 30]",first,second,true,39.4 in,,30000000 psi,12,"a ""b""",0.1,a,refuted'
+
 echo 'not = ' >two/case.toml
 runs python3 -B "$cases" one two --output cases.csv
 claim 'a case file that cannot be read leaves the others' "$(sed -n 3p cases.csv)" = 'two,1,,,2.5 mm,1.5,0.3,0.2,0.3,refuted'
@@ -46,5 +65,7 @@ claim 'one that could not be computed has none of a run before' "$(sed -n 3p cas
 runs python3 -B "$cases" one two --keys titel --output other.csv
 claim 'a key that no case has is refused with 2' "$status $(says "no case has a value 'titel'")" = '2 yes'
 claim 'and nothing is written' ! -e other.csv
+runs python3 -B "$cases" one three --output other.csv
+claim 'a folder that is none of a case is named, with 2' "$status $(says 'three/exit_code')" = '2 yes'
 
 finish
