@@ -16,13 +16,13 @@ function pointsOf(panels) {
   const points = [];
   for (const panel of panels) {
     const [left, right, bottom, top] = panel.frame;
-    panel.curves.forEach((curve, k) => {
+    for (const curve of panel.curves) {
       for (let i = 0; i < curve.points.length; i += 2) {
         const x = curve.points[i], y = curve.points[i + 1];
-        points.push({panel, curve, k, x, y, across: left + (right - left) * shareOf(panel.x, x),
+        points.push({panel, curve, x, y, across: left + (right - left) * shareOf(panel.x, x),
                      down: 1 - bottom - (top - bottom) * shareOf(panel.y, y)});
       }
-    });
+    }
   }
   return points.filter(({across, down}) => Number.isFinite(across) && Number.isFinite(down));
 }
@@ -33,28 +33,19 @@ function readingOf({panel, curve, x, y}) {
   return `${curve.title ? curve.title + ": " : ""}${told(panel.x.label || "x", x)}, ${told(panel.y.label || "y", y)}`;
 }
 
-const svgNames = "http://www.w3.org/2000/svg";
-function svg(name, attributes = {}) {
-  const made = document.createElementNS(svgNames, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  return made;
-}
-
 function makePointable(image, panels) {
   const points = pointsOf(panels);
   if (points.length === 0) return;
   const box = lit.make("span", {class: "lit-pointed", tabindex: "0", role: "slider", "aria-valuemin": "1",
     "aria-valuemax": String(points.length), "aria-valuenow": "1", "aria-valuetext": readingOf(points[0]),
     "aria-label": "Read off the figure: arrow keys go from point to point"});
-  const overlay = svg("svg", {"aria-hidden": "true"});
-  const cross = [svg("line"), svg("line")];
-  const ring = svg("circle", {r: "5"});
-  overlay.append(...cross, ring);
-  overlay.style.visibility = "hidden";
-  const reading = lit.make("p", {class: "lit-reading"}, "\u00a0");
+  const reading = lit.make("p", {class: "lit-reading"});
   image.replaceWith(box);
-  box.append(image, overlay);
+  box.append(image);
+  box.insertAdjacentHTML("beforeend", '<svg aria-hidden="true"><line /><line /><circle r="5" /></svg>');
   box.after(reading);
+  const overlay = box.lastChild;
+  const [upright, level, ring] = overlay.children;
   let at = -1;
 
   // Lays the overlay upon the drawing's frame, once the image has its size, and says where that is.
@@ -66,15 +57,13 @@ function makePointable(image, panels) {
 
   function mark(i) {
     at = i;
-    const {width, height} = frame();
     const {panel, across, down} = points[i];
     const [left, right, bottom, top] = panel.frame;
-    const place = (line, x1, y1, x2, y2) => Object.entries({x1: x1 * width, y1: y1 * height, x2: x2 * width, y2: y2 * height})
-      .forEach(([key, value]) => line.setAttribute(key, value));
-    place(cross[0], across, 1 - top, across, 1 - bottom);
-    place(cross[1], left, down, right, down);
-    ring.setAttribute("cx", across * width);
-    ring.setAttribute("cy", down * height);
+    const place = (part, shares) => Object.entries(shares).forEach(([key, share]) => part.setAttribute(key, `${100 * share}%`));
+    frame();
+    place(upright, {x1: across, y1: 1 - top, x2: across, y2: 1 - bottom});
+    place(level, {x1: left, y1: down, x2: right, y2: down});
+    place(ring, {cx: across, cy: down});
     overlay.style.visibility = "visible";
     reading.textContent = readingOf(points[i]);
     box.setAttribute("aria-valuenow", String(i + 1));
@@ -84,18 +73,23 @@ function makePointable(image, panels) {
     overlay.style.visibility = "hidden";
     reading.textContent = "\u00a0";
   }
-  // The nearest point to the pointer, if the pointer is near one.
+  // The point of the least distance; none if all are as far as `limit`.
+  function nearest(distance, limit = Infinity) {
+    let found = -1, least = limit;
+    points.forEach((point, i) => {
+      const far = distance(point);
+      if (far < least) [found, least] = [i, far];
+    });
+    return found;
+  }
   function point(event) {
     const {left, top, width, height} = frame();
     const x = event.clientX - left, y = event.clientY - top;
-    let nearest = -1, least = 60;
-    points.forEach(({across, down}, i) => {
-      const distance = Math.hypot(across * width - x, down * height - y);
-      if (distance < least) [nearest, least] = [i, distance];
-    });
-    if (nearest >= 0) mark(nearest);
+    const i = nearest(({across, down}) => Math.hypot(across * width - x, down * height - y), 60);
+    if (i >= 0) mark(i);
     else leave();
   }
+  leave();
   box.addEventListener("pointermove", point);
   box.addEventListener("pointerdown", point);
   box.addEventListener("pointerleave", (event) => { if (event.pointerType !== "touch") leave(); });
@@ -109,12 +103,7 @@ function makePointable(image, panels) {
       const here = points[Math.max(at, 0)];
       const curves = [...new Set(points.map(({curve}) => curve))];
       const other = curves[(curves.indexOf(here.curve) + leap + curves.length) % curves.length];
-      let nearest = -1;
-      points.forEach((candidate, i) => {
-        if (candidate.curve !== other) return;
-        if (nearest < 0 || Math.abs(candidate.across - here.across) < Math.abs(points[nearest].across - here.across)) nearest = i;
-      });
-      mark(nearest);
+      mark(nearest(({curve, across}) => curve === other ? Math.abs(across - here.across) : Infinity));
     } else if (event.key === "Escape") leave();
     else return;
     event.preventDefault();

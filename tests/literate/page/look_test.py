@@ -112,7 +112,7 @@ def check_figures(browser, page):
     claim("the point under the pointer is told with its numbers",
           missing(text_of(browser, "#F1 .lit-reading"), "integral: ", "angle (°): 60", ": 2"))
     claim("the point under the pointer is marked where it is drawn", browser.evaluate(
-        f"(c => Math.hypot(c.getAttribute('cx') - {(width - 24) * 160 / 300}, c.getAttribute('cy') - {(height - 24) * 80 / 180}) > 1)"
+        f"(c => Math.hypot(c.cx.baseVal.value - {(width - 24) * 160 / 300}, c.cy.baseVal.value - {(height - 24) * 80 / 180}) > 1)"
         "(document.querySelector('#F1 circle'))"))
     browser.evaluate("document.querySelector('#F1 .lit-pointed').focus()")
     browser.press("ArrowRight")
