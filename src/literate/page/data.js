@@ -23,15 +23,15 @@ lit.part(function data() {
     if (!facts) continue;
     const files = [...facts.data, facts.script, drawing !== undefined && lit.facts.style].filter(Boolean);
     const figure = shown.closest("figure");
-    const several = [...(figure || shown.parentNode).querySelectorAll(shown.tagName)].filter((one) => one.matches("[data-drawing], [data-table]"));
-    const isAlone = (figure?.querySelectorAll(":is(img[data-drawing], table[data-table])").length ?? 1) < 2;
-    const which = several.length > 1 ? ` of ${drawing === undefined ? "table" : "drawing"} ${several.indexOf(shown) + 1}` : "";
+    const beside = [...(figure || shown.parentNode).querySelectorAll("[data-drawing], [data-table]")];
+    const alike = beside.filter(({tagName}) => tagName === shown.tagName);
+    const which = alike.length > 1 ? ` of ${drawing === undefined ? "table" : "drawing"} ${alike.indexOf(shown) + 1}` : "";
     const list = lit.make("ul", {});
     const box = lit.make("details", {class: "lit-data", toggle: () => {
       if (!list.firstChild) list.append(...files.map(fileLine), lit.make("li", {}, lit.make("span", {}, "made by ", lit.make("code", {}, facts.place))));
     }}, lit.make("summary", {}, (drawing === undefined ? "Data" : "Data and script") + which,
                  which ? "" : lit.make("span", {class: "lit-said"}, ` of ${drawing === undefined ? "table" : "figure"} ${drawing ?? table}`)), list);
-    if (figure && isAlone) figure.append(box);
+    if (figure && beside.length < 2) figure.append(box);
     else if (drawing === undefined) (shown.closest(".lit-scroll") || shown).after(box);
     else shown.parentNode.append(box);
   }
