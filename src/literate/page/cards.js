@@ -80,7 +80,7 @@ function markAt(element) {
 
 /// What takes the focus for a mark: itself, or the link in it.
 function focusOf(mark) {
-  return mark.matches("a[href], button") ? mark : mark.querySelector("a[href]") || mark;
+  return mark.matches("a, button") ? mark : mark.querySelector("a");
 }
 
 const card = {element: null, mark: null, timer: 0, touched: false, isClosing: false, pointer: ""};
@@ -152,11 +152,8 @@ lit.part(function cards() {
     button.append(...number.childNodes);
     number.append(button);
   }
-  for (const value of document.querySelectorAll("main .lit-value")) {
-    if (value.closest("a, math") || focusOf(value) !== value) continue;
-    value.tabIndex = 0;
-    value.setAttribute("role", "button");
-  }
+  // Where there is no index of values, the link of a value leads to itself.
+  for (const link of document.querySelectorAll("main .lit-value a:not([href])")) link.href = "#" + link.parentNode.id;
 
   document.addEventListener("pointerover", (event) => {
     if (event.pointerType === "touch") return;
@@ -173,7 +170,7 @@ lit.part(function cards() {
   // A touch has no hovering: the first shows the card, which has the link.
   document.addEventListener("click", (event) => {
     const found = markAt(event.target);
-    if (found && (card.touched || found.mark.matches("button, [role=button]"))) {
+    if (found && (card.touched || found.mark.matches("button"))) {
       event.preventDefault();
       openCard(found);
     } else if (card.element?.contains(event.target.closest?.("a[href^='#']"))) {
@@ -185,11 +182,6 @@ lit.part(function cards() {
     const found = markAt(event.target);
     if (found && event.target.matches(":focus-visible")) openCard(found);
     else closeCard();
-  });
-  document.addEventListener("keydown", (event) => {
-    if (!["Enter", " "].includes(event.key) || !event.target.matches?.(".lit-value[role=button]")) return;
-    openCard(markAt(event.target));
-    event.preventDefault();
   });
   addEventListener("scroll", placeCard, {passive: true});
   addEventListener("resize", closeCard);
