@@ -116,28 +116,21 @@ local function native_table(tbl)
   return tbl
 end
 
--- The contents: each heading without what is no text of it, the lower ones in a list within the one above. The end of an item
--- need not be said.
-local function contents(doc)
-  local items, depth, is_inner = pandoc.List(), 0, false
-  local function add(text) items:insert(pandoc.RawBlock("html", text)) end
-  doc:walk({Header = function(header)
-    local text = header.content:walk({
-      RawInline = function() return {} end,
-      Note = function() return {} end,
-      Link = function(link) return link.content end})
-    local is_part = pandoc.utils.stringify(text):match("^Part") ~= nil
-    local is_root = depth == 1 and header.level == 2
-    depth = is_part and 1 or is_root and 0 or depth
-    local is_lower = not is_part and header.level > 2 + depth and #items > 0 -- a list does not begin with one
-    if is_lower ~= is_inner then add(is_lower and "<ol>" or "</ol>") end
-    is_inner = is_lower
-    add(is_part and '<li class="lit-toc-part">' or is_root and '<li class="lit-toc-root">' or "<li>")
-    items:insert(pandoc.Plain({pandoc.Link(text, "#" .. header.identifier)}))
-  end})
-  if is_inner then add("</ol>") end
-  items:insert(1, pandoc.RawBlock("html", '<nav id="contents" aria-label="Contents"><ol>'))
-  add('</ol></nav>\n<main id="main">')
+-- The contents: the text of each heading, with those of the sections within it below. A part is told by a class.
+local function contents(blocks)
+  local items = pandoc.List()
+  for _, section in ipairs(blocks) do
+    local header = section.t == "Div" and section.content[1]
+    if header and header.t == "Header" then
+      local function nothing() return {} end
+      local text = header.content:walk({RawInline = nothing, Note = nothing, Link = function(link) return link.content end})
+      local class = pandoc.utils.stringify(text):match("^Part") and "lit-toc-part" or nil
+      local item = pandoc.List({pandoc.Plain({pandoc.Link(text, "#" .. section.identifier, "", {class = class})})})
+      local lower = contents(section.content)
+      if #lower > 0 then item:insert(pandoc.BulletList(lower)) end
+      items:insert(item)
+    end
+  end
   return items
 end
 
@@ -248,7 +241,9 @@ return {
   {RawInline = unknown, RawBlock = unknown, Table = native_table, Math = breakable},
   {Inlines = unbroken, Para = row_of_drawings, Plain = row_of_drawings},
   {Pandoc = function(doc)
-    local blocks = contents(doc)
+    local listed = pandoc.BulletList(contents(pandoc.utils.make_sections(false, nil, doc.blocks)))
+    local blocks = pandoc.List({pandoc.RawBlock("html", '<nav id="contents" aria-label="Contents">'), listed,
+                                pandoc.RawBlock("html", '</nav>\n<main id="main">')})
     blocks:extend(doc.blocks)
     return pandoc.Pandoc(blocks, {})
   end},

@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
       {"\\url{https://e.org/a%20b} goes on", {"goes on"}},
       {"\\makebox[4em][l]{$a$}width", {"style=\"min-width:4em\"><math"}},
       {"\\part{A}\\section*{B}\\bookmarksetup{startatroot}\\section*{C}",
-       {"<li class=\"lit-toc-root\">"},
+       {"class=\"lit-toc-part\">Part\u00A0I A</a>", "</ul></li>\n<li><a href=\"#c\"> C</a></li>"},
        "\\LiterateNumber{part}{I}{document}{Part}{1}\n"},
       {"a\\footnotemark[7] b\\footnotemark[8] \\footnotetext[7]{one}",
        {"id=\"note-1\" role=\"note\">one"}},
