@@ -2,10 +2,10 @@
 #include "literate/page/html_text.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
-#include <map>
 #include <regex>
 #include <utility>
 
+#include "literate/text/characters.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -23,17 +23,11 @@ namespace {
 
 // Digits and signs as raised or lowered characters; empty if there is none for one of them.
 std::string shifted(const std::string& text, bool is_raised) {
-  static const std::map<std::string, std::pair<const char*, const char*>> forms{
-      {"0", {"⁰", "₀"}}, {"1", {"¹", "₁"}}, {"2", {"²", "₂"}}, {"3", {"³", "₃"}},
-      {"4", {"⁴", "₄"}}, {"5", {"⁵", "₅"}}, {"6", {"⁶", "₆"}}, {"7", {"⁷", "₇"}},
-      {"8", {"⁸", "₈"}}, {"9", {"⁹", "₉"}}, {"−", {"⁻", "₋"}}, {"+", {"⁺", "₊"}}};
   std::string made;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string sign = text.substr(at, text.compare(at, 3, "−") == 0 ? 3 : 1);
-    const auto form = forms.find(sign);
-    if (form == forms.end()) return {};
-    made += is_raised ? form->second.first : form->second.second;
-    at += sign.size();
+  for (const char sign : boost::replace_all_copy(text, "−", "-")) {
+    const std::string_view form = character_of(std::string{is_raised ? '^' : '_', '{', sign, '}'});
+    if (form.empty()) return {};
+    made += form;
   }
   return made;
 }

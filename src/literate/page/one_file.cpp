@@ -125,19 +125,12 @@ std::string one_file(std::string html, const PageParts& parts) {
 
 namespace {
 
-// The first four digits in a row; empty if there are none.
-std::string year_of(const std::string& date) {
-  static const std::regex year(R"(\d{4})");
-  std::smatch found;
-  return std::regex_search(date, found, year) ? found.str() : "";
-}
-
 // 2026/11/22 of an ISO date, as Highwire's tags have it; the year of another text.
 std::string publication_date(const std::string& date) {
-  static const std::regex day(R"(^(\d{4})-(\d\d)-(\d\d))");
+  static const std::regex year_or_day(R"(\d{4}(-\d\d-\d\d)?)");
   std::smatch found;
-  const bool is_iso = std::regex_search(date, found, day);
-  return is_iso ? found.str(1) + "/" + found.str(2) + "/" + found.str(3) : year_of(date);
+  std::regex_search(date, found, year_or_day);
+  return boost::replace_all_copy(found.str(), "-", "/");
 }
 
 std::string key_word(const std::string& text) {
@@ -178,7 +171,7 @@ std::string citation_tags(const PageCitation& citation) {
 }
 
 std::string bibtex_entry(const PageCitation& citation) {
-  const std::string year = year_of(citation.date);
+  const std::string year = publication_date(citation.date).substr(0, 4);
   std::string authors;
   for (const std::string& author : citation.authors) {
     // A group that goes by one name is no given and family name.

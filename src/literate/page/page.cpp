@@ -57,25 +57,21 @@ std::string command_of(const std::string& latex) {
   return token ? std::string(token->text) : latex;
 }
 
-// Where the document asks for a piece of LaTeX that pandoc did not know.
-std::string place_of(const Expanded& document, const fs::path& folder, const std::string& latex) {
-  const auto known = document.commands.find(command_of(latex));
-  return known == document.commands.end() ? source_label(folder) : known->second;
-}
-
-// What the filter said.
+// What the filter said of LaTeX that pandoc does not know, with the place where the document has
+// it.
 std::vector<std::string> complaints(const std::string& said, const Expanded& document,
                                     const fs::path& folder) {
   constexpr std::string_view unknown = "unknown: ", formula = "formula: ";
   std::vector<std::string> errors;
   for (const std::string_view line : sys::lines_of(said)) {
+    std::string place = source_label(folder);
     if (line.starts_with(unknown)) {
-      const std::string latex(line.substr(unknown.size()));
-      errors.push_back(fmt::format("{}: {} is not known to the page",
-                                   place_of(document, folder, latex), command_of(latex)));
+      const std::string command = command_of(std::string(line.substr(unknown.size())));
+      const auto known = document.commands.find(command);
+      if (known != document.commands.end()) place = known->second;
+      errors.push_back(fmt::format("{}: {} is not known to the page", place, command));
     } else if (line.starts_with(formula)) {
       const std::string text(line.substr(formula.size())), bare = without_blanks(text);
-      std::string place = source_label(folder);
       for (const auto& [latex, known] : document.formulas) {
         if (bare.find(latex) != bare.npos && !latex.empty()) place = known;
       }
