@@ -9,6 +9,7 @@
 #include "literate/page/html_text.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/quotations.hpp"
+#include "literate/prose/tex_commands.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
@@ -43,10 +44,10 @@ std::optional<std::string_view> option(TexScanner& in) {
   return group.substr(1, group.size() - 2);
 }
 
-std::vector<std::string> names_in(std::string_view text) {
+std::vector<std::string> names_in(std::string_view text, char separator) {
   std::vector<std::string> parts;
   while (true) {
-    const auto end = text.find(',');
+    const auto end = text.find(separator);
     parts.emplace_back(sys::stripped(text.substr(0, end)));
     if (end == text.npos) return parts;
     text.remove_prefix(end + 1);
@@ -146,7 +147,7 @@ void Expander::read_preamble(std::string_view text) {
       const fs::path file = file_of(argument(in));
       if (fs::is_regular_file(file)) read_preamble(sys::read_file(file));
     } else if (definitions_.contains(token->name)) {
-      commands_.find(token->name)->second(in, *token);
+      call(commands_.find(token->name)->second, in, *token);
     }
   }
 }
@@ -242,8 +243,8 @@ void Expander::read_command(TexScanner& in, const TexToken& token) {
     }
     return read_all(filled(in, macro->second));
   }
-  if (const auto handler = commands_.find(token.name); handler != commands_.end()) {
-    return handler->second(in, token);
+  if (const auto known = commands_.find(token.name); known != commands_.end()) {
+    return call(known->second, in, token);
   }
   // An assignment to a length or a number of LaTeX, such as \hangindent=1em.
   if (!is_math_ && in.rest().starts_with('=')) {
@@ -251,6 +252,19 @@ void Expander::read_command(TexScanner& in, const TexToken& token) {
     return;
   }
   emit(token.text);
+}
+
+void Expander::call(const Construct& construct, TexScanner& in, const TexToken& token) {
+  const std::string_view marked = token.kind == TexKind::begin ? token.name : token.text;
+  Call call{.in = in, .name = std::string(token.name), .is_starred = marked.ends_with('*')};
+  for (const char kind : construct.form) {
+    if (kind == 'o') {
+      call.options.push_back(option(in));
+    } else {
+      call.arguments.push_back(argument(in));
+    }
+  }
+  construct.handler(call);
 }
 
 void Expander::read_begin(TexScanner& in, const TexToken& token) {
@@ -268,12 +282,12 @@ bool Expander::begin_environment(TexScanner& in, const TexToken& token) {
   }
   if (const auto own = own_environments_.find(token.name); own != own_environments_.end()) {
     const Macro macro = own->second;
-    ends_.emplace_back(token.name, macro.end);
+    ends_.emplace_back(token.name, [this, end = macro.end] { read_all(end); });
     read_all(filled(in, macro));
     return true;
   }
-  if (const auto handler = environments_.find(token.name); handler != environments_.end()) {
-    handler->second(in, token);
+  if (const auto known = environments_.find(token.name); known != environments_.end()) {
+    call(known->second, in, token);
     return true;
   }
   emit(token.text);
@@ -289,24 +303,9 @@ void Expander::read_end(const TexToken& token) {
     emit(token.text);
     return end_group();
   }
-  const std::string end = open->second;
+  const std::function<void()> end = open->second;
   ends_.erase(std::next(open).base());
-  if (end == "block") {
-    end_block();
-  } else if (end == "float") {
-    floats_.pop_back();
-    end_block();
-  } else if (end == "minipage") {
-    if (!floats_.empty() && !floats_.back().outer.empty()) {
-      floats_.back().counter = std::exchange(floats_.back().outer, "");
-    }
-    emit("\n\n");
-  } else if (end == "list") {
-    lists_.pop_back();
-    emit(token.text);
-  } else {
-    read_all(end);
-  }
+  end();
   end_group();
 }
 
@@ -317,18 +316,7 @@ std::string Expander::filled(TexScanner& in, const Macro& macro) const {
     arguments.emplace_back(given ? *given : macro.first_default);
   }
   while (arguments.size() < macro.n_arguments) arguments.emplace_back(argument(in));
-  std::string text;
-  for (std::size_t i = 0; i < macro.body.size(); ++i) {
-    const bool is_place = macro.body[i] == '#' && i + 1 < macro.body.size();
-    const auto n = is_place ? static_cast<std::size_t>(macro.body[i + 1] - '1') : 0;
-    if (is_place && n < arguments.size()) {
-      text += arguments[n];
-      ++i;
-    } else {
-      text += macro.body[i];
-    }
-  }
-  return text;
+  return literate::filled(macro.body, arguments);
 }
 
 std::string_view Expander::body_of(TexScanner& in, std::string_view name) const {

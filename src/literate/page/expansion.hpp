@@ -60,9 +60,9 @@ struct Expanded {
 /// - \PageMark{open}{close}{LaTeX}, and the environment PageBlock{open}{close}, are HTML around
 ///   LaTeX; paragraphs in PageBlock* have elements of their own;
 /// - \PageDefine{name}{LaTeX} and \PageUse[otherwise]{name} are a macro with any letters in its
-///   name;
+///   name; \PageNames{1}{LaTeX}{\a\b} are macros of that many arguments;
 /// - \PageIf{text}{LaTeX} is the LaTeX unless the text is empty;
-/// - \PageNumber{counter} is the next number of the PDF.
+/// - \PageNumber{counter} is the next number of the PDF, \PageBeside{bbl} a file beside its .aux.
 ///
 /// Throws sys::InputError if the PDF, of which it takes all numbers, is of another state.
 class Expander {
@@ -93,8 +93,23 @@ class Expander {
   struct AuthorGroup {
     std::vector<std::string> authors = {}, lines = {};  ///< LaTeX
   };
-  using Handler = std::function<void(TexScanner& in, const TexToken& token)>;
-  using Handlers = std::map<std::string, Handler, std::less<>>;
+  /// A command or the beginning of an environment as it stands in the text, which goes on in `in`.
+  struct Call {
+    TexScanner& in;
+    std::string name;  ///< of a command without its star, of an environment with it
+    bool is_starred;
+    std::vector<std::string_view> arguments = {};
+    std::vector<std::optional<std::string_view>> options = {};
+
+    std::string operator[](std::size_t i) const { return std::string(arguments[i]); }
+    std::string_view option(std::size_t i = 0) const { return options[i].value_or(""); }
+  };
+  using Handler = std::function<void(const Call& call)>;
+  struct Construct {
+    std::string_view form;  ///< its arguments in their order, «o» in brackets and «m» others
+    Handler handler;
+  };
+  using Constructs = std::map<std::string, Construct, std::less<>>;
 
   // The scanner's tokens.
   void read_file(const std::filesystem::path& file);
@@ -133,23 +148,25 @@ class Expander {
   void know_numbered();
   void know_references();
   void know_quantities();
-  void know(std::initializer_list<std::string_view> names, const Handler& handler) {
-    for (const std::string_view name : names) commands_[std::string(name)] = handler;
+  using NameList = std::initializer_list<std::string_view>;
+  void know(const NameList& names, std::string_view form, const Handler& handler) {
+    for (const std::string_view name : names) commands_[std::string(name)] = {form, handler};
   }
-  void know_in_preamble(std::initializer_list<std::string_view> names, const Handler& handler) {
-    know(names, handler);
+  void know_in_preamble(const NameList& names, std::string_view form, const Handler& handler) {
+    know(names, form, handler);
     definitions_.insert(names);
   }
-  void know_environments(std::initializer_list<std::string_view> names, const Handler& handler) {
-    for (const std::string_view name : names) environments_[std::string(name)] = handler;
+  void know_environments(const NameList& names, std::string_view form, const Handler& handler) {
+    for (const std::string_view name : names) environments_[std::string(name)] = {form, handler};
   }
+  static void call(const Construct& construct, TexScanner& in, const TexToken& token);
 
-  Macro macro_at(TexScanner& in) const;
+  static Macro macro_of(const Call& call);
   void define(const std::string& name, Macro macro);
   void begin_group() { groups_.emplace_back(); }
   void end_group();
-  std::string typed_number(TexScanner& in);
-  void require_default_options(TexScanner& in);
+  std::string typed_number(std::string_view latex);
+  void require_default_options(const Call& call);
   std::optional<bool> compared(TexScanner& in, std::string_view kind);
   std::vector<std::string> claims_of(bool is_cited) const;
   void picture_environment(TexScanner& in, const TexToken& token);
@@ -157,14 +174,16 @@ class Expander {
   std::string author_lines() const;
   bool is_revtex() const { return class_.starts_with("revtex"); }
   void formula(TexScanner& in, std::string_view end);
-  std::vector<Row> rows_of_display(std::string_view body);
+  void show_note(std::size_t number, std::string_view latex);
+  void show_caption(const std::string& counter, const Call& call);
+  std::vector<Row> rows_of_display(std::string_view body, bool is_one = false);
   void show_display(const std::string& environment, std::vector<Row> rows);
   std::string link_to(const std::string& key, const std::string& latex);
   std::string number_of(const std::string& key) const;
   std::vector<std::pair<std::string, bool>> cited_in_order(std::vector<std::string> keys) const;
 
   const PageSources& sources_;
-  Handlers commands_, environments_;
+  Constructs commands_, environments_;
   std::set<std::string_view> definitions_;  ///< commands that count in the preamble
   std::vector<std::string> limits_;         ///< letters of the ledger's limits as they were read
   std::set<std::string> listed_;            ///< whether ledger and index are shown: claim-, val-
@@ -187,7 +206,7 @@ class Expander {
   std::string file_name_;
   std::vector<Float> floats_;
   std::vector<std::pair<std::string, int>> lists_;  ///< counters of the open lists, items so far
-  std::vector<std::pair<std::string, std::string>> ends_;  ///< what ends the open environments
+  std::vector<std::pair<std::string, std::function<void()>>> ends_;  ///< of the open environments
   std::string section_;
   std::string class_;
   bool is_math_ = false, is_author_year_ = false, sorts_citations_ = false,
@@ -207,8 +226,8 @@ std::string_view argument(TexScanner& in);
 /// An argument in brackets; none if there is no bracket, over at most one line end.
 std::optional<std::string_view> option(TexScanner& in);
 
-/// The names between commas, without blanks.
-std::vector<std::string> names_in(std::string_view text);
+/// The names between commas or other separators, without blanks.
+std::vector<std::string> names_in(std::string_view text, char separator = ',');
 
 }  // namespace page_reading
 }  // namespace literate

@@ -24,15 +24,14 @@ std::string command_in(std::string_view argument) {
 
 }  // namespace
 
-// [2][default]{body}
-Expander::Macro Expander::macro_at(TexScanner& in) const {
-  Macro macro;
-  if (const auto n = option(in)) macro.n_arguments = static_cast<std::size_t>(n->front() - '0');
-  const auto first = option(in);
-  macro.has_default = first.has_value();
-  macro.first_default = first.value_or("");
-  macro.body = argument(in);
-  return macro;
+// {name}[2][default]{body}, and of an environment {end}
+Expander::Macro Expander::macro_of(const Call& call) {
+  const std::string_view n_arguments = call.option(0);
+  return {.n_arguments = n_arguments.empty() ? 0U : static_cast<std::size_t>(n_arguments[0] - '0'),
+          .has_default = call.options[1].has_value(),
+          .first_default = std::string(call.option(1)),
+          .body = call[1],
+          .end = call.arguments.size() > 2 ? call[2] : ""};
 }
 
 void Expander::define(const std::string& name, Macro macro) {
@@ -85,132 +84,115 @@ std::optional<bool> Expander::compared(TexScanner& in, std::string_view kind) {
 
 void Expander::know_definitions() {
   // \PageMark{<b>}{</b>}{LaTeX}
-  know({"PageMark"}, [this](TexScanner& in, const TexToken&) {
-    const std::string open = expanded(argument(in)), close = expanded(argument(in));
-    emit(marked(open, expanded(argument(in)), close));
+  know({"PageMark"}, "mmm", [this](const Call& call) {
+    const std::string open = expanded(call[0]), close = expanded(call[1]);
+    emit(marked(open, expanded(call.arguments[2]), close));
   });
   // \begin{PageBlock}{<div>}{</div>}
-  know_environments({"PageBlock", "PageBlock*"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string open = expanded(argument(in)), close = expanded(argument(in));
-    begin_block(open, close, !token.name.ends_with('*'));
-    ends_.emplace_back(token.name, "block");
+  know_environments({"PageBlock", "PageBlock*"}, "mm", [this](const Call& call) {
+    const std::string open = expanded(call[0]), close = expanded(call[1]);
+    begin_block(open, close, !call.is_starred);
+    ends_.emplace_back(call.name, [this] { end_block(); });
   });
-  know({"PageIf"}, [this](TexScanner& in, const TexToken&) {
-    const bool is_empty = sys::stripped(argument(in)).empty();
-    const std::string_view latex = argument(in);
-    if (!is_empty) read_all(latex);
+  know({"PageIf"}, "mm", [this](const Call& call) {
+    if (!sys::stripped(call.arguments[0]).empty()) read_all(call.arguments[1]);
   });
-  know({"PageNumber"}, [this](TexScanner& in, const TexToken&) {
-    read_all(numbers_.take(std::string(argument(in))).number);
-  });
-  know_in_preamble({"newcommand", "renewcommand", "providecommand", "DeclareRobustCommand"},
-                   [this](TexScanner& in, const TexToken& token) {
-                     const std::string name = command_in(argument(in));
-                     Macro macro = macro_at(in);
+  know({"PageNumber"}, "m", [this](const Call& call) { read_all(numbers_.take(call[0]).number); });
+  know_in_preamble({"newcommand", "renewcommand", "providecommand", "DeclareRobustCommand"}, "moom",
+                   [this](const Call& call) {
+                     const std::string name = command_in(call.arguments[0]);
                      const bool is_known = macros_.contains(name) || commands_.contains(name);
-                     if (token.name == "providecommand" && is_known) return;
-                     define(name, std::move(macro));
+                     if (call.name == "providecommand" && is_known) return;
+                     define(name, macro_of(call));
                    });
   // \def\name#1#2{…}
-  know_in_preamble({"def", "gdef"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string name = command_in(argument(in));
-    const auto open = in.rest().find('{');
-    if (open == in.rest().npos) return;
-    const std::string_view pattern = in.skip(open);
-    Macro macro;
-    macro.n_arguments = static_cast<std::size_t>(std::ranges::count(pattern, '#'));
-    macro.body = argument(in);
+  know_in_preamble({"def", "gdef"}, "m", [this](const Call& call) {
+    const std::string name = command_in(call.arguments[0]);
+    const auto open = call.in.rest().find('{');
+    if (open == std::string_view::npos) return;
+    const std::string_view pattern = call.in.skip(open);
+    Macro macro{.n_arguments = static_cast<std::size_t>(std::ranges::count(pattern, '#')),
+                .body = std::string(argument(call.in))};
     if (pattern.size() != 2 * macro.n_arguments) return;
-    if (token.name == "gdef") {
-      for (auto& group : groups_) group.erase(name);
-      macros_[name] = std::move(macro);
-    } else {
-      define(name, std::move(macro));
-    }
+    if (call.name == "def") return define(name, std::move(macro));
+    for (auto& group : groups_) group.erase(name);
+    macros_[name] = std::move(macro);
   });
   // \let\name=\other
-  know_in_preamble({"let"}, [this](TexScanner& in, const TexToken&) {
-    const auto name = in.next();
-    in.skip_blanks();
-    if (in.rest().starts_with('=')) in.skip(1);
-    in.skip_blanks();
-    const auto other = in.next();
-    if (!name || !other || name->kind != TexKind::command) return;
-    const std::string alias(name->name), known(other->name);
+  know_in_preamble({"let"}, "m", [this](const Call& call) {
+    call.in.skip_blanks();
+    if (call.in.rest().starts_with('=')) call.in.skip(1);
+    const auto other = call.in.next();
+    if (!other || !call.arguments[0].starts_with('\\')) return;
+    const std::string alias = command_in(call.arguments[0]), known(other->name);
     const bool is_command = other->kind == TexKind::command;
     if (const auto macro = macros_.find(known); is_command && macro != macros_.end()) {
       define(alias, Macro(macro->second));
-    } else if (const auto handler = commands_.find(known);
-               is_command && handler != commands_.end()) {
-      commands_[alias] = [read = handler->second, known](TexScanner& from, TexToken token) {
-        token.name = known;
-        read(from, token);
-      };
+    } else if (const auto construct = commands_.find(known);
+               is_command && construct != commands_.end()) {
+      commands_[alias] = {construct->second.form,
+                          [read = construct->second.handler, known](Call aliased) {
+                            aliased.name = known;
+                            read(aliased);
+                          }};
     } else {
       define(alias, {.body = known == "relax" ? "" : std::string(other->text)});
     }
   });
-  know({"begingroup", "bgroup"}, [this](TexScanner&, const TexToken&) {
-    begin_group();
-    emit("{");
-  });
-  know({"endgroup", "egroup"}, [this](TexScanner&, const TexToken&) {
-    end_group();
-    emit("}");
+  know({"begingroup", "bgroup", "endgroup", "egroup"}, "", [this](const Call& call) {
+    const bool begins = call.name.starts_with('b');
+    begins ? begin_group() : end_group();
+    emit(begins ? "{" : "}");
   });
   // pandoc would set the units of a number in capitals too.
-  know({"MakeUppercase", "MakeTextUppercase", "uppercase"},
-       [this](TexScanner& in, const TexToken&) {
-         const std::string_view text = argument(in);
-         if (text.find_first_of("\\$") != text.npos) {
-           fail(fmt::format("the page cannot set '{}' in capitals, but plain letters alone", text));
-         }
-         emit(fmt::format("\\MakeUppercase{{{}}}", text));
-       });
-  know_in_preamble({"newenvironment", "renewenvironment"}, [this](TexScanner& in, const TexToken&) {
-    const std::string name(argument(in));
-    Macro macro = macro_at(in);
-    macro.end = argument(in);
-    own_environments_[name] = std::move(macro);
+  know({"MakeUppercase", "MakeTextUppercase", "uppercase"}, "m", [this](const Call& call) {
+    const std::string text = call[0];
+    if (text.find_first_of("\\$") != text.npos) {
+      fail(fmt::format("the page cannot set '{}' in capitals, but plain letters alone", text));
+    }
+    emit(fmt::format("\\MakeUppercase{{{}}}", text));
   });
+  know_in_preamble({"newenvironment", "renewenvironment"}, "moomm",
+                   [this](const Call& call) { own_environments_[call[0]] = macro_of(call); });
   // \PageDefine{name}{LaTeX}
-  know_in_preamble({"PageDefine"}, [this](TexScanner& in, const TexToken&) {
-    const std::string name(argument(in));
-    macros_[name] = {.body = std::string(argument(in))};
+  know_in_preamble({"PageDefine"}, "mm",
+                   [this](const Call& call) { macros_[call[0]] = {.body = call[1]}; });
+  // \PageNames{1}{LaTeX}{\some\names}: commands of that many arguments
+  know_in_preamble({"PageNames"}, "mmm", [this](const Call& call) {
+    TexScanner names(call.arguments[2]);
+    while (const auto token = names.next()) {
+      if (token->kind != TexKind::command) continue;
+      macros_[std::string(token->name)] = {
+          .n_arguments = static_cast<std::size_t>(call[0].front() - '0'), .body = call[1]};
+    }
   });
-  know_in_preamble({"newtheorem"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string name(argument(in));
-    const std::string counter(option(in).value_or(name));
-    const std::string title(argument(in));
-    option(in);
-    const bool is_numbered = !token.text.ends_with('*');
-    const char* macro = is_numbered ? "PageTheorem" : "PageRemark";
-    own_environments_[name] = {.n_arguments = 1,
-                               .has_default = true,
-                               .body = fmt::format("\\{}{{{}}}{{#1}}{{{}}}", macro, title, counter),
-                               .end = "\\end{PageBlock*}"};
+  know_in_preamble({"newtheorem"}, "momo", [this](const Call& call) {
+    own_environments_[call[0]] = {
+        .n_arguments = 1,
+        .has_default = true,
+        .body =
+            fmt::format("\\{}{{{}}}{{#1}}{{{}}}", call.is_starred ? "PageRemark" : "PageTheorem",
+                        call[1], call.options[0].value_or(call.arguments[0])),
+        .end = "\\end{PageBlock*}"};
   });
-  know_in_preamble({"DeclareMathOperator"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string name = command_in(argument(in));
-    const char* star = token.text.ends_with('*') ? "*" : "";
-    macros_[name] = {.body = fmt::format("\\operatorname{}{{{}}}", star, argument(in))};
+  know_in_preamble({"DeclareMathOperator"}, "mm", [this](const Call& call) {
+    const char* star = call.is_starred ? "*" : "";
+    macros_[command_in(call.arguments[0])] = {
+        .body = fmt::format("\\operatorname{}{{{}}}", star, call[1])};
   });
   // \PageUse[otherwise]{name}
-  know({"PageUse"}, [this](TexScanner& in, const TexToken&) {
-    const auto otherwise = option(in);
-    const std::string name = expanded(argument(in));
+  know({"PageUse"}, "om", [this](const Call& call) {
+    const std::string name = expanded(call[0]);
     const auto macro = macros_.find(name);
-    if (macro != macros_.end()) return read_all(filled(in, macro->second));
-    if (otherwise) return read_all(*otherwise);
+    if (macro != macros_.end()) return read_all(filled(call.in, macro->second));
+    if (call.options[0]) return read_all(call.option());
     fail("unknown " + boost::replace_first_copy(name, ":", " '") + "'");
   });
-  know_in_preamble({"LiteratePicture"}, [this](TexScanner& in, const TexToken&) {
-    picture_environments_.emplace(argument(in));
-  });
+  know_in_preamble({"LiteratePicture"}, "m",
+                   [this](const Call& call) { picture_environments_.insert(call[0]); });
   // A class is named without its version: revtex4-2.
-  know_in_preamble({"documentclass"}, [this](TexScanner& in, const TexToken&) {
-    option(in);
-    class_ = argument(in);
+  know_in_preamble({"documentclass"}, "om", [this](const Call& call) {
+    class_ = call[0];
     class_.erase(class_.find_last_not_of("-0123456789") + 1);
     sorts_citations_ = compresses_citations_ = is_revtex();
     if (const auto own = macros_.find("class:" + class_); own != macros_.end()) {
@@ -218,11 +200,10 @@ void Expander::know_definitions() {
     }
   });
   // A package of the document's own folder is part of the document.
-  know_in_preamble({"usepackage", "RequirePackage"}, [this](TexScanner& in, const TexToken&) {
-    const std::string_view options = option(in).value_or("");
-    const std::string name(argument(in));
-    const auto has = [&](const char* wanted) { return options.find(wanted) != options.npos; };
-    for (const std::string& one : names_in(name)) {
+  know_in_preamble({"usepackage", "RequirePackage"}, "om", [this](const Call& call) {
+    const std::string_view given = call.option();
+    const auto has = [&](const char* wanted) { return given.find(wanted) != given.npos; };
+    for (const std::string& one : names_in(call.arguments[0])) {
       if (one == "natbib") {
         is_author_year_ = !has("numbers") && !has("super");
         if (has("round") || (is_author_year_ && !has("square"))) {
@@ -238,26 +219,25 @@ void Expander::know_definitions() {
         compresses_citations_ = !has("nocompress");
       }
     }
-    const fs::path file = sources_.document / (name + ".sty");
+    const fs::path file = sources_.document / (call[0] + ".sty");
     if (fs::is_regular_file(file)) read_preamble(sys::read_file(file));
   });
   // What is between \makeatletter and \makeatother concerns LaTeX.
-  know_in_preamble({"makeatletter"}, [this](TexScanner& in, const TexToken&) {
-    while (const auto token = in.next()) {
+  know_in_preamble({"makeatletter"}, "", [](const Call& call) {
+    while (const auto token = call.in.next()) {
       if (token->name == "makeatother") return;
     }
   });
   // \ifdim1cm>10pt … \else … \fi and the like; \ifmmode, \iftrue and \iffalse.
-  know({"ifdim", "ifnum", "ifmmode", "iftrue", "iffalse"}, [this](TexScanner& in,
-                                                                  const TexToken& token) {
-    const std::string kind(token.name);
-    const bool is_comparison = kind == "ifdim" || kind == "ifnum";
+  know({"ifdim", "ifnum", "ifmmode", "iftrue", "iffalse"}, "", [this](const Call& call) {
+    const bool is_comparison = call.name == "ifdim" || call.name == "ifnum";
     const std::optional<bool> is_true =
-        is_comparison ? compared(in, kind) : kind == "iftrue" || (kind == "ifmmode" && is_math_);
-    if (!is_true) return fail(fmt::format("the page cannot decide \\{}", kind));
+        is_comparison ? compared(call.in, call.name)
+                      : call.name == "iftrue" || (call.name == "ifmmode" && is_math_);
+    if (!is_true) return fail(fmt::format("the page cannot decide \\{}", call.name));
     std::string yes, no;
     bool in_else = false;
-    for (int depth = 1; auto part = in.next();) {
+    for (int depth = 1; auto part = call.in.next();) {
       const bool opens = part->kind == TexKind::command && part->name.starts_with("if") &&
                          part->name != "ifflag" && part->name != "ifpapermodified";
       if (opens) ++depth;
@@ -271,36 +251,41 @@ void Expander::know_definitions() {
     read_all(*is_true ? yes : no);
   });
   // An environment that is nothing but its content here, with the arguments that it takes.
-  know_environments(
-      {"document", "subequations", "multicols", "minipage", "flushleft", "flushright", "titlepage",
-       "frontmatter", "acknowledgments", "small", "footnotesize", "raggedright", "sloppypar"},
-      [this](TexScanner& in, const TexToken& token) {
-        while (option(in)) {
-        }
-        if (token.name == "multicols" || token.name == "minipage") argument(in);
-        emit("\n\n");
-        ends_.emplace_back(token.name, token.name == "minipage" ? "minipage" : "\n\n");
-      });
-  know({"input", "include", "LiterateFiles"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string name = expanded(argument(in));
-    if (token.name == "LiterateFiles") return read_all(sys::read_file(sources_.generated / name));
+  know_environments({"document", "subequations", "flushleft", "flushright", "titlepage",
+                     "frontmatter", "acknowledgments", "small", "footnotesize", "raggedright",
+                     "sloppypar", "multicols", "minipage"},
+                    "ooo", [this](const Call& call) {
+                      const bool is_minipage = call.name == "minipage";
+                      if (is_minipage || call.name == "multicols") argument(call.in);
+                      emit("\n\n");
+                      ends_.emplace_back(call.name, [this, is_minipage] {
+                        if (is_minipage && !floats_.empty() && !floats_.back().outer.empty()) {
+                          floats_.back().counter = std::exchange(floats_.back().outer, "");
+                        }
+                        emit("\n\n");
+                      });
+                    });
+  know({"LiterateFiles"}, "m", [this](const Call& call) {
+    read_all(sys::read_file(sources_.generated / expanded(call[0])));
+  });
+  know({"input", "include"}, "m", [this](const Call& call) {
+    const std::string name = expanded(call[0]);
     const fs::path file = file_of(name);
     if (!fs::is_regular_file(file)) return fail(fmt::format("'{}' is not there", name));
     read_file(file);
     emit("\n");
   });
   // \hskip1em plus .5em minus .4em, \penalty0
-  know({"hskip", "vskip", "kern", "penalty"}, [this](TexScanner& in, const TexToken& token) {
+  know({"hskip", "vskip", "kern", "penalty"}, "", [this](const Call& call) {
     static const std::regex length(
         R"(^\s*-?[\d.]+\s*((em|ex|pt|pc|mm|cm|in)(\s*(plus|minus)\s*[\d.]+\s*[a-z]+)*)?)");
-    std::match_results<std::string_view::const_iterator> found;
-    const std::string_view rest = in.rest();
-    if (std::regex_search(rest.begin(), rest.end(), found, length)) {
-      in.skip(static_cast<std::size_t>(found.length()));
-    }
-    emit(token.name == "penalty" ? "" : " ");
+    std::cmatch found;
+    const std::string_view rest = call.in.rest();
+    std::regex_search(rest.data(), rest.data() + rest.size(), found, length);
+    call.in.skip(static_cast<std::size_t>(found.length()));
+    emit(call.name == "penalty" ? "" : " ");
   });
-  know({"unskip"}, [this](TexScanner&, const TexToken&) {
+  know({"unskip"}, "", [this](const Call&) {
     while (out_->ends_with(' ') || out_->ends_with('\n')) out_->pop_back();
   });
 }

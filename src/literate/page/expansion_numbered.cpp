@@ -35,7 +35,7 @@ void Expander::formula(TexScanner& in, std::string_view end) {
   throw sys::InputError(fmt::format("{}: a formula has no end", place()));
 }
 
-std::vector<Expander::Row> Expander::rows_of_display(std::string_view body) {
+std::vector<Expander::Row> Expander::rows_of_display(std::string_view body, bool is_one) {
   std::vector<Row> rows(1);
   const bool outer = std::exchange(is_math_, true);
   std::string* const out = out_;
@@ -47,6 +47,10 @@ std::vector<Expander::Row> Expander::rows_of_display(std::string_view body) {
     if (token->kind == TexKind::end) --depth;
     if (token->text == "\\\\" && depth == 0) {
       option(in);
+      if (is_one) {
+        row.latex += "\\\\";
+        continue;
+      }
       rows.emplace_back();
       // The vector may have moved its rows.
       out_ = &rows.back().latex;
@@ -98,28 +102,46 @@ void Expander::show_display(const std::string& environment, std::vector<Row> row
   end_block();
 }
 
+void Expander::show_note(std::size_t number, std::string_view latex) {
+  emit(marked(fmt::format("<span class=\"lit-note\" id=\"note-{}\" role=\"note\">", number),
+              expanded(latex), "</span>"));
+}
+
+void Expander::show_caption(const std::string& counter, const Call& call) {
+  const bool is_part = counter.starts_with("sub");
+  const bool is_first = !floats_.empty() && !floats_.back().has_caption && !is_part;
+  if (!floats_.empty()) floats_.back().has_caption = true;
+  begin_block(is_first ? "<figcaption>" : "<div class=\"lit-caption\">",
+              is_first ? "</figcaption>" : "</div>");
+  if (!call.is_starred) {
+    const PrintedNumber number = numbers_.take(counter);
+    emit(marked("<span class=\"lit-label\">",
+                is_part ? "(" + number.number + ")" : number.shown + "~" + number.number,
+                is_part ? "</span> " : "</span>: "));
+  }
+  read_all(call.arguments.back());
+  end_block();
+}
+
 void Expander::know_numbered() {
   // \bookmarksetup{startatroot}: what follows is in no part.
-  know({"bookmarksetup"}, [this](TexScanner& in, const TexToken&) {
-    for (const std::string& setting : names_in(argument(in))) {
+  know({"bookmarksetup"}, "m", [this](const Call& call) {
+    for (const std::string& setting : names_in(call.arguments[0])) {
       if (setting == "startatroot") has_parts_ = false;
     }
   });
   // Levels of headings follow each other, since assistive software reads them so: with parts or
   // chapters a section is deeper than before the first of them.
+  static const std::vector<std::string> headings{
+      "part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"};
   know({"part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"},
-       [this](TexScanner& in, const TexToken& token) {
-         static const std::vector<std::string> names{"part",        "chapter",       "section",
-                                                     "subsection",  "subsubsection", "paragraph",
-                                                     "subparagraph"};
-         const std::string name(token.name);
-         const bool is_starred = token.text.ends_with('*');
-         option(in);
-         const std::string text = expanded(argument(in));
+       "om", [this](const Call& call) {
+         const std::string& name = call.name;
+         const std::string text = expanded(call.arguments[0]);
          // IEEEtran prints no heading of a section in its one appendix.
-         if (name == "section" && !is_starred && macros_.contains("PageOneAppendix")) return;
+         if (name == "section" && !call.is_starred && macros_.contains("PageOneAppendix")) return;
          std::string number, printed;
-         if (!is_starred && numbers_.next(name)) {
+         if (!call.is_starred && numbers_.next(name)) {
            const PrintedNumber found = numbers_.take(name);
            number = found.number;
            const bool has_word = name == "part" || name == "chapter";
@@ -128,7 +150,7 @@ void Expander::know_numbered() {
                                        : word + (found.shown.empty() ? number : found.shown));
          }
          const auto level =
-             static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+             static_cast<std::size_t>(std::ranges::find(headings, name) - headings.begin());
          if (level <= 2) section_ = expanded(number);
          if (level > 4) {
            return emit(
@@ -136,100 +158,70 @@ void Expander::know_numbered() {
          }
          has_parts_ = has_parts_ || level == 0;
          has_chapters_ = has_chapters_ || level == 1;
-         const std::size_t above = level == 0 ? 0 : (has_parts_ ? 1 : 0);
+         const std::size_t above = level > 0 && has_parts_ ? 1 : 0;
          const std::size_t depth = above + (level < 2 ? 0 : level - 2 + (has_chapters_ ? 1 : 0));
          const std::string mark =
              printed.empty() ? "" : marked("<span class=\"lit-number\">", printed, "</span>");
-         emit(fmt::format("\n\n\\{}{{{} {}}}", names[depth + 2], mark, text));
-         TexScanner behind(in.rest());
+         emit(fmt::format("\n\n\\{}{{{} {}}}", headings[depth + 2], mark, text));
+         TexScanner behind(call.in.rest());
          behind.skip_blanks();
          if (behind.rest().starts_with("\\label{")) {
-           in = behind;
-           in.next();
-           const std::string key(argument(in));
+           call.in = behind;
+           call.in.next();
+           const std::string key(argument(call.in));
            if (!number.empty()) hold_against(key, number, "");
            emit("\\label{" + key + "}");
          }
          emit("\n\n");
        });
-  know({"label"}, [this](TexScanner& in, const TexToken&) {
-    const std::string key(argument(in));
+  know({"label"}, "m", [this](const Call& call) {
     if (is_math_) return;
-    const std::string id = fmt::format(" id=\"{}\"", escape_html(key));
-    if (!floats_.empty()) {
-      std::string& open = result_.marks[floats_.back().mark - 1].open;
-      if (open.find("@id@") != std::string::npos) {
-        open = boost::replace_all_copy(open, "@id@", id);
-        return;
-      }
-    }
-    emit(marked("<span" + id + ">", "", "</span>"));
+    const std::string id = fmt::format(" id=\"{}\"", escape_html(call[0]));
+    std::string* const open =
+        floats_.empty() ? nullptr : &result_.marks[floats_.back().mark - 1].open;
+    if (!open || open->find("@id@") == std::string::npos)
+      return emit(marked("<span" + id + ">", "", "</span>"));
+    boost::replace_all(*open, "@id@", id);
   });
-  know({"footnote", "footnotemark", "footnotetext", "thanks"}, [this](TexScanner& in,
-                                                                      const TexToken& token) {
-    const auto given = option(in);
-    std::size_t note_number = notes_.size();
-    if (token.name == "footnotetext") {
-      const auto mark = given ? std::find(notes_.rbegin(), notes_.rend(), *given) : notes_.rbegin();
-      note_number = static_cast<std::size_t>(notes_.rend() - mark);
-    } else {
-      // REVTeX may print notes among the sources; IEEEtran's notes to the title have no mark.
-      const bool is_title = token.name == "thanks";
-      const bool has_number = numbers_.next("footnote") &&
-                              (!is_title || numbers_.next("footnote")->number.starts_with('\\'));
-      const std::string note = fmt::format("Note{}", n_notes_among_sources_ + 1);
-      if (!is_title && numbers_.cites(note)) {
-        ++n_notes_among_sources_;
-        if (has_number) numbers_.take("footnote");
-        argument(in);
-        return read_all("\\cite{" + note + "}");
-      }
-      const std::string number = given        ? std::string(*given)
-                                 : has_number ? expanded(numbers_.take("footnote").number)
-                                              : "";
-      notes_.push_back(number);
-      note_number = notes_.size();
-      const std::string place = fmt::format("note-{}", note_number);
-      emit(marked(
-          fmt::format("<sup class=\"lit-note-mark\"><a id=\"{0}-mark\" href=\"#{0}\">", place),
-          number, "</a></sup>"));
+  know({"footnote", "footnotemark", "thanks"}, "o", [this](const Call& call) {
+    // REVTeX may print notes among the sources; IEEEtran's notes to the title have no mark.
+    const bool is_title = call.name == "thanks";
+    const PrintedNumber* const next = numbers_.next("footnote");
+    const bool has_number = next && (!is_title || next->number.starts_with('\\'));
+    const std::string note = fmt::format("Note{}", n_notes_among_sources_ + 1);
+    if (!is_title && numbers_.cites(note)) {
+      ++n_notes_among_sources_;
+      if (has_number) numbers_.take("footnote");
+      argument(call.in);
+      return read_all("\\cite{" + note + "}");
     }
-    if (token.name == "footnotemark") return;
-    const std::string text = expanded(argument(in));
-    emit(marked(fmt::format("<span class=\"lit-note\" id=\"note-{}\" role=\"note\">", note_number),
-                text, "</span>"));
+    notes_.push_back(call.options[0] ? std::string(call.option())
+                     : has_number    ? expanded(numbers_.take("footnote").number)
+                                     : "");
+    const std::string place = fmt::format("note-{}", notes_.size());
+    emit(
+        marked(fmt::format("<sup class=\"lit-note-mark\"><a id=\"{0}-mark\" href=\"#{0}\">", place),
+               notes_.back(), "</a></sup>"));
+    if (call.name != "footnotemark") show_note(notes_.size(), argument(call.in));
   });
-  know({"caption", "captionof"}, [this](TexScanner& in, const TexToken& token) {
-    const bool is_starred = token.text.ends_with('*');
-    std::string counter = floats_.empty() ? "figure" : floats_.back().counter;
-    if (token.name == "captionof") counter = argument(in);
-    option(in);
-    const std::string_view text = argument(in);
-    const bool is_first =
-        !floats_.empty() && !floats_.back().has_caption && !counter.starts_with("sub");
-    begin_block(is_first ? "<figcaption>" : "<div class=\"lit-caption\">",
-                is_first ? "</figcaption>" : "</div>");
-    if (!floats_.empty()) floats_.back().has_caption = true;
-    if (!is_starred) {
-      const PrintedNumber number = numbers_.take(counter);
-      const std::string shown = counter.starts_with("sub") ? "(" + number.number + ")"
-                                                           : number.shown + "~" + number.number;
-      emit(marked("<span class=\"lit-label\">", shown,
-                  counter.starts_with("sub") ? "</span> " : "</span>: "));
-    }
-    read_all(text);
-    end_block();
+  know({"footnotetext"}, "om", [this](const Call& call) {
+    const auto mark = call.options[0] ? std::find(notes_.rbegin(), notes_.rend(), call.option())
+                                      : notes_.rbegin();
+    show_note(static_cast<std::size_t>(notes_.rend() - mark), call.arguments[0]);
   });
+  know({"caption"}, "om", [this](const Call& call) {
+    show_caption(floats_.empty() ? "figure" : floats_.back().counter, call);
+  });
+  know({"captionof"}, "mom", [this](const Call& call) { show_caption(call[0], call); });
   // type=figure within a table: this minipage has a figure's caption.
-  know({"captionsetup"}, [this](TexScanner& in, const TexToken&) {
-    option(in);
-    for (const std::string& setting : names_in(argument(in))) {
+  know({"captionsetup"}, "om", [this](const Call& call) {
+    for (const std::string& setting : names_in(call.arguments[0])) {
       if (!setting.starts_with("type=") || floats_.empty()) continue;
       floats_.back().outer = std::exchange(floats_.back().counter, setting.substr(5));
     }
   });
-  know({"item"}, [this](TexScanner& in, const TexToken&) {
-    const auto given = option(in);
+  know({"item"}, "o", [this](const Call& call) {
+    const auto given = call.options[0];
     const bool is_described = !ends_.empty() && ends_.back().first == "description";
     if (given && is_described) return emit("\\item[" + expanded(*given) + "] ");
     emit("\\item ");
@@ -241,82 +233,68 @@ void Expander::know_numbered() {
       emit(marked("<span class=\"lit-item\">", expanded(shown), "</span> "));
     }
   });
-  know_environments(
-      {"enumerate", "itemize", "description"}, [this](TexScanner& in, const TexToken& token) {
-        option(in);
-        const auto depth =
-            std::ranges::count_if(lists_, [](const auto& list) { return !list.first.empty(); });
-        const bool is_numbered = token.name == "enumerate";
-        constexpr const char* counters[] = {"enumi", "enumii", "enumiii", "enumiv"};
-        lists_.emplace_back(is_numbered ? counters[std::min<std::ptrdiff_t>(depth, 3)] : "", 0);
-        ends_.emplace_back(token.name, "list");
-        emit(fmt::format("\\begin{{{}}}", token.name));
-      });
-  know_environments({"figure", "figure*", "table", "table*", "wrapfigure", "subfigure", "subtable",
-                     "sidewaystable", "sidewaysfigure"},
-                    [this](TexScanner& in, const TexToken& token) {
-                      const std::string name(token.name);
-                      option(in);
-                      if (name == "wrapfigure" || name.starts_with("sub")) argument(in);
-                      if (name == "wrapfigure") argument(in);
-                      const bool is_table = name.find("table") != name.npos;
-                      const bool is_part = name.starts_with("sub");
-                      begin_block(is_part ? "<div class=\"lit-subfigure\"@id@>"
-                                          : fmt::format("<figure class=\"lit-{}\"@id@{}>",
-                                                        is_table ? "table-float" : "figure",
-                                                        is_table ? "" : "@name@"),
-                                  is_part ? "</div>" : "</figure>");
-                      floats_.push_back({.counter = std::string(is_part ? "sub" : "") +
-                                                    (is_table ? "table" : "figure"),
-                                         .mark = result_.marks.size()});
-                      ends_.emplace_back(name, "float");
-                    });
-  know({"stepcounter", "refstepcounter"}, [this](TexScanner& in, const TexToken&) {
-    const std::string counter(argument(in));
-    macros_["the" + counter] = {.body = numbers_.take(counter).number};
+  know_environments({"enumerate", "itemize", "description"}, "o", [this](const Call& call) {
+    const auto depth =
+        std::ranges::count_if(lists_, [](const auto& list) { return !list.first.empty(); });
+    constexpr const char* counters[] = {"enumi", "enumii", "enumiii", "enumiv"};
+    lists_.emplace_back(
+        call.name == "enumerate" ? counters[std::min<std::ptrdiff_t>(depth, 3)] : "", 0);
+    ends_.emplace_back(call.name, [this, name = call.name] {
+      lists_.pop_back();
+      emit("\\end{" + name + "}");
+    });
+    emit(fmt::format("\\begin{{{}}}", call.name));
+  });
+  const auto begin_float = [this](const Call& call) {
+    const bool is_table = call.name.find("table") != std::string::npos;
+    const bool is_part = call.name.starts_with("sub");
+    begin_block(is_part    ? "<div class=\"lit-subfigure\"@id@>"
+                : is_table ? "<figure class=\"lit-table-float\"@id@>"
+                           : "<figure class=\"lit-figure\"@id@@name@>",
+                is_part ? "</div>" : "</figure>");
+    floats_.push_back(
+        {.counter = std::string(is_part ? "sub" : "") + (is_table ? "table" : "figure"),
+         .mark = result_.marks.size()});
+    ends_.emplace_back(call.name, [this] {
+      floats_.pop_back();
+      end_block();
+    });
+  };
+  know_environments({"figure", "figure*", "table", "table*", "sidewaystable", "sidewaysfigure"},
+                    "o", begin_float);
+  know_environments({"subfigure", "subtable"}, "om", begin_float);
+  know_environments({"wrapfigure"}, "omm", begin_float);
+  know({"stepcounter", "refstepcounter"}, "m", [this](const Call& call) {
+    macros_["the" + call[0]] = {.body = numbers_.take(call[0]).number};
   });
   // Its number is known again when it is stepped.
-  know({"setcounter", "addtocounter"}, [this](TexScanner& in, const TexToken&) {
-    macros_.erase("the" + std::string(argument(in)));
-    argument(in);
-  });
+  know({"setcounter", "addtocounter"}, "mm",
+       [this](const Call& call) { macros_.erase("the" + call[0]); });
   know_environments(
       {"equation", "equation*", "align", "align*", "alignat", "alignat*", "flalign", "flalign*",
        "gather", "gather*", "multline", "multline*", "eqnarray", "eqnarray*", "displaymath"},
-      [this](TexScanner& in, const TexToken& token) {
-        const std::string name(token.name);
-        std::string_view body = body_of(in, name);
-        std::string bare = name.ends_with('*') ? name.substr(0, name.size() - 1) : name;
+      "", [this](const Call& call) {
+        std::string_view body = body_of(call.in, call.name);
+        const std::string bare = call.name.substr(0, call.name.find('*'));
+        const bool is_plain = bare == "equation" || bare == "displaymath";
+        const bool is_aligned = bare == "flalign" || bare == "alignat" || bare == "eqnarray";
         if (bare == "alignat") body = body.substr(group_at(body).size());
-        std::vector<Row> rows = rows_of_display(body);
-        // An equation of its own counts although its \\tag is printed instead.
-        const bool is_counted = name == "equation";
-        const std::string counted = is_counted ? numbers_.take("equation").number : "";
-        const bool has_one_number =
-            bare == "equation" || bare == "multline" || bare == "displaymath";
-        if (has_one_number) {
-          Row whole = rows.front();
-          for (std::size_t i = 1; i < rows.size(); ++i) {
-            whole.latex += "\\\\" + rows[i].latex;
-            if (!rows[i].tag.empty()) whole.tag = rows[i].tag;
-            if (!rows[i].label.empty()) whole.label = rows[i].label;
-          }
-          rows = {whole};
-        }
+        std::vector<Row> rows = rows_of_display(body, is_plain || bare == "multline");
+        // An equation of its own counts although its \tag is printed instead.
+        const std::string counted =
+            call.name == "equation" ? "(" + numbers_.take("equation").number + ")" : "";
         for (Row& row : rows) {
           // Its relation has a column of its own.
           if (bare == "eqnarray") {
             const auto behind = row.latex.find('&', row.latex.find('&') + 1);
             if (behind != row.latex.npos) row.latex.erase(behind, 1);
           }
-          if (is_counted && row.tag.empty()) row.tag = "(" + counted + ")";
-          if (bare != name || bare == "displaymath") row.is_numbered = false;
+          if (row.tag.empty()) row.tag = counted;
+          if (call.is_starred || bare == "displaymath") row.is_numbered = false;
         }
-        if (bare == "displaymath") bare = "equation";
-        if (bare == "flalign" || bare == "alignat" || bare == "eqnarray") bare = "align";
-        show_display(bare, std::move(rows));
+        show_display(is_plain ? "equation" : is_aligned ? "align" : bare, std::move(rows));
         // It steps its counter once more than it prints it, and back again.
-        if (name.starts_with("eqnarray")) numbers_.take("equation");
+        if (bare == "eqnarray") numbers_.take("equation");
       });
 }
 

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "literate/page/expansion.hpp"
+#include "literate/tables/column_writer.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
 #include "system/text.hpp"
@@ -13,17 +14,6 @@
 namespace literate {
 using namespace page_reading;
 namespace {
-
-std::string in_threes(std::string_view digits, bool from_left) {
-  constexpr std::size_t fewest = 5;
-  std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    const std::size_t from_point = from_left ? i : digits.size() - i;
-    if (digits.size() >= fewest && i > 0 && from_point % 3 == 0) text += "\\,";
-    text += digits[i];
-  }
-  return text;
-}
 
 std::string power_of(std::string exponent, bool is_math) {
   return is_math ? "^{" + exponent + "}"
@@ -98,8 +88,8 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
     } else if (found[7].matched) {
       text += is_math ? "{-}" : "−";
     } else if (found[8].matched) {
-      text += in_threes(found.str(8), false);
-      if (found[9].matched) text += "." + in_threes(found.str(9), true);
+      text += grouped(found.str(8), false);
+      if (found[9].matched) text += "." + grouped(found.str(9), true);
     } else {
       text += found.str();
     }
@@ -108,11 +98,10 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
 }
 
 /// What siunitx prints of a number that an author types: «-.5E3» is −0.5e3.
-std::string Expander::typed_number(TexScanner& in) {
+std::string Expander::typed_number(std::string_view latex) {
   static const std::regex form(
       R"(\s*([-+]?)(\d*)(?:[.,](\d*))?(\(\d+\))?(?:[eEdD]([-+]?[1-9]\d*|0))?\s*)");
-  require_default_options(in);
-  const std::string typed = expanded(argument(in));
+  const std::string typed = expanded(latex);
   std::smatch parts;
   const bool is_number = std::regex_match(typed, parts, form) &&
                          (parts.length(2) + parts.length(3) + parts.length(5) > 0);
@@ -126,70 +115,69 @@ std::string Expander::typed_number(TexScanner& in) {
 }
 
 /// A number or a unit is set as siunitx sets it without options.
-void Expander::require_default_options(TexScanner& in) {
-  const std::string_view options = sys::stripped(option(in).value_or(""));
+void Expander::require_default_options(const Call& call) {
+  const std::string_view options = sys::stripped(call.option());
   if (options.empty() || options == "per-mode=symbol" || options == "per-mode = symbol") return;
   fail(fmt::format("the page cannot set a number or a unit with the options '{}'", options));
 }
 
 void Expander::know_quantities() {
-  know({"num", "qty", "SI"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string printed = typed_number(in);
-    if (token.name == "num") return emit(quantity_latex(printed, is_math_));
-    const std::string unit = unit_of_latex(argument(in));
+  know({"num"}, "om", [this](const Call& call) {
+    require_default_options(call);
+    emit(quantity_latex(typed_number(call.arguments[0]), is_math_));
+  });
+  know({"qty", "SI"}, "omm", [this](const Call& call) {
+    require_default_options(call);
+    const std::string printed = typed_number(call.arguments[0]);
+    const std::string unit = unit_of_latex(call.arguments[1]);
     std::string text = quantity_latex(printed + " " + unit, is_math_);
     if (unit.find('\\') != unit.npos) {
       const std::string bare = unit_with_solidus(unit);
-      text = quantity_latex(printed, is_math_) +
-             (bare.starts_with('/') ? ""
-              : is_math_            ? "\\,"
-                                    : "~") +
-             bare;
+      const char* blank = bare.starts_with('/') ? "" : is_math_ ? "\\," : "~";
+      text = quantity_latex(printed, is_math_) + blank + bare;
     }
     // Both stand on one line.
     emit(is_math_ ? text : marked("<span class=\"lit-nowrap\">", text, "</span>"));
   });
-  know({"si", "unit"}, [this](TexScanner& in, const TexToken&) {
-    require_default_options(in);
-    const std::string bare = unit_with_solidus(std::string(argument(in)));
+  know({"si", "unit"}, "om", [this](const Call& call) {
+    require_default_options(call);
+    const std::string bare = unit_with_solidus(call[0]);
     emit(bare.starts_with('/') ? "1" + bare : bare);
   });
   // pandoc takes only letters for columns, and shows nothing of what stands between them.
-  know_environments({"tabular", "tabular*", "tabularx", "longtable"}, [this](
-                                                                          TexScanner& in,
-                                                                          const TexToken& token) {
-    static const std::regex joint(R"([@!]\s*\{\s*[^\s\\}])"), filler(R"([@!<>]\s*\{[^{}]*\}|\|)"),
-        paragraph(R"([pmbw]\s*\{[^{}]*\}|X)");
-    option(in);
-    if (token.name == "tabular*" || token.name == "tabularx") argument(in);
-    std::string columns = expanded(argument(in));
-    if (std::regex_search(columns, joint)) {
-      fail("the page cannot join columns by @{…}; \\LiteratePicture{tabular} has LaTeX set them");
-    }
-    columns = std::regex_replace(std::regex_replace(columns, filler, ""), paragraph, "l");
-    begin_block("<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\">",
-                "</div>");
-    emit("\\begin{tabular}{" + columns + "}");
-    read_all(body_of(in, token.name));
-    emit("\\end{tabular}");
-    end_block();
-  });
+  know_environments(
+      {"tabular", "tabular*", "tabularx", "longtable"}, "om", [this](const Call& call) {
+        static const std::regex joint(R"([@!]\s*\{\s*[^\s\\}])"),
+            filler(R"([@!<>]\s*\{[^{}]*\}|\|)"), paragraph(R"([pmbw]\s*\{[^{}]*\}|X)");
+        const bool has_width = call.name == "tabular*" || call.name == "tabularx";
+        std::string columns = expanded(has_width ? argument(call.in) : call.arguments[0]);
+        if (std::regex_search(columns, joint)) {
+          fail(
+              "the page cannot join columns by @{…}; \\LiteratePicture{tabular} has LaTeX set "
+              "them");
+        }
+        columns = std::regex_replace(std::regex_replace(columns, filler, ""), paragraph, "l");
+        begin_block("<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\">",
+                    "</div>");
+        emit("\\begin{tabular}{" + columns + "}");
+        read_all(body_of(call.in, call.name));
+        emit("\\end{tabular}");
+        end_block();
+      });
   // \cmidrule(lr){2-3}
-  know({"cmidrule", "cline"}, [](TexScanner& in, const TexToken&) {
-    in.skip(group_at(in.rest(), '(', ')').size());
-    argument(in);
+  know({"cmidrule", "cline"}, "", [](const Call& call) {
+    call.in.skip(group_at(call.in.rest(), '(', ')').size());
+    argument(call.in);
   });
-  know({"makebox", "framebox"}, [this](TexScanner& in, const TexToken&) {
+  know({"makebox", "framebox"}, "oom", [this](const Call& call) {
     static const std::regex length(R"(\s*[\d.]+(em|ex|pt|pc|mm|cm|in)\s*)");
-    const std::string width(option(in).value_or(""));
-    option(in);
+    const std::string width(call.option());
     if (is_math_ || !std::regex_match(width, length)) {
-      read_all(argument(in));
+      read_all(call.arguments[0]);
       return emit(width.empty() ? "" : " ");
     }
-    const std::string text = expanded(argument(in));
-    emit(marked(fmt::format("<span class=\"lit-box\" style=\"min-width:{}\">", width), text,
-                "</span> "));
+    emit(marked(fmt::format("<span class=\"lit-box\" style=\"min-width:{}\">", width),
+                expanded(call.arguments[0]), "</span> "));
   });
 }
 

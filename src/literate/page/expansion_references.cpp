@@ -58,31 +58,25 @@ std::vector<std::pair<std::string, bool>> Expander::cited_in_order(
 }
 
 void Expander::know_references() {
-  // \\subref, whose number subcaption and subfig write under a name of its own.
-  know({"subref"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string key(argument(in));
-    std::string number = numbers_.label("sub@" + key).number;
-    if (token.text.ends_with('*'))
-      std::erase_if(number, [](char c) { return c == '(' || c == ')'; });
-    emit(link_to(key, number));
+  // \subref, whose number subcaption and subfig write under a name of its own.
+  know({"subref"}, "m", [this](const Call& call) {
+    std::string number = numbers_.label("sub@" + call[0]).number;
+    if (call.is_starred) std::erase_if(number, [](char c) { return c == '(' || c == ')'; });
+    emit(link_to(call[0], number));
   });
-  know({"ref", "eqref", "pageref", "nameref", "autoref"}, [this](TexScanner& in,
-                                                                 const TexToken& token) {
-    const std::string key(argument(in));
-    const PrintedLabel& label = numbers_.label(key);
-    const std::string name(token.name);
-    if (name == "ref") return emit(link_to(key, label.number));
-    if (name == "pageref") return emit(link_to(key, label.page));
-    if (name == "nameref") return emit(link_to(key, expanded(label.title)));
-    if (name == "autoref") {
-      return emit(link_to(key, expanded(numbers_.auto_name(label) + label.number)));
-    }
-    emit(link_to(key, label.number.starts_with('(') ? label.number : "(" + label.number + ")"));
+  know({"ref", "eqref", "pageref", "nameref", "autoref"}, "m", [this](const Call& call) {
+    const PrintedLabel& label = numbers_.label(call[0]);
+    std::string latex = label.number;
+    if (call.name == "pageref") latex = label.page;
+    if (call.name == "nameref") latex = label.title;
+    if (call.name == "autoref") latex = numbers_.auto_name(label) + label.number;
+    if (call.name == "eqref" && !latex.starts_with('(')) latex = "(" + latex + ")";
+    emit(link_to(call[0], latex));
   });
   // As cleveref does: sorted, of one kind after the other, three and more in a row as a range.
-  know({"cref", "Cref", "labelcref"}, [this](TexScanner& in, const TexToken& token) {
+  know({"cref", "Cref", "labelcref"}, "m", [this](const Call& call) {
     std::vector<std::pair<std::string, std::vector<std::string>>> kinds;
-    for (const std::string& key : names_in(argument(in))) {
+    for (const std::string& key : names_in(call.arguments[0])) {
       const std::string& type = numbers_.label(key).type;
       auto kind =
           std::ranges::find(kinds, type, &std::pair<std::string, std::vector<std::string>>::first);
@@ -94,9 +88,9 @@ void Expander::know_references() {
       std::ranges::sort(keys, {},
                         [&](const std::string& key) { return numbers_.label(key).order; });
       const auto names = numbers_.names(type);
-      const bool is_capital = token.name == "Cref" && texts.empty();
+      const bool is_capital = call.name == "Cref" && texts.empty();
       const std::size_t form = (is_capital ? 2U : 0U) + (keys.size() > 1 ? 1U : 0U);
-      const std::string name = token.name == "labelcref" ? "" : names[form] + "~";
+      const std::string name = call.name == "labelcref" ? "" : names[form] + "~";
       std::vector<std::string> parts;
       for (std::size_t i = 0; i < keys.size();) {
         std::size_t end = i + 1;
@@ -111,24 +105,22 @@ void Expander::know_references() {
     }
     emit(listed(texts));
   });
-  know({"crefrange", "Crefrange"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string first(argument(in)), last(argument(in));
-    const auto names = numbers_.names(numbers_.label(first).type);
-    emit(link_to(first, names[token.name == "Crefrange" ? 3 : 1] + "~" + number_of(first)) +
-         " to~" + link_to(last, number_of(last)));
+  know({"crefrange", "Crefrange"}, "mm", [this](const Call& call) {
+    const auto names = numbers_.names(numbers_.label(call[0]).type);
+    emit(link_to(call[0], names[call.name == "Crefrange" ? 3 : 1] + "~" + number_of(call[0])));
+    emit(" to~" + link_to(call[1], number_of(call[1])));
   });
   // natbib's citations of author and year stand in the text, or in brackets where they have a note.
-  know({"cite", "citep", "citet", "citealp", "onlinecite"}, [this](TexScanner& in,
-                                                                   const TexToken& token) {
-    const auto first = option(in), second = option(in);
-    const std::string before(second ? *first : ""), behind(second ? *second : first.value_or(""));
-    const bool is_bare = token.name == "cite" && is_author_year_ && !first;
-    const bool is_textual = token.name == "citet" || is_bare;
+  know({"cite", "citep", "citet", "citealp", "onlinecite"}, "oom", [this](const Call& call) {
+    const bool has_two = call.options[1].has_value();
+    const std::string_view before = has_two ? call.option(0) : "", behind = call.option(has_two);
+    const bool is_bare = call.name == "cite" && is_author_year_ && !call.options[0];
+    const bool is_textual = call.name == "citet" || is_bare;
     const std::string open = expanded("\\PageCiteOpen"), close = expanded("\\PageCiteClose"),
                       between = expanded(is_textual && !is_author_year_ ? ", " : "\\PageCiteNext");
     std::string text;
     bool is_range = false;
-    for (const auto& [key, is_between] : cited_in_order(names_in(argument(in)))) {
+    for (const auto& [key, is_between] : cited_in_order(names_in(call.arguments[0]))) {
       if (is_between && !is_textual) {
         is_range = true;
         continue;
@@ -145,22 +137,19 @@ void Expander::know_references() {
     }
     if (!before.empty()) text = expanded(before) + " " + text;
     if (!behind.empty()) text += ", " + expanded(behind);
-    emit(is_textual || token.name == "citealp" ? text : open + text + close);
+    emit(is_textual || call.name == "citealp" ? text : open + text + close);
   });
-  // What BibTeX or MakeIndex wrote for the PDF.
-  know({"bibliography", "printindex"}, [this](TexScanner& in, const TexToken& token) {
-    const bool is_index = token.name == "printindex";
-    if (!is_index) argument(in);
-    fs::path file = sources_.aux;
-    read_all(sys::read_file(file.replace_extension(is_index ? ".ind" : ".bbl")));
+  // \PageBeside{bbl} is what BibTeX or MakeIndex wrote for the PDF.
+  know({"PageBeside"}, "m", [this](const Call& call) {
+    read_all(sys::read_file(fs::path(sources_.aux).replace_extension(call[0])));
   });
-  know_environments({"thebibliography"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string_view body = body_of(in, token.name);
+  know_environments({"thebibliography"}, "m", [this](const Call& call) {
+    const std::string_view body = body_of(call.in, call.name);
     read_all("\\PageReferencesHead");
     begin_block("<ol class=\"lit-bibliography\">", "</ol>");
     const std::string counter = numbers_.next("enumiv") ? "enumiv" : "NAT@ctr";
     bool is_open = false;
-    TexScanner items(body.substr(group_at(body).size()));
+    TexScanner items(body);
     while (const auto part = items.next()) {
       if (part->name != "bibitem") {
         if (is_open || part->name == "newcommand" || part->name == "providecommand")

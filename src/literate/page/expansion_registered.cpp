@@ -79,9 +79,8 @@ void Expander::picture_environment(TexScanner& in, const TexToken& token) {
 }
 
 void Expander::know_registered() {
-  know({"val"}, [this](TexScanner& in, const TexToken&) {
-    const std::string options(option(in).value_or(""));
-    const std::string key(argument(in));
+  know({"val"}, "om", [this](const Call& call) {
+    const std::string options(call.option()), key = call[0];
     if (!names_.values.contains(key)) return fail(fmt::format("unknown value '{}'", key));
     std::string printed = registered_.at("values").at(key).at("printed");
     if (!options.empty()) {
@@ -91,20 +90,18 @@ void Expander::know_registered() {
         return fail(error.what());
       }
     }
-    printed = boost::replace_all_copy(printed, "\\%", "%");
-    const bool is_number = names_.numbers.contains(key);
-    const std::string latex =
-        is_number ? quantity_latex(printed, is_math_) : expanded(escape_latex(printed));
+    boost::replace_all(printed, "\\%", "%");
+    const std::string latex = names_.numbers.contains(key) ? quantity_latex(printed, is_math_)
+                                                           : expanded(escape_latex(printed));
     const std::string id = use_id("val", key);
     if (is_math_) return emit(latex);
-    emit(marked(fmt::format("<span class=\"lit-value lit-nowrap\" data-key=\"{}\" id=\"{}\">"
-                            "<a href=\"#val-{}\">",
-                            key, id, key),
+    emit(marked(fmt::format("<span class=\"lit-value lit-nowrap\" data-key=\"{0}\" id=\"{1}\">"
+                            "<a href=\"#val-{0}\">",
+                            key, id),
                 latex, "</a></span>"));
   });
-  know({"rawval"}, [this](TexScanner& in, const TexToken&) {
-    const std::string options(option(in).value_or(""));
-    const std::string key(argument(in));
+  know({"rawval"}, "om", [this](const Call& call) {
+    const std::string options(call.option()), key = call[0];
     const auto number = names_.numbers.find(key);
     if (number == names_.numbers.end()) return fail(fmt::format("unknown number '{}'", key));
     uses_[{"val", key}].push_back({"", section_});  // TeX may want digits, where no link can stand
@@ -116,22 +113,21 @@ void Expander::know_registered() {
     }
   });
   // \LiterateRepository{commit}{true}{2026-11-22T10:00:00Z}
-  know({"LiterateRepository"}, [this](TexScanner& in, const TexToken&) {
-    macros_["papercommit"] = {.body = std::string(argument(in))};
-    macros_["ifpapermodified"] = {.n_arguments = 2, .body = argument(in) == "true" ? "#1" : "#2"};
-    const std::string date(argument(in));
-    macros_["paperdate"] = {.body = date};
-    macros_["paperday"] = {.body = day_in_words(date, "%e %B %Y")};
-    if (macros_["paperday"].body != date)
-      macros_["today"] = {.body = day_in_words(date, "%B %e, %Y")};
+  know({"LiterateRepository"}, "mmm", [this](const Call& call) {
+    macros_["papercommit"] = {.body = call[0]};
+    macros_["ifpapermodified"] = {.n_arguments = 2, .body = call[1] == "true" ? "#1" : "#2"};
+    macros_["paperdate"] = {.body = call[2]};
+    const std::string day = day_in_words(call[2], "%e %B %Y");
+    macros_["paperday"] = {.body = day};
+    if (day != call[2]) macros_["today"] = {.body = day_in_words(call[2], "%B %e, %Y")};
   });
   // A link to the entry of the ledger, with the sign of the verdict.
-  know({"claim"}, [this](TexScanner& in, const TexToken&) {
-    const std::string id(argument(in));
+  know({"claim"}, "m", [this](const Call& call) {
+    const std::string id = call[0];
     const auto statement = statements_.find(id);
     if (statement == statements_.end()) return fail(fmt::format("unknown claim '{}'", id));
-    const std::string found = names_.claims.at(id).found;
-    const std::string number = statement->second.number;
+    const std::string& found = names_.claims.at(id).found;
+    const std::string& number = statement->second.number;
     emit(marked(
         fmt::format("<a class=\"lit-claim\" id=\"{}\" data-claim=\"{}\" data-verdict=\"{}\" "
                     "aria-label=\"claim {}, {}\" href=\"#claim-{}\"><span aria-hidden=\"true\">{}"
@@ -139,92 +135,82 @@ void Expander::know_registered() {
                     use_id("claim", id), id, one_word(found), number, found, id, sign_of(found)),
         number, "</a>"));
   });
-  know({"verdictsign"}, [this](TexScanner& in, const TexToken&) {
-    const std::string verdict(argument(in));
+  know({"verdictsign"}, "m", [this](const Call& call) {
     emit(marked(
         fmt::format(
             "<span class=\"lit-sign\" data-verdict=\"{}\" role=\"img\" aria-label=\"{}\">{}</span>",
-            one_word(verdict), verdict, sign_of(verdict)),
+            one_word(call[0]), call[0], sign_of(call[0])),
         "", ""));
   });
-  know({"claimcount"}, [this](TexScanner& in, const TexToken&) {
-    const std::vector<std::string> ids = claims_of(argument(in) == "cited");
-    const std::string_view verdict = argument(in);
+  know({"claimcount"}, "mm", [this](const Call& call) {
+    const std::vector<std::string> ids = claims_of(call[0] == "cited");
     emit(std::to_string(std::ranges::count_if(ids, [&](const std::string& id) {
       const NamedClaim& claim = names_.claims.at(id);
-      if (verdict == "unexpected") return claim.found != claim.expected;
-      return verdict == "all" || claim.found == verdict;
+      if (call[1] == "unexpected") return claim.found != claim.expected;
+      return call[1] == "all" || claim.found == call[1];
     })));
   });
-  know_environments({"findings"}, [this](TexScanner& in, const TexToken& token) {
-    const std::string_view body = body_of(in, token.name);
-    std::string heads = macros_.at("LiterateFindingsHead").body;
-    for (auto at = heads.find('&'); at != heads.npos; at = heads.find('&', at)) {
-      heads.replace(at, 1, "</tex></th><th scope=\"col\"><tex>");
-    }
-    fragment(
+  know_environments({"findings"}, "", [this](const Call& call) {
+    std::string html =
         "<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"findings\"><table "
-        "class=\"lit-table lit-findings\"><thead><tr><th scope=\"col\"><tex>" +
-        boost::replace_all_copy(heads, "<th scope=\"col\"><tex> </tex></th>", "<td></td>") +
-        "</tex></th></tr></thead><tbody><tex>" + std::string(body) +
-        "</tex></tbody></table></div>");
+        "class=\"lit-table lit-findings\"><thead><tr>";
+    for (const std::string& head : names_in(macros_.at("LiterateFindingsHead").body, '&')) {
+      html += head.empty() ? "<td></td>" : "<th scope=\"col\"><tex>" + head + "</tex></th>";
+    }
+    fragment(html + "</tr></thead><tbody><tex>" + std::string(body_of(call.in, call.name)) +
+             "</tex></tbody></table></div>");
   });
   // \PageLedger{cited}: the entries of claims that a source makes, or of the document's own.
-  know({"PageLedger"}, [this](TexScanner& in, const TexToken&) {
-    const bool is_cited = argument(in) == "cited";
+  know({"PageLedger"}, "m", [this](const Call& call) {
+    const bool is_cited = call[0] == "cited";
     listed_.insert("claim-");
     const RecordedAges ages(sources_.document, names_);
     for (const std::string& id : claims_of(is_cited)) {
       std::string html = sys::read_file(sources_.generated / "page/claims" / (id + ".html"));
-      const std::vector<std::string>& of_limits = ages.of(id);
-      for (std::size_t i = 0; i < of_limits.size(); ++i) {
-        const std::string& age = of_limits[i];
-        boost::replace_all(html, fmt::format("@age:{}@", i + 1),
+      boost::replace_all(html, "@origin@", is_cited ? "paper" : "ours");
+      std::size_t i = 0;
+      for (const std::string& age : ages.of(id)) {
+        boost::replace_all(html, fmt::format("@age:{}@", ++i),
                            age.empty() ? "" : fmt::format(", <strong>limit {}</strong>", age));
       }
-      fragment(lettered(boost::replace_all_copy(html, "@origin@", is_cited ? "paper" : "ours"),
-                        limits_));
+      fragment(lettered(html, limits_));
     }
   });
-  know({"PageFile"}, [this](TexScanner& in, const TexToken&) {
-    const std::string file(argument(in));
-    if (file == "index.html") listed_.insert("val-");
-    const std::string html = sys::read_file(sources_.generated / "page" / file);
-    fragment(file == "limits.html" ? in_order(html, limits_) : html);
+  know({"PageFile"}, "m", [this](const Call& call) {
+    if (call[0] == "index.html") listed_.insert("val-");
+    const std::string html = sys::read_file(sources_.generated / "page" / call[0]);
+    fragment(call[0] == "limits.html" ? in_order(html, limits_) : html);
   });
-  know({"tab"}, [this](TexScanner& in, const TexToken&) {
-    const auto long_caption = option(in);
-    const std::string name(argument(in));
+  know({"tab"}, "om", [this](const Call& call) {
+    const std::string name = call[0];
     if (!names_.tables.contains(name)) return fail(fmt::format("unknown table '{}'", name));
     use_id("table", name);
-    const bool breaks = long_caption && !long_caption->empty();
+    const bool breaks = !call.option().empty();
     const PrintedNumber* const next = numbers_.next("table");
     if (breaks) {
-      read_all(fmt::format("\\begin{{table}}\\caption{{{}}}", *long_caption));
+      read_all(fmt::format("\\begin{{table}}\\caption{{{}}}", call.option()));
     } else if (floats_.empty() && next && next->environment == "longtable") {
       numbers_.take("table");  // a table over pages counts even without a caption
     }
-    std::string html = sys::read_file(sources_.generated / "page/tables" / (name + ".html"));
+    const std::string html = sys::read_file(sources_.generated / "page/tables" / (name + ".html"));
     fragment(boost::replace_all_copy(html, "@use@", uses_[{"table", name}].back().id));
     if (breaks) read_all("\\end{table}");
   });
-  know({"fig"}, [this](TexScanner& in, const TexToken&) {
-    option(in);
-    const std::string name(argument(in));
+  know({"fig"}, "om", [this](const Call& call) {
+    const std::string name = call[0];
     if (!names_.figures.contains(name)) return fail(fmt::format("unknown figure '{}'", name));
     result_.figures.push_back(name);
     read_all(
-        fmt::format("\\PageDrawing{{id=\"{}\" data-drawing=\"{}\" "
-                    "src=\"figures/{}.svg\" alt=\"@alt@figure {}\"}}",
-                    use_id("figure", name), name, name, name));
+        fmt::format("\\PageDrawing{{id=\"{0}\" data-drawing=\"{1}\" "
+                    "src=\"figures/{1}.svg\" alt=\"@alt@figure {1}\"}}",
+                    use_id("figure", name), name));
     for (const Float& outer : floats_) {
       boost::replace_all(result_.marks[outer.mark - 1].open, "@name@",
                          fmt::format(" data-figure=\"{}\"", name));
     }
   });
-  know({"includegraphics"}, [this](TexScanner& in, const TexToken&) {
-    option(in);
-    const std::string name(argument(in));
+  know({"includegraphics"}, "om", [this](const Call& call) {
+    const std::string name = call[0];
     if (!fs::is_regular_file(sources_.document / name)) {
       return fail(fmt::format("unknown picture '{}'", name));
     }
@@ -232,9 +218,8 @@ void Expander::know_registered() {
     read_all(fmt::format("\\PageDrawing{{src=\"pictures/{0}\" alt=\"@alt@picture {0}\"}}",
                          escape_html(name)));
   });
-  know({"excerpt"}, [this](TexScanner& in, const TexToken&) {
-    const auto said = option(in);
-    const std::string name(argument(in));
+  know({"excerpt"}, "om", [this](const Call& call) {
+    const std::string name = call[0];
     if (!names_.excerpts.contains(name)) return fail(fmt::format("unknown excerpt '{}'", name));
     const nlohmann::json& facts = registered_.at("excerpts").at(name);
     const std::string file = facts.at("file");
@@ -246,15 +231,14 @@ void Expander::know_registered() {
         "</figure>");
     begin_block("<figcaption>", "</figcaption>");
     emit(marked("<span class=\"lit-label\">", number.shown + "~" + number.number, "</span>: "));
-    if (said) read_all(std::string(*said) + ". ");
+    if (call.options[0]) read_all(std::string(call.option()) + ". ");
+    emit(marked(fmt::format("<code>{}</code>", escape_html(file)), ", ", ""));
     const std::string lines =
         first == last ? fmt::format("line~{}", first) : fmt::format("lines~{}--{}", first, last);
-    emit(marked(fmt::format("<code>{}</code>", escape_html(file)), ", ", ""));
-    std::string address;
-    if (macros_.contains("LiterateSourceUrl")) {
-      address =
-          expanded(fmt::format("\\LiterateSourceUrl{{\\papercommit}}{{{}}}{{{}}}", file, first));
-    }
+    const std::string address =
+        macros_.contains("LiterateSourceUrl")
+            ? expanded(fmt::format("\\LiterateSourceUrl{{\\papercommit}}{{{}}}{{{}}}", file, first))
+            : "";
     emit(address.empty() ? lines : fmt::format("\\href{{{}}}{{{}}}", address, lines));
     end_block();
     listing(sys::read_file(sources_.generated / "excerpts" / (name + ".txt")),

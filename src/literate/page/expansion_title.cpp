@@ -89,33 +89,29 @@ std::string Expander::title_marks(std::string_view labels) const {
 }
 
 void Expander::know_title() {
-  know_in_preamble({"author"}, [this](TexScanner& in, const TexToken&) {
-    const auto labels = option(in);
-    const std::string text(argument(in));
+  know_in_preamble({"author"}, "om", [this](const Call& call) {
+    const std::string text = call[0];
     if (sys::stripped(text).empty()) return;
     const bool goes_on =
         !author_groups_.empty() && (author_groups_.back().lines.empty() || class_ == "elsarticle");
     if (!goes_on) author_groups_.emplace_back();
-    author_groups_.back().authors.push_back(text + title_marks(labels.value_or("")));
-    const bool is_one = labels || class_ == "elsarticle" || is_revtex();
+    author_groups_.back().authors.push_back(text + title_marks(call.option()));
+    const bool is_one = call.options[0] || class_ == "elsarticle" || is_revtex();
     std::ranges::copy(names_of(text, is_one), std::back_inserter(authors_));
   });
   // What a class for journals says below an author.
-  know_in_preamble({"affiliation", "address", "email", "cortext"}, [this](TexScanner& in,
-                                                                          const TexToken& token) {
-    const std::string marks = title_marks(option(in).value_or(""));
-    const std::string text(argument(in));
+  know_in_preamble({"affiliation", "address", "cortext"}, "om", [this](const Call& call) {
     if (author_groups_.empty()) author_groups_.emplace_back();
-    AuthorGroup& group = author_groups_.back();
-    if (token.name != "email") {
-      const bool has_keys = token.name == "affiliation" && class_ == "elsarticle";
-      group.lines.push_back((token.name == "cortext" ? "\\textsuperscript{∗}" : marks) +
-                            (has_keys ? values_of_keys(text) : text));
-    } else if (!group.authors.empty()) {
-      group.authors.back() += "\\thanks{" + text + "}";
-    }
+    const bool has_keys = call.name == "affiliation" && class_ == "elsarticle";
+    author_groups_.back().lines.push_back(
+        (call.name == "cortext" ? "\\textsuperscript{∗}" : title_marks(call.option())) +
+        (has_keys ? values_of_keys(call[0]) : call[0]));
   });
-  know({"maketitle"}, [this](TexScanner&, const TexToken&) {
+  know_in_preamble({"email"}, "om", [this](const Call& call) {
+    if (author_groups_.empty() || author_groups_.back().authors.empty()) return;
+    author_groups_.back().authors.back() += "\\thanks{" + call[0] + "}";
+  });
+  know({"maketitle"}, "", [this](const Call&) {
     const std::string authors = author_lines();
     const auto date = macros_.find("the:date");
     std::string html = "<header class=\"lit-title\"><h1><tex>\\PageUse[]{the:title}</tex></h1>";

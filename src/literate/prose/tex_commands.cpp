@@ -69,6 +69,22 @@ std::string in_one_line(std::string_view group) {
 
 }  // namespace
 
+std::string filled(std::string_view body, const std::vector<std::string>& arguments) {
+  std::string text;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const auto n = body[i] == '#' && i + 1 < body.size()
+                       ? static_cast<std::size_t>(body[i + 1] - '1')
+                       : arguments.size();
+    if (n < arguments.size()) {
+      text += arguments[n];
+      ++i;
+    } else {
+      text += body[i];
+    }
+  }
+  return text;
+}
+
 bool is_left_out(const std::vector<Branch>& branches, const std::map<std::string, bool>& flags) {
   return std::ranges::any_of(branches, [&](const Branch& branch) {
     const auto flag = flags.find(branch.flag);
@@ -165,19 +181,7 @@ std::optional<std::string> expanded(const OwnCommand& command, std::string_view 
     arguments.emplace_back(group.substr(1, group.size() - 2));
     scanner.skip(group.size());
   }
-  std::string text;
-  for (std::size_t i = 0; i < command.body.size(); ++i) {
-    const auto n = command.body[i] == '#' && i + 1 < command.body.size()
-                       ? static_cast<std::size_t>(command.body[i + 1] - '1')
-                       : arguments.size();
-    if (n < arguments.size()) {
-      text += arguments[n];
-      ++i;
-    } else {
-      text += command.body[i];
-    }
-  }
-  return text;
+  return filled(command.body, arguments);
 }
 
 void add_commands(std::string_view text, const std::set<std::string>& names, const OwnCommands& own,

@@ -38,6 +38,9 @@ struct OwnCommand {
   std::string default_text;  ///< of the first argument
   std::string body;
 };
+/// What a command with this body prints: the arguments in place of #1, #2 and so on.
+std::string filled(std::string_view body, const std::vector<std::string>& arguments);
+
 /// By name. Of one that is defined twice both stand there.
 using OwnCommands = std::multimap<std::string, OwnCommand, std::less<>>;
 OwnCommands own_commands_in(std::string_view text);

@@ -58,20 +58,7 @@ std::size_t n_separators(std::size_t n_digits) {
   return n_digits < smallest_grouped ? 0 : (n_digits - 1) / 3;
 }
 
-/// Puts a thin space after every third digit, counted from the decimal point.
-std::string grouped(std::string_view digits, bool point_is_left,
-                    std::string_view separator = "\\,") {
-  if (digits.size() < smallest_grouped) return std::string(digits);
-  std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    const std::size_t from_point = point_is_left ? i : digits.size() - i;
-    if (i > 0 && from_point % 3 == 0) text += separator;
-    text += digits[i];
-  }
-  return text;
-}
-
-/// The same with the digits behind ± in groups, and the sign as it is to be written.
+/// An uncertainty with the digits behind ± in groups, and the sign as it is to be written.
 std::string uncertainty_of(std::string_view text, std::string_view sign,
                            std::string_view separator) {
   const auto begin = text.find(plus_minus);
@@ -122,6 +109,17 @@ std::string power_of_ten(const Parts& parts, const NumberWidth& column) {
 }
 
 }  // namespace
+
+std::string grouped(std::string_view digits, bool point_is_left, std::string_view separator) {
+  if (digits.size() < smallest_grouped) return std::string(digits);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const std::size_t from_point = point_is_left ? i : digits.size() - i;
+    if (i > 0 && from_point % 3 == 0) text += separator;
+    text += digits[i];
+  }
+  return text;
+}
 
 NumberWidth width_of(std::string_view number) {
   const Parts parts = parts_of(number);

@@ -22,6 +22,11 @@ struct NumberWidth {
   std::string uncertainty = {};  ///< the longest: «(12)», «±0.012»
 };
 
+/// Puts a separator after every third of five digits or more, counted from the decimal point, at
+/// which they begin or end.
+std::string grouped(std::string_view digits, bool point_is_left,
+                    std::string_view separator = "\\,");
+
 /// Measures a number as `plain` or `scientific` writes it.
 NumberWidth width_of(std::string_view number);
 
