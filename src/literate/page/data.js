@@ -25,7 +25,8 @@ lit.part(function data() {
     const figure = shown.closest("figure");
     const beside = [...(figure || shown.parentNode).querySelectorAll("[data-drawing], [data-table]")];
     const alike = beside.filter(({tagName}) => tagName === shown.tagName);
-    const which = alike.length > 1 ? ` of ${drawing === undefined ? "table" : "drawing"} ${alike.indexOf(shown) + 1}` : "";
+    const kind = drawing === undefined ? "table" : "drawing";
+    const which = alike.length > 1 ? ` of ${kind} ${alike.indexOf(shown) + 1}` : "";
     const list = lit.make("ul", {});
     const box = lit.make("details", {class: "lit-data", toggle: () => {
       if (!list.firstChild) list.append(...files.map(fileLine), lit.make("li", {}, lit.make("span", {}, "made by ", lit.make("code", {}, facts.place))));

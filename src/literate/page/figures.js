@@ -59,7 +59,9 @@ function makePointable(image, panels) {
     at = i;
     const {panel, across, down} = points[i];
     const [left, right, bottom, top] = panel.frame;
-    const place = (part, shares) => Object.entries(shares).forEach(([key, share]) => part.setAttribute(key, `${100 * share}%`));
+    function place(part, shares) {
+      for (const [key, share] of Object.entries(shares)) part.setAttribute(key, `${100 * share}%`);
+    }
     frame();
     place(upright, {x1: across, y1: 1 - top, x2: across, y2: 1 - bottom});
     place(level, {x1: left, y1: down, x2: right, y2: down});

@@ -123,7 +123,8 @@ local function contents(blocks)
     local header = section.t == "Div" and section.content[1]
     if header and header.t == "Header" then
       local function nothing() return {} end
-      local text = header.content:walk({RawInline = nothing, Note = nothing, Link = function(link) return link.content end})
+      local function inside(link) return link.content end
+      local text = header.content:walk({RawInline = nothing, Note = nothing, Link = inside})
       local class = pandoc.utils.stringify(text):match("^Part") and "lit-toc-part" or nil
       local item = pandoc.List({pandoc.Plain({pandoc.Link(text, "#" .. section.identifier, "", {class = class})})})
       local lower = contents(section.content)

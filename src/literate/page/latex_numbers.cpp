@@ -23,20 +23,14 @@ namespace {
 
 /// «[type][counter][counters above]number»: the type, and what sorts as the counters do.
 void read_cleveref(const std::string& text, PrintedLabel& label) {
-  std::string_view rest = text;
-  std::vector<std::string_view> parts;
-  for (std::string_view part = group_at(rest, '[', ']'); !part.empty();
-       part = group_at(rest, '[', ']')) {
-    parts.push_back(part.substr(1, part.size() - 2));
-    rest.remove_prefix(part.size());
-  }
+  const std::vector<std::string> parts = groups_at(text, '[', ']');
   if (parts.size() < 3) return;
   label.type = parts[0];
   // cleveref calls both the same.
   if (label.type == "subsection" || label.type == "subsubsection") label.type = "section";
   label.order = fmt::format("{:>40}{:>8}", parts[2], parts[1]);
   label.above = parts[2];
-  label.count = std::atoi(std::string(parts[1]).c_str());
+  label.count = std::atoi(parts[1].c_str());
 }
 
 // Cleveref makes the capital of a name that the document gives when it prints the name.
@@ -49,11 +43,12 @@ std::string with_capital(const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> groups_at(std::string_view text) {
+std::vector<std::string> groups_at(std::string_view text, char open, char close) {
   std::vector<std::string> groups;
-  for (std::string_view group = group_at(text); !group.empty(); group = group_at(text)) {
-    const auto open = group.find('{');
-    groups.emplace_back(group.substr(open + 1, group.size() - open - 2));
+  for (std::string_view group = group_at(text, open, close); !group.empty();
+       group = group_at(text, open, close)) {
+    const auto begin = group.find(open) + 1;
+    groups.emplace_back(group.substr(begin, group.size() - begin - 1));
     text.remove_prefix(group.size());
   }
   return groups;

@@ -83,7 +83,7 @@ class LatexNumbers {
   std::set<std::string> captioned_;  ///< counters of a package's captions, by the lists of them
 };
 
-/// The groups in braces at the start of a text, without their braces.
-std::vector<std::string> groups_at(std::string_view text);
+/// The groups in braces, or other delimiters, at the start of a text, without their delimiters.
+std::vector<std::string> groups_at(std::string_view text, char open = '{', char close = '}');
 
 }  // namespace literate
