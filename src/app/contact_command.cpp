@@ -47,7 +47,7 @@ nlohmann::ordered_json details_of(const ContactInput& input, const SolvedContact
                                  {"method", input.method},
                                  {"nodes", s.grid.n_nodes},
                                  {"nodes_in_contact", s.n_in_contact()},
-                                 {"solves", s.work.solves},
+                                 {"solves", s.work.revisions},
                                  {"iterations", s.work.iterations},
                                  {"products", s.work.products},
                                  {"seconds", solved.seconds},
@@ -105,7 +105,8 @@ std::string notes_of(const ContactInput& input, const SolvedContact& solved,
   text += fmt::format("{} of {} nodes in contact, {:.6g} {} apart; {}, {} elements",
                       s.n_in_contact(), s.grid.n_nodes, s.grid.spacing, units.length, input.method,
                       line_contact::name_of(s.element));
-  if (s.work.solves > 0) text += fmt::format(", steps to find the contact: {}", s.work.solves);
+  if (s.work.revisions > 0)
+    text += fmt::format(", steps to find the contact: {}", s.work.revisions);
   if (s.work.iterations > 0) text += fmt::format(", {} iterations", s.work.iterations);
   return text + "\n" + residuals_text(s.residuals, units, units.line_load);
 }

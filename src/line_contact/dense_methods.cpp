@@ -24,7 +24,9 @@ Solution solution_of(const Problem& problem, double line_load, const DenseSystem
   return to_solution(
       problem, line_load,
       {std::move(loads.phi), std::move(loads.gap), loads.approach + system.least_gap, error,
-       Work{.solves = loads.solves, .iterations = loads.products / 2, .products = loads.products}});
+       contact::Work{.revisions = loads.solves,
+                     .iterations = loads.products / 2,
+                     .products = loads.products}});
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ class LevelSolver {
     bool has_room = true;
     while (!settled && has_room) {
       // Solve eq. (1a) in the contact as it is, then revise the contact
-      if (++level.work.solves > contact::max_revisions) {
+      if (++level.work.revisions > contact::max_revisions) {
         throw contact::ContactError(
             fmt::format("the contact did not settle in {} solves", contact::max_revisions));
       }
@@ -106,7 +106,7 @@ class LevelSolver {
       phi = in_contact.select(phi.cwiseMax(0), 0);
       phi *= total / phi.sum();
       has_room = !(is_cut_left && in_contact[0]) && !(is_cut_right && in_contact[window.n - 1]);
-      if (report_) report_({level.grid.n_nodes, level.work.solves, pressures.work().iterations});
+      if (report_) report_({level.grid.n_nodes, level.work.revisions, pressures.work().iterations});
     }
     stretch = in_contact.select(phi.cwiseMax(touching), 0);
     level.error = pressures.error();

@@ -23,7 +23,7 @@ struct NestedSolution {
   Eigen::VectorXd phi;
   Eigen::VectorXd gap;  ///< u_z1 + u_z2 + h − δ; its mean in contact is 0
   double error = 0;     ///< of φ, relative to the greatest
-  Work work;
+  contact::Work work;
 };
 
 /// Σφ for the load P: 2P/(πE*), a length. Throws InvalidQuantity if it is too large to compute

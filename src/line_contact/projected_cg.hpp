@@ -35,7 +35,7 @@ class ProjectedCg {
   /// The error of φ that the gaps left in contact stand for, greatest and relative to max φ.
   double error() const { return error_; }
 
-  const Work& work() const { return work_; }
+  const contact::Work& work() const { return work_; }
 
  private:
   void update_gap(const Eigen::VectorXd& phi);
@@ -48,7 +48,7 @@ class ProjectedCg {
   Eigen::VectorXd uniform_answer_;  // what the preconditioner makes of contact_
   Eigen::VectorXd gap_, residual_, correction_, direction_, product_;
   double error_ = 0;
-  Work work_;
+  contact::Work work_;
 };
 
 }  // namespace line_contact

@@ -4,25 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "contact/solution.hpp"
 #include "line_contact/problem.hpp"
 
 namespace line_contact {
-
-/// How well a solution satisfies the conditions that define it.
-struct Residuals {
-  double gap;         ///< greatest |u_z1 + u_z2 + h − δ| in contact, eq. (1a), a length
-  double separation;  ///< greatest penetration outside, where eq. (1b) wants none, a length
-  double pressure;  ///< the error of the pressure that the gap stands for, πE*·gap/(2c), or as the
-                    ///< method estimates it; a stress
-  double load;  ///< |c Σ w p − P|, force per unit length
-};
-
-/// What a solution cost.
-struct Work {
-  int solves = 0;      ///< revisions of the contact until it no longer changed
-  int iterations = 0;  ///< steps of the conjugate gradients, on the finest grid
-  int products = 0;    ///< products with the influence coefficients, on the finest grid
-};
 
 /// A stretch of the surface in contact.
 struct Region {
@@ -44,8 +29,8 @@ struct Solution {
   Eigen::VectorXd gap;       ///< u_z1 + u_z2 + h − δ at the nodes, length
   double pressure_per_phi;  ///< πE*/(2c): p = φ πE*/(2c) with φ, the load of an element, a length
   double approach_at_spacing;  ///< δ when lengths in the logarithm of T are taken in units of c
-  Work work;
-  Residuals residuals;
+  contact::Work work;
+  contact::Residuals residuals;
 
   Eigen::Index n_in_contact() const { return (pressure.array() > 0).count(); }
 
@@ -77,7 +62,7 @@ struct ElementLoads {
   Eigen::VectorXd gap;
   double approach_at_spacing;
   double error;  ///< of φ, relative to the greatest
-  Work work;
+  contact::Work work;
 };
 
 /// The same as pressures, with the residuals under the load P.

@@ -37,7 +37,8 @@ struct LinearLeastSquares {
 LinearLeastSquares fit_linear(const Eigen::MatrixXd& matrix, const std::vector<Measured>& observed);
 
 /// Numbers with a given covariance, from a fit made elsewhere. Their sources are named
-/// «source 1», «source 2», …, one an eigenvector of the covariance.
+/// «source 1», «source 2», …, one an eigenvector of the covariance. Another fit needs another
+/// `source`, since numbers that have a name in common are correlated.
 ///
 /// Throws InvalidQuantity for a matrix that is not square of the numbers' size, not symmetric, or
 /// has an eigenvalue that is negative beyond rounding.

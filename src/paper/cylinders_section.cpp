@@ -86,7 +86,7 @@ EdgeSweep sweep_edge(const ContactCase& c, const Hertz& hertz, double elements) 
 
 void register_residuals(Document& document, const Solution& solution, const Hertz& hertz,
                         const ContactCase& c, const UnitSystem& units) {
-  const line_contact::Residuals& r = solution.residuals;
+  const contact::Residuals& r = solution.residuals;
   const double indentation = c.cylinders.profile().gap(solution.half_width());
   document.value("cylinders.residual.contact",
                  Value(r.gap, scientific(1).rounded_up(), units.length).as_is());
@@ -241,7 +241,7 @@ void compute_cylinders(Document& document, const Case& from) {
                  Value(modulus, significant(4), units.stress).within(rounded(modulus)));
   document.value("cylinders.nodes", Value(c.n_nodes, integer()));
   document.value("cylinders.in-contact", Value(solution.n_in_contact(), integer()));
-  document.value("cylinders.solves", Value(solution.work.solves, integer()));
+  document.value("cylinders.solves", Value(solution.work.revisions, integer()));
   const double a = hertz.half_width();
   const double p0 = hertz.peak_pressure();
   // The grid is laid around a, so that their ratio does not depend on the curvature.

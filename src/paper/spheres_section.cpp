@@ -65,7 +65,7 @@ Figure sphere_figure(const PointSolution& solution, const SphereHertz& hertz) {
 
 void check_spheres(Document& document, const TwoSpheres& spheres, const PointSolution& solution) {
   const SphereHertz hertz = spheres.hertz();
-  const point_contact::Residuals& r = solution.residuals;
+  const contact::Residuals& r = solution.residuals;
   // Displacements are sums of as many rounded terms as there are nodes along a side, in the mean.
   const double rounding = rounded(static_cast<double>(solution.grid.n1));
   document.value("spheres.residual",

@@ -33,7 +33,7 @@ void count(benchmark::State& state, const line_contact::Solution& solution) {
     if (std::abs(x) > 0.9 * hertz.half_width()) continue;
     inside = std::max(inside, std::abs(solution.pressure[i] - hertz.pressure(x)));
   }
-  state.counters["solves"] = solution.work.solves;
+  state.counters["solves"] = solution.work.revisions;
   state.counters["products"] = solution.work.products;
   state.counters["error_inside"] = inside / hertz.peak_pressure();
   state.counters["error_peak"] = std::abs(solution.peak_pressure() / hertz.peak_pressure() - 1);

@@ -14,6 +14,7 @@
 
 BOOST_AUTO_TEST_SUITE(matrix_inversion_test)
 
+using contact::Residuals;
 using elasticity::Material;
 using line_contact::CylinderPair;
 using line_contact::Element;
@@ -24,7 +25,6 @@ using line_contact::Hertz;
 using line_contact::Problem;
 using line_contact::Profile;
 using line_contact::Radius;
-using line_contact::Residuals;
 using line_contact::Solution;
 using line_contact::solve_by_matrix_inversion;
 using sys::InvalidQuantity;

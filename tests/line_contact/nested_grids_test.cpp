@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(the_approach_is_that_of_matrix_inversion) {
                1e-12);
     BOOST_TEST((loads.phi == phi));
     BOOST_TEST(loads.error <= 1e-13);
-    BOOST_TEST(loads.work.solves > 0);
+    BOOST_TEST(loads.work.revisions > 0);
   }
 }
 

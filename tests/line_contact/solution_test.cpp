@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(element_loads_become_pressures_with_the_residuals_of_their_
                            vector({0.2, -0.03, 0.01, 0.02, -0.05}),
                            0.7,
                            1e-3,
-                           {.solves = 3, .iterations = 5, .products = 7}};
+                           {.revisions = 3, .iterations = 5, .products = 7}};
 
   const Solution s = to_solution(problem, 4.5 * c * unit + 0.25, loads);
 
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(element_loads_become_pressures_with_the_residuals_of_their_
   BOOST_TEST(s.residuals.separation == 0.05);
   BOOST_TEST(relative_difference(s.residuals.pressure, 2e-3 * unit) < 1e-14);
   BOOST_TEST(relative_difference(s.residuals.load, 0.25) < 1e-13);
-  BOOST_TEST(s.work.solves == 3);
+  BOOST_TEST(s.work.revisions == 3);
   BOOST_TEST(s.work.iterations == 5);
   BOOST_TEST(s.work.products == 7);
 }

@@ -110,9 +110,9 @@ Solution solution_of(const Problem& problem, double load, const VectorXd& gaps,
   loads.gap = (gaps.array() < largest_length).select(loads.gap, gaps);
   return to_solution(problem, load,
                      {std::move(loads.phi), std::move(loads.gap), loads.approach, error,
-                      Work{.revisions = loads.solves,
-                           .iterations = loads.products / 2,
-                           .products = loads.products}});
+                      contact::Work{.revisions = loads.solves,
+                                    .iterations = loads.products / 2,
+                                    .products = loads.products}});
 }
 
 }  // namespace

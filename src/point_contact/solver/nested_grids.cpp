@@ -138,7 +138,7 @@ class LevelSolver {
   // end excerpt: contact-of-points
 
   ElementLoads result() {
-    Work work = gradients_.work();
+    contact::Work work = gradients_.work();
     work.revisions = revisions_;
     work.products += products_;
     return {std::move(state_.phi), std::move(state_.gap), state_.approach, gradients_.error(),

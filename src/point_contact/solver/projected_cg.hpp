@@ -52,7 +52,7 @@ class ProjectedCg {
   double error() const { return error_; }
 
   /// Steps and preconditionings since the construction, and the products of the steps.
-  const Work& work() const { return work_; }
+  const contact::Work& work() const { return work_; }
 
  private:
   void precondition_gap();
@@ -71,7 +71,7 @@ class ProjectedCg {
   double total_weight_ = 0;
   double decrease_ = 0;  // (residual, correction)
   double error_ = 0;
-  Work work_;
+  contact::Work work_;
 };
 
 }  // namespace point_contact

@@ -114,14 +114,9 @@ Solution to_solution(const Problem& problem, double load, ElementLoads loads) {
                     .approach = loads.approach,
                     .work = loads.work,
                     .residuals = {}};
-  Residuals& residuals = solution.residuals;
-  for (Index i = 0; i < solution.gap.size(); ++i) {
-    const double gap = solution.gap[i];
-    double& worst = solution.pressure[i] > 0 ? residuals.gap : residuals.separation;
-    worst = std::max(worst, solution.pressure[i] > 0 ? std::abs(gap) : -gap);
-  }
-  residuals.pressure = loads.error * solution.peak_pressure();
-  residuals.load = std::abs(solution.load() - load);
+  solution.residuals = contact::residuals_of_gaps(solution.pressure, solution.gap);
+  solution.residuals.pressure = loads.error * solution.peak_pressure();
+  solution.residuals.load = std::abs(solution.load() - load);
   return solution;
 }
 

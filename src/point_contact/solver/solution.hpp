@@ -4,28 +4,13 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "contact/solution.hpp"
 #include "elasticity/material.hpp"
 #include "numerics/unstructured_grid.hpp"
 #include "point_contact/elements/interior.hpp"
 #include "point_contact/solver/problem.hpp"
 
 namespace point_contact {
-
-/// How well a solution satisfies the conditions that define it.
-struct Residuals {
-  double gap = 0;         ///< greatest |u_z1 + u_z2 + h − δ| in contact, eq. (1a), a length
-  double separation = 0;  ///< greatest penetration outside, where eq. (1b) wants none, a length
-  double pressure = 0;    ///< the error of the pressure as the method estimates it, a stress
-  double load = 0;        ///< |resultant − P|, a force; 0 if the approach was given
-};
-
-/// What a solution cost on the finest grid.
-struct Work {
-  int revisions = 0;         ///< of the contact until it no longer changed
-  int iterations = 0;        ///< steps of the conjugate gradients
-  int products = 0;          ///< products with the influence coefficients
-  int preconditionings = 0;  ///< products with the preconditioner, a third of the cost
-};
 
 /// Pressures at the nodes of a grid, and what follows from them. No function is inline, for the
 /// reason that Grid::node() has.
@@ -35,8 +20,8 @@ struct Solution {
   Eigen::VectorXd pressure;  ///< p at the nodes, a stress; 0 outside contact
   Eigen::VectorXd gap;       ///< u_z1 + u_z2 + h − δ at the nodes, a length
   double approach;           ///< δ of points far away in the two bodies, a length
-  Work work;
-  Residuals residuals;
+  contact::Work work;
+  contact::Residuals residuals;
 
   Eigen::Index n_in_contact() const;
 
@@ -65,7 +50,7 @@ struct ElementLoads {
   Eigen::VectorXd gap;
   double approach = 0;
   double error = 0;  ///< of φ, relative to the greatest
-  Work work;
+  contact::Work work;
 };
 
 /// Σφ for the load P: P/(πE*c), a length.
