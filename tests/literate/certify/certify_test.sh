@@ -24,12 +24,12 @@ printf 'key,printed,number\nlength,3 m,3\n' >out/generated/values.csv
 echo '1 & 2' >out/generated/tables/t.tex
 claims() {
   for id in a b c d; do
-    printf '%s"%s": {"found": "%s", "criteria": [{"name": "n", "limit": "≤ %s"}]}' "${comma-}" $id "$1" "$2"
+    printf '%s"%s": {"found": "%s", "criteria": [{"name": "n", "limit": "≤ %s", "outcome": "holds", "found": "0.5"}]}' "${comma-}" $id "$1" "$2"
     comma=', '
   done
 }
 names() {
-  printf '{"values": {"length": {"number": 3.0, "printed": "3 m", "abs_error": 0.5}}, "cells": {}, "checks": {"k": {"passed": true}}, "claims": {%s}}' \
+  printf '{"values": {"length": {"number": 3.0, "printed": "3 m", "abs_error": 0.5, "standard": 0.25, "unit": "m"}}, "cells": {}, "flags": {"wet": true}, "words": {"claim a: route": "by eye"}, "checks": {"k": {"passed": true}}, "claims": {%s}}' \
     "$(claims "$@")"
 }
 names confirmed 1 >out/generated/names.json
@@ -48,7 +48,11 @@ ids = "abcd"
 json.dump({"project": "rod", "made_with": {"sources": {"version": "1.2", "commit": "unknown"}},
            "inputs": {file: sha(file) for file in ["src/one.cpp", "figures/f.gp", "case.toml"]},
            "outputs": {file: sha("out/" + file) for file in made},
-           "numbers": {"length": {"number": 3, "printed": "3 m", "abs_error": 0.5}},
+           "numbers": {"length": {"number": 3, "printed": "3 m", "abs_error": 0.5, "standard": 0.25}},
+           "units": {"length": "m"},
+           "outcomes": {f"claim {id}: n": "holds" for id in ids},
+           "texts": {"flag wet": "yes"} | {f"claim {id}: n": "0.5" for id in ids},
+           "words": {"claim a: route": "by eye"},
            "verdicts": {"check k": "passed"} | {f"claim {id}": "confirmed" for id in ids},
            "limits": {f"claim {id}: n": "≤ 1" for id in ids}}, open("out/manifest.json", "w"), indent=1)
 END
@@ -67,8 +71,12 @@ seconds=$({ time certify traced; } 2>&1)
 claim 'traced takes less than a second of the processor' "${seconds%.*}" -eq 0
 certify traced
 claim 'what is as it was made holds' "$status" -eq 0
+cp -r out kept
+certify traced MANIFEST=case.toml
+claim 'where nothing could be looked at no certificate of an earlier run is left' ! -e $certificate.txt -a ! -e $certificate.json
+rm -r out && mv kept out
 claim 'the certificate says what was checked' "$(json 'sorted(c["checked"])')" = \
-  "['PDF', 'attachments', 'generated files', 'limits', 'sources', 'values', 'verdicts']"
+  "['PDF', 'attachments', 'generated files', 'limits', 'outcomes', 'sources', 'texts', 'values', 'verdicts', 'words']"
 claim 'and what was not' "$(json '"nothing was compiled" in c["not_checked"][0]')" = True
 claim 'it has the form of CODECHECK' "$(json 'c["manifest"][0]["file"], c["summary"]')" = "('rod.pdf', 'rod, traced: it holds')"
 claim 'and what the making had cost' "$(json 'c["costs"]["compute"]["cpu_seconds"]')" = 2.5
@@ -88,7 +96,16 @@ tampered() {
 }
 tampered 'a PDF' 'PDF: rod.pdf has other bytes' 'echo "% more" >>out/rod.pdf'
 tampered 'a value' 'generated files: generated/names.json has other bytes' 'sed -i s/3.0/4.0/ out/generated/names.json'
-tampered 'a value of the manifest' "values: length is [3.0, '3 m', 0.5], in the manifest [4, '3 m', 0.5]" 'sed -i "s/\"number\": 3/\"number\": 4/" out/manifest.json'
+tampered 'a value of the manifest' \
+  'values: length is 3.0 (3 m; abs_error 0.5; standard 0.25; m), in the manifest 4.0 (3 m; abs_error 0.5; standard 0.25; m)' \
+  'sed -i "s/\"number\": 3/\"number\": 4/" out/manifest.json'
+tampered 'an uncertainty of the manifest' 'abs_error 0.5; standard 0.25; m), in the manifest 3.0 (3 m; abs_error 0.5; standard 0.1; m)' \
+  'sed -i "s/0.25/0.1/" out/manifest.json'
+tampered 'a unit of the manifest' 'standard 0.25; km)' 'sed -i "s/\"length\": \"m\"/\"length\": \"km\"/" out/manifest.json'
+tampered 'a flag of the manifest' 'texts: flag wet is yes, in the manifest no' 'sed -i "/flag wet/s/yes/no/" out/manifest.json'
+tampered 'what a criterion found' 'texts: claim c: n is 0.5, in the manifest 0.7' 'sed -i "/claim c: n/s/0.5/0.7/" out/manifest.json'
+tampered 'an outcome of the manifest' 'outcomes: claim c: n is holds, in the manifest fails' 'sed -i "/claim c: n/s/holds/fails/" out/manifest.json'
+tampered 'a route of the manifest' 'words: claim a: route is by eye, in the manifest by ear' 'sed -i "s/by eye/by ear/" out/manifest.json'
 tampered 'a verdict of the manifest' 'verdicts: claim b is confirmed, in the manifest refuted' 'sed -i "/claim b/s/confirmed/refuted/" out/manifest.json'
 tampered 'a table' 'generated files: generated/tables/t.tex has other bytes' 'echo "1 & 3" >out/generated/tables/t.tex'
 tampered 'a table that was put beside' 'generated/tables/u.tex is not recorded' 'echo 1 >out/generated/tables/u.tex'
