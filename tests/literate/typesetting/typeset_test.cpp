@@ -134,7 +134,8 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
 }
 
 BOOST_AUTO_TEST_CASE(tables_break_over_pages_and_have_notes) {
-  const Paper paper("\\tab[All.\\label{tab:long}]{long} Table~\\ref{tab:long}. \\tab{noted}");
+  const Paper paper(
+      "\\tab[All.\\label{tab:long}]{long} Table~\\ref{tab:long}. \\tab{noted} \\provenance");
   Document document;
   Table of_many("long", {Column("$n$", integer()), Column::text("of")});
   for (int i = 0; i < 150; ++i) of_many.add_row({i, "many"});
@@ -149,6 +150,9 @@ BOOST_AUTO_TEST_CASE(tables_break_over_pages_and_have_notes) {
 
   const std::string log = sys::read_file(paper.options.build_dir / "main.log");
   BOOST_TEST(log.find(" pages, ") != std::string::npos);
+  const sys::ProcessResult text =
+      sys::run({.program = "pdftotext", .arguments = {paper.options.output_pdf.string(), "-"}});
+  BOOST_TEST(text.output.find("table long, pp. 1, 2, 3, 4:") != std::string::npos, text.output);
   BOOST_TEST(Paper("\\tab[All.]{t}").error().find("table 't' does not break over pages") !=
              std::string::npos);
 }
