@@ -60,6 +60,14 @@ std::string in_one_line(const std::string& text) {
 
 Error::Error(const std::string& message) : InputError(in_one_line(message)) {}
 
+bool say_the_same(const std::string& a, const std::string& b) {
+  try {
+    return toml::parse(a) == toml::parse(b);
+  } catch (const toml::parse_error&) {
+    return false;
+  }
+}
+
 // One table of a file. All tables of a file share the document and the record of the keys that were
 // asked for.
 struct Table::Node {

@@ -21,6 +21,10 @@ class Error : public sys::InputError {
   explicit Error(const std::string& message);
 };
 
+/// Whether two TOML files say the same, whatever their comments and their layout; never if one of
+/// them is not TOML.
+bool say_the_same(const std::string& a, const std::string& b);
+
 /// A table of a TOML file that is read strictly: a key that is missing, has the wrong type or unit,
 /// or was never asked for is an error with its place in the file. The nearest key that may be meant
 /// is told.

@@ -228,6 +228,13 @@ BOOST_AUTO_TEST_CASE(an_array_of_strings_names_the_element_that_is_none) {
   check_error("s = 'a'\n", read, "1:5: s: must be an array of strings, not a string");
 }
 
+BOOST_AUTO_TEST_CASE(files_say_the_same_whatever_their_comments_and_layout) {
+  BOOST_TEST(config::say_the_same("a = 1\nb = [2, 3]\n", "# both\nb = [2,\n  3]  # more\na = 1"));
+  BOOST_TEST(!config::say_the_same("a = 1\n", "a = 2\n"));
+  BOOST_TEST(!config::say_the_same("a = 1\n", "a = 1\nb = 1\n"));
+  BOOST_TEST(!config::say_the_same("a = ", "a = "));
+}
+
 BOOST_AUTO_TEST_CASE(an_instant_counts_its_offset) {
   const TemporaryFolder folder;
   const auto table = Table::parse_file(

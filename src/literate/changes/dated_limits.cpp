@@ -6,19 +6,54 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
+#include "config/table.hpp"
 #include "literate/changes/history.hpp"
 #include "literate/prose/recorded_ages.hpp"
+#include "system/files.hpp"
 
 namespace literate {
 namespace {
 
+/// Which records are of the same case.
+class Cases {
+ public:
+  Cases(std::filesystem::path document, std::filesystem::path case_file)
+      : document_(std::move(document)), case_file_(std::move(case_file)) {}
+
+  bool are_the_same(const RecordedResults& a, const RecordedResults& b) const {
+    if (a.results.inputs.empty()) return false;
+    if (a.results.inputs == b.results.inputs) return true;
+    const auto of_a = text_of(a), of_b = text_of(b);
+    return of_a && of_b && config::say_the_same(*of_a, *of_b);
+  }
+
+ private:
+  /// None if the case is not the one that the results are of.
+  std::optional<std::string> text_of(const RecordedResults& record) const {
+    std::optional<std::string> text;
+    if (!record.commit.empty()) {
+      text = case_at(record.commit, document_, case_file_);
+    } else if (std::filesystem::exists(case_file_)) {
+      text = sys::read_file(case_file_);
+    }
+    const auto of_case = record.results.inputs.find("case");
+    const bool is_its_own = text && of_case != record.results.inputs.end() &&
+                            sys::sha256_of_text(*text) == of_case->second;
+    return is_its_own ? text : std::nullopt;
+  }
+
+  std::filesystem::path document_, case_file_;
+};
+
 /// One limit through the records.
 class Dated {
  public:
-  Dated(const std::vector<RecordedResults>& records, const std::string& claim,
+  Dated(const std::vector<RecordedResults>& records, const Cases& cases, const std::string& claim,
         const NamedLimit& limit)
       : records_(records),
+        cases_(cases),
         claim_("claim " + claim),
         what_(claim_ + ": " + limit.quantity),
         condition_(limit.condition),
@@ -30,12 +65,10 @@ class Dated {
   /// The record with a result at another limit, if this one was chosen after it.
   std::optional<std::size_t> chosen_after() const {
     if (is_computed_ || came_ == records_.size()) return std::nullopt;
-    const Manifest::Texts& of_case = records_[came_].results.inputs;
     // A verdict that is undecided shows the number, too.
     for (std::size_t i = 0; i < came_; ++i) {
-      const Manifest& results = records_[i].results;
-      const bool is_same_case = !of_case.empty() && results.inputs == of_case;
-      if (results.limits.contains(what_) && is_same_case) return i;
+      const bool has_limit = records_[i].results.limits.contains(what_);
+      if (has_limit && cases_.are_the_same(records_[i], records_[came_])) return i;
     }
     return std::nullopt;
   }
@@ -69,6 +102,7 @@ class Dated {
   }
 
   const std::vector<RecordedResults>& records_;
+  const Cases& cases_;
   std::string claim_, what_, condition_;
   bool is_computed_;
   std::size_t came_ = 0;    // the first record with this limit
@@ -78,17 +112,18 @@ class Dated {
 }  // namespace
 
 DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& now,
-                         const Names& names) {
+                         const Names& names, const std::filesystem::path& case_file) {
   std::vector<RecordedResults> records = records_in(document, now.project);
   if (records.empty()) return {};
   records.push_back({.commit = "", .results = now});
   const auto at = [](const std::string& commit) {
     return commit.empty() ? "is not committed yet" : "came at commit " + commit.substr(0, 12);
   };
+  const Cases cases(document, case_file);
   DatedLimits dated;
   for (const auto& [id, claim] : names.claims) {
     for (const NamedLimit& limit : claim.limits) {
-      const Dated one(records, id, limit);
+      const Dated one(records, cases, id, limit);
       if (const auto first = one.chosen_after()) {
         dated.ages[one.what()] = chosen_after;
         dated.chosen_after.push_back(fmt::format(

@@ -24,11 +24,11 @@ struct DatedLimits {
 /// record that has its criterion, unless the claim is undecided by this criterion alone.
 ///
 /// A limit was chosen after the result if it came with a later record, and an earlier one of the
-/// same case has a result at another limit. It is older than the result if it came earlier, after
-/// the first record of all, and has stood since. It is not known of limits that came with their
-/// result, nor, if their number is another, of those that the run computes, of theory and method.
-/// Nothing is known if a record cannot be read.
+/// same case, whatever its comments, has a result at another limit. It is older than the result if
+/// it came earlier, after the first record of all, and has stood since. It is not known of limits
+/// that came with their result, nor, if their number is another, of those that the run computes, of
+/// theory and method. Nothing is known if a record cannot be read.
 DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& now,
-                         const Names& names);
+                         const Names& names, const std::filesystem::path& case_file);
 
 }  // namespace literate

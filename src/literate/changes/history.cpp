@@ -48,6 +48,12 @@ std::vector<Commit> commits_of_lines(const std::string& blame) {
   return of_lines;
 }
 
+std::optional<std::string> case_at(const std::string& commit, const std::filesystem::path& document,
+                                   const std::filesystem::path& case_file) {
+  const std::string path = std::filesystem::relative(case_file, document).generic_string();
+  return git(document, {"show", commit + ":./" + path});
+}
+
 std::vector<RecordedResults> records_in(const std::filesystem::path& document,
                                         const std::string& project) {
   const std::string commits = git(document, {"log", "--diff-filter=AM", "--topo-order", "--reverse",

@@ -29,6 +29,10 @@ struct Commit {
 /// The commit of each line of a file, from what `git blame --porcelain` says.
 std::vector<Commit> commits_of_lines(const std::string& blame);
 
+/// The text of a paper's case file at a commit; none if it was not there.
+std::optional<std::string> case_at(const std::string& commit, const std::filesystem::path& document,
+                                   const std::filesystem::path& case_file);
+
 /// The results.json of a commit.
 struct RecordedResults {
   std::string commit;

@@ -125,8 +125,7 @@ Former results_at(const Commit& commit, const fs::path& document, const std::str
     }
     const Manifest record = manifest_of(*text, commit.id + ":results.json", project);
     const auto of_case = record.inputs.find("case");
-    const auto its_case = git(
-        document, {"show", commit.id + ":./" + fs::relative(case_file, document).generic_string()});
+    const auto its_case = case_at(commit.id, document, case_file);
     if (of_case != record.inputs.end() && its_case &&
         sys::sha256_of_text(*its_case) != of_case->second) {
       return {.unknown = "its results.json is of another case"};

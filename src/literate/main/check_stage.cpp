@@ -97,7 +97,7 @@ ExitCode reread(const Settings& settings, const std::string& project, const Name
   }
   const Reread found = sentences_to_reread(settings.document, now, settings.case_file);
   DatedLimits dated;
-  if (found.has_history) dated = dated_limits(settings.document, now, names);
+  if (found.has_history) dated = dated_limits(settings.document, now, names, settings.case_file);
   now.ages = dated.ages;
   if (records) sys::write_if_changed(record, manifest_json(now));
   const Manifest recorded = read_manifest(record, project);

@@ -47,7 +47,7 @@ struct History : MadeUpPaper {
       names.claims["far"].limits.push_back(
           {.quantity = what.substr(what.find(": ") + 2), .condition = condition, .reason = reason});
     }
-    return dated_limits(folder(), now, names);
+    return dated_limits(folder(), now, names, folder() / "case.toml");
   }
   // «», or what is known of the age of the limit.
   std::string age(const Manifest& now, const std::string& reason = "choice: a tenth") const {
@@ -125,6 +125,28 @@ BOOST_AUTO_TEST_CASE(a_limit_that_may_have_moved_with_the_case_is_not_known) {
   BOOST_TEST(History({one_percent, other, two_percent}).age(two_percent) == "");
   other.inputs.clear();  // as records of earlier versions
   BOOST_TEST(History({other}).age(one_percent) == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_case_with_other_comments_is_the_same_case) {
+  const std::string plain = "angle = 90\n", explained = "# in degrees\nangle = 90\n";
+  const auto of_case = [](Manifest one, const std::string& text) {
+    one.inputs["case"] = sys::sha256_of_text(text);
+    return one;
+  };
+  History history{};
+  history.write("case.toml", plain);
+  history.record(of_case(one_percent, plain));
+  history.commit();
+
+  history.write("case.toml", explained);
+  BOOST_TEST(history.age(of_case(two_percent, explained)) == chosen_after);
+  history.record(of_case(two_percent, explained));
+  history.commit();
+  BOOST_TEST(history.age(of_case(two_percent, explained)) == chosen_after);
+
+  const std::string steeper = "angle = 91\n";
+  history.write("case.toml", steeper);
+  BOOST_TEST(history.age(of_case(results("at most 3 %"), steeper)) == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_limit_that_the_run_computes_is_not_known_if_it_moves) {
