@@ -35,7 +35,7 @@ std::string asked_for(const std::string& what) {
 }
 
 auto identity(const ManifestNumber& number) {
-  return std::tuple(number.number, number.abs_error, number.standard, number.printed,
+  return std::tuple(number.number, number.abs_error, number.sides, number.standard, number.printed,
                     number.unit.value_or(""));
 }
 
@@ -101,8 +101,8 @@ std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumb
     return before.abs_error && after.abs_error ? ChangeKind::beyond_error : ChangeKind::moved;
   }
   if (before.number == after.number) {
-    const bool has_same_error =
-        before.abs_error == after.abs_error && before.standard == after.standard;
+    const bool has_same_error = std::tie(before.abs_error, before.sides, before.standard) ==
+                                std::tie(after.abs_error, after.sides, after.standard);
     if (before.printed == after.printed) {
       return has_same_error ? std::nullopt : std::optional(ChangeKind::other_error);
     }

@@ -104,6 +104,18 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   after.numbers["fit"].printed = "5.0(9)";
   check_told(after, ChangeKind::other_error, "value fit", "5.0(5)", "5.0(9)");
 
+  // The bound to the lesser side alone is another.
+  Manifest before = state();
+  auto& sided = before.numbers["peak"];
+  sided.sides = {0.05, 0.1};
+  sided.printed = "(10.00 +0.10 −0.05) psi";
+  after = before;
+  after.numbers["peak"].sides = {0.07, 0.1};
+  after.numbers["peak"].printed = "(10.00 +0.10 −0.07) psi";
+  const auto of_sides = changes_between(before, after, {}, {});
+  BOOST_TEST_REQUIRE(of_sides.size() == 1U);
+  BOOST_TEST(name_of(of_sides[0].kind) == "another error");
+
   after = state();
   after.texts["flag is-wide"] = "no";
   check_told(after, ChangeKind::other_text, "flag is-wide", "yes", "no");
