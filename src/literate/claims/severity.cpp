@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
+#include "literate/claims/claim.hpp"
 #include "system/csv.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -12,6 +14,17 @@
 
 namespace literate {
 namespace fs = std::filesystem;
+
+namespace {
+
+bool may_be_turned_to(const std::string& text) {
+  const std::array verdicts{Verdict::confirmed, Verdict::partly, Verdict::refuted,
+                            Verdict::undecided};
+  return text == "gone" ||
+         std::ranges::any_of(verdicts, [&](Verdict verdict) { return text == name_of(verdict); });
+}
+
+}  // namespace
 
 std::string Severity::text_of(const std::string& claim) const {
   const auto found = n_turning.find(claim);
@@ -78,7 +91,12 @@ std::optional<Severity> read_severity(const fs::path& file, const fs::path& root
     if (&row == &rows.front()) continue;
     const bool is_claim = !row.front().text.starts_with('(');  // «(checks)» and «(program)»
     for (std::size_t i = 0; i < std::min(n_faults, row.size() - 1); ++i) {
-      if (row[i + 1].text.empty()) continue;
+      const sys::CsvField& turned_to = row[i + 1];
+      if (turned_to.text.empty()) continue;
+      if (is_claim && !may_be_turned_to(turned_to.text)) {
+        throw sys::SourceError(fmt::format("{}: '{}' is no verdict; 'make severity' writes it",
+                                           turned_to.place, turned_to.text));
+      }
       (is_claim ? turns : fails)[i] = true;
       ++severity.n_turning[row.front().text];
     }

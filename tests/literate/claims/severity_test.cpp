@@ -97,6 +97,10 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_no_record_is_refused_with_its_name) {
   BOOST_CHECK_THROW(checkout.read(), sys::SourceError);
   checkout.write_record("claim,sign\nlonger\n");
   BOOST_CHECK_THROW(checkout.read(), sys::SourceError);
+  checkout.write_record("claim,sign,factor\nlonger,undecided,bogus\n");
+  BOOST_TEST(message_of<sys::SourceError>([&] { checkout.read(); }) ==
+             (checkout.folder / "severity.csv").string() +
+                 ":3:18: 'bogus' is no verdict; 'make severity' writes it");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
