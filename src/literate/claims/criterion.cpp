@@ -248,6 +248,10 @@ Phrase found_of(const Criterion& criterion, const Limit& limit, Side side) {
              : found_phrase(quantity, limit.number(), side, k);
 }
 
+void take_least(std::optional<double>& least, const std::optional<double>& one) {
+  if (one && (!least || *one < *least)) least = one;
+}
+
 std::string_view verb_of(Outcome outcome) {
   return outcome == Outcome::undecided ? "is undecided" : name_of(outcome);
 }
@@ -267,11 +271,12 @@ void Criterion::decide(const Estimate& tested, bool is_upper_limit, const Value&
   if (tested.value > 0 && limit_.number() > 0) {
     const double ratio = tested.value / limit_.number();
     margin_.factor = std::max(ratio, 1 / ratio);
-    // The limit that the error would just reach, on the side of this one.
-    const double turning = tested.value + (excess_ * sign < 0 ? unsure : -unsure);
-    const double moved = turning / limit_.number();
-    margin_.turning_factor =
-        outcome_ == Outcome::undecided ? margin_.factor : std::max(moved, 1 / moved);
+    // The outcome is another one where the limit moves over an end of the number's interval.
+    for (const double end : {tested.value - unsure, tested.value + unsure}) {
+      if (end <= 0) continue;
+      const double moved = end / limit_.number();
+      take_least(margin_.turning_factor, std::max(moved, 1 / moved));
+    }
   }
   const Outcome of_unrounded = outcome_of(sign * (tested.value - limit_.unrounded()), unsure);
   if (of_unrounded != outcome_) {
@@ -358,10 +363,12 @@ Criterion Criterion::agrees_relatively(std::string name, Value computed, Value s
   criterion.limit_phrase_ = at_most_in_signs(relative(criterion.limit_.number()));
   criterion.decide(tested, true, Value(0, exact().in_percent()), place);
   if (criterion.outcome_ == Outcome::undecided) {
-    // The error, which says why, stands behind it.
-    criterion.found_ = apart_phrase(
-        criterion.quantity_, stated, relative(number_of(rounded_to_digits(off, n_digits))),
-        criterion.limit_.number(), Side::at_most, Distance::relative, k_of(criterion.limit_));
+    const Phrase by = undecided_phrase(difference, std::max(criterion.limit_.number(), off),
+                                       Side::at_most, k_of(criterion.limit_));
+    criterion.found_ =
+        difference.is_percentage()
+            ? phrase("{}, {} from {}", criterion.quantity_, by, stated)
+            : phrase("{} against {}, relative difference {}", criterion.quantity_, stated, by);
   }
   return criterion;
 }
@@ -425,9 +432,6 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   criterion.limit_phrase_ = first.limit_phrase_;
   criterion.excess_ = worst.excess_;
   for (const Criterion& c : each) {
-    const auto take_least = [](std::optional<double>& least, const std::optional<double>& one) {
-      if (one && (!least || *one < *least)) least = one;
-    };
     take_least(criterion.margin_.errors, c.margin_.errors);
     take_least(criterion.margin_.factor, c.margin_.factor);
     take_least(criterion.margin_.turning_factor, c.margin_.turning_factor);

@@ -34,7 +34,8 @@ struct Margin {
   /// to the tolerance. None where one of the two is not positive.
   std::optional<double> factor;
 
-  /// The least factor in the limit that would change the outcome, the error counted.
+  /// The least factor in the limit, to either side, that would change the outcome, the error
+  /// counted.
   std::optional<double> turning_factor;
 
   /// «4.1 times; 97 errors»; «exact» if there is neither.

@@ -9,10 +9,18 @@
 #include <stdexcept>
 
 #include "literate/text/latex.hpp"
+#include "literate/values/decimal.hpp"
 #include "system/csv.hpp"
 
 namespace literate {
 namespace {
+
+/// To two digits of what it is above 1, so that the limit times this factor is beyond the turn.
+double rounded_up_factor(double factor) {
+  constexpr int n_digits = 12;  // what lies behind them is rounding
+  const double above = number_of(rounded_to_digits(factor, n_digits)) - 1;
+  return 1 + number_of(rounded_up_to_digits(number_of(rounded_to_digits(above, n_digits)), 2));
+}
 
 bool is_of(const LimitNotes::Note& note, const Criterion& criterion) {
   return note.kind == criterion.limit_kind() && note.reason == criterion.limit_reason();
@@ -119,10 +127,10 @@ std::vector<std::string> claim_notes(const Registered& registered) {
       if (kind == LimitKind::choice &&
           criterion.margin().turning_factor.value_or(doubled) < doubled) {
         notes.push_back(
-            fmt::format("{}: claim {}: {} hangs on a choice, {}: a factor of {:.2g} in "
+            fmt::format("{}: claim {}: {} hangs on a choice, {}: a factor of {:.12g} in "
                         "the limit would turn it",
                         place, id, criterion.computed(), criterion.limit().plain,
-                        *criterion.margin().turning_factor));
+                        rounded_up_factor(*criterion.margin().turning_factor)));
       }
       if (kind != LimitKind::choice && kind != LimitKind::data) continue;
       const std::pair reason{kind, criterion.limit_reason()};

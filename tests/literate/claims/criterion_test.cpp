@@ -189,7 +189,11 @@ BOOST_AUTO_TEST_CASE(relative_agreement_says_how_far_apart_the_two_are) {
   BOOST_TEST(is(agrees(15.9, 0.001), Outcome::fails));
   BOOST_TEST(is(agrees(15.99, 0.03), Outcome::undecided));
   BOOST_TEST(agrees(15.99, 0.001).computed() == "resultant: 15.99 lbf/in, 0.06 % from 16 lbf/in");
-  BOOST_TEST(agrees(15.982, 0.03).computed() == "resultant: 16.0 lbf/in, 0.11 % from 16 lbf/in");
+  // No digit is printed that the error does not support: 0.11 % apart with an error of 0.19 %.
+  BOOST_TEST(agrees(15.982, 0.03).computed() ==
+             "resultant: 16.0 lbf/in, at most 0.30 % from 16 lbf/in");
+  BOOST_TEST(agrees(15.96, 0.03).computed() ==
+             "resultant: 16.0 lbf/in, (0.25 ± 0.19) % from 16 lbf/in");
   BOOST_TEST(agrees(15.982, 0.03).missing() == "an error of 0.19 % reaches across the limit");
   BOOST_TEST(agrees(15.99, 0.001).condition().plain == "within 0.2 % of 16 lbf/in");
   BOOST_TEST(agrees(15.99, 0.001).limit().plain == "≤ 0.2 %");
@@ -323,10 +327,18 @@ BOOST_AUTO_TEST_CASE(a_margin_is_the_distance_from_the_limit_in_errors_and_as_a_
   BOOST_TEST(margin.text() == "5.0 times; 4.0 errors");
 
   BOOST_TEST(misfit_at_most(0.02, 0, limit_of(0.01)).margin().text() == "2.0 times");
-  // 2 ± 1 is undecided against 3, and 2 ± 0.5 against 1.5.
+  // 2 ± 1 is undecided against 3, and 2 ± 0.5 against 1.5, which they reach at half of 6 and
+  // at 1.25 times 1.2. Undecided against 2.5 and 1.25, 2 ± 1 is decided from 3 and from 1 on; 2 ± 4
+  // from 6.
   BOOST_TEST(*misfit_at_most(0.02, 0.01, limit_of(0.06)).margin().turning_factor == 2,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(*misfit_at_most(0.02, 0.005, limit_of(0.012)).margin().turning_factor == 1.25,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(*misfit_at_most(0.02, 0.01, limit_of(0.025)).margin().turning_factor == 1.2,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(*misfit_at_most(0.02, 0.01, limit_of(0.0125)).margin().turning_factor == 1.25,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(*misfit_at_most(0.02, 0.04, limit_of(0.05)).margin().turning_factor == 1.2,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(misfit_at_most(-0.02, 0.001, limit_of(0.01)).margin().text() == "30 errors");
   BOOST_TEST(misfit_at_most(1e-9, 0, limit_of(0.01)).margin().text() == "over 1000 times");
