@@ -107,9 +107,12 @@ ExitCode reread(const Settings& settings, const std::string& project, const Name
         change.kind == ChangeKind::other_error) {
       continue;
     }
-    answer = complain(fmt::format("results.json is not of these results, {} is another; RECORD=1 "
-                                  "writes it anew",
-                                  change.what),
+    const char* part = change.kind == ChangeKind::other_limit     ? "the limit of "
+                       : change.kind == ChangeKind::other_verdict ? "the verdict of "
+                                                                  : "";
+    answer = complain(fmt::format("results.json is not of these results, {}{} is another; "
+                                  "RECORD=1 writes it anew",
+                                  part, change.what),
                       ExitCode::failed);
     break;
   }

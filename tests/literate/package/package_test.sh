@@ -145,7 +145,7 @@ committed
 commit=$(git rev-parse HEAD | cut -c 1-12)
 sed -i 's/LimitKind::data, 0.1, "a tenth"/LimitKind::data, 0.15, "a tenth"/' src/*.cpp
 runs make check
-claim 'a record of another limit is told' "$status$(says 'results.json is not of these results, claim longer: excess is another')" = 2yes
+claim 'a record of another limit is told' "$status$(says 'results.json is not of these results, the limit of claim longer: excess is another')" = 2yes
 runs make check RECORD=1
 claim 'a limit that was chosen after the result is told with the commits' "$status$(says "claim longer: excess: the limit was chosen after the result: '≥ 15 %' is not committed yet, and commit $commit has a result at '≥ 10 %'")" = 0yes
 committed
@@ -279,6 +279,10 @@ claim 'with exit code, what varies, the chosen value, the number behind it and v
 claim 'a case that is computed has all of them' "$(sed -n 2p build/reports/cases.csv | grep -c '^angle 120,0,120,1.37288.*,confirmed,')" -eq 1
 claim 'one that failed has its parameters' "$(says 'angle 200,2,200,,,,')" = yes
 claim 'each has its PDF and its manifest' -e 'build/reports/angle 80/rod.pdf' -a -e 'build/reports/angle 80/manifest.json'
+sed 's/^angle = 90/angle = 30/' case.toml >'cases/angle 30.toml'
+runs env 'CASES=cases/angle 30.toml' ninja -C build rod-reports
+claim 'of a case with two verdicts that are not the expected ones both are told' \
+  "$status $(grep -c '^angle 30 failed with 1: rod: .*claim.*expected' <<<"$said")" = '1 2'
 
 echo 'At \val{anglee} or so.' >>paper/note.tex
 runs ninja -C build rod
