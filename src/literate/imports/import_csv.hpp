@@ -20,7 +20,7 @@ namespace literate {
 /// column without any number, or in `options.text`, is one of texts, and headings are plain text.
 ///
 /// File and script are attached to the document and are the table's source place. Throws
-/// ImportError, «file:line:column: table 'name': what is wrong» where column counts fields: for
+/// ImportError, «file:line:column: table 'name': what is wrong» where column counts characters: for
 /// what csv_rows and table_of refuse, a name that is malformed or registered already, a heading
 /// that stands twice, an abs_error without a column to its left or misspelt, and a heading in
 /// `options` that the file has not.
