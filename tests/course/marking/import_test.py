@@ -4,6 +4,7 @@
 import csv
 import io
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -76,6 +77,51 @@ class Import(unittest.TestCase):
             "alice@example.org": ("Alice Adams", "2027-01-15T20:12:00+01:00"),
             "adams2@example.org": ("Alice Adams", "2027-01-16T07:05:00+01:00"),
             "bob@example.org": ("Bob O'Neill", "")})
+
+    def test_a_file_is_of_whoever_moodle_names_first_whatever_it_is_called(self):
+        evil = "x_101_assignsubmission_file_toy.zip"
+        self.zipped([(f"Alice Adams_102_assignsubmission_file_/{evil}", inner(text="int two;")),
+                     ("Alice Adams_101_assignsubmission_file_/toy.zip", inner(text="int one;"))])
+        self.assertEqual(self.run_import(WORKSHEET), 0, self.ran.stderr)
+        self.assertEqual(self.files(), ["adams2@example.org.zip", "alice@example.org.zip"])
+        with zipfile.ZipFile(self.folder / "autumn/alice@example.org.zip") as archive:
+            self.assertEqual(archive.read("src/square.cpp"), b"int one;")
+
+    def test_moodle_without_folders_and_a_folder_around_all_are_read_the_same(self):
+        self.zipped([("all/Alice Adams_102_assignsubmission_file_x_101_assignsubmission_file_toy.zip", inner())])
+        self.assertEqual(self.run_import(WORKSHEET), 0, self.ran.stderr)
+        self.assertEqual(self.files(), ["adams2@example.org.zip"])
+
+    def test_a_file_where_a_folder_is_wanted_costs_nobody_else_anything(self):
+        self.zipped([("Alice Adams_101_assignsubmission_file_/src", "x"),
+                     ("Alice Adams_101_assignsubmission_file_/src/square.cpp", "int x;"),
+                     ("Alice Adams_102_assignsubmission_file_/src/square.cpp", "int x;")])
+        self.assertEqual(self.run_import(WORKSHEET), 1)
+        self.assertIn("_101_assignsubmission_file_/src/square.cpp' cannot be written", self.ran.stderr)
+        self.assertEqual(self.files(), ["adams2@example.org/src/square.cpp", "alice@example.org/src"])
+
+    def test_what_was_typed_into_moodle_is_told_as_such(self):
+        self.zipped([("Alice Adams_101_assignsubmission_onlinetext/onlinetext.html", "x"),
+                     ("Alice Adams_101_assignsubmission_file_/src/square.cpp", "int x;")])
+        self.assertEqual(self.run_import(WORKSHEET), 1)
+        self.assertIn("onlinetext.html' was typed into Moodle", self.ran.stderr)
+        self.assertEqual(self.files(), ["alice@example.org/src/square.cpp"])
+
+    def test_archives_are_those_that_are_graded(self):
+        source = PROGRAM.parents[2] / "course/assignment/student.cpp"
+        graded = re.search(r"endings = \{(.*?)\}", source.read_text(), re.DOTALL)[1]
+        listed = re.search(r"^ARCHIVES = \((.*?)\)", PROGRAM.read_text(), re.MULTILINE)[1]
+        self.assertEqual(re.findall(r'"(.*?)"', listed), re.findall(r'"(.*?)"', graded))
+        self.zipped([("Alice Adams_101_assignsubmission_file_/toy.7z", "packed")])
+        self.assertEqual(self.run_import(WORKSHEET), 0, self.ran.stderr)
+        self.assertEqual(self.files(), ["alice@example.org.7z"])
+
+    def test_a_damaged_archive_is_bad_input(self):
+        self.zipped([("Alice Adams_101_assignsubmission_file_/src/square.cpp", "int x; " * 99)])
+        whole = (self.folder / "all.zip").read_bytes()
+        (self.folder / "all.zip").write_bytes(whole.replace(b"int x; ", b"int y; ", 1))
+        self.assertEqual(self.run_import(WORKSHEET), 2)
+        self.assertIn("is damaged or locked", self.ran.stderr)
 
     def test_several_uploads_of_one_student_stay_together(self):
         self.zipped([("Alice Adams_101_assignsubmission_file_/src/square.cpp", "int x;"),
