@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <istream>
 #include <sstream>
@@ -57,6 +58,13 @@ inline bool write_answer(const std::vector<double>& numbers) {
   return is_written;
 }
 
+/// The numbers of a line, «inf» and «nan» among them.
+inline std::vector<double> numbers_in(std::istream& words) {
+  std::vector<double> numbers;
+  for (std::string word; words >> word;) numbers.push_back(std::strtod(word.c_str(), nullptr));
+  return numbers;
+}
+
 /// Answers questions one after the other, each a line «TASK number number …», by `run`, which takes
 /// a task and its inputs. Each answer is a line, which is empty if there is none. So programs are
 /// asked what a student's own tests ask.
@@ -65,9 +73,8 @@ void answer_lines(std::istream& in, const Run& run) {
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     std::string task;
-    std::vector<double> inputs;
     words >> task;
-    for (double input = 0; words >> input;) inputs.push_back(input);
+    const std::vector<double> inputs = numbers_in(words);
     std::vector<double> answer;
     try {
       answer = run(task, inputs);

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -27,13 +26,6 @@ inline std::string question_line(const std::string& task, const Numbers& inputs)
   return line;
 }
 
-inline Numbers numbers_in(const std::string& line) {
-  Numbers numbers;
-  std::istringstream words(line);
-  for (std::string word; words >> word;) numbers.push_back(std::strtod(word.c_str(), nullptr));
-  return numbers;
-}
-
 /// Runs the tests. Standard input holds the answers that the program under test gave to what they
 /// asked in their last run, a line each, and they get these in that order, whatever they ask now:
 /// the run counts if that is the same. The answer channel gets a line «? QUESTION» for each
@@ -44,7 +36,8 @@ inline void replay_tests() {
     ::dprintf(answer_descriptor, "? %s\n", question_line(task, inputs).c_str());
     std::string answer;
     std::getline(std::cin, answer);
-    return numbers_in(answer);
+    std::istringstream words(answer);
+    return numbers_in(words);
   };
   int rejecting = 0;
   under_test.reject = [&](int line, const std::string&) {

@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <random>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -174,6 +176,17 @@ std::string compile(const OwnTestsTask& task, const Exercise& exercise, const fs
   return error;
 }
 
+constexpr const char* the_right_one = "";
+
+/// The wrong programs, and the right one as often, or a few times if they are few, in an order that
+/// nobody can foresee: tests that follow the clock or count their runs are out of step with it.
+std::vector<std::string> shuffled_with_the_right_one(std::vector<std::string> programs) {
+  constexpr std::size_t fewest = 6;
+  programs.insert(programs.end(), std::max(programs.size(), fewest), the_right_one);
+  std::ranges::shuffle(programs, std::mt19937_64(std::random_device{}()));
+  return programs;
+}
+
 Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
                    std::vector<std::string>& missed) {
   const auto file = task.files.find(exercise.tests);
@@ -195,16 +208,22 @@ Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
   }
   if (verdict.n_checks == 0) return fault("check nothing");
   const std::vector<std::string> wrong = sys::files_below(programs / "wrong");
-  std::size_t n_caught = 0;
-  for (const std::string& id : wrong) {
+  std::set<std::string> caught;
+  for (const std::string& id : shuffled_with_the_right_one(wrong)) {
+    if (id == the_right_one) {
+      if (!run.repeated(right).accepts()) return fault("do not always accept the right program");
+      continue;
+    }
     Talk talk{right.questions};
-    const bool is_caught = run.verdict_on(programs / "wrong" / id, talk).rejects();
-    n_caught += is_caught ? 1 : 0;
-    if (!is_caught) missed.push_back(fmt::format("{} does not catch {}", exercise.tests, id));
-    if (!run.repeated(right).accepts()) return fault("do not always accept the right program");
+    if (run.verdict_on(programs / "wrong" / id, talk).rejects()) caught.insert(id);
   }
-  return {static_cast<double>(n_caught) / static_cast<double>(wrong.size()),
-          fmt::format("your tests catch {} of {} wrong programs", n_caught, wrong.size())};
+  for (const std::string& id : wrong) {
+    if (!caught.contains(id)) {
+      missed.push_back(fmt::format("{} does not catch {}", exercise.tests, id));
+    }
+  }
+  return {static_cast<double>(caught.size()) / static_cast<double>(wrong.size()),
+          fmt::format("your tests catch {} of {} wrong programs", caught.size(), wrong.size())};
 }
 
 }  // namespace
