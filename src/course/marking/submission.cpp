@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* report = "report/report.tex";
 constexpr int max_entries = 20'000;  ///< in a folder; no homework has more
+constexpr int max_depth = 16;        ///< of folders in one another
 
 std::vector<std::string> wanted_files(const Assignment& assignment) {
   std::set<std::string> files;
@@ -28,7 +29,7 @@ std::vector<std::string> wanted_files(const Assignment& assignment) {
 }
 
 /// Everything in a folder, whatever its kind, but the history of its repository; links are not
-/// followed.
+/// followed. Throws std::invalid_argument for folders that are too deep in one another.
 struct Contents {
   std::vector<std::string> entries;
   std::uintmax_t bytes = 0;
@@ -44,6 +45,10 @@ Contents contents_of(const fs::path& folder) {
     if (entry->path().filename() == ".git") {
       entry.disable_recursion_pending();
       continue;
+    }
+    if (entry.depth() >= max_depth) {
+      throw std::invalid_argument(
+          fmt::format("the submission has more than {} folders in one another", max_depth));
     }
     contents.entries.push_back(entry->path().lexically_relative(folder).generic_string());
     if (!entry->is_symlink(unreadable) && entry->is_regular_file(unreadable)) {
@@ -143,11 +148,24 @@ void explain_missing(const std::vector<std::string>& entries,
   }
   for (const std::string& file : wanted) {
     if (std::ranges::find(entries, place + file) != entries.end()) continue;
-    const auto other = std::ranges::find(entries, like(file), like);
+    const auto other = std::ranges::find_if(entries, [&](const std::string& entry) {
+      const bool is_where_it_belongs = std::ranges::any_of(
+          wanted, [&](const std::string& another) { return entry == place + another; });
+      return like(entry) == like(file) && !is_where_it_belongs;
+    });
     if (other == entries.end()) continue;
     submission.problems.push_back(
         fmt::format("there is '{}', but {} is looked for", shown_name(*other), file));
   }
+}
+
+/// Throws std::invalid_argument if there is nothing to grade.
+void require_something(const Submission& submission) {
+  if (!submission.files.empty() || submission.has_report) return;
+  const bool is_explained =
+      !submission.problems.empty() && !submission.problems.back().ends_with("is missing");
+  throw std::invalid_argument(is_explained ? submission.problems.back()
+                                           : "none of the files that are looked for is in it");
 }
 
 Submission take_folder(const Assignment& assignment, const fs::path& folder) {
@@ -163,6 +181,7 @@ Submission take_folder(const Assignment& assignment, const fs::path& folder) {
       wanted, place, [&](const std::string& file) { return read_beneath(folder, file, max_bytes); },
       submission);
   explain_missing(contents.entries, wanted, place, submission);
+  require_something(submission);
   return submission;
 }
 
@@ -181,6 +200,7 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
   take_files(
       wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
   explain_missing(archive.entries(), wanted, place, submission);
+  require_something(submission);
   return submission;
 }
 

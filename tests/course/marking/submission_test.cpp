@@ -191,18 +191,50 @@ BOOST_AUTO_TEST_CASE(files_that_are_elsewhere_are_told) {
   folder.write("packed/notes.txt", "see the zip\n");
   fs::copy(zip_of(folder, ""), folder.path() / "packed/mine.zip");
 
-  BOOST_TEST(take(folder.path() / "deep").problems.back() ==
-             "there is src/square.cpp in 'one/two/', but files are looked for at the top and one "
-             "folder below it");
-  BOOST_TEST(take(folder.path() / "packed").problems.back() ==
-             "there is an archive in the submission, 'mine.zip'; nothing is taken from that");
+  BOOST_TEST(problem_of(folder.path() / "deep") ==
+             "waits: there is src/square.cpp in 'one/two/', but files are looked for at the top "
+             "and one folder below it");
+  BOOST_TEST(problem_of(folder.path() / "packed") ==
+             "waits: there is an archive in the submission, 'mine.zip'; nothing is taken from "
+             "that");
 
-  BOOST_TEST(take(packed(folder, "deep.zip", "deep")).problems.back() ==
-             "there is src/square.cpp in 'deep/one/two/', but files are looked for at the top and "
-             "one folder below it");
-  BOOST_TEST(
-      take(packed(folder, "packed.tgz", "packed")).problems.back() ==
-      "there is an archive in the submission, 'packed/mine.zip'; nothing is taken from that");
+  BOOST_TEST(problem_of(packed(folder, "deep.zip", "deep")) ==
+             "waits: there is src/square.cpp in 'deep/one/two/', but files are looked for at the "
+             "top and one folder below it");
+  BOOST_TEST(problem_of(packed(folder, "packed.tgz", "packed")) ==
+             "waits: there is an archive in the submission, 'packed/mine.zip'; nothing is taken "
+             "from that");
+}
+
+BOOST_AUTO_TEST_CASE(a_submission_of_which_nothing_can_be_taken_waits) {
+  const TemporaryFolder folder;
+  folder.write("other/notes.txt", "see the web\n");
+  BOOST_TEST(problem_of(folder.path() / "other") ==
+             "waits: none of the files that are looked for is in it");
+  folder.write("linked/notes.txt", "see beside\n");
+  fs::create_directory_symlink(folder.path() / "other", folder.path() / "linked/src");
+  BOOST_TEST(problem_of(folder.path() / "linked").starts_with("waits: "));
+  folder.write("reported/report/report.tex", "A report alone.\n");
+  BOOST_TEST(take(folder.path() / "reported").has_report);
+}
+
+BOOST_AUTO_TEST_CASE(folders_that_are_deep_in_one_another_wait) {
+  const TemporaryFolder folder;
+  std::string deep = "alice/";
+  for (int i = 0; i < 40; ++i) deep += "d/";
+  folder.write(deep + "src/square.cpp", "int a;\n");
+  folder.write("alice/src/square.cpp", "int a;\n");
+  BOOST_TEST(problem_of(folder.path() / "alice") ==
+             "waits: the submission has more than 16 folders in one another");
+}
+
+BOOST_AUTO_TEST_CASE(who_has_no_tests_is_not_sent_to_the_file_that_they_test) {
+  const TemporaryFolder folder;
+  folder.write("alice/src/square.cpp", "int a;\n");
+  folder.write("alice/src/sum.cpp", "int b;\n");
+  for (const std::string& problem : take(folder.path() / "alice").problems) {
+    BOOST_TEST(problem.find("is looked for") == problem.npos, problem);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_of_one_folder_is_that_folder) {
@@ -256,8 +288,8 @@ BOOST_AUTO_TEST_CASE(files_without_their_folder_or_in_two_places_are_named) {
 
   const auto problems_of = [&](const char* name) { return take(folder.path() / name).problems; };
 
-  BOOST_REQUIRE(problems_of("flat").size() == 4U);
-  BOOST_TEST(problems_of("flat")[2] == "there is 'square.cpp', but src/square.cpp is looked for");
+  BOOST_TEST(problem_of(folder.path() / "flat") ==
+             "waits: there is 'sum.cpp', but src/sum.cpp is looked for");
   BOOST_REQUIRE(problems_of("top").size() == 2U);
   BOOST_TEST(problems_of("top")[1] == "there is 'work/src/sum.cpp', but src/sum.cpp is looked for");
   BOOST_TEST(
@@ -268,15 +300,20 @@ BOOST_AUTO_TEST_CASE(files_without_their_folder_or_in_two_places_are_named) {
 BOOST_AUTO_TEST_CASE(what_is_called_like_a_missing_file_is_named) {
   const TemporaryFolder folder;
   folder.write("alice/src/Square.cpp", "int a;\n");
-  folder.write("alice/sum.cpp.txt", "int b;\n");
+  folder.write("alice/src/sum.cpp", "int b;\n");
+  folder.write("bob/src/square.cpp", "int a;\n");
+  folder.write("bob/sum.cpp.txt", "int b;\n");
 
-  for (const fs::path& path : {folder.path() / "alice", packed(folder, "a.zip", "alice")}) {
-    const Submission submission = take(path);
-    BOOST_REQUIRE(submission.problems.size() == 4U);
-    BOOST_TEST(
-        submission.problems[2].ends_with("src/Square.cpp', but src/square.cpp is looked for"));
-    BOOST_TEST(submission.problems[3].ends_with("sum.cpp.txt', but src/sum.cpp is looked for"));
-  }
+  const auto check_hint = [&](const std::string& student, const std::string& hint) {
+    for (const fs::path& path :
+         {folder.path() / student, packed(folder, student + ".zip", student)}) {
+      const Submission submission = take(path);
+      BOOST_REQUIRE(submission.problems.size() == 2U);
+      BOOST_TEST(submission.problems[1].ends_with(hint), submission.problems[1]);
+    }
+  };
+  check_hint("alice", "src/Square.cpp', but src/square.cpp is looked for");
+  check_hint("bob", "sum.cpp.txt', but src/sum.cpp is looked for");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_neither_folder_nor_archive_is_refused) {
