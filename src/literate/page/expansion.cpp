@@ -422,7 +422,7 @@ std::string Expander::use_id(const std::string& kind, const std::string& name) {
   return uses.back().id;
 }
 
-// «used in § 2, § 3», a link to the first use in each section that can be led to.
+// «used in § 2, § 3», a link to the first use in each section.
 std::string Expander::uses(const std::string& kind, const std::string& name) const {
   const auto found = uses_.find({kind, name});
   if (found == uses_.end()) return "<span class=\"lit-uses\">not used</span>";
@@ -430,14 +430,8 @@ std::string Expander::uses(const std::string& kind, const std::string& name) con
   for (const Use& use : found->second) {
     if (!html.empty() && use.section == last) continue;
     last = use.section;
-    const auto linked = std::ranges::find_if(found->second, [&](const Use& other) {
-      return other.section == last && !other.id.empty();
-    });
-    const std::string text = last.empty() ? "the text" : "§\u00a0" + last;
-    html += html.empty() ? "" : ", ";
-    html += linked == found->second.end() ? text
-                                          : fmt::format("<a class=\"lit-ref\" href=\"#{}\">{}</a>",
-                                                        escape_html(linked->id), text);
+    html += fmt::format("{}<a class=\"lit-ref\" href=\"#{}\">{}</a>", html.empty() ? "" : ", ",
+                        escape_html(use.id), last.empty() ? "the text" : "§\u00a0" + last);
   }
   return "<span class=\"lit-uses\">used in " + html + "</span>";
 }

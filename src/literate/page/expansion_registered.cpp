@@ -104,7 +104,6 @@ void Expander::know_registered() {
     const std::string options(call.option()), key = call[0];
     const auto number = names_.numbers.find(key);
     if (number == names_.numbers.end()) return fail(fmt::format("unknown number '{}'", key));
-    uses_[{"val", key}].push_back({"", section_});  // TeX may want digits, where no link can stand
     try {
       emit(bare_digits(options.empty() ? number->second.number
                                        : restyled_number(number->second, options)));
