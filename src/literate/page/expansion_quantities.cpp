@@ -141,6 +141,8 @@ void Expander::know_quantities() {
   });
   know({"si", "unit"}, "om", [this](const Call& call) {
     require_default_options(call);
+    const std::string typed = unit_of_latex(call.arguments[0]);
+    if (typed.find('\\') == typed.npos) return emit(unit_with_powers(typed, is_math_));
     const std::string bare = unit_with_solidus(call[0]);
     emit(bare.starts_with('/') ? "1" + bare : bare);
   });

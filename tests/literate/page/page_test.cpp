@@ -146,6 +146,7 @@ BOOST_AUTO_TEST_CASE(a_number_has_its_signs_powers_and_what_is_not_known_of_it) 
       {"\\(\\unit{\\watt\\per\\metre\\per\\kelvin}\\)",
        {"m</mtext><mspace width=\"0.167em\"></mspace><mtext mathvariant=\"normal\">K"}},
       {"\\qty{7}{\\per\\metre}", {"7/m"}},
+      {"\\unit{ms.d^{-1}.K^{-2}}", {"ms d<sup>−1</sup> K<sup>−2</sup>"}},
       {"\\num{ 1,5 }, \\num{.5D3}, \\num{5.}, \\num{\\rawval{mass}}, \\num{1.2(3)E-4}",
        {"1.5, 0.5\u00A0×\u00A010<sup>3</sup>, 5, 2.612, 1.2(3)\u00A0×\u00A010<sup>−4</sup>"}},
       {"\\num{-12345.67891}, \\num{e-3}", {"−12 345.678 91, 10<sup>−3</sup>"}},
