@@ -131,7 +131,7 @@ std::string values_csv(const Registered& registered) {
     const auto sides = uncertainty ? uncertainty->sides : std::nullopt;
     text += sys::csv_line(
         {key, value.printed(), value.number() ? number(*value.number()) : "",
-         uncertainty ? number(uncertainty->bound) : "", sides ? number(sides->first) : "",
+         uncertainty ? number(uncertainty->told_bound()) : "", sides ? number(sides->first) : "",
          sides ? number(sides->second) : "",
          uncertainty && uncertainty->standard > 0 ? number(uncertainty->standard) : "",
          value.unit(), text_of(registered.places.at({"value", key}))});

@@ -55,6 +55,9 @@ std::map<std::string, ManifestNumber> numbers_of(const json& values) {
     }
     if (value.contains("below")) number.sides = {value.at("below"), value.at("above")};
     number.standard = value.value("standard", 0.0);
+    // What the law of propagation neglects is told with the bound where the law does not hold.
+    const double neglected = value.value("neglected", 0.0);
+    if (number.abs_error && neglected > number.standard) *number.abs_error += neglected;
   }
   return numbers;
 }
@@ -199,7 +202,9 @@ Manifest manifest_of(const std::string& json_text, const std::string& file,
             .texts = text.value("texts", Manifest::Texts()),
             .outcomes = text.value("outcomes", Manifest::Texts()),
             .words = text.value("words", Manifest::Texts()),
-            .ages = text.value("ages", Manifest::Texts())};
+            .ages = text.value("ages", Manifest::Texts()),
+            .is_of_earlier_version =
+                !text.contains("limits") || !text.contains("texts") || !text.contains("outcomes")};
   } catch (const json::exception&) {
     throw sys::OutputError(fmt::format("'{}' is not a manifest", file));
   }

@@ -40,6 +40,7 @@ struct Manifest {
   /// statement», «table x: headings» and «table x: notes»; an earlier version has none.
   Texts words = {};
   Texts ages = {};  ///< of limits, by the same names, as dated_limits() tells them
+  bool is_of_earlier_version = false;  ///< whether limits, texts or outcomes were not told then
 };
 
 /// Returns the SHA-256 of files in a folder, by `prefix` + file; throws sys::OutputError for a file

@@ -167,6 +167,10 @@ double Uncertainty::error(double k) const {
   return add_up(bound, add_up(multiply_up(k, standard), multiply_up(k * k, neglected)));
 }
 
+double Uncertainty::told_bound() const {
+  return is_nonlinear() ? add_up(bound, neglected) : bound;
+}
+
 void require_error_bound(double abs_error) {
   if (std::isfinite(abs_error) && abs_error >= 0) return;
   throw std::invalid_argument(
@@ -266,12 +270,6 @@ void add_bound(RoundedNumber& rounded, double number, double bound, std::string_
   rounded.beside.push_back({rounded_up_to_place(counted(bound), place), std::string(what)});
 }
 
-/// What stands behind ± of a number with a standard uncertainty or without one.
-double told_bound(const Uncertainty& uncertainty) {
-  return uncertainty.is_nonlinear() ? add_up(uncertainty.bound, uncertainty.neglected)
-                                    : uncertainty.bound;
-}
-
 /// The number with each kind of what is not known of it, to the digits of the least of them, but to
 /// no more than three of all together. What cancels but for its rounding is none of them.
 RoundedNumber with_kinds(double number, const Uncertainty& all) {
@@ -290,7 +288,7 @@ RoundedNumber with_kinds(double number, const Uncertainty& all) {
     result.beside.push_back(
         {is_zero(nearest) ? rounded_up_to_place(standard, place) : nearest, kind});
   }
-  add_bound(result, number, told_bound(uncertainty), "at most");
+  add_bound(result, number, uncertainty.told_bound(), "at most");
   return result;
 }
 
@@ -298,11 +296,11 @@ RoundedNumber with_uncertainty(double number, const Uncertainty& uncertainty) {
   if (uncertainty.standard == 0 && uncertainty.sides) {
     return with_sides(number, uncertainty.sides->first, uncertainty.sides->second);
   }
-  if (uncertainty.standard == 0) return with_bound({number, told_bound(uncertainty)});
+  if (uncertainty.standard == 0) return with_bound({number, uncertainty.told_bound()});
   const Decimal standard = rounded_to_digits(uncertainty.standard, n_digits_of_error);
   RoundedNumber result{rounded_to_place(number, standard.place), Style::automatic, true,
                        standard.digits};
-  add_bound(result, number, told_bound(uncertainty), "");
+  add_bound(result, number, uncertainty.told_bound(), "");
   return result;
 }
 

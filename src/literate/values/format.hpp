@@ -80,7 +80,7 @@ Format significant(int n_digits);
 /// Prints `decimals` digits after the point, 0 ≤ decimals ≤ 100.
 Format fixed(int decimals);
 
-/// Prints `n_digits` significant digits and always an exponent, except for zero.
+/// Prints `n_digits` significant digits and always an exponent, except for a zero without error.
 Format scientific(int n_digits);
 
 /// fixed(decimals).in_percent().
@@ -131,6 +131,9 @@ struct Uncertainty {
 
   /// Whether the law of propagation does not hold: it neglects more than it gives.
   bool is_nonlinear() const { return neglected > standard; }
+
+  /// What stands behind ±: the bound, with what the law neglects where it does not hold.
+  double told_bound() const;
 };
 
 /// The texts of which a printed number consists.

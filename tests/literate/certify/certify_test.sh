@@ -114,6 +114,15 @@ tampered 'a source that is gone' 'sources: src/one.cpp is not there' 'rm src/one
 tampered 'a case' 'sources: case.toml has other bytes' 'echo "side = 4" >case.toml'
 tampered 'an attachment' 'attachments: figures-f-script.gp has other bytes' 'echo "plot 2" >"$scratch/other"; attach "$scratch/other"'
 
+certify traced PDF=none.pdf
+claim 'a PDF that is not there is bad input' "$status $(says "PDF: there is no file 'none.pdf'")" = '2 yes'
+certify sampled PDF=out/rod.pdf
+claim 'a depth that looks at no PDF refuses one' "$status $(says 'PDF: DEPTH=traced alone looks at a PDF')" = '2 yes'
+more=('said=cannot read none.json' status=2)
+certify full MANIFEST=none.json
+claim 'where a manifest cannot be read nothing is said to differ' "$status $(says 'full: not all could be told') $(says differs)" = '2 yes no'
+more=()
+
 # A reviewer who has the PDF.
 cp whole/rod.pdf "$scratch/paper.pdf"
 mv out gone
