@@ -337,6 +337,13 @@ std::string ColumnWriter::heading() const {
   return format_.heading;
 }
 
+std::string ColumnWriter::printed(std::size_t row) const {
+  const Written& cell = cells_[row];
+  const bool is_zero = cell.text.find_first_of("123456789") == std::string::npos;
+  if (!cell.is_number || is_zero || format_.exponent == 0) return cell.text;
+  return fmt::format("{}e{}", cell.text, format_.exponent);
+}
+
 std::string ColumnWriter::unit() const {
   const bool is_percentage = format_.numbers && format_.numbers->is_percentage();
   const std::string unit = is_percentage ? "\\percent" : latex_unit(format_.unit);

@@ -71,8 +71,8 @@ class ColumnWriter {
   /// One cell; a number is mathematics, padded to the width of the column.
   std::string cell(std::size_t row) const;
 
-  /// The text of a cell, or its digits without the column's power of ten.
-  const std::string& printed(std::size_t row) const { return cells_[row].text; }
+  /// The text of a cell, or its digits with the power of ten that the column's head tells, 3.5e-2.
+  std::string printed(std::size_t row) const;
 
   /// What HTML says of heads and texts: those of numbers end where the numbers do, and a column of
   /// numbers without a common form is centred.

@@ -274,12 +274,12 @@ struct ErrorColumn {
   double (*number)(const Uncertainty&);
 };
 constexpr std::array<ErrorColumn, 4> error_columns{
-    {{"abs_error", [](const Uncertainty& u) { return u.bound > 0; },
-      [](const Uncertainty& u) { return u.bound; }},
+    {{"abs_error", [](const Uncertainty& u) { return u.told_bound() > 0; },
+      [](const Uncertainty& u) { return u.told_bound(); }},
      {"below", [](const Uncertainty& u) { return u.sides.has_value(); },
-      [](const Uncertainty& u) { return u.sides ? u.sides->first : u.bound; }},
+      [](const Uncertainty& u) { return u.sides ? u.sides->first : u.told_bound(); }},
      {"above", [](const Uncertainty& u) { return u.sides.has_value(); },
-      [](const Uncertainty& u) { return u.sides ? u.sides->second : u.bound; }},
+      [](const Uncertainty& u) { return u.sides ? u.sides->second : u.told_bound(); }},
      {"standard", [](const Uncertainty& u) { return u.standard > 0; },
       [](const Uncertainty& u) { return u.standard; }}}};
 

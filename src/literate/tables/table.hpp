@@ -70,8 +70,7 @@ class Table {
   /// «standard», as import_csv reads them; notes stand at the end in lines that begin with #.
   std::string csv() const;
 
-  /// The digits of each cell that holds a number, without the column's power of ten, by row and
-  /// column.
+  /// The digits of each cell that holds a number, with the column's power of ten, by row and column.
   std::map<std::pair<std::size_t, std::size_t>, std::string> printed_numbers() const;
 
  private:

@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_table_prints_each_column_in_its_format) {
   const Table& table = document.tables().at("points");
   std::string latex = table.latex();
   for (const auto& [cell, number] : table.printed_numbers()) latex += "{" + number + "}";
-  for (const char* printed : {"{0.000}", "{1.6236048e-6}", "(\\qty{e-6}{in})", "{1.62}", "{1}",
+  for (const char* printed : {"{0.000}", "{1.6236048e-6}", "(\\qty{e-6}{in})", "{1.62e-6}", "{1}",
                               "centre", "{1.50}", "{-20}"}) {
     BOOST_TEST(latex.find(printed) != std::string::npos, printed);
   }
