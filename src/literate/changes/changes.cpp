@@ -294,10 +294,13 @@ std::vector<Change> changes_between(const Manifest& former, const Manifest& late
                                     const std::vector<Sentence>& sentences_before,
                                     const std::vector<Sentence>& sentences_after) {
   const Manifest before = with_row_names(former, later), after = with_row_names(later, former);
-  // Manifests of earlier versions tell of no limits, no texts and no outcomes of criteria.
-  const Manifest::Texts limits = before.limits.empty() ? Manifest::Texts() : after.limits;
-  const Manifest::Texts texts = before.texts.empty() ? Manifest::Texts() : after.texts;
-  const Manifest::Texts outcomes = before.outcomes.empty() ? Manifest::Texts() : after.outcomes;
+  // What a manifest of an earlier version does not tell is not new.
+  const auto comparable = [&](const Manifest::Texts& then, const Manifest::Texts& now) {
+    return before.is_of_earlier_version && then.empty() ? Manifest::Texts() : now;
+  };
+  const Manifest::Texts limits = comparable(before.limits, after.limits);
+  const Manifest::Texts texts = comparable(before.texts, after.texts);
+  const Manifest::Texts outcomes = comparable(before.outcomes, after.outcomes);
   std::vector<Change> all;
   for (auto&& more :
        {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),

@@ -225,7 +225,13 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now,
                         const char* when) {
     const Former then = results_at(commit, document, now.project, case_file);
     if (!then.results) return not_known(then.unknown, sentences, commit);
+    std::map<std::string, Sentence> unrecorded;  // by place, that print what the record has not
     for (const Change& change : changes_between(*then.results, results, {}, sentences)) {
+      if (change.kind == ChangeKind::added) {
+        for (const Sentence& sentence : change.printed_in) {
+          unrecorded.emplace(place_of(sentence), sentence);
+        }
+      }
       if (!is_to_be_read(change) || !change.is_seen()) continue;
       for (const Sentence& sentence : change.printed_in) {
         const std::string digest = digest_of_words(sentence);
@@ -237,6 +243,11 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now,
             commit.id.substr(0, 12),
             sys::stripped(sys::csv_line({digest, change.what, change.after, "your name"}))));
       }
+    }
+    std::vector<Sentence> of_these;
+    for (const auto& [place, sentence] : unrecorded) of_these.push_back(sentence);
+    if (!of_these.empty()) {
+      not_known("its results.json does not have all that they print", of_these, commit);
     }
   };
   for (const auto& [id, entry] : written) hold(entry.first, entry.second, "written");

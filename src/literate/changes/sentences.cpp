@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/changes/sentences.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -29,6 +31,10 @@ const std::set<std::string_view> divisions{
     "paragraph", "title",   "item",      "caption",         "footnote",
     "input",     "include", "maketitle", "tableofcontents", "appendix",
     "clearpage", "newpage"};
+
+/// What the preamble prints, on the title page.
+const std::set<std::string_view> titles{"title",     "subtitle", "author",      "date",
+                                        "institute", "address",  "affiliation", "thanks"};
 
 /// Words with a full stop behind which a sentence goes on.
 constexpr std::array<std::string_view, 17> abbreviations{
@@ -116,6 +122,36 @@ std::vector<Extent> branches_in(std::string_view latex) {
   return extents;
 }
 
+void add_use(Sentence& sentence, const TexCommand& use) {
+  const std::string name = named_by.at(use.name) + " " + use.argument;
+  sentence.names.insert(name);
+  if (!use.options.empty()) sentence.restyled.insert(name);
+}
+
+/// The titles of a preamble that print something.
+std::vector<Sentence> titles_in(std::string_view preamble, const std::string& file,
+                                const std::set<std::string>& commands,
+                                const std::map<std::string, bool>& flags, const OwnCommands& own) {
+  std::vector<Sentence> sentences;
+  TexScanner scanner(preamble);
+  while (const auto token = scanner.next()) {
+    if (token->kind != TexKind::command || !titles.contains(token->name)) continue;
+    scanner.skip(group_at(scanner.rest(), '[', ']').size());
+    scanner.skip_blanks();
+    const std::string_view group = group_at(scanner.rest());
+    Sentence sentence;
+    sentence.file = file;
+    sentence.latex = fmt::format("\\{}{}", token->name, without_comments(group));
+    sentence.first_line = place_in(preamble, token->text).line;
+    sentence.last_line = sentence.first_line + static_cast<int>(std::ranges::count(group, '\n'));
+    for (const TexCommand& use : commands_in(group, commands, own)) {
+      if (!is_left_out(use.branches, flags)) add_use(sentence, use);
+    }
+    if (!sentence.names.empty()) sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,
@@ -131,7 +167,7 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
   const auto preamble = latex.find(beginning);
   std::size_t begin = preamble == std::string_view::npos ? 0 : preamble + beginning.size();
   const std::vector<Extent> branches = branches_in(latex);
-  std::vector<Sentence> sentences;
+  std::vector<Sentence> sentences = titles_in(latex.substr(0, begin), file, commands, flags, own);
   std::size_t n_used = 0, n_headings = 0;
   for (const std::size_t end : ends_in(latex)) {
     if (end <= begin) continue;
@@ -143,9 +179,7 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
     sentence.latex = without_comments(text);
     for (; n_used < uses.size() && uses[n_used].end <= end; ++n_used) {
       if (uses[n_used].end < begin || is_left_out(uses[n_used].branches, flags)) continue;
-      const std::string name = named_by.at(uses[n_used].name) + " " + uses[n_used].argument;
-      sentence.names.insert(name);
-      if (!uses[n_used].options.empty()) sentence.restyled.insert(name);
+      add_use(sentence, uses[n_used]);
     }
     for (const Extent& branch : branches) {
       if (branch.begin < end && begin < branch.end) sentence.names.insert("flag " + branch.flag);

@@ -288,9 +288,24 @@ BOOST_AUTO_TEST_CASE(of_two_names_with_one_number_none_is_taken_for_the_other) {
   BOOST_TEST(changes_to(after).size() == 3U);
 }
 
+BOOST_AUTO_TEST_CASE(the_first_text_of_a_paper_that_had_none_is_told) {
+  Manifest before = state(), after = state();
+  before.texts.clear();
+  after.texts = {{"value count", "none"}};
+  after.numbers.erase("count");
+
+  const auto changes = changes_between(before, after, {}, {});
+
+  BOOST_TEST_REQUIRE(changes.size() == 1U);
+  BOOST_TEST(name_of(changes[0].kind) == "another text");
+  BOOST_TEST(changes[0].before == "7");
+  BOOST_TEST(changes[0].after == "none");
+}
+
 BOOST_AUTO_TEST_CASE(a_manifest_without_limits_is_of_an_earlier_version_and_tells_none) {
   Manifest before = state();
   before.limits.clear();
+  before.is_of_earlier_version = true;
   BOOST_TEST(changes_between(before, state(), {}, {}).empty());
 }
 
@@ -301,6 +316,7 @@ BOOST_AUTO_TEST_CASE(a_criterion_that_turned_is_told_though_its_claim_did_not) {
 
   Manifest earlier = state();
   earlier.outcomes = {};
+  earlier.is_of_earlier_version = true;
   BOOST_TEST(changes_between(earlier, state(), {}, {}).empty());
 }
 

@@ -65,6 +65,26 @@ BOOST_AUTO_TEST_CASE(a_value_that_moved_beyond_its_error_is_listed_with_its_sent
   BOOST_TEST(found.unknown.empty());
 }
 
+BOOST_AUTO_TEST_CASE(what_the_record_beside_a_sentence_does_not_have_is_not_known) {
+  Written paper;
+  paper.write("b.tex", "The width is \\val{width}.\n");
+  paper.commit();  // before its value is recorded
+  Manifest later = results(10);
+  later.numbers["width"] = {.number = 3, .abs_error = 0.1, .printed = "3 in"};
+  paper.record(later);
+  paper.commit();
+  later.numbers["width"] = {.number = 5, .abs_error = 0.1, .printed = "5 in"};
+
+  const Reread found = paper.reread(later);
+
+  BOOST_TEST(found.sentences.empty());
+  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
+  BOOST_TEST(holds(found.unknown[0], "1 sentences, such as " + paper.folder().filename().string() +
+                                         "/b.tex:1 of commit "),
+             found.unknown[0]);
+  BOOST_TEST(holds(found.unknown[0], "its results.json does not have all that they print"));
+}
+
 BOOST_AUTO_TEST_CASE(a_sentence_whose_lines_and_neighbours_changed_keeps_its_age) {
   const Written paper;
   const auto is_listed = [&] {

@@ -53,8 +53,20 @@ BOOST_AUTO_TEST_CASE(formulas_and_comments_end_none) {
   check_texts("It is $a. B$ here % not. Here\nand there.", {"It is $a. B$ here and there."});
 }
 
-BOOST_AUTO_TEST_CASE(the_preamble_holds_none) {
+BOOST_AUTO_TEST_CASE(the_preamble_holds_none_but_titles_that_print_something) {
   check_texts("\\title{No. It}\n\\begin{document}\nYes.\n\\end{document}\n", {"Yes."});
+
+  const auto sentences = sentences_in(
+      "\\usepackage{a}\n\\title{Of \\val{n}\nrods}\n\\author{A. \\val[digits=2]{name}}\n"
+      "\\newcommand\\own{\\val{other}}\n\\begin{document}\nYes.\n\\end{document}\n",
+      "a.tex");
+  BOOST_TEST_REQUIRE(sentences.size() == 3U);
+  BOOST_TEST(sentences[0].names.contains("value n"));
+  BOOST_TEST(sentences[0].first_line == 2);
+  BOOST_TEST(sentences[1].names.contains("value name"));
+  BOOST_TEST(sentences[1].restyled.contains("value name"));
+  BOOST_TEST(sentences[1].first_line == 4);
+  BOOST_TEST(sentences[2].latex == "Yes.");
 }
 
 BOOST_AUTO_TEST_CASE(a_sentence_knows_its_lines_and_what_it_prints) {
