@@ -159,13 +159,16 @@ void explain_missing(const std::vector<std::string>& entries,
   }
 }
 
-/// Throws std::invalid_argument if there is nothing to grade.
-void require_something(const Submission& submission) {
-  if (!submission.files.empty() || submission.has_report) return;
-  const bool is_explained =
-      !submission.problems.empty() && !submission.problems.back().ends_with("is missing");
-  throw std::invalid_argument(is_explained ? submission.problems.back()
-                                           : "none of the files that are looked for is in it");
+/// Throws std::invalid_argument if none of the wanted files is there, not even a bad one.
+void require_something(const std::vector<std::string>& wanted, const Submission& submission) {
+  const auto is_missing = [](const std::string& problem) {
+    return problem.ends_with("is missing");
+  };
+  const auto n_missing = std::ranges::count_if(submission.problems, is_missing);
+  if (submission.has_report || n_missing < std::ssize(wanted)) return;
+  throw std::invalid_argument(is_missing(submission.problems.back())
+                                  ? "none of the files that are looked for is in it"
+                                  : submission.problems.back());
 }
 
 Submission take_folder(const Assignment& assignment, const fs::path& folder) {
@@ -181,7 +184,7 @@ Submission take_folder(const Assignment& assignment, const fs::path& folder) {
       wanted, place, [&](const std::string& file) { return read_beneath(folder, file, max_bytes); },
       submission);
   explain_missing(contents.entries, wanted, place, submission);
-  require_something(submission);
+  require_something(wanted, submission);
   return submission;
 }
 
@@ -200,7 +203,7 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
   take_files(
       wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
   explain_missing(archive.entries(), wanted, place, submission);
-  require_something(submission);
+  require_something(wanted, submission);
   return submission;
 }
 
