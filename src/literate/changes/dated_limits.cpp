@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -22,35 +23,39 @@ class Cases {
   Cases(std::filesystem::path document, std::filesystem::path case_file)
       : document_(std::move(document)), case_file_(std::move(case_file)) {}
 
-  bool are_the_same(const RecordedResults& a, const RecordedResults& b) const {
+  bool are_the_same(const RecordedResults& a, const RecordedResults& b) {
     if (a.results.inputs.empty()) return false;
     if (a.results.inputs == b.results.inputs) return true;
-    const auto of_a = text_of(a), of_b = text_of(b);
-    return of_a && of_b && config::say_the_same(*of_a, *of_b);
+    const std::string &of_a = text_of(a), &of_b = text_of(b);
+    return !of_a.empty() && !of_b.empty() && config::say_the_same(of_a, of_b);
   }
 
  private:
-  /// None if the case is not the one that the results are of.
-  std::optional<std::string> text_of(const RecordedResults& record) const {
-    std::optional<std::string> text;
+  /// Empty if the case is not the one that the results are of.
+  const std::string& text_of(const RecordedResults& record) {
+    const auto [entry, is_new] = texts_.try_emplace(record.commit);
+    std::string& text = entry->second;
+    if (!is_new) return text;
     if (!record.commit.empty()) {
-      text = case_at(record.commit, document_, case_file_);
+      text = case_at(record.commit, document_, case_file_).value_or("");
     } else if (std::filesystem::exists(case_file_)) {
       text = sys::read_file(case_file_);
     }
     const auto of_case = record.results.inputs.find("case");
-    const bool is_its_own = text && of_case != record.results.inputs.end() &&
-                            sys::sha256_of_text(*text) == of_case->second;
-    return is_its_own ? text : std::nullopt;
+    const bool is_its_own =
+        of_case != record.results.inputs.end() && sys::sha256_of_text(text) == of_case->second;
+    if (!is_its_own) text.clear();
+    return text;
   }
 
   std::filesystem::path document_, case_file_;
+  std::map<std::string, std::string> texts_;  // by commit
 };
 
 /// One limit through the records.
 class Dated {
  public:
-  Dated(const std::vector<RecordedResults>& records, const Cases& cases, const std::string& claim,
+  Dated(const std::vector<RecordedResults>& records, Cases& cases, const std::string& claim,
         const NamedLimit& limit)
       : records_(records),
         cases_(cases),
@@ -102,7 +107,7 @@ class Dated {
   }
 
   const std::vector<RecordedResults>& records_;
-  const Cases& cases_;
+  Cases& cases_;
   std::string claim_, what_, condition_;
   bool is_computed_;
   std::size_t came_ = 0;    // the first record with this limit
@@ -119,7 +124,7 @@ DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& 
   const auto at = [](const std::string& commit) {
     return commit.empty() ? "is not committed yet" : "came at commit " + commit.substr(0, 12);
   };
-  const Cases cases(document, case_file);
+  Cases cases(document, case_file);
   DatedLimits dated;
   for (const auto& [id, claim] : names.claims) {
     for (const NamedLimit& limit : claim.limits) {

@@ -257,8 +257,8 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now,
               entry.first);
   }
   for (const auto& [reason, sentences] : unknown) {
-    found.unknown.push_back(
-        fmt::format("{} sentences, such as {}: {}", sentences.first, sentences.second, reason));
+    found.unknown.push_back(fmt::format("{} sentence{}, such as {}: {}", sentences.first,
+                                        sentences.first == 1 ? "" : "s", sentences.second, reason));
   }
   std::ranges::sort(found.sentences);
   return found;

@@ -39,9 +39,9 @@ std::string place_of(const Sentence& sentence);
 /// A sentence ends with a full stop, a question mark or an exclamation mark before a blank and
 /// something that may begin a sentence, unless an abbreviation such as «Fig.» ends there; with an
 /// empty line; and where a heading, an item, a caption or an environment begins or ends. Of what
-/// precedes \begin{document} titles, authors and the like are, if they print a name. Whatever holds no letter and no name is left out. It prints
-/// what the document's own commands in it do, and no name in a branch of \ifflag that these flags
-/// do not take.
+/// precedes \begin{document} titles, authors and the like are, if they print a name. Whatever holds
+/// no letter and no name is left out. It prints what the document's own commands in it do, and no
+/// name in a branch of \ifflag that these flags do not take.
 std::vector<Sentence> sentences_in(std::string_view latex, const std::string& file,
                                    const std::map<std::string, bool>& flags = {},
                                    const OwnCommands& own = {});

@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(what_the_record_beside_a_sentence_does_not_have_is_not_know
 
   BOOST_TEST(found.sentences.empty());
   BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
-  BOOST_TEST(holds(found.unknown[0], "1 sentences, such as " + paper.folder().filename().string() +
+  BOOST_TEST(holds(found.unknown[0], "1 sentence, such as " + paper.folder().filename().string() +
                                          "/b.tex:1 of commit "),
              found.unknown[0]);
   BOOST_TEST(holds(found.unknown[0], "its results.json does not have all that they print"));
