@@ -13,6 +13,10 @@ toy_make verify DEPTH=deep
 claim 'a depth that there is not ends with 2' "$status" -eq 2
 claim 'those that there are are named' "$(says 'DEPTH: there is no depth deep; it is traced, sampled, full or bare')" = yes
 claim 'nothing was made before' ! -e "$toy/build/release"
+for depth in sampled full; do
+  toy_make verify DEPTH=$depth PDF=CMakeLists.txt
+  claim "$depth refuses a PDF, which it would not look at" "$status $(says "PDF: DEPTH=traced alone looks at a PDF, and not DEPTH=$depth")" = '2 yes'
+done
 
 toy_make verify
 claim 'the toy makes the same bytes' "$status" -eq 0

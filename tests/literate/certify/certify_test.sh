@@ -116,8 +116,6 @@ tampered 'an attachment' 'attachments: figures-f-script.gp has other bytes' 'ech
 
 certify traced PDF=none.pdf
 claim 'a PDF that is not there is bad input' "$status $(says "PDF: there is no file 'none.pdf'")" = '2 yes'
-certify sampled PDF=out/rod.pdf
-claim 'a depth that looks at no PDF refuses one' "$status $(says 'PDF: DEPTH=traced alone looks at a PDF')" = '2 yes'
 more=('said=cannot read none.json' status=2)
 certify full MANIFEST=none.json
 claim 'where a manifest cannot be read nothing is said to differ' "$status $(says 'full: not all could be told') $(says differs)" = '2 yes no'
