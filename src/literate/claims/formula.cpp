@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "literate/claims/criterion.hpp"
+#include "literate/claims/limit.hpp"
 
 #include <fmt/core.h>
 

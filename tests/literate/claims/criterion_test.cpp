@@ -362,23 +362,6 @@ BOOST_AUTO_TEST_CASE(of_several_cases_the_least_margin_counts) {
   BOOST_TEST(all.margin().text() == "2.0 times; 2.0 errors");
 }
 
-BOOST_AUTO_TEST_CASE(a_limit_of_theory_is_evaluated_from_the_formula_that_is_printed) {
-  const Limit limit = Limit::theory("μ(c/a)²", {{"μ", 0.3}, {"c", 1}, {"a", 10}}, "the order");
-  BOOST_TEST(limit.number() == 0.003);
-  BOOST_TEST((limit.kind() == LimitKind::theory));
-  BOOST_TEST(limit.reason() == "μ(c/a)², the order");
-  BOOST_CHECK_THROW(Limit(LimitKind::theory, 0.003, "μ(c/a)²"), std::invalid_argument);
-}
-
-BOOST_AUTO_TEST_CASE(a_limit_that_is_none_of_its_kind_is_refused) {
-  BOOST_CHECK_THROW(Limit(LimitKind::data, 0.1234, "printed"), std::invalid_argument);
-  BOOST_CHECK_THROW(Limit(LimitKind::method, 1e-11, "rounding"), std::invalid_argument);
-  BOOST_TEST(Limit(LimitKind::data, 0.123, "printed").number() == 0.123);
-  BOOST_TEST(Limit(LimitKind::data, 117, "a count").number() == 117);
-  BOOST_TEST(Limit(LimitKind::method, 1.234e-11, "this run's").number() == 1.23e-11);
-  BOOST_TEST(Limit(LimitKind::method, 3, "of the coarsest grid").number() == 3);
-}
-
 BOOST_AUTO_TEST_CASE(what_is_printed_as_latex_has_the_same_numbers) {
   const Criterion criterion = misfit_at_most(0.00074, 1e-6, limit_of(0.001));
   BOOST_TEST(criterion.found().latex == "\\qty{0.074}{\\percent}");
