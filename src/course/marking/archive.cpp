@@ -112,7 +112,8 @@ JobEnd Archive::run(const std::vector<std::string>& arguments, int file_kb) cons
   Job job;
   job.command = {"/usr/bin/env", "LC_ALL=C.UTF-8", sys::find_tool("bsdtar")};
   job.command.insert(job.command.end(), arguments.begin(), arguments.end());
-  job.command.insert(job.command.begin() + 4, sandbox_.place(archive));
+  // Without one, bsdtar would ask for the passphrase of a locked archive for ever.
+  job.command.insert(job.command.begin() + 4, {sandbox_.place(archive), "--passphrase=none"});
   job.readable = {archive};
   job.output = work_ / "archive.out";
   job.errors = work_ / "archive.err";

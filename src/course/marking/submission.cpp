@@ -139,7 +139,10 @@ std::string like(std::string_view path) {
 void explain_missing(const std::vector<std::string>& entries,
                      const std::vector<std::string>& wanted, const std::string& place,
                      Submission& submission) {
-  if (submission.files.empty()) {
+  const bool has_any = std::ranges::any_of(wanted, [&](const std::string& file) {
+    return std::ranges::find(entries, place + file) != entries.end();
+  });
+  if (!has_any) {
     std::string where = place_of_the_missing(entries, wanted);
     if (!where.empty()) {
       submission.problems.push_back(std::move(where));
@@ -159,16 +162,16 @@ void explain_missing(const std::vector<std::string>& entries,
   }
 }
 
-/// Throws std::invalid_argument if none of the wanted files is there, not even a bad one.
-void require_something(const std::vector<std::string>& wanted, const Submission& submission) {
-  const auto is_missing = [](const std::string& problem) {
-    return problem.ends_with("is missing");
-  };
-  const auto n_missing = std::ranges::count_if(submission.problems, is_missing);
-  if (submission.has_report || n_missing < std::ssize(wanted)) return;
-  throw std::invalid_argument(is_missing(submission.problems.back())
-                                  ? "none of the files that are looked for is in it"
-                                  : submission.problems.back());
+/// Throws std::invalid_argument if no wanted file can be taken, unless a report was handed in
+/// alone.
+void require_something(const Submission& submission) {
+  if (!submission.files.empty()) return;
+  const auto telling =
+      std::find_if(submission.problems.rbegin(), submission.problems.rend(),
+                   [](const std::string& problem) { return !problem.ends_with("is missing"); });
+  if (telling != submission.problems.rend()) throw std::invalid_argument(*telling);
+  if (submission.has_report) return;
+  throw std::invalid_argument("none of the files that are looked for is in it");
 }
 
 Submission take_folder(const Assignment& assignment, const fs::path& folder) {
@@ -184,7 +187,7 @@ Submission take_folder(const Assignment& assignment, const fs::path& folder) {
       wanted, place, [&](const std::string& file) { return read_beneath(folder, file, max_bytes); },
       submission);
   explain_missing(contents.entries, wanted, place, submission);
-  require_something(wanted, submission);
+  require_something(submission);
   return submission;
 }
 
@@ -203,7 +206,7 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
   take_files(
       wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
   explain_missing(archive.entries(), wanted, place, submission);
-  require_something(wanted, submission);
+  require_something(submission);
   return submission;
 }
 

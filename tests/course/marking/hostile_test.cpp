@@ -46,21 +46,17 @@ const std::map<std::string, std::string> reasons = {
     {"answers_too_few", "does not grow"},
     {"answers_too_many", "does not grow"},
     {"answers_twice", "does not grow"},
-    {"archive_bomb", "src/square.cpp is larger than 64 kB"},
     {"archive_climbs", "entries that lead out of its folder"},
     {"archive_through_link", "does not grow"},
     {"asks_for_the_plugin", "undefined reference to `square(double)"},
     {"asserts_the_date", "src/square.cpp:4:10: error: 'nothing' was not declared"},
     {"attacks_linker", "the program crashed (SIGSEGV)"},
     {"becomes_root", "does not grow"},
-    {"binary_file", "src/square.cpp is no text: byte 9 is zero"},
     {"changes_its_program", "does not grow"},
     {"closes_streams", "the program ended with a failure"},
     {"constexpr_bomb", "to compile"},
     {"defines_the_other_exercise", "multiple definition of `sum"},
-    {"device", "src/square.cpp is a device, not a file"},
     {"edits_makefile", "does not grow"},
-    {"empty_file", "src/square.cpp is empty"},
     {"endless_constructor", "the program takes longer than 1 s"},
     {"endless_loop", "the program takes longer than 1 s"},
     {"ends_ill", "the program ended with a failure"},
@@ -71,13 +67,11 @@ const std::map<std::string, std::string> reasons = {
     {"fills_socket_pairs", "does not grow"},
     {"floods_errors", "the program prints more than 16 kB"},
     {"floods_output", "the program prints more than 16 kB"},
-    {"folder_for_file", "src/square.cpp is a folder, not a file"},
     {"forgets_its_children", "the program takes longer than 1 s"},
     {"forgets_short_children", "the program takes longer than 1 s"},
     {"fork_bomb", "the program takes longer than 1 s"},
     {"holds_shared_memory", "does not grow"},
     {"honest", "20 of 20 points"},
-    {"huge_file", "src/square.cpp is larger than 64 kB"},
     {"huge_object", "to compile"},
     {"incbin_of_passwords", "file not found: /etc/shadow"},
     {"includes_a_terminal", "/dev/ptmx: No such file or directory"},
@@ -98,8 +92,6 @@ const std::map<std::string, std::string> reasons = {
     {"leaves_a_daemon", "does not grow"},
     {"leaves_a_sibling", "does not grow"},
     {"lines_of_noise", "/dev/urandom:1:10: error: 'nothing' was not declared"},
-    {"link_for_file", "src/square.cpp is a symbolic link"},
-    {"link_for_folder", "src/square.cpp is a symbolic link, or lies behind one"},
     {"locks_parts_of_what_others_see", "does not grow"},
     {"locks_what_others_see", "does not grow"},
     {"looks_at_the_machine", "does not grow"},
@@ -113,7 +105,6 @@ const std::map<std::string, std::string> reasons = {
     {"never_ends", "the program takes longer than 1 s"},
     {"patches_in_constructor", "does not grow"},
     {"pins_pages_in_pipes", "does not grow"},
-    {"pipe_for_file", "src/square.cpp is a pipe, not a file"},
     {"pragmas", "No such file or directory"},
     {"prints_in_constructors", "20 of 20 points"},
     {"prints_numbers_early", "does not grow"},
@@ -155,8 +146,10 @@ const std::map<std::string, std::string> with_points = {
 
 /// Submissions of which nothing can be taken: they have no mark and wait for a person.
 const std::set<std::string> not_graded = {
-    "archive_is_empty", "archive_is_none", "archive_of_odd_names", "archive_of_two",
-    "empty_folder",     "huge_submission", "missing_file"};
+    "archive_bomb",   "archive_is_empty", "archive_is_none", "archive_of_odd_names",
+    "archive_of_two", "binary_file",      "device",          "empty_file",
+    "empty_folder",   "folder_for_file",  "huge_file",       "huge_submission",
+    "link_for_file",  "link_for_folder",  "missing_file",    "pipe_for_file"};
 
 std::string points_of(const std::string& name) {
   const auto known = with_points.find(name);

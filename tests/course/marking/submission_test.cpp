@@ -212,9 +212,27 @@ BOOST_AUTO_TEST_CASE(a_submission_of_which_nothing_can_be_taken_waits) {
   BOOST_TEST(problem_of(folder.path() / "other") ==
              "waits: none of the files that are looked for is in it");
   folder.write("bad/src/square.cpp", "");
+  BOOST_TEST(problem_of(folder.path() / "bad") == "waits: src/square.cpp is empty");
+  folder.write("bad/src/sum.cpp", "int b;\n");
   BOOST_TEST(take(folder.path() / "bad").problems.front() == "src/square.cpp is empty");
   folder.write("reported/report/report.tex", "A report alone.\n");
   BOOST_TEST(take(folder.path() / "reported").has_report);
+}
+
+BOOST_AUTO_TEST_CASE(a_locked_archive_waits_with_a_report_in_it_too) {
+  const TemporaryFolder folder;
+  folder.write("alice/src/square.cpp", "int a;\n");
+  folder.write("alice/report/report.tex", "A report.\n");
+  const fs::path archive = folder.path() / "a.zip";
+  const auto locked =
+      sys::run({.program = "bsdtar",
+                .arguments = {"-cf", archive.string(), "--format=zip", "--options=zip:encryption",
+                              "--passphrase=x", "alice"},
+                .working_directory = folder.path()});
+  BOOST_REQUIRE_MESSAGE(locked.exit_status == 0, locked.output);
+
+  BOOST_TEST(problem_of(archive) ==
+             "waits: src/square.cpp cannot be unpacked: the archive is damaged or locked");
 }
 
 BOOST_AUTO_TEST_CASE(folders_that_are_deep_in_one_another_wait) {
