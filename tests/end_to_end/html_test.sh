@@ -48,6 +48,9 @@ cp -R "$scratch/generated" "$scratch/again"
 settings "$scratch/again" "$case"
 page "$scratch/again"
 cmp "$scratch/page.html" "$scratch/again/page.html"
+# A drawing is that of the PDF: neither shrunk by rounding, nor with larger letters.
+if grep -lE 'matrix\(\.9[0-9]{0,2} ' "$scratch"/html/figures/*.svg; then echo 'drawings are shrunk'; exit 1; fi
+[[ $(pdffonts "$scratch/html/figures.pdf") == *LMRoman9-Regular* ]] || { echo 'the letters of figures have another size'; exit 1; }
 # A figure that did not change is not drawn again, and one that did is.
 before=$(stat -c %y "$scratch/html/figures/surface-gradient.svg")
 page "$scratch" >/dev/null

@@ -70,9 +70,10 @@ std::string claim_html(const Registered& registered, const LimitNotes& notes, co
       "@uses:claim:{}@</span></p></td>\n",
       plain(claim.route), code(id), code(text_of(place)), id);
   const std::string decided = fmt::format(
-      "\n<td rowspan=\"{}\"><p><strong class=\"lit-verdict\" data-verdict=\"{}\">{}</strong>{}</p>"
+      "\n<td rowspan=\"{}\"><p><strong class=\"lit-verdict\" data-verdict=\"{}\">"
+      "<tex>\\verdictsign{{{}}}</tex> {}</strong>{}</p>"
       "<p class=\"lit-severity\">{}</p></td>",
-      n_rows, found.substr(0, found.find(' ')), found,
+      n_rows, found.substr(0, found.find(' ')), found, found,
       found == expected ? "" : ", <strong>not " + expected + " as expected</strong>",
       severity_text(registered, id));
   for (std::size_t i = 0; i < n_rows; ++i) {

@@ -119,7 +119,9 @@ Expanded Expander::expand() {
 }
 
 void Expander::read_file(const fs::path& file) {
-  const std::string text = sys::read_file(file);
+  // TeX ends the last line of a file.
+  std::string text = sys::read_file(file);
+  if (!text.ends_with('\n')) text += '\n';
   const auto outer = std::tuple(file_text_, at_, file_name_);
   file_text_ = at_ = text;
   file_name_ =

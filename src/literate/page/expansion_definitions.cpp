@@ -273,7 +273,7 @@ void Expander::know_definitions() {
     const fs::path file = file_of(name);
     if (!fs::is_regular_file(file)) return fail(fmt::format("'{}' is not there", name));
     read_file(file);
-    emit("\n");
+    if (call.name == "include") emit("\n\n");
   });
   // \hskip1em plus .5em minus .4em, \penalty0
   know({"hskip", "vskip", "kern", "penalty"}, "", [this](const Call& call) {

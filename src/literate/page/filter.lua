@@ -77,20 +77,22 @@ local function breakable(math)
   return parts
 end
 
--- TeX breaks no line between a formula and what touches it; a browser would.
+-- TeX breaks no line between a formula or a power of ten and what touches it, nor between groups of digits; a browser would.
 local function unbroken(inlines)
   local kept, run, has_formula = pandoc.List(), pandoc.List(), false
   local function add_run()
-    local is_close = has_formula and #run > 1
+    local is_close = has_formula and (#run > 1 or run[1].t == "Str")
     if is_close then kept:insert(html('<span class="lit-close">')) end
     kept:extend(run)
     if is_close then kept:insert(html("</span>")) end
     run, has_formula = pandoc.List(), false
   end
   for _, inline in ipairs(inlines) do
-    if inline.t == "Str" or inline.t == "Math" then
+    local last = run[#run]
+    local is_power = inline.t == "Superscript" and last and last.t == "Str" and last.text:match("10$")
+    if inline.t == "Str" or inline.t == "Math" or is_power then
       run:insert(inline)
-      has_formula = has_formula or inline.t == "Math"
+      has_formula = has_formula or inline.t ~= "Str" or inline.text:find("\u{2006}")
     else
       add_run()
       kept:insert(inline)

@@ -55,9 +55,9 @@ std::string with_plain_numbers(std::string html) {
 }  // namespace
 
 std::string text_of_html(std::string_view html) {
-  static const std::regex tag("<[^>]*>");
-  const std::string plain = std::regex_replace(with_plain_numbers(std::string(html)), tag, "");
-  return sys::one_line(plain);
+  static const std::regex space("<mspace[^>]*>"), tag("<[^>]*>");
+  const std::string numbers = with_plain_numbers(std::regex_replace(std::string(html), space, " "));
+  return sys::one_line(std::regex_replace(numbers, tag, ""));
 }
 
 std::string one_word(const std::string& verdict) {

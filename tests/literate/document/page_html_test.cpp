@@ -32,7 +32,8 @@ BOOST_AUTO_TEST_CASE(the_ledgers_entry_has_the_verdict_that_was_found) {
   const std::string html = claim_html(registered, notes, "apples", claim_of_apples(2.5));
 
   for (const char* part :
-       {"id=\"claim-apples\"", "data-verdict=\"refuted\">refuted</strong>",
+       {"id=\"claim-apples\"",
+        "data-verdict=\"refuted\"><tex>\\verdictsign{refuted}</tex> refuted</strong>",
         "<strong>not confirmed as expected</strong>", "\\LedgerSentence{apples}",
         "weighing \\& adding up", "<strong><tex>\\qty{2.61}{kr}</tex></strong>",
         "$\\le$~\\qty{2.5}{kr}", "data-outcome=\"fails\"", "href=\"#limit-a\">[a]</a>",

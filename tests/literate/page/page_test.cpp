@@ -65,6 +65,7 @@ Page page_of_document(const std::string& latex, const std::string& numbers) {
   register_apples(document);
   document.write(scratch / "generated");
   scratch.write("text/main.tex", latex);
+  scratch.write("text/part.tex", "part,%\n");
   scratch.write("main.aux", numbers);
   const std::filesystem::path engine = LITERATE_PAGE_DIR;
   return write_page({.document = scratch / "text",
@@ -139,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_number_has_its_signs_powers_and_what_is_not_known_of_it) 
        {">(994(22)\u00A0±\u00A03)\u00A0µm s<sup>−2</sup></a>",
         ">(994\u00A0+21\u00A0−19)\u00A0µm</a>",
         ">994\u00A0±\u00A022 (scale)\u00A0±\u00A03 (at most)</a>",
-        ">(4.73\u00A0±\u00A00.17)\u00A0×\u00A010<sup>−5</sup>\u00A0m<sup>2</sup></a>"}},
+        ">(4.73\u00A0±\u00A00.17)\u00A0×\u00A010<sup>−5</sup>\u00A0m</span><sup>2</sup></a>"}},
       {"\\(\\val{tiny}\\)", {"<mo>×</mo>", "<mo>±</mo>"}},
       {"\\unit{\\joule\\per\\mole\\squared}", {"J/mol<sup>2</sup>"}},
       {"\\unit{\\watt\\per\\metre\\per\\kelvin}", {"W/(m K)"}},
@@ -148,8 +149,10 @@ BOOST_AUTO_TEST_CASE(a_number_has_its_signs_powers_and_what_is_not_known_of_it) 
       {"\\qty{7}{\\per\\metre}", {"7/m"}},
       {"\\unit{ms.d^{-1}.K^{-2}}", {"ms d<sup>−1</sup> K<sup>−2</sup>"}},
       {"\\num{ 1,5 }, \\num{.5D3}, \\num{5.}, \\num{\\rawval{mass}}, \\num{1.2(3)E-4}",
-       {"1.5, 0.5\u00A0×\u00A010<sup>3</sup>, 5, 2.612, 1.2(3)\u00A0×\u00A010<sup>−4</sup>"}},
-      {"\\num{-12345.67891}, \\num{e-3}", {"−12 345.678 91, 10<sup>−3</sup>"}},
+       {">0.5\u00A0×\u00A010<sup>3</sup>,</span> 5, 2.612, ",
+        ">1.2(3)\u00A0×\u00A010<sup>−4</sup>"}},
+      {"\\num{-12345.67891}, \\num{e-3}",
+       {">−12\u2006345.678\u200691,</span> ", ">10<sup>−3</sup>"}},
   });
 }
 
@@ -177,6 +180,7 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
        "\\two.",
        {"Then b.", "After a."}},
       {"\\MakeUppercase{Act i}", {"ACT I"}},
+      {"\\input{part}\n\\input{part}\nand more", {"<p>part, part, and more</p>"}},
       {"\\url{https://e.org/a%20b} goes on", {"goes on"}},
       {"\\makebox[4em][l]{$a$}width", {"style=\"min-width:4em\"><math"}},
       {"\\part{A}\\section*{B}\\bookmarksetup{startatroot}\\section*{C}",
@@ -194,6 +198,8 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
        {"<div class=\"lit-row\" tabindex=\"0\""}},
       {"Of \\(a\\), (\\(b\\)) and \\(c\\) more.",
        {"</math>,</span> ", "<span class=\"lit-close\">(<math", "</math>)</span> and <math"}},
+      {"By \\num{1e-5}, \\num{1234567}.",
+       {"10<sup>−5</sup>,</span> ", "<span class=\"lit-close\">1\u2006234\u2006567.</span>"}},
   });
 }
 
@@ -357,6 +363,7 @@ BOOST_AUTO_TEST_CASE(plain_text_keeps_exponents_indices_and_fractions) {
   BOOST_TEST(text_of_html("order <math><mfrac><mn>1</mn><mn>2</mn></mfrac></math> of "
                           "<msub><mi>p</mi><mn>0</mn></msub>") == "order 1/2 of p₀");
   BOOST_TEST(text_of_html("<msup><mi>m</mi><mrow><mo>−</mo><mn>2</mn></mrow></msup>") == "m⁻²");
+  BOOST_TEST(text_of_html("<mn>5</mn><mspace width=\"0.167em\"></mspace><mi>m</mi>") == "5 m");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
