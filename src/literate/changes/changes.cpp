@@ -2,6 +2,7 @@
 #include "literate/changes/changes.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@
 #include <utility>
 
 #include "config/units.hpp"
+#include "literate/prose/restyle.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -270,6 +272,54 @@ std::vector<Change> sorted(std::vector<Change> changes) {
   return changes;
 }
 
+/// The former number, stored as the present one is.
+StoredNumber stored_like(StoredNumber stored, const ManifestNumber& number) {
+  stored.number = number.number;
+  stored.unit = number.unit.value_or(stored.unit);
+  if (stored.uncertainty) {
+    stored.uncertainty->bound = number.abs_error.value_or(0);
+    stored.uncertainty->sides = number.sides;
+    stored.uncertainty->standard = number.standard;
+    stored.uncertainty->neglected = 0;  // a manifest has it with the bound
+  }
+  return stored;
+}
+
+/// What \val[options] prints; all digits where the error does not support what is asked for.
+std::string restyled_print(const StoredNumber& stored, const std::string& options) {
+  try {
+    return restyled(stored, options).printed();
+  } catch (const std::exception&) {
+    return fmt::format("{:.12g}", stored.number);
+  }
+}
+
+/// Leaves the sentences in which a value prints otherwise, and tells its prints with options where
+/// the others are the same.
+void tell_styles(Change& change, const StoredNumber& stored, const ManifestNumber& was) {
+  const bool is_plain_other = change.before != change.after;
+  std::set<std::string> before, after;
+  std::erase_if(change.printed_in, [&](const Sentence& sentence) {
+    bool is_other = false;
+    for (const std::string& options : sentence.styles.at(change.what)) {
+      if (options.empty()) {
+        is_other = is_other || is_plain_other;
+        continue;
+      }
+      const std::string then = restyled_print(stored_like(stored, was), options);
+      const std::string now = restyled_print(stored, options);
+      if (then == now) continue;
+      is_other = true;
+      before.insert(then);
+      after.insert(now);
+    }
+    return !is_other;
+  });
+  if (is_plain_other || before.empty()) return;
+  change.before = fmt::format("{}", fmt::join(before, ", "));
+  change.after = fmt::format("{}", fmt::join(after, ", "));
+}
+
 }  // namespace
 
 std::string name_of(ChangeKind kind) {
@@ -292,7 +342,8 @@ std::string name_of(ChangeKind kind) {
 
 std::vector<Change> changes_between(const Manifest& former, const Manifest& later,
                                     const std::vector<Sentence>& sentences_before,
-                                    const std::vector<Sentence>& sentences_after) {
+                                    const std::vector<Sentence>& sentences_after,
+                                    const std::map<std::string, StoredNumber>& stored) {
   const Manifest before = with_row_names(former, later), after = with_row_names(later, former);
   // What a manifest of an earlier version does not tell is not new.
   const auto comparable = [&](const Manifest::Texts& then, const Manifest::Texts& now) {
@@ -324,15 +375,11 @@ std::vector<Change> changes_between(const Manifest& former, const Manifest& late
         change.printed_in.push_back(sentence);
       }
     }
-    // Who prints a value with options may see what its own format hides.
-    const bool is_restyled = std::ranges::any_of(
-        change.printed_in, [&](const Sentence& s) { return s.restyled.contains(name); });
-    const auto was = before.numbers.find(change.name_of_value());
-    const auto is = after.numbers.find(change.name_of_value());
-    if (is_restyled && change.before == change.after && was != before.numbers.end() &&
-        is != after.numbers.end()) {
-      change.before = fmt::format("{} ({:.12g})", change.before, was->second.number);
-      change.after = fmt::format("{} ({:.12g})", change.after, is->second.number);
+    const std::string value = change.name_of_value();
+    const auto was = before.numbers.find(value);
+    const auto is = stored.find(value);
+    if (was != before.numbers.end() && is != stored.end()) {
+      tell_styles(change, is->second, was->second);
     }
   }
   // Another document may print this listing.

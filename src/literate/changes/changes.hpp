@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "literate/changes/sentences.hpp"
+#include "literate/document/names.hpp"
 #include "literate/provenance/manifest.hpp"
 
 namespace literate {
@@ -56,10 +59,13 @@ struct Change {
 /// Two numbers agree if they differ by no more than the sum of their error bounds; without a bound
 /// if they are printed the same. A name that is gone was renamed if exactly one new name has its
 /// number, error and print, and no other gone name has them.
-/// `sentences` are those of the later document, and of the former for what is gone.
+/// `sentences` are those of the later document, and of the former for what is gone. `stored` are
+/// the later document's values, from which follows what \val[options]{key} prints: a sentence that
+/// prints a value only as it did before is none of those that print the change.
 std::vector<Change> changes_between(const Manifest& before, const Manifest& after,
                                     const std::vector<Sentence>& sentences_before,
-                                    const std::vector<Sentence>& sentences_after);
+                                    const std::vector<Sentence>& sentences_after,
+                                    const std::map<std::string, StoredNumber>& stored = {});
 
 /// The manifest with the cells of some tables by the names of their rows, «table a, row «steel»,
 /// column 2»: of those in which a row stands at another place in `other`, so that a row that is put
@@ -86,6 +92,10 @@ struct Compared {
 
 /// A page with one table.
 std::string changes_html(const std::vector<Change>& changes, const Compared& compared);
+
+/// The number of places at which the author's words are others, as the answer quotes them.
+std::size_t n_other_words(const std::vector<Sentence>& sentences_before,
+                          const std::vector<Sentence>& sentences_after);
 
 /// A skeleton in Markdown of the answer to the referees: each place at which the words are others,
 /// with the old and the new text, after them the numbers that moved although nobody wrote a word,

@@ -142,6 +142,11 @@ std::string changes_html(const std::vector<Change>& changes, const Compared& com
       escape_html(compared.before), escape_html(compared.after), rows);
 }
 
+std::size_t n_other_words(const std::vector<Sentence>& sentences_before,
+                          const std::vector<Sentence>& sentences_after) {
+  return edits_between(sentences_before, sentences_after).size();
+}
+
 std::string answer_to_referees(const std::vector<Change>& changes, const Compared& compared,
                                const std::vector<Sentence>& sentences_before,
                                const std::vector<Sentence>& sentences_after) {
@@ -170,7 +175,11 @@ std::string answer_to_referees(const std::vector<Change>& changes, const Compare
     numbers += fmt::format("- {}: {}{}{}", change.what, name_of(change.kind),
                            said.empty() ? "" : ", ", said);
     for (std::size_t i = 0; i < change.printed_in.size(); ++i) {
-      numbers += (i == 0 ? "; printed in " : ", ") + place_of(change.printed_in[i]);
+      const bool is_gone = change.kind == ChangeKind::gone;
+      numbers += (i > 0     ? ", "
+                  : is_gone ? "; was printed in the former "
+                            : "; printed in ") +
+                 place_of(change.printed_in[i]);
     }
     numbers += "\n";
   }

@@ -175,8 +175,8 @@ Manifest printed_results(Manifest manifest) {
   return manifest;
 }
 
-Reread sentences_to_reread(const fs::path& document, const Manifest& now,
-                           const fs::path& case_file) {
+Reread sentences_to_reread(const fs::path& document, const Manifest& now, const fs::path& case_file,
+                           const std::map<std::string, StoredNumber>& stored) {
   Reread found;
   try {
     const auto is_shallow = git(document, {"rev-parse", "--is-shallow-repository"});
@@ -221,21 +221,25 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now,
     }
     n_unknown += sentences.size();
   };
+  // Sentences that print what a record does not have, by place, and what was told of each.
+  std::map<std::string, Sentence> unrecorded;
+  std::set<std::pair<std::string, std::string>> told;
   const auto hold = [&](const Commit& commit, const std::vector<Sentence>& sentences,
                         const char* when) {
     const Former then = results_at(commit, document, now.project, case_file);
     if (!then.results) return not_known(then.unknown, sentences, commit);
-    std::map<std::string, Sentence> unrecorded;  // by place, that print what the record has not
-    for (const Change& change : changes_between(*then.results, results, {}, sentences)) {
+    std::vector<Sentence> of_these;
+    for (const Change& change : changes_between(*then.results, results, {}, sentences, stored)) {
       if (change.kind == ChangeKind::added) {
         for (const Sentence& sentence : change.printed_in) {
-          unrecorded.emplace(place_of(sentence), sentence);
+          if (unrecorded.emplace(place_of(sentence), sentence).second) of_these.push_back(sentence);
         }
       }
       if (!is_to_be_read(change) || !change.is_seen()) continue;
       for (const Sentence& sentence : change.printed_in) {
         const std::string digest = digest_of_words(sentence);
         if (ticks.contains({digest, change.what, change.after})) continue;
+        if (!told.emplace(place_of(sentence), change.what).second) continue;
         found.sentences.push_back(fmt::format(
             "{}: read this sentence again: {} is {}, and was {} when it was {}, at {}; then "
             "change it, or write into read.csv: {}",
@@ -244,8 +248,6 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now,
             sys::stripped(sys::csv_line({digest, change.what, change.after, "your name"}))));
       }
     }
-    std::vector<Sentence> of_these;
-    for (const auto& [place, sentence] : unrecorded) of_these.push_back(sentence);
     if (!of_these.empty()) {
       not_known("its results.json does not have all that they print", of_these, commit);
     }
@@ -256,6 +258,9 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now,
     not_known("they are older than this first record and held against it", entry.second,
               entry.first);
   }
+  std::vector<Sentence> incomplete;
+  for (const auto& [place, sentence] : unrecorded) incomplete.push_back(sentence);
+  if (!incomplete.empty()) hold({.id = "HEAD"}, incomplete, "last recorded");
   for (const auto& [reason, sentences] : unknown) {
     found.unknown.push_back(fmt::format("{} sentence{}, such as {}: {}", sentences.first,
                                         sentences.first == 1 ? "" : "s", sentences.second, reason));

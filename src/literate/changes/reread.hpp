@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "literate/document/names.hpp"
 #include "literate/provenance/manifest.hpp"
 
 namespace literate {
@@ -35,7 +37,11 @@ struct Reread {
 /// A line «sentence,what,printed,reader» of read.csv beside the prose ticks it off, as long as
 /// neither the sentence nor what it prints changes; each line of the list tells its own. Throws
 /// sys::SourceError for a read.csv that is none.
+///
+/// `stored` are the present values. A sentence of which a record does not have all that it prints
+/// is held against the last record too.
 Reread sentences_to_reread(const std::filesystem::path& document, const Manifest& now,
-                           const std::filesystem::path& case_file);
+                           const std::filesystem::path& case_file,
+                           const std::map<std::string, StoredNumber>& stored = {});
 
 }  // namespace literate

@@ -21,9 +21,10 @@ struct Sentence {
   /// That it prints, «value x», «table x», «figure x», «claim x», counts, «claims cited», or that
   /// decide whether it is printed, «flag x».
   std::set<std::string> names;
-  std::set<std::string> restyled = {};  ///< of these, the values that it prints with options
-  std::string heading = {};             ///< LaTeX, of the section that it stands in or begins with
-  std::string folder = {};  ///< what messages call the document's folder, if it is known
+  /// Of these, each value with the options that it is printed with, an empty text for none.
+  std::map<std::string, std::set<std::string>> styles = {};
+  std::string heading = {};  ///< LaTeX, of the section that it stands in or begins with
+  std::string folder = {};   ///< what messages call the document's folder, if it is known
 };
 
 /// What begins the names of counts of verdicts, «claims cited».

@@ -208,7 +208,11 @@ json texts_json(const Registered& registered) {
                                 const std::vector<Criterion>& criteria) {
     for (const Criterion& criterion : criteria) {
       add(kind, name, "quantity", escape_latex(criterion.name()));
-      add(kind, name, "reason", escape_latex(criterion.reason()));
+      // The numbers of a formula are evaluated, and so not typed.
+      const std::string& reason = criterion.limit_reason();
+      const bool has_formula = criterion.limit_kind() == LimitKind::theory;
+      add(kind, name, "reason",
+          escape_latex(reason.substr(has_formula ? reason.find(", ") + 2 : 0)));
     }
   };
   for (const auto& [id, claim] : registered.claims) {

@@ -95,7 +95,8 @@ ExitCode reread(const Settings& settings, const std::string& project, const Name
     // The sentences may be of another case.
     if (read_manifest(record, project).facts != now.facts) return ExitCode::success;
   }
-  const Reread found = sentences_to_reread(settings.document, now, settings.case_file);
+  const Reread found =
+      sentences_to_reread(settings.document, now, settings.case_file, names.numbers);
   DatedLimits dated;
   if (found.has_history) dated = dated_limits(settings.document, now, names, settings.case_file);
   now.ages = dated.ages;

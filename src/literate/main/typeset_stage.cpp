@@ -20,6 +20,7 @@
 #include "literate/main/stage_record.hpp"
 #include "literate/main/stages.hpp"
 #include "literate/prose/document_files.hpp"
+#include "literate/prose/recorded_ages.hpp"
 #include "literate/prose/references.hpp"
 #include "literate/prose/restyle.hpp"
 #include "literate/prose/statements.hpp"
@@ -154,6 +155,14 @@ Manifest manifest_without_pdf(const Settings& settings, const Paper& paper,
                     {"tools", tools_of(settings)}};
   manifest.inputs = inputs_of(settings, paper, names);
   manifest.outputs = digests(generated, made_files(names), "generated/");
+  const RecordedAges ages(settings.document, names);
+  for (const auto& [id, claim] : names.claims) {
+    for (std::size_t i = 0; i < claim.limits.size(); ++i) {
+      const std::string& age = ages.of(id)[i];
+      manifest.words[fmt::format("claim {}: {}: age of the limit", id, claim.limits[i].quantity)] =
+          age.empty() ? "not known" : age;
+    }
+  }
   return manifest;
 }
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ChangesOptions {
-  std::string project, before, after, document_before, document, label, output;
+  std::string project, before, after, names, document_before, document, label, output;
 };
 
 /// The inputs and tools that differ. A project that brings the engine itself has one commit for
@@ -48,7 +48,8 @@ sys::ExitCode compare(const ChangesOptions& options) {
   const auto sentences = sentences_below(options.document, flags_of(after));
   const auto former = has_text ? sentences_below(options.document_before, flags_of(before))
                                : std::vector<Sentence>();
-  const std::vector<Change> changes = changes_between(before, after, former, sentences);
+  const std::vector<Change> changes =
+      changes_between(before, after, former, sentences, read_names(options.names).numbers);
 
   // The results of a state that cannot be made are told by giving the present ones twice.
   const Compared compared{.before = options.label,
@@ -66,6 +67,10 @@ sys::ExitCode compare(const ChangesOptions& options) {
   fmt::print("{}", changes_text(changes));
   if (changes.empty())
     fmt::print("no value, text, table, figure, listing, verdict or limit differs\n");
+  if (const std::size_t n = has_text ? n_other_words(former, sentences) : 0; n > 0) {
+    fmt::print("the author's words are others at {} {}: answer.md quotes them\n", n,
+               n == 1 ? "place" : "places");
+  }
   return sys::ExitCode::success;
 }
 
@@ -81,6 +86,7 @@ void add_changes_command(CLI::App& program, sys::ExitCode& exit_code) {
         add_required_text(command, "--project", options->project, "NAME", "The paper's project");
         add_required_text(command, "--before", options->before, "FILE", "The former manifest");
         add_required_text(command, "--after", options->after, "FILE", "The later manifest");
+        add_required_text(command, "--names", options->names, "FILE", "Its names.json");
         add_required_text(command, "--document", options->document, "DIR",
                           "The LaTeX document of the later state");
         add_text(command, "--document-before", options->document_before, "DIR",

@@ -34,10 +34,11 @@ struct Manifest {
   Texts verdicts;     ///< of each claim, and whether each check passed
   Texts limits = {};  ///< of each claim's criteria, «claim x: quantity»: «at most 1 %»
   Texts texts = {};  ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers,
-                     ///< and what criteria found, «claim x: quantity»
+                     ///< and what criteria found, with the margin, «claim x: quantity»
   Texts outcomes = {};  ///< of criteria, by the same names: «holds»; an earlier version has none
   /// What the program says in words: «claim x: route», «claim x: quantity: reason», «check x:
-  /// statement», «table x: headings» and «table x: notes»; an earlier version has none.
+  /// statement», «table x: headings» and «table x: notes», and, as the ledger has it, «claim x:
+  /// quantity: age of the limit»; an earlier version has none.
   Texts words = {};
   Texts ages = {};  ///< of limits, by the same names, as dated_limits() tells them
   bool is_of_earlier_version = false;  ///< whether limits, texts or outcomes were not told then

@@ -320,18 +320,30 @@ BOOST_AUTO_TEST_CASE(a_criterion_that_turned_is_told_though_its_claim_did_not) {
   BOOST_TEST(changes_between(earlier, state(), {}, {}).empty());
 }
 
-BOOST_AUTO_TEST_CASE(a_value_that_prints_as_before_is_seen_where_it_is_printed_with_options) {
+BOOST_AUTO_TEST_CASE(a_value_that_prints_as_before_is_seen_where_its_options_print_it_otherwise) {
   Manifest after = state();
-  after.numbers["peak"].number = 10.0125;
+  after.numbers["peak"].number = 10.06;
+  literate::StoredNumber peak{.number = 10.06,
+                              .uncertainty = literate::Uncertainty(1e-4),
+                              .unit = "psi",
+                              .notation = literate::Notation::significant,
+                              .digits = 3,
+                              .last_place = -1};
   const auto changes = [&](const std::string& latex) {
     const auto sentences = literate::sentences_in(latex, "a.tex");
-    return changes_between(state(), after, sentences, sentences);
+    return changes_between(state(), after, sentences, sentences, {{"peak", peak}});
   };
   BOOST_TEST(!changes("It is \\val{peak}.").at(0).is_seen());
-  const auto restyled = changes("It is \\val[digits=4]{peak}.");
+  const auto alike = changes("It is \\val[digits=2]{peak}.");
+  BOOST_TEST(!alike.at(0).is_seen());
+  BOOST_TEST(alike.at(0).printed_in.empty());
+  const auto restyled =
+      changes("It is \\val[digits=3]{peak}.\n\nIt is \\val{peak}.\n\n\\val[digits=2]{peak}");
   BOOST_TEST(restyled.at(0).is_seen());
-  BOOST_TEST(restyled.at(0).before == "10.0 psi (10)");
-  BOOST_TEST(restyled.at(0).after == "10.0 psi (10.0125)");
+  BOOST_TEST(restyled.at(0).before == "10.0 psi");
+  BOOST_TEST(restyled.at(0).after == "10.1 psi");
+  BOOST_TEST_REQUIRE(restyled.at(0).printed_in.size() == 1U);
+  BOOST_TEST(restyled.at(0).printed_in[0].first_line == 1);
 }
 
 BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {

@@ -22,6 +22,9 @@ make_settings() {
     "output=$1/build/out" >"$1/build/rod.settings"
   printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_BUILD_TYPE:STRING=Release\n' "$1" >"$1/build/CMakeCache.txt"
   manifest rod 12 >"$1/build/out/manifest.json"
+  mkdir -p "$1/build/out/generated"
+  printf '{"values": {}, "places": {"tables": {}, "flags": {}}, "figures": {}, "flags": {}, "excerpts": {}, "claims": {}, "texts": [],
+    "faults": [], "files": []}' >"$1/build/out/generated/names.json"
 }
 changes() { runs env "$@" bash "$source_dir/src/literate/scripts/changes" build/rod.settings; }
 # refused WHAT SAID [VARIABLE…]: ends with 2 and one line.

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_preamble_holds_none_but_titles_that_print_something) {
   BOOST_TEST(sentences[0].names.contains("value n"));
   BOOST_TEST(sentences[0].first_line == 2);
   BOOST_TEST(sentences[1].names.contains("value name"));
-  BOOST_TEST(sentences[1].restyled.contains("value name"));
+  BOOST_TEST(sentences[1].styles.at("value name").contains("digits=2"));
   BOOST_TEST(sentences[1].first_line == 4);
   BOOST_TEST(sentences[2].latex == "Yes.");
 }

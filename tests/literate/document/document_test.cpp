@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/document/document.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <limits>
@@ -157,6 +158,24 @@ BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without
              }).ends_with("no value 'radios' is registered, did you mean 'radius'?"));
   const std::string message = message_of<std::logic_error>([&] { document.append(part); });
   BOOST_TEST(message.find("check 'second' is registered twice") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_formula_of_a_limit_is_none_of_the_texts_that_may_hold_no_typed_number) {
+  const TemporaryFolder scratch;
+  Document document;
+  document.claim("order", {.route = "counting",
+                           .expected = Verdict::confirmed,
+                           .criteria = {Criterion::at_most(
+                               "error", Value({0.1, 1e-3}, fixed(2)),
+                               Limit::theory("2h", {{"h", 0.25}}, "twice the step, at most"))}});
+  document.write(scratch.path());
+
+  const std::vector<NamedText> texts = read_names(scratch / "names.json").texts;
+  const auto reason = std::ranges::find_if(
+      texts, [](const NamedText& text) { return text.what.starts_with("reason"); });
+
+  BOOST_TEST_REQUIRE((reason != texts.end()));
+  BOOST_TEST(reason->latex == "twice the step, at most");
 }
 
 BOOST_AUTO_TEST_CASE(the_names_read_back) {
