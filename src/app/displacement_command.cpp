@@ -184,10 +184,10 @@ ExitCode run(const DisplacementOptions& options) {
 }  // namespace
 
 void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<DisplacementOptions>(
-      program, "displacement",
-      "Surface gradient and displacement of a half-space, eq. (2) by quadrature beside eq. (3)",
-      exit_code, run);
+  add_command<DisplacementOptions>(program, "displacement",
+                                   "Surface gradient and displacement of a half-space: eq. (2) by "
+                                   "quadrature, beside it eq. (3) or another closed form",
+                                   exit_code, run);
 }
 
 }  // namespace app

@@ -42,11 +42,12 @@ bool agrees(const DisplacementRow& row) {
 std::string notes_text(const Rows& rows, const DisplacementNotes& notes) {
   std::string text;
   if (!rows.empty() && is_compared(rows)) {
-    text = fmt::format("beside eq. (2) by quadrature stands {}\n", notes.closed_form);
+    text = fmt::format("closed form: {}\n", notes.closed_form);
     text += fmt::format("{} of {} points agree within their errors",
                         std::count_if(rows.begin(), rows.end(), agrees), rows.size());
   } else {
-    text = fmt::format("{} points by quadrature, which no closed form stands beside", rows.size());
+    text = fmt::format("{} {} by quadrature; no closed form is known", rows.size(),
+                       rows.size() == 1 ? "point" : "points");
   }
   long n_evaluations = 0;
   for (const DisplacementRow& row : rows) n_evaluations += row.n_evaluations;
