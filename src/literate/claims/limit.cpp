@@ -56,8 +56,8 @@ std::string_view name_of(LimitKind kind) {
 }
 
 Limit Limit::theory(const std::string& formula, const std::map<std::string, double>& terms,
-                    const std::string& reason) {
-  Limit limit(LimitKind::choice, evaluated(formula, terms), formula + ", " + reason);
+                    const std::string& reason, int n_digits) {
+  Limit limit(LimitKind::choice, evaluated(formula, terms), formula + ", " + reason, n_digits);
   limit.kind_ = LimitKind::theory;
   return limit;
 }

@@ -39,7 +39,7 @@ class Limit {
   /// can be another one: theory("μ(c/a)²", {{"μ", mu}, {"c", c}, {"a", a}}, "the elements' order").
   /// evaluated() says what a formula may hold, and what it throws.
   static Limit theory(const std::string& formula, const std::map<std::string, double>& terms,
-                      const std::string& reason);
+                      const std::string& reason, int n_digits = 3);
 
   /// The same limit for a quantity with a standard uncertainty, of which `k` > 0 count: k = 2 are
   /// about 95 % of a normal distribution. The reason says so. Throws std::invalid_argument for

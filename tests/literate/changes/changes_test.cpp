@@ -370,6 +370,18 @@ BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {
       text.ends_with("2 numbers moved in digits that are not printed: changes.csv has them\n"));
 }
 
+BOOST_AUTO_TEST_CASE(that_no_fault_was_planted_since_the_code_changed_is_told_once) {
+  Manifest before = state(), after = state();
+  for (const char* claim : {"one", "two"}) {
+    const std::string what = std::string("claim ") + claim + ": planted faults";
+    before.words[what] = "2 of 3 faults";
+    after.words[what] = "faults not known";
+  }
+  const auto changes = changes_between(before, after, {}, {});
+  BOOST_TEST_REQUIRE(changes.size() == 1U);
+  BOOST_TEST(changes[0].what == "planted faults of all claims");
+}
+
 BOOST_AUTO_TEST_CASE(a_sentence_that_counts_verdicts_is_told_with_each_that_turned) {
   const auto sentences = literate::sentences_in(
       "Of them \\claimcount{cited}{refuted} fell.\nIt is \\val{peak}.", "a.tex");

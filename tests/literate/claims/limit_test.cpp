@@ -13,6 +13,7 @@ BOOST_AUTO_TEST_CASE(a_limit_of_theory_is_evaluated_from_the_formula_that_is_pri
   const Limit limit = Limit::theory("μ(c/a)²", {{"μ", 0.3}, {"c", 1}, {"a", 10}}, "the order");
   BOOST_TEST(limit.number() == 0.003);
   BOOST_TEST((limit.kind() == LimitKind::theory));
+  BOOST_TEST(Limit::theory("c/a", {{"c", 2}, {"a", 3}}, "the step", 5).number() == 0.66667);
   BOOST_TEST(limit.reason() == "μ(c/a)², the order");
   BOOST_CHECK_THROW(Limit(LimitKind::theory, 0.003, "μ(c/a)²"), std::invalid_argument);
 }
