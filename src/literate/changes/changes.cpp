@@ -18,6 +18,7 @@
 
 #include "config/units.hpp"
 #include "literate/prose/restyle.hpp"
+#include "literate/values/decimal.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -121,11 +122,16 @@ std::optional<ChangeKind> moved(const ManifestNumber& before, const ManifestNumb
   return is_within_errors(before, after) ? ChangeKind::within_error : ChangeKind::beyond_error;
 }
 
-/// As index and ledger print it.
+/// As the index prints it, with two digits and a bound rounded up.
 std::string error_of(const ManifestNumber& number) {
-  const double bound = number.abs_error.value_or(0);
-  return number.standard > 0 ? fmt::format("{:.2g} ± {:.2g}", number.standard, bound)
-                             : fmt::format("{:.2g}", bound);
+  const auto up = [](double bound) {
+    return bound > 0 ? fmt::format("{:.2g}", number_of(rounded_up_to_digits(bound, 2))) : "0";
+  };
+  if (number.sides) {
+    return fmt::format("{} below, {} above", up(number.sides->first), up(number.sides->second));
+  }
+  const std::string bound = up(number.abs_error.value_or(0));
+  return number.standard > 0 ? fmt::format("{:.2g} ± {}", number.standard, bound) : bound;
 }
 
 std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
@@ -144,8 +150,8 @@ std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
     } else if (const auto kind = moved(earlier->second, number)) {
       const bool tells_unit =
           have_other_units(earlier->second, number) && name.starts_with(of_tables);
-      const bool tells_error =
-          kind == ChangeKind::other_error && earlier->second.printed == number.printed;
+      const bool tells_error = earlier->second.printed == number.printed &&
+                               error_of(earlier->second) != error_of(number);
       const auto told = [&](const ManifestNumber& one) {
         if (tells_error) return fmt::format("{} (error {})", one.printed, error_of(one));
         return tells_unit ? one.printed + " " + *one.unit : one.printed;
@@ -292,9 +298,14 @@ StoredNumber stored_like(StoredNumber stored, const ManifestNumber& number) {
   return stored;
 }
 
-/// What \val[options] prints; all digits where the error does not support what is asked for.
-std::string restyled_print(const StoredNumber& stored, const std::string& options) {
+/// What \val[options] or \rawval[options] prints; all digits where the error does not support what
+/// is asked for.
+std::string restyled_print(const StoredNumber& stored, std::string_view options) {
+  constexpr std::string_view raw = "rawval ";
   try {
+    if (options.starts_with(raw)) {
+      return bare_digits(restyled_number(stored, options.substr(raw.size())));
+    }
     return restyled(stored, options).printed();
   } catch (const std::exception&) {
     return fmt::format("{:.12g}", stored.number);

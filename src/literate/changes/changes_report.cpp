@@ -85,8 +85,9 @@ std::string changes_text(const std::vector<Change>& changes) {
   }
   if (n_unseen > 0) {
     text +=
-        fmt::format("{} {} moved in digits that are not printed: changes.csv has {}\n", n_unseen,
-                    n_unseen == 1 ? "number" : "numbers", n_unseen == 1 ? "it" : "them");
+        fmt::format("{} {} or {} moved in digits that are not printed: changes.csv has {}\n",
+                    n_unseen, n_unseen == 1 ? "number" : "numbers",
+                    n_unseen == 1 ? "its error" : "their errors", n_unseen == 1 ? "it" : "them");
   }
   if (n_figures > 0) {
     text += fmt::format(

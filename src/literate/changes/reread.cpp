@@ -221,7 +221,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
     }
     n_unknown += sentences.size();
   };
-  // Sentences that print what a record does not have, by place, and what was told of each.
+  // Sentences that print what a record does not have, by place, and what was told, by digest.
   std::map<std::string, Sentence> unrecorded;
   std::set<std::pair<std::string, std::string>> told;
   const auto hold = [&](const Commit& commit, const std::vector<Sentence>& sentences,
@@ -239,7 +239,7 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
       for (const Sentence& sentence : change.printed_in) {
         const std::string digest = digest_of_words(sentence);
         if (ticks.contains({digest, change.what, change.after})) continue;
-        if (!told.emplace(place_of(sentence), change.what).second) continue;
+        if (!told.emplace(digest, change.what).second) continue;
         found.sentences.push_back(fmt::format(
             "{}: read this sentence again: {} is {}, and was {} when it was {}, at {}; then "
             "change it, or write into read.csv: {}",

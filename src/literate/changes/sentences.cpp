@@ -125,7 +125,7 @@ std::vector<Extent> branches_in(std::string_view latex) {
 void add_use(Sentence& sentence, const TexCommand& use) {
   const std::string name = named_by.at(use.name) + " " + use.argument;
   sentence.names.insert(name);
-  sentence.styles[name].insert(use.name == "val" ? use.options : "");
+  sentence.styles[name].insert((use.name == "rawval" ? "rawval " : "") + use.options);
 }
 
 /// The titles of a preamble that print something.

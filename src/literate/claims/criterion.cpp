@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 
 #include "literate/text/latex.hpp"
@@ -178,6 +179,29 @@ void take_least(std::optional<double>& least, const std::optional<double>& one) 
 
 std::string_view verb_of(Outcome outcome) {
   return outcome == Outcome::undecided ? "is undecided" : name_of(outcome);
+}
+
+/// The least factor in the common limit that gives all of them together another outcome: where some
+/// hold and others fail, all of these or all of those must turn.
+std::optional<double> turning_factor_of(const std::vector<Criterion>& each, Outcome outcome) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const auto factor = [&](const Criterion& c) { return c.margin().turning_factor.value_or(never); };
+  double turning = never;
+  if (outcome == Outcome::holds_in_part) {
+    for (const Outcome side : {Outcome::holds, Outcome::fails}) {
+      double all = 1;
+      for (const Criterion& c : each) {
+        if (c.outcome() == side || c.outcome() == Outcome::undecided)
+          all = std::max(all, factor(c));
+      }
+      turning = std::min(turning, all);
+    }
+  } else {
+    for (const Criterion& c : each) {
+      if (c.outcome() == outcome) turning = std::min(turning, factor(c));
+    }
+  }
+  return turning < never ? std::optional(turning) : std::nullopt;
 }
 
 }  // namespace
@@ -358,7 +382,6 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   for (const Criterion& c : each) {
     take_least(criterion.margin_.errors, c.margin_.errors);
     take_least(criterion.margin_.factor, c.margin_.factor);
-    take_least(criterion.margin_.turning_factor, c.margin_.turning_factor);
   }
   // What is undecided makes no difference where one holds and another fails.
   const bool is_in_part = n_holding > 0 && n_with(Outcome::fails) > 0;
@@ -370,6 +393,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   } else {
     criterion.outcome_ = n_holding == 0 ? Outcome::fails : Outcome::holds_in_part;
   }
+  criterion.margin_.turning_factor = turning_factor_of(each, criterion.outcome_);
   return criterion;
 }
 

@@ -240,6 +240,15 @@ json words_json(const Registered& registered) {
       words[fmt::format("claim {}: {}: reason", id, criterion.name())] = criterion.reason();
     }
   }
+  for (const auto& [key, value] : registered.values) {
+    if (!value.uncertainty() || value.uncertainty()->kinds.size() < 2) continue;
+    std::vector<std::string> kinds;
+    for (const auto& [kind, u] : value.uncertainty()->kinds) {
+      kinds.push_back(fmt::format("{} {:.2g}", kind, u));
+    }
+    words[fmt::format("value {}: sources of uncertainty", key)] =
+        fmt::format("{}", fmt::join(kinds, ", "));
+  }
   for (const Check& check : registered.checks) {
     words[fmt::format("check {}: statement", check.id)] = check.statement;
   }

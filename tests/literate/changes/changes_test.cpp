@@ -342,6 +342,9 @@ BOOST_AUTO_TEST_CASE(a_value_that_prints_as_before_is_seen_where_its_options_pri
   BOOST_TEST(restyled.at(0).is_seen());
   BOOST_TEST(restyled.at(0).before == "10.0 psi");
   BOOST_TEST(restyled.at(0).after == "10.1 psi");
+  const auto raw = changes("It is \\rawval{peak}.");
+  BOOST_TEST(raw.at(0).before == "10");
+  BOOST_TEST(raw.at(0).after == "10.06");
   BOOST_TEST_REQUIRE(restyled.at(0).printed_in.size() == 1U);
   BOOST_TEST(restyled.at(0).printed_in[0].first_line == 1);
 }
@@ -366,8 +369,18 @@ BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {
   BOOST_TEST(text.find("value peak") == std::string::npos);
   BOOST_TEST(text.find("value count: was 7\n                          old.tex:1\n") !=
              std::string::npos);
-  BOOST_TEST(
-      text.ends_with("2 numbers moved in digits that are not printed: changes.csv has them\n"));
+  BOOST_TEST(text.ends_with(
+      "2 numbers or their errors moved in digits that are not printed: changes.csv has them\n"));
+}
+
+BOOST_AUTO_TEST_CASE(an_error_that_the_index_prints_is_seen_although_the_number_moved_unseen) {
+  Manifest after = state();
+  after.numbers["peak"].number = 10.001;
+  after.numbers["peak"].abs_error = 0.201;
+  check_told(after, ChangeKind::within_error, "value peak", "10.0 psi (error 0.1)",
+             "10.0 psi (error 0.21)");
+  after.numbers["peak"].abs_error = 0.1;
+  BOOST_TEST(!changes_to(after).at(0).is_seen());
 }
 
 BOOST_AUTO_TEST_CASE(that_no_fault_was_planted_since_the_code_changed_is_told_once) {

@@ -65,6 +65,15 @@ BOOST_AUTO_TEST_CASE(a_value_that_moved_beyond_its_error_is_listed_with_its_sent
   BOOST_TEST(found.unknown.empty());
 }
 
+BOOST_AUTO_TEST_CASE(each_sentence_of_a_line_is_listed) {
+  Paper paper;
+  paper.write("a.tex", "It holds \\claim{far}. So we say \\claim{far}.\n");
+  paper.record(results(10));
+  paper.commit();
+
+  BOOST_TEST(paper.reread(results(10, "refuted")).sentences.size() == 2U);
+}
+
 BOOST_AUTO_TEST_CASE(what_the_record_beside_a_sentence_does_not_have_is_held_against_the_last) {
   Written paper;
   paper.write("b.tex", "The width is \\val{width}.\n");

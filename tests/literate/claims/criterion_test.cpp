@@ -341,6 +341,18 @@ BOOST_AUTO_TEST_CASE(a_margin_is_the_distance_from_the_limit_in_errors_and_as_a_
   BOOST_TEST(*misfit_at_most(0.02, 0.04, limit_of(0.05)).margin().turning_factor == 1.2,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(misfit_at_most(-0.02, 0.001, limit_of(0.01)).margin().text() == "30 errors");
+  // Of 0.01, 0.02 and 0.09 against 0.03 two hold: the third holds too from 0.09 on, and all fail
+  // below 0.01.
+  const auto in_each = [&](double limit) {
+    std::vector<Criterion> each;
+    for (const double misfit : {0.01, 0.02, 0.09}) {
+      each.push_back(misfit_at_most(misfit, 0, limit_of(limit)));
+    }
+    return *Criterion::in_each("misfit", "points", each).margin().turning_factor;
+  };
+  BOOST_TEST(in_each(0.03) == 3, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(in_each(0.018) == 1.8, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(in_each(0.18) == 2, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(misfit_at_most(1e-9, 0, limit_of(0.01)).margin().text() == "over 1000 times");
   BOOST_TEST(Criterion::agrees("node", Value(9, integer()), Value(9, integer()),
                                {LimitKind::data, 0.0, "it is a count"})

@@ -104,6 +104,8 @@ BOOST_AUTO_TEST_CASE(what_is_known_of_an_error_is_told_of_no_more_than_that) {
   BOOST_TEST(has("index.tex", ", of which the second order may take or add \\num{0.4"));
   BOOST_TEST(has("page/index.html", "<tex>standard uncertainty \\qty{22}{psi}"));
   BOOST_TEST(has("values.csv", "load,994(22) psi,994,0,,,21.9317"));
+  BOOST_TEST(has("names.json",
+                 "\"value load: sources of uncertainty\": \"calibration 9, statistics 20\""));
   BOOST_TEST(has("values.csv", "residual,2.3e-15,2.34e-15,,,,,,"));
   BOOST_TEST(has("page/index.html", ", <tex>no error bound</tex>"));
   const Names names = read_names(folder / "generated/names.json");
