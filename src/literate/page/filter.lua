@@ -196,13 +196,16 @@ local function with_sizes(text)
   return (text:gsub('minsize="([%d.]+)" maxsize="[%d.]+" stretchy="false"', 'minsize="%1em" maxsize="%1em" stretchy="true"'))
 end
 
--- A minus behind a relation, a comma or a parenthesis is that of a number, and stands close to it.
+-- A sign behind a relation, a comma or a parenthesis is that of a number, and stands close to it. One alone has no spaces.
 local function with_signs(text)
-  local minus = '<mo form="prefix">−</mo>'
-  text = text:gsub("(<mo>([^<]*)</mo>)<mo>−</mo>", function(before, sign)
-    return ("= , : &lt; &gt; ≤ ≥ ≈ ≡ ≠ ∼ →"):find(sign, 1, true) and before .. minus
-  end)
-  return (text:gsub('(form="prefix">[^<]*</mo>)<mo>−</mo>', "%1" .. minus))
+  for _, sign in ipairs({"−", "±"}) do
+    local close = '<mo form="prefix">' .. sign .. "</mo>"
+    text = text:gsub("(<mo>([^<]*)</mo>)<mo>" .. sign .. "</mo>", function(before, relation)
+      return ("= , : &lt; &gt; ≤ ≥ ≈ ≡ ≠ ∼ →"):find(relation, 1, true) and before .. close
+    end)
+    text = text:gsub('(form="prefix">[^<]*</mo>)<mo>' .. sign .. "</mo>", "%1" .. close)
+  end
+  return (text:gsub("^<mo>([^<]*)</mo>$", '<mo lspace="0em" rspace="0em">%1</mo>'))
 end
 
 -- Letters that TeX sets upright: those of \mathrm, as one word, and capital Greek ones.

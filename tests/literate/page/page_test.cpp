@@ -219,6 +219,8 @@ BOOST_AUTO_TEST_CASE(formulas_are_set_as_tex_sets_them) {
        {"<mi>a</mi><mo lspace=\"0.167em\" rspace=\"0.167em\">ln</mo><mi>x</mi>",
         "<mo>=</mo><mo lspace=\"0em\" rspace=\"0em\">ln</mo><mrow>",
         "<mo>+</mo><msup><mo lspace=\"0em\" rspace=\"0.167em\">sin</mo>"}},
+      {"$\\le$~5 at \\[x=\\pm a\\]",
+       {"<mo lspace=\"0em\" rspace=\"0em\">≤</mo>", "<mo form=\"prefix\">±</mo><mi>a</mi>"}},
       {"\\[a=-b-c\\]", {"<mo>=</mo><mo form=\"prefix\">−</mo><mi>b</mi><mo>−</mo><mi>c</mi>"}},
   });
 }
