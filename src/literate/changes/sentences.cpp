@@ -32,6 +32,10 @@ const std::set<std::string_view> divisions{
     "input",     "include", "maketitle", "tableofcontents", "appendix",
     "clearpage", "newpage"};
 
+/// Those whose argument is a sentence of its own.
+const std::set<std::string_view> headings{"part",       "chapter",   "section",
+                                          "subsection", "paragraph", "subsubsection"};
+
 /// What the preamble prints, on the title page.
 const std::set<std::string_view> titles{"title",     "subtitle", "author",      "date",
                                         "institute", "address",  "affiliation", "thanks"};
@@ -83,6 +87,11 @@ std::vector<std::size_t> ends_in(std::string_view text) {
     if (divides) {
       ends.push_back(begin);
       if (token->kind != TexKind::command) ends.push_back(end);
+      if (headings.contains(token->name)) {
+        const std::string_view rest = scanner.rest();
+        const std::size_t options = group_at(rest, '[', ']').size();
+        ends.push_back(end + options + group_at(rest.substr(options)).size());
+      }
       continue;
     }
     if (token->kind != TexKind::text || token->mode != TexMode::text) continue;
@@ -95,6 +104,7 @@ std::vector<std::size_t> ends_in(std::string_view text) {
     }
   }
   ends.push_back(text.size());
+  std::ranges::sort(ends);  // within a heading others may end
   return ends;
 }
 
@@ -160,7 +170,7 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
   std::set<std::string> commands;
   for (const auto& [command, kind] : named_by) commands.insert(command);
   const std::vector<TexCommand> uses = commands_in(latex, commands, own);
-  const std::vector<TexCommand> headings =
+  const std::vector<TexCommand> sections =
       commands_in(latex, {"chapter", "section", "subsection", "subsubsection"});
 
   constexpr std::string_view beginning = "\\begin{document}";
@@ -184,8 +194,8 @@ std::vector<Sentence> sentences_in(std::string_view latex, const std::string& fi
     for (const Extent& branch : branches) {
       if (branch.begin < end && begin < branch.end) sentence.names.insert("flag " + branch.flag);
     }
-    while (n_headings < headings.size() && headings[n_headings].end <= end) ++n_headings;
-    if (n_headings > 0) sentence.heading = headings[n_headings - 1].argument;
+    while (n_headings < sections.size() && sections[n_headings].end <= end) ++n_headings;
+    if (n_headings > 0) sentence.heading = sections[n_headings - 1].argument;
     const bool has_letter = std::ranges::any_of(sentence.latex, sys::is_letter);
     const bool is_environment =
         sentence.latex.starts_with("\\begin{") || sentence.latex.starts_with("\\end{");

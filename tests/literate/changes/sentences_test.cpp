@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(headings_items_and_environments_end_a_sentence) {
   check_texts(
       "\\section{Results}\nNo stop here\n\\begin{itemize}\n\\item first\n\\item second\n"
       "\\end{itemize}\nLast.",
-      {"\\section{Results} No stop here", "\\item first", "\\item second", "Last."});
+      {"\\section{Results}", "No stop here", "\\item first", "\\item second", "Last."});
 }
 
 BOOST_AUTO_TEST_CASE(formulas_and_comments_end_none) {
@@ -112,10 +112,13 @@ BOOST_AUTO_TEST_CASE(each_sentence_of_a_branch_knows_its_flag) {
 BOOST_AUTO_TEST_CASE(a_sentence_knows_the_heading_above_it) {
   const auto sentences =
       sentences_in("Before.\n\\section{One}\nFirst.\n\\subsection{Two}\nSecond.\n", "a.tex");
-  BOOST_TEST_REQUIRE(sentences.size() == 3U);
+  BOOST_TEST_REQUIRE(sentences.size() == 5U);
   BOOST_TEST(sentences[0].heading == "");
   BOOST_TEST(sentences[1].heading == "One");
-  BOOST_TEST(sentences[2].heading == "Two");
+  BOOST_TEST(sentences[2].first_line == 3);
+  BOOST_TEST(sentences[2].heading == "One");
+  BOOST_TEST(sentences[3].heading == "Two");
+  BOOST_TEST(sentences[4].heading == "Two");
 }
 
 BOOST_AUTO_TEST_CASE(a_sentence_prints_no_name_in_a_branch_that_is_not_taken) {
