@@ -122,7 +122,8 @@ DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& 
   if (records.empty()) return {};
   records.push_back({.commit = "", .results = now});
   const auto at = [](const std::string& commit) {
-    return commit.empty() ? "is not committed yet" : "came at commit " + commit.substr(0, 12);
+    return commit.empty() ? "is in no committed results.json"
+                          : "came into results.json at commit " + commit.substr(0, 12);
   };
   Cases cases(document, case_file);
   DatedLimits dated;

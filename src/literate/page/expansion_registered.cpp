@@ -189,7 +189,9 @@ void Expander::know_registered() {
     if (breaks) {
       read_all(fmt::format("\\begin{{table}}\\caption{{{}}}", call.option()));
     } else if (floats_.empty() && next && next->environment == "longtable") {
-      numbers_.take("table");  // a table over pages counts even without a caption
+      // A table over pages counts even without a caption; another outside a float does not.
+      const std::string latex = sys::read_file(sources_.generated / "tables" / (name + ".tex"));
+      if (latex.find("\\begin{longtable}") != latex.npos) numbers_.take("table");
     }
     const std::string html = sys::read_file(sources_.generated / "page/tables" / (name + ".html"));
     fragment(boost::replace_all_copy(html, "@use@", uses_[{"table", name}].back().id));

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_limit_that_another_one_gave_way_to_was_chosen_after_the_r
   const std::string before = history.git({"rev-parse", "HEAD~2"}).substr(0, 12);
   BOOST_TEST(found.chosen_after[0] ==
              "rod.cpp:7:3: claim far: ratio: the limit was chosen after the result: 'at most 2 %' "
-             "came at commit " +
+             "came into results.json at commit " +
                  first + ", and commit " + before + " has a result at 'at most 1 %'");
 }
 
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_limit_that_is_not_committed_yet_is_told_as_such) {
   const DatedLimits found = History({one_percent}).dated(two_percent);
 
   BOOST_TEST(found.ages.at(age_of_far) == chosen_after);
-  BOOST_TEST(found.chosen_after.at(0).find("is not committed yet") != std::string::npos);
+  BOOST_TEST(found.chosen_after.at(0).find("is in no committed results.json") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_limit_that_stood_while_its_claim_was_undecided_is_older_than_the_result) {

@@ -367,11 +367,15 @@ BOOST_AUTO_TEST_CASE(an_outcome_is_open_exactly_where_its_margin_is_less_than_an
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_several_cases_the_least_margin_counts) {
+BOOST_AUTO_TEST_CASE(of_several_cases_the_nearest_has_the_margin) {
   const Limit limit = limit_of(1);
   const Criterion all = Criterion::in_each(
       "misfit", "points", {misfit_at_most(0.25, 0.01, limit), misfit_at_most(0.5, 0.25, limit)});
   BOOST_TEST(all.margin().text() == "2.0 times; 2.0 errors");
+  // The first is nearer by its errors, the second by its factor.
+  const Criterion other = Criterion::in_each(
+      "misfit", "points", {misfit_at_most(0.25, 0.25, limit), misfit_at_most(0.5, 0.01, limit)});
+  BOOST_TEST(other.margin().text() == "4.0 times; 3.0 errors");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_printed_as_latex_has_the_same_numbers) {

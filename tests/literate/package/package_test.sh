@@ -147,7 +147,7 @@ sed -i 's/LimitKind::data, 0.1, "a tenth"/LimitKind::data, 0.15, "a tenth"/' src
 runs make check
 claim 'a record of another limit is told' "$status$(says 'results.json is not of these results, the limit of claim longer: excess is another')" = 2yes
 runs make check RECORD=1
-claim 'a limit that was chosen after the result is told with the commits' "$status$(says "claim longer: excess: the limit was chosen after the result: '≥ 15 %' is not committed yet, and commit $commit has a result at '≥ 10 %'")" = 0yes
+claim 'a limit that was chosen after the result is told with the commits' "$status$(says "claim longer: excess: the limit was chosen after the result: '≥ 15 %' is in no committed results.json, and commit $commit has a result at '≥ 10 %'")" = 0yes
 committed
 runs make
 claim 'the ledger says so, of this limit alone' "$(pdftotext build/rod/rod.pdf - | tr '\n' ' ' | grep -o 'limit chosen after the result' | wc -l)" -eq 1

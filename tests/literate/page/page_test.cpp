@@ -53,6 +53,9 @@ void register_apples(Document& document) {
   Table prices("prices", {Column::text("fruit"), Column("price", fixed(2), "{kr}").exact()});
   prices.add_row({"apple & pear", 1.5}).add_row({"\"plum\" µ", 2.75});
   document.table(std::move(prices));
+  Table over_pages("long", {Column::text("fruit")});
+  over_pages.add_row({"plum"}).break_over_pages();
+  document.table(std::move(over_pages));
   Table notes("notes", {Column::text("fruit")});
   notes.add_row({Cell::latex("\\unheardof{d}")});
   document.table(std::move(notes));
@@ -180,6 +183,10 @@ BOOST_AUTO_TEST_CASE(what_pandoc_reads_otherwise_is_as_in_the_pdf) {
        "\\two.",
        {"Then b.", "After a."}},
       {"\\MakeUppercase{Act i}", {"ACT I"}},
+      {"\\tab{prices} and \\tab{long}, \\begin{table}\\caption{C}\\end{table}",
+       {"Table\u00A03"},
+       "\\LiterateNumber{table}{2}{longtable}{Table}{1}\n\\LiterateNumber{table}{3}{table}{Table}{"
+       "2}\n"},
       {"\\input{part}\n\\input{part}\nand more", {"<p>part, part, and more</p>"}},
       {"\\url{https://e.org/a%20b} goes on", {"goes on"}},
       {"\\makebox[4em][l]{$a$}width", {"style=\"min-width:4em\"><math"}},

@@ -14,6 +14,7 @@ cd rod || exit 1
 
 # A program that says of two claims what its numbers make of them.
 cat >src/rod.cpp <<'END'
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -23,7 +24,10 @@ int main(int, char** arguments) {
   std::string line, output;
   for (std::ifstream settings(arguments[2]); std::getline(settings, line);)
     if (line.rfind("output=", 0) == 0) output = line.substr(7);
-  if (two() == 7) return 3;
+  if (two() == 7) {
+    std::puts("rod: two is 7; the last thing registered was value 'one' (src/rod.cpp:4)");
+    return 3;
+  }
   std::filesystem::create_directories(output + "/generated");
   const auto verdict = [](bool holds) { return holds ? "confirmed" : "refuted"; };
   std::ofstream(output + "/generated/names.json")
@@ -79,7 +83,7 @@ claim 'the record is claim by fault' "$(sed 1d paper/severity.csv)" = 'claim,eve
 even,,refuted,,
 odd,refuted,,,
 (checks),,,,small
-(program),,,exit status 3,'
+(program),,,rod: two is 7,'
 digest() {
   python3 - "$source_dir/src/literate/scripts/severity" "$@" <<'END'
 import importlib.machinery, importlib.util, pathlib, sys
