@@ -18,9 +18,11 @@ RecordedAges::RecordedAges(const std::filesystem::path& document, const Names& n
   if (std::filesystem::exists(file)) {
     try {
       const auto record = nlohmann::json::parse(sys::read_file(file));
-      if (record.at("inputs") == nlohmann::json{{"case", names.case_sha256}}) {
-        limits = record.at("limits").get<Texts>();
-        ages = record.value("ages", Texts());
+      limits = record.at("limits").get<Texts>();
+      ages = record.value("ages", Texts());
+      // In another case a limit is no older than the result, though it was chosen after one.
+      if (record.at("inputs") != nlohmann::json{{"case", names.case_sha256}}) {
+        std::erase_if(ages, [](const auto& age) { return age.second == older_than_result; });
       }
     } catch (const nlohmann::json::exception&) {
       throw sys::OutputError(fmt::format(

@@ -15,7 +15,7 @@ inline constexpr const char* older_than_result = "older than the result";
 
 /// What the record beside the prose, results.json, says of the age of a claim's limits, in the
 /// order of its criteria; empty where it is not known, as without a record, with one of another
-/// case or of another limit.
+/// limit, or of another case unless that limit was chosen after a result.
 class RecordedAges {
  public:
   /// Throws sys::OutputError for a record that cannot be read.

@@ -153,7 +153,10 @@ Uncertainty::Uncertainty(const numerics::Measured& number)
     : bound(number.bounded().abs_error),
       standard(number.standard()),
       kinds(number.kinds()),
-      neglected(number.neglected()) {}
+      neglected(number.neglected()) {
+  // What cancels leaves its rounding.
+  std::erase_if(kinds, [&](const auto& kind) { return kind.second <= 1e-12 * standard; });
+}
 
 Uncertainty Uncertainty::to_sides(double below, double above) {
   require_error_bound(below);
@@ -271,11 +274,8 @@ void add_bound(RoundedNumber& rounded, double number, double bound, std::string_
 }
 
 /// The number with each kind of what is not known of it, to the digits of the least of them, but to
-/// no more than three of all together. What cancels but for its rounding is none of them.
-RoundedNumber with_kinds(double number, const Uncertainty& all) {
-  Uncertainty uncertainty = all;
-  std::erase_if(uncertainty.kinds,
-                [&](const auto& kind) { return kind.second <= 1e-12 * all.standard; });
+/// no more than three of all together.
+RoundedNumber with_kinds(double number, const Uncertainty& uncertainty) {
   int place = rounded_to_digits(uncertainty.standard, n_digits_of_error).place;
   const int finest = place - 1;
   for (const auto& [kind, standard] : uncertainty.kinds) {

@@ -347,6 +347,15 @@ BOOST_AUTO_TEST_CASE(where_the_law_of_propagation_does_not_hold_the_second_order
              "1.0000(30) ± 0.0451");
 }
 
+BOOST_AUTO_TEST_CASE(a_source_that_cancels_is_not_told_for_its_rounding) {
+  for (int i = 1; i < 40; ++i) {
+    const numerics::Measured scale(1, 1e-4 * i, "scale/ruler");
+    const numerics::Measured a(0.317 * i, 0.002, "reading/a"), b(0.713, 0.003, "reading/b");
+    const Value quotient(scale * a / (scale * b), uncertain());
+    BOOST_TEST(quotient.uncertainty()->kinds.size() == 1U, i);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(kinds_of_uncertainty_are_told_apart_where_this_is_asked_for) {
   const Measured load =
       Measured(993.63, 20.04, "statistics/first") + Measured(0, 8.8, "calibration");
