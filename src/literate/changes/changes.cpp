@@ -2,7 +2,6 @@
 #include "literate/changes/changes.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,6 @@
 #include <utility>
 
 #include "config/units.hpp"
-#include "literate/prose/restyle.hpp"
 #include "literate/values/decimal.hpp"
 #include "system/text.hpp"
 
@@ -283,59 +281,6 @@ std::vector<Change> sorted(std::vector<Change> changes) {
     return strverscmp(a.what.c_str(), b.what.c_str()) < 0;
   });
   return changes;
-}
-
-/// The former number, stored as the present one is.
-StoredNumber stored_like(StoredNumber stored, const ManifestNumber& number) {
-  stored.number = number.number;
-  stored.unit = number.unit.value_or(stored.unit);
-  if (stored.uncertainty) {
-    stored.uncertainty->bound = number.abs_error.value_or(0);
-    stored.uncertainty->sides = number.sides;
-    stored.uncertainty->standard = number.standard;
-    stored.uncertainty->neglected = 0;  // a manifest has it with the bound
-  }
-  return stored;
-}
-
-/// What \val[options] or \rawval[options] prints; all digits where the error does not support what
-/// is asked for.
-std::string restyled_print(const StoredNumber& stored, std::string_view options) {
-  constexpr std::string_view raw = "rawval ";
-  try {
-    if (options.starts_with(raw)) {
-      return bare_digits(restyled_number(stored, options.substr(raw.size())));
-    }
-    return restyled(stored, options).printed();
-  } catch (const std::exception&) {
-    return fmt::format("{:.12g}", stored.number);
-  }
-}
-
-/// Leaves the sentences in which a value prints otherwise, and tells its prints with options where
-/// the others are the same.
-void tell_styles(Change& change, const StoredNumber& stored, const ManifestNumber& was) {
-  const bool is_plain_other = change.before != change.after;
-  std::set<std::string> before, after;
-  std::erase_if(change.printed_in, [&](const Sentence& sentence) {
-    bool is_other = false;
-    for (const std::string& options : sentence.styles.at(change.what)) {
-      if (options.empty()) {
-        is_other = is_other || is_plain_other;
-        continue;
-      }
-      const std::string then = restyled_print(stored_like(stored, was), options);
-      const std::string now = restyled_print(stored, options);
-      if (then == now) continue;
-      is_other = true;
-      before.insert(then);
-      after.insert(now);
-    }
-    return !is_other;
-  });
-  if (is_plain_other || before.empty()) return;
-  change.before = fmt::format("{}", fmt::join(before, ", "));
-  change.after = fmt::format("{}", fmt::join(after, ", "));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -67,6 +66,10 @@ std::vector<Change> changes_between(const Manifest& before, const Manifest& afte
                                     const std::vector<Sentence>& sentences_after,
                                     const std::map<std::string, StoredNumber>& stored = {});
 
+/// Leaves the sentences in which a value that was another number prints otherwise, and tells its
+/// prints with options where the others are the same. `stored` is the present value.
+void tell_styles(Change& change, const StoredNumber& stored, const ManifestNumber& was);
+
 /// The manifest with the cells of some tables by the names of their rows, «table a, row «steel»,
 /// column 2»: of those in which a row stands at another place in `other`, so that a row that is put
 /// before others is no change of all of them.
@@ -93,15 +96,20 @@ struct Compared {
 /// A page with one table.
 std::string changes_html(const std::vector<Change>& changes, const Compared& compared);
 
-/// The number of places at which the author's words are others, as the answer quotes them.
-std::size_t n_other_words(const std::vector<Sentence>& sentences_before,
-                          const std::vector<Sentence>& sentences_after);
+/// A place at which the author's words are others: a run of sentences that stand in one state only,
+/// between sentences that both have.
+struct Edit {
+  std::vector<Sentence> before, after;
+};
+
+/// The edits from one list of sentences to another, by their longest common subsequence.
+std::vector<Edit> edits_between(const std::vector<Sentence>& before,
+                                const std::vector<Sentence>& after);
 
 /// A skeleton in Markdown of the answer to the referees: each place at which the words are others,
 /// with the old and the new text, after them the numbers that moved although nobody wrote a word,
 /// and the inputs and tools that are others. The author fills in the rest.
 std::string answer_to_referees(const std::vector<Change>& changes, const Compared& compared,
-                               const std::vector<Sentence>& sentences_before,
-                               const std::vector<Sentence>& sentences_after);
+                               const std::vector<Edit>& edits);
 
 }  // namespace literate

@@ -21,45 +21,6 @@ std::string difference(const Change& change) {
   return fmt::format("{}, was {}", change.after, change.before);
 }
 
-/// Runs of sentences that stand in one state only, between sentences that both have.
-struct Edit {
-  std::vector<Sentence> before, after;
-};
-
-/// The edits from one list of sentences to another, by their longest common subsequence.
-std::vector<Edit> edits_between(const std::vector<Sentence>& before,
-                                const std::vector<Sentence>& after) {
-  // length[i][j] is that of the longest common subsequence of before[i…] and after[j…].
-  std::vector<std::vector<std::size_t>> length(before.size() + 1,
-                                               std::vector<std::size_t>(after.size() + 1, 0));
-  for (std::size_t i = before.size(); i-- > 0;) {
-    for (std::size_t j = after.size(); j-- > 0;) {
-      length[i][j] = before[i].latex == after[j].latex
-                         ? length[i + 1][j + 1] + 1
-                         : std::max(length[i + 1][j], length[i][j + 1]);
-    }
-  }
-  std::vector<Edit> edits;
-  Edit edit;
-  const auto finish = [&] {
-    if (!edit.before.empty() || !edit.after.empty()) edits.push_back(std::move(edit));
-    edit = {};
-  };
-  std::size_t i = 0, j = 0;
-  while (i < before.size() || j < after.size()) {
-    if (i < before.size() && j < after.size() && before[i].latex == after[j].latex) {
-      finish();
-      ++i, ++j;
-    } else if (j == after.size() || (i < before.size() && length[i + 1][j] >= length[i][j + 1])) {
-      edit.before.push_back(before[i++]);
-    } else {
-      edit.after.push_back(after[j++]);
-    }
-  }
-  finish();
-  return edits;
-}
-
 std::string quoted(const std::vector<Sentence>& sentences) {
   std::string text;
   for (const Sentence& sentence : sentences) text += "> " + sentence.latex + "\n";
@@ -144,15 +105,41 @@ std::string changes_html(const std::vector<Change>& changes, const Compared& com
       escape_html(compared.before), escape_html(compared.after), rows);
 }
 
-std::size_t n_other_words(const std::vector<Sentence>& sentences_before,
-                          const std::vector<Sentence>& sentences_after) {
-  return edits_between(sentences_before, sentences_after).size();
+std::vector<Edit> edits_between(const std::vector<Sentence>& before,
+                                const std::vector<Sentence>& after) {
+  // length[i][j] is that of the longest common subsequence of before[i…] and after[j…].
+  std::vector<std::vector<std::size_t>> length(before.size() + 1,
+                                               std::vector<std::size_t>(after.size() + 1, 0));
+  for (std::size_t i = before.size(); i-- > 0;) {
+    for (std::size_t j = after.size(); j-- > 0;) {
+      length[i][j] = before[i].latex == after[j].latex
+                         ? length[i + 1][j + 1] + 1
+                         : std::max(length[i + 1][j], length[i][j + 1]);
+    }
+  }
+  std::vector<Edit> edits;
+  Edit edit;
+  const auto finish = [&] {
+    if (!edit.before.empty() || !edit.after.empty()) edits.push_back(std::move(edit));
+    edit = {};
+  };
+  std::size_t i = 0, j = 0;
+  while (i < before.size() || j < after.size()) {
+    if (i < before.size() && j < after.size() && before[i].latex == after[j].latex) {
+      finish();
+      ++i, ++j;
+    } else if (j == after.size() || (i < before.size() && length[i + 1][j] >= length[i][j + 1])) {
+      edit.before.push_back(before[i++]);
+    } else {
+      edit.after.push_back(after[j++]);
+    }
+  }
+  finish();
+  return edits;
 }
 
 std::string answer_to_referees(const std::vector<Change>& changes, const Compared& compared,
-                               const std::vector<Sentence>& sentences_before,
-                               const std::vector<Sentence>& sentences_after) {
-  const auto edits = edits_between(sentences_before, sentences_after);
+                               const std::vector<Edit>& edits) {
   std::string text = fmt::format("# Answer to the referees\n\nBefore: {}. Now: {}.\n",
                                  compared.before, compared.after);
   text += compared.has_words

@@ -21,8 +21,8 @@ struct Sentence {
   /// That it prints, «value x», «table x», «figure x», «claim x», counts, «claims cited», or that
   /// decide whether it is printed, «flag x».
   std::set<std::string> names;
-  /// Of these, each value with the options that it is printed with, an empty text for none, and
-  /// «rawval » before those of \rawval.
+  /// Of these, each with the options that it is printed with, an empty text for none, and «rawval »
+  /// before those of \rawval.
   std::map<std::string, std::set<std::string>> styles = {};
   std::string heading = {};  ///< LaTeX, of the section that it stands in or begins with
   std::string folder = {};   ///< what messages call the document's folder, if it is known

@@ -238,6 +238,7 @@ json words_json(const Registered& registered) {
     words[fmt::format("claim {}: planted faults", id)] = severity_text(registered, id);
     for (const Criterion& criterion : claim.criteria) {
       words[fmt::format("claim {}: {}: reason", id, criterion.name())] = criterion.reason();
+      words[fmt::format("claim {}: {}: margin", id, criterion.name())] = criterion.margin().text();
     }
   }
   for (const auto& [key, value] : registered.values) {
@@ -285,7 +286,11 @@ std::string names_json(const Registered& registered, const std::vector<Excerpt>&
   names["flags"] = registered.flags;
   names["cells"] = cells_json(registered.tables);
   names["tables"] = json::array();
-  for (const auto& [name, table] : registered.tables) names["tables"].push_back(name);
+  names["long_tables"] = json::array();
+  for (const auto& [name, table] : registered.tables) {
+    names["tables"].push_back(name);
+    if (table.breaks_over_pages()) names["long_tables"].push_back(name);
+  }
   names["places"] = {{"flags", places_json(registered, "flag")},
                      {"tables", places_json(registered, "table")}};
   names["figures"] = json::object();

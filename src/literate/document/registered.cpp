@@ -38,18 +38,18 @@ std::string text_of(const SourcePlace& place) {
 namespace {
 
 std::mutex registering;
-std::deque<std::string> told;  // whose texts stay where they are
-std::atomic<const std::string*> last = nullptr;
+std::deque<std::string> all_told;  // whose texts stay where they are
+std::atomic<const std::string*> last_told = nullptr;
 
 }  // namespace
 
 void remember_last_registered(const std::string& what) {
   const std::lock_guard lock(registering);
-  last = &told.emplace_back(what);
+  last_told = &all_told.emplace_back(what);
 }
 
 std::string_view last_registered() {
-  const std::string* const text = last;
+  const std::string* const text = last_told;
   return text == nullptr ? "nothing" : std::string_view(*text);
 }
 

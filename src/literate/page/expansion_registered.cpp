@@ -190,8 +190,8 @@ void Expander::know_registered() {
       read_all(fmt::format("\\begin{{table}}\\caption{{{}}}", call.option()));
     } else if (floats_.empty() && next && next->environment == "longtable") {
       // A table over pages counts even without a caption; another outside a float does not.
-      const std::string latex = sys::read_file(sources_.generated / "tables" / (name + ".tex"));
-      if (latex.find("\\begin{longtable}") != latex.npos) numbers_.take("table");
+      const auto long_tables = registered_.at("long_tables").get<std::set<std::string>>();
+      if (long_tables.contains(name)) numbers_.take("table");
     }
     const std::string html = sys::read_file(sources_.generated / "page/tables" / (name + ".html"));
     fragment(boost::replace_all_copy(html, "@use@", uses_[{"table", name}].back().id));

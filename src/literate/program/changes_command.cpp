@@ -61,15 +61,14 @@ sys::ExitCode compare(const ChangesOptions& options) {
   sys::write_file_atomically(folder / "changes.csv", changes_csv(changes));
   sys::write_file_atomically(folder / "changes.html", changes_html(changes, compared));
   // Without the former text only results can be told.
-  sys::write_file_atomically(
-      folder / "answer.md",
-      answer_to_referees(changes, compared, has_text ? former : sentences, sentences));
+  const auto edits = has_text ? edits_between(former, sentences) : std::vector<Edit>();
+  sys::write_file_atomically(folder / "answer.md", answer_to_referees(changes, compared, edits));
   fmt::print("{}", changes_text(changes));
   if (changes.empty())
     fmt::print("no value, text, table, figure, listing, verdict or limit differs\n");
-  if (const std::size_t n = has_text ? n_other_words(former, sentences) : 0; n > 0) {
-    fmt::print("the author's words are others at {} {}: answer.md quotes them\n", n,
-               n == 1 ? "place" : "places");
+  if (!edits.empty()) {
+    fmt::print("the author's words are others at {} {}: answer.md quotes them\n", edits.size(),
+               edits.size() == 1 ? "place" : "places");
   }
   return sys::ExitCode::success;
 }

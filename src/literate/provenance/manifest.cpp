@@ -113,8 +113,7 @@ Manifest results_in(const fs::path& names_json, const std::string& project) {
         const std::string what = fmt::format("claim {}: {}", id, quantity);
         results.limits[what] = criterion.at("limit");
         results.outcomes[what] = criterion.at("outcome");
-        const std::string found = criterion.at("found"), margin = criterion.at("margin");
-        results.texts[what] = found + (margin.empty() ? "" : "; margin " + margin);
+        results.texts[what] = criterion.at("found");
       }
     }
     for (const auto& [id, check] : names.at("checks").items()) {

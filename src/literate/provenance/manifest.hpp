@@ -34,11 +34,12 @@ struct Manifest {
   Texts verdicts;     ///< of each claim, and whether each check passed
   Texts limits = {};  ///< of each claim's criteria, «claim x: quantity»: «at most 1 %»
   Texts texts = {};  ///< «value x», «table x, row 1, column 2» and «flag x» that are no numbers,
-                     ///< and what criteria found, with the margin, «claim x: quantity»
+                     ///< and what criteria found, «claim x: quantity»
   Texts outcomes = {};  ///< of criteria, by the same names: «holds»; an earlier version has none
-  /// What the program says in words: «claim x: route», «claim x: quantity: reason», «check x:
-  /// statement», «table x: headings» and «table x: notes», and, as the ledger has it, «claim x:
-  /// quantity: age of the limit»; an earlier version has none.
+  /// What the program says in words: «claim x: route», «claim x: quantity: reason» and «… margin»,
+  /// «check x: statement», «value x: sources of uncertainty», «table x: headings» and «table x:
+  /// notes», and, as the ledger has it, «claim x: quantity: age of the limit». An earlier version
+  /// has none, or fewer.
   Texts words = {};
   Texts ages = {};  ///< of limits, by the same names, as dated_limits() tells them
   bool is_of_earlier_version = false;  ///< whether limits, texts or outcomes were not told then

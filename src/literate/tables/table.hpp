@@ -45,6 +45,7 @@ class Table {
   /// Lets the table break over pages, with its heading on each. It then stands in no float, and
   /// `\tab[caption]{name}` gives it its caption.
   Table& break_over_pages();
+  bool breaks_over_pages() const { return breaks_over_pages_; }
 
   const std::string& name() const { return name_; }
   const std::vector<Column>& columns() const { return columns_; }
@@ -70,7 +71,8 @@ class Table {
   /// «standard», as import_csv reads them; notes stand at the end in lines that begin with #.
   std::string csv() const;
 
-  /// The digits of each cell that holds a number, with the column's power of ten, by row and column.
+  /// The digits of each cell that holds a number, with the column's power of ten, by row and
+  /// column.
   std::map<std::pair<std::size_t, std::size_t>, std::string> printed_numbers() const;
 
  private:

@@ -144,12 +144,25 @@ const std::map<std::string, std::string> reasons = {
 const std::map<std::string, std::string> with_points = {
     {"honest", "20"}, {"prints_in_constructors", "20"}, {"prints_on_the_way", "20"}};
 
-/// Submissions of which nothing can be taken: they have no mark and wait for a person.
-const std::set<std::string> not_graded = {
-    "archive_bomb",   "archive_is_empty", "archive_is_none", "archive_of_odd_names",
-    "archive_of_two", "binary_file",      "device",          "empty_file",
-    "empty_folder",   "folder_for_file",  "huge_file",       "huge_submission",
-    "link_for_file",  "link_for_folder",  "missing_file",    "pipe_for_file"};
+/// Submissions of which nothing can be taken, and what is said of them: they have no mark and wait
+/// for a person.
+const std::map<std::string, std::string> not_graded = {
+    {"archive_bomb", "src/square.cpp is larger than 64 kB"},
+    {"archive_is_empty", "the archive cannot be read"},
+    {"archive_is_none", "the archive cannot be read: Error opening archive: Unrecognized"},
+    {"archive_of_odd_names", "none of the files that are looked for is in it"},
+    {"archive_of_two", "the submission holds files in two places, 'a/' and 'b/'"},
+    {"binary_file", "src/square.cpp is no text: byte 9 is zero"},
+    {"device", "src/square.cpp is a device, not a file"},
+    {"empty_file", "src/square.cpp is empty"},
+    {"empty_folder", "the submission is empty, or cannot be read"},
+    {"folder_for_file", "src/square.cpp is a folder, not a file"},
+    {"huge_file", "src/square.cpp is larger than 64 kB"},
+    {"huge_submission", "the submission is larger than 1 MB"},
+    {"link_for_file", "src/square.cpp is a symbolic link"},
+    {"link_for_folder", "src/square.cpp is a symbolic link, or lies behind one"},
+    {"missing_file", "none of the files that are looked for is in it"},
+    {"pipe_for_file", "src/square.cpp is a pipe, not a file"}};
 
 std::string points_of(const std::string& name) {
   const auto known = with_points.find(name);
@@ -253,7 +266,7 @@ bool grade_apart(const fs::path& submission, const fs::path& grades) {
       task.checks = toy_grading::checks();
       grade_submission(hostile_assignment(), task, grades / task.student);
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s: %s\n", submission.c_str(), error.what());
+      sys::write_file_atomically(grades / (student_of(submission) + ".why"), error.what());
       ::_exit(1);
     }
     ::_exit(0);
@@ -335,6 +348,8 @@ BOOST_AUTO_TEST_CASE(no_hostile_submission_gains_a_point_does_harm_or_hinders_th
     const std::string name = student_of(submission);
     if (not_graded.contains(name)) {
       BOOST_TEST(!fs::exists(grades.path() / "forwards" / name));
+      const std::string why = sys::read_file(grades.path() / "forwards" / (name + ".why"));
+      BOOST_TEST(why.find(not_graded.at(name)) != why.npos, name << ": " << why);
       continue;
     }
     const std::string log = sys::read_file(grades.path() / "forwards" / name / "log.txt");

@@ -206,6 +206,12 @@ sed 's/"version": "1.2"/"version": "1.1"/' whole/manifest.json >other.json
 certify traced MANIFEST=other.json
 claim 'a manifest of another version ends with 2' "$status $(says 'is the manifest of version 1.1, and the sources are 1.2')" = '2 yes'
 claim 'what can be told is told' "$(says 'sources: 3 of 3')" = yes
+claim 'of a paper that holds nothing unexpected is told' "$(grep -c 'not as expected' $certificate.txt)" -eq 0
+sed -i '0,/"found": "confirmed"/s//&, "expected": "refuted"/; s/"passed": true/"passed": false/' out/generated/names.json
+certify traced
+claim 'what the paper itself calls unexpected is told' \
+  "$(grep -cxF -e '- not as expected, as the paper itself says: claim a, check k' $certificate.txt)" -eq 1
+cp whole/generated/names.json out/generated
 rm out/rod.pdf
 certify traced
 claim 'a PDF that is gone is told' "$status $(says 'PDF: rod.pdf is not there')" = '1 yes'
@@ -218,5 +224,5 @@ certify traced
 claim 'a checkout at another commit is noted' "$(grep -c '^- the checkout is at commit' $certificate.txt)" -eq 1
 sed -i "s/\"commit\": \"unknown\"/\"commit\": \"$(git rev-parse --short=12 HEAD)\"/" out/manifest.json
 certify traced
-claim 'files that differ from the commit are counted' "$(grep -c "manifest's commit, .*, and .* differs\{0,1\} from it" $certificate.txt)" -eq 1
+claim 'files that differ from the commit are counted' "$(grep -c "manifest's commit, .*, and $(git status --porcelain | wc -l) files differ from it" $certificate.txt)" -eq 1
 finish

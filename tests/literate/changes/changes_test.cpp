@@ -417,8 +417,8 @@ BOOST_AUTO_TEST_CASE(the_answer_quotes_old_and_new_words_and_lists_what_moved) {
   after.numbers["peak"].number = 11;
   after.numbers["peak"].printed = "11.0 psi";
   const std::string answer = literate::answer_to_referees(
-      changes_to(after), {"v1", "the sources as they are", {"case.toml: another content"}}, before,
-      now);
+      changes_to(after), {"v1", "the sources as they are", {"case.toml: another content"}},
+      literate::edits_between(before, now));
   BOOST_TEST(
       answer ==
       "# Answer to the referees\n\nBefore: v1. Now: the sources as they are.\nPlaces at which the "
@@ -433,7 +433,7 @@ BOOST_AUTO_TEST_CASE(the_answer_quotes_old_and_new_words_and_lists_what_moved) {
 BOOST_AUTO_TEST_CASE(an_answer_counts_nothing_that_was_not_compared) {
   const std::string answer = literate::answer_to_referees(
       {}, {.before = "v1", .after = "now", .reasons = {}, .has_words = false, .has_results = false},
-      {}, {});
+      {});
   BOOST_TEST(answer ==
              "# Answer to the referees\n\nBefore: v1. Now: now.\nThe former words are not known.\n"
              "The results could not be compared.\n");

@@ -372,10 +372,14 @@ BOOST_AUTO_TEST_CASE(of_several_cases_the_nearest_has_the_margin) {
   const Criterion all = Criterion::in_each(
       "misfit", "points", {misfit_at_most(0.25, 0.01, limit), misfit_at_most(0.5, 0.25, limit)});
   BOOST_TEST(all.margin().text() == "2.0 times; 2.0 errors");
-  // The first is nearer by its errors, the second by its factor.
+  // The second, though the first has fewer errors.
   const Criterion other = Criterion::in_each(
       "misfit", "points", {misfit_at_most(0.25, 0.25, limit), misfit_at_most(0.5, 0.01, limit)});
-  BOOST_TEST(other.margin().text() == "4.0 times; 3.0 errors");
+  BOOST_TEST(other.margin().text() == "2.0 times; 50 errors");
+  // In part: the one that fails by less than the other holds.
+  const Criterion part = Criterion::in_each(
+      "misfit", "points", {misfit_at_most(0.25, 0.01, limit), misfit_at_most(1.5, 0.01, limit)});
+  BOOST_TEST(part.margin().text() == "1.5 times; 50 errors");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_printed_as_latex_has_the_same_numbers) {

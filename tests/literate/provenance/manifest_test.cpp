@@ -93,6 +93,7 @@ BOOST_AUTO_TEST_CASE(the_words_of_routes_reasons_headings_notes_and_faults_come_
   document.write(scratch / "out");
 
   const Manifest::Texts expected = {{"check finite: statement", "all numbers are finite"},
+                                    {"claim small: error: margin", "2.0 times"},
                                     {"claim small: error: reason", "data: printed"},
                                     {"claim small: planted faults", "2 of 3 faults"},
                                     {"claim small: route", "by hand"},
