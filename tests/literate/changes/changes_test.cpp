@@ -371,6 +371,11 @@ BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {
              std::string::npos);
   BOOST_TEST(text.ends_with(
       "2 numbers or their errors moved in digits that are not printed: changes.csv has them\n"));
+  const std::string answer =
+      literate::answer_to_referees(changes, {.before = "v1", .after = "now", .reasons = {}},
+                                   literate::edits_between(before, now));
+  BOOST_TEST(answer.find("was 7; was printed in the former old.tex:1\n") != std::string::npos);
+  BOOST_TEST(answer.find("; printed in new.tex:2\n") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_error_that_the_index_prints_is_seen_although_the_number_moved_unseen) {
