@@ -148,7 +148,7 @@ const std::map<std::string, std::string> with_points = {
 /// for a person.
 const std::map<std::string, std::string> not_graded = {
     {"archive_bomb", "src/square.cpp is larger than 64 kB"},
-    {"archive_is_empty", "the archive cannot be read"},
+    {"archive_is_empty", "the archive is empty"},
     {"archive_is_none", "the archive cannot be read: Error opening archive: Unrecognized"},
     {"archive_of_odd_names", "none of the files that are looked for is in it"},
     {"archive_of_two", "the submission holds files in two places, 'a/' and 'b/'"},
@@ -160,7 +160,7 @@ const std::map<std::string, std::string> not_graded = {
     {"huge_file", "src/square.cpp is larger than 64 kB"},
     {"huge_submission", "the submission is larger than 1 MB"},
     {"link_for_file", "src/square.cpp is a symbolic link"},
-    {"link_for_folder", "src/square.cpp is a symbolic link, or lies behind one"},
+    {"link_for_folder", "is a symbolic link, or lies behind one"},
     {"missing_file", "none of the files that are looked for is in it"},
     {"pipe_for_file", "src/square.cpp is a pipe, not a file"}};
 
