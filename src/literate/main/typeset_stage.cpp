@@ -292,7 +292,7 @@ std::optional<ExitCode> typeset_once(const Settings& settings, const Paper& pape
                              .output_pdf = settings.pdf(),
                              .engine = settings.latex,
                              .figures = names.figures,
-                             .scripts_label = settings.figures.filename().string(),
+                             .scripts = settings.figures,
                              .tolerates_overfull = tolerates_overfull()};
   Typeset done;
   Manifest ours;

@@ -194,9 +194,31 @@ std::string with_name_of_box(const std::string& message, const std::filesystem::
   return fmt::format("{}:{}: {}{}", parts[1], line, in, parts[3]);
 }
 
+/// «figures/a.gp:3, drawn for », where the script of a figure, or the style that all share, has the
+/// command at which LaTeX stopped; empty if that is not known.
+std::string place_in_script(std::string_view message, std::string_view figure,
+                            const std::filesystem::path& scripts) {
+  static const sys::Pattern stopped(R"(\n\s*<[a-z ]+> [^\n]*(\\[A-Za-z@]+)\s*(?:\n|$))");
+  const auto found = stopped.find_in(message);
+  if (!found) return "";
+  for (const std::string& script : {fmt::format("{}.gp", figure), std::string("style.gp")}) {
+    if (!std::filesystem::is_regular_file(scripts / script)) continue;
+    const std::string text = sys::read_file(scripts / script);
+    int number = 0;
+    for (const std::string_view line : sys::lines_of(text)) {
+      ++number;
+      if (line.find(found->parts[1]) != line.npos) {
+        return fmt::format("{}/{}:{}, drawn for ", scripts.filename().string(), script, number);
+      }
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
-std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir) {
+std::string with_place_of_use(const std::string& message, const std::filesystem::path& source_dir,
+                              const std::filesystem::path& scripts) {
   // Only the first line is rewritten. The lines after it show the place in the generated file.
   static const sys::Pattern generated(
       R"(^(?:\S.*/)?((tables|figures|excerpts)/(?:[^/:]+/)?([^/:]+)\.(?:tex|txt)(?::\d+)?):\s*([^\n]*))");
@@ -218,8 +240,10 @@ std::string with_place_of_use(const std::string& message, const std::filesystem:
     if (parts[2] != kind.folder) continue;
     const std::vector<std::string> places = uses(kind.command, parts[3], source_dir);
     if (places.empty()) return message;
-    return fmt::format("{}: in {} '{}': {} ({}){}", fmt::join(places, " or "), kind.noun, parts[3],
-                       parts[4], parts[1], match->rest);
+    const std::string in_script =
+        parts[2] == "figures" ? place_in_script(message, parts[3], scripts) : "";
+    return fmt::format("{}{}: in {} '{}': {} ({}){}", in_script, fmt::join(places, " or "),
+                       kind.noun, parts[3], parts[4], parts[1], match->rest);
   }
   return message;
 }

@@ -39,6 +39,15 @@ bool is_bare_error(std::string_view line) {
          line.starts_with("!LuaTeX error");
 }
 
+/// What TeX had just read when it stopped, from a log line «<recently read> \foo»; empty for
+/// another line. It is the command at fault where that stands in a macro or in a figure, and so not
+/// at the end of the line «l.12 …».
+std::string_view just_read(std::string_view line) {
+  const auto end = line.find("> ");
+  if (!line.starts_with('<') || line.starts_with("<*>") || end == line.npos) return {};
+  return sys::stripped(line.substr(end + 2));
+}
+
 /// Whether a log line reads «file:line: Emergency stop.»
 bool is_emergency_stop(std::string_view line) {
   return is_error(line) && line.ends_with(": Emergency stop.");
@@ -148,11 +157,15 @@ bool is_defect(std::string_view line) {
 std::vector<std::string> latex_errors(std::string_view log, std::string_view source_label) {
   std::vector<std::string> errors;
   bool wants_place = false;
+  std::string_view context;
   BoxContents boxes;
   for (const std::string_view line : sys::lines_of(log)) {
     if (boxes.hold(line)) continue;
     const bool is_end = line.find("==> Fatal error occurred") != std::string_view::npos;
     if (line.starts_with("l.") && wants_place) {
+      if (!sys::stripped(line).ends_with(just_read(context))) {
+        errors.back().append("\n  ").append(sys::stripped(context));
+      }
       errors.back().append("\n  ").append(line);
       wants_place = false;
     } else if (wants_place && errors.back().starts_with("! ") && is_emergency_stop(line)) {
@@ -164,12 +177,16 @@ std::vector<std::string> latex_errors(std::string_view log, std::string_view sou
       // TeX has read the main file to its end and asks what comes now.
       errors.back() = "the document ends without \\end{document}";
       wants_place = false;
+    } else if (wants_place && !just_read(line).empty()) {
+      context = line;
     } else if (is_error(line) && !is_end) {
       errors.push_back(labelled(line, source_label));
       wants_place = true;
+      context = {};
     } else if (is_bare_error(line) && !is_end) {
       errors.emplace_back(line);
       wants_place = true;
+      context = {};
     }
   }
   return errors;

@@ -8,7 +8,8 @@
 namespace literate {
 
 /// Finds the errors in a LaTeX log that was written with -file-line-error: each «file:line:
-/// message», followed by the line that shows the place («l.12 …»). Files below the folder in which
+/// message», followed by what TeX had just read if that is not to be seen in the line that shows
+/// the place («<recently read> \foo»), and by that line («l.12 …»). Files below the folder in which
 /// LaTeX runs are named `source_label`/file.
 std::vector<std::string> latex_errors(std::string_view log, std::string_view source_label);
 

@@ -121,7 +121,9 @@ fs::file_time_type time_of_log(const TypesetOptions& options) {
 
 /// Messages with the places at which the document's author can mend them.
 std::vector<std::string> placed(std::vector<std::string> messages, const TypesetOptions& options) {
-  for (std::string& message : messages) message = with_place_of_use(message, options.source_dir);
+  for (std::string& message : messages) {
+    message = with_place_of_use(message, options.source_dir, options.scripts);
+  }
   return messages;
 }
 
@@ -199,7 +201,7 @@ std::set<FigureAtWidth> wanted_widths(const TypesetOptions& options) {
 
 std::size_t draw_wanted(const TypesetOptions& options) {
   return draw_at_widths(options.generated_dir, at_width_dir(options), wanted_widths(options),
-                        options.figures, options.scripts_label);
+                        options.figures, options.scripts.filename().string());
 }
 
 /// Runs LaTeX until nothing that it reads changes by the run, and each figure is drawn at the width

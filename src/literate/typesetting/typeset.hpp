@@ -23,7 +23,7 @@ struct TypesetOptions {
   std::int64_t source_date_epoch = 0;         ///< the date that \today prints, in seconds
   std::string engine = "pdflatex";            ///< or "lualatex"
   FigurePlaces figures = {};                  ///< which may be drawn at other widths
-  std::string scripts_label = "figures";      ///< what messages call the folder of their scripts
+  std::filesystem::path scripts = "figures";  ///< the folder of their scripts
   bool tolerates_overfull = false;            ///< whether overfull boxes are warnings only
 };
 

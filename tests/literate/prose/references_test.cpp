@@ -164,6 +164,27 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_generated_file_is_told_where_the_documen
   BOOST_TEST(told("report/part/a.tex:7: Bad") == "report/part/a.tex:7: Bad");
 }
 
+BOOST_AUTO_TEST_CASE(a_command_in_the_label_of_a_figure_is_told_with_the_line_of_its_script) {
+  const TemporaryFolder scratch;
+  const auto report = scratch / "report";
+  sys::write_file_atomically(report / "main.tex", "\n\\fig{f}\n");
+  sys::write_file_atomically(scratch / "figures/f.gp", "plot 1\nset xlabel '$\\nonsense$'\n");
+  sys::write_file_atomically(scratch / "figures/style.gp", "set title '\\shared'\n");
+  const auto told = [&](const std::string& read) {
+    const std::string message = "generated/figures/f/f.tex:9: Undefined control sequence.\n  ";
+    const std::string all = with_place_of_use(message + read, report, scratch / "figures");
+    return all.substr(0,
+                      all.find(": in figure 'f': Undefined control sequence. (figures/f/f.tex:9"));
+  };
+
+  BOOST_TEST(told("<recently read> \\nonsense\n  l.9 \\gplfronttext") ==
+             "figures/f.gp:2, drawn for report/main.tex:2");
+  BOOST_TEST(told("<argument> $\\alpha \\shared") ==
+             "figures/style.gp:1, drawn for report/main.tex:2");
+  BOOST_TEST(told("<recently read> \\elsewhere\n  l.9 x") == "report/main.tex:2");
+  BOOST_TEST(told("l.9 \\nonsense") == "report/main.tex:2");
+}
+
 BOOST_AUTO_TEST_CASE(an_overfull_box_names_the_figures_in_its_lines) {
   const TemporaryFolder scratch;
   const auto report = scratch / "report";

@@ -18,6 +18,20 @@ BOOST_AUTO_TEST_CASE(an_error_comes_with_file_line_and_place) {
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(a_command_that_stands_in_a_macro_is_told_with_the_line_that_calls_it) {
+  BOOST_TEST(
+      latex_errors("./main.tex:9: Undefined control sequence.\n<argument> $\\foo \n         $\n"
+                   "l.9 \\front\n\n./main.tex:9: Missing $ inserted.\n<inserted text> \n    $\n"
+                   "l.9 \\front\n\n./main.tex:3: Undefined control sequence.\n"
+                   "<recently read> \\bar \nl.3 a \\bar\n         b\n",
+                   "report") ==
+          (Lines{"report/main.tex:9: Undefined control sequence.\n  <argument> $\\foo\n"
+                 "  l.9 \\front",
+                 "report/main.tex:9: Missing $ inserted.\n  l.9 \\front",
+                 "report/main.tex:3: Undefined control sequence.\n  l.3 a \\bar"}),
+      boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(the_text_of_a_box_is_no_error) {
   BOOST_TEST(
       latex_errors("(./main.tex\nUnderfull \\hbox (badness 1389) in paragraph at lines 1--2\n"
