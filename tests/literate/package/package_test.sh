@@ -93,12 +93,20 @@ claim 'a manifest whose files are right and whose results are not does not hold'
   "$status$(says "'../forged.json' tells other results than these files hold")$(says 'full: it holds')" = 2yesno
 runs make changes SINCE=HEAD
 claim 'the same commit makes no difference' "$status$(says 'no value, text, table, figure, listing, verdict or limit differs')" = 0yes
+claim 'the program is not compiled again for it' "$(says 'by the program that there is, whose sources are the same')" = yes
+cp "build/rod/changes/$(git rev-parse HEAD)/paper/manifest.json" ../by_stages.json
+rm -r build/rod/changes
+echo '// another source' >>src/main.cpp
+runs make changes SINCE=HEAD
+claim 'a program of other sources is compiled' "$status$(says 'which may take minutes')" = 0yes
+claim 'the paper is the same either way' "$(cmp ../by_stages.json "build/rod/changes/$(git rev-parse HEAD)/paper/manifest.json" && echo same)" = same
+git checkout -q src/main.cpp
 runs make changes SINCE=no-such-tag
 claim 'a tag that is not there is told' "$status$(says 'changes: SINCE: there is neither a file nor a tag or commit no-such-tag')" = 2yes
 sed 's/^angle = 90/angle = 91/' case.toml >../other.toml
 runs make changes SINCE=../theirs.json CASE=../other.toml
 claim 'what another case moves is told with the sentences that print it' \
-  "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond its error,value relative-period,.*,paper/rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
+  "$status$(says 'value relative-period: ')" = 0yes -a "$(grep -c '^moved beyond both errors,value relative-period,.*,paper/rod.tex,' build/rod-other/changes/changes.csv)" -gt 0
 runs make configured # its own case again
 sed -i 's/^angle = 90/angle = 60/' case.toml
 runs make changes SINCE=HEAD
@@ -217,6 +225,9 @@ line=$(grep -n unheardof figures/period.gp | cut -d : -f 1)
 runs make figure NAME=period
 claim 'a command that LaTeX does not know is told where the script has it' \
   "$status$(says "figures/period.gp:$line: LaTeX: Undefined control sequence")" = 2yes
+runs make
+claim 'so does the whole paper, which names the command too' \
+  "$status$(says "figures/period.gp:$line, drawn for paper/rod.tex:")$(says 'angle (\unheardof')" = 2yesyes
 git checkout -q figures/period.gp
 runs ninja -C build pendulum_test
 runs ctest --test-dir build
