@@ -132,7 +132,9 @@ std::string error_of(const ManifestNumber& number) {
   return number.standard > 0 ? fmt::format("{:.2g} ± {}", number.standard, bound) : bound;
 }
 
-std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
+/// An error is told where it alone is another, if it is printed: by an index of values, which has
+/// no cells of tables.
+std::vector<Change> of_numbers(const Numbers& before, const Numbers& after, bool has_index) {
   const auto former = renamed(before, after);
   std::set<std::string> taken;
   std::vector<Change> changes;
@@ -146,9 +148,9 @@ std::vector<Change> of_numbers(const Numbers& before, const Numbers& after) {
     if (earlier == before.end()) {
       changes.push_back({ChangeKind::added, what_of(name), "", number.printed, {}});
     } else if (const auto kind = moved(earlier->second, number)) {
-      const bool tells_unit =
-          have_other_units(earlier->second, number) && name.starts_with(of_tables);
-      const bool tells_error = earlier->second.printed == number.printed &&
+      const bool is_cell = name.starts_with(of_tables);
+      const bool tells_unit = is_cell && have_other_units(earlier->second, number);
+      const bool tells_error = has_index && !is_cell && earlier->second.printed == number.printed &&
                                error_of(earlier->second) != error_of(number);
       const auto told = [&](const ManifestNumber& one) {
         if (tells_error) return fmt::format("{} (error {})", one.printed, error_of(one));
@@ -290,8 +292,8 @@ std::string name_of(ChangeKind kind) {
                                               "gone",
                                               "renamed",
                                               "moved",
-                                              "moved beyond its error",
-                                              "moved within its error",
+                                              "moved beyond both errors",
+                                              "moved within both errors",
                                               "other digits only",
                                               "another error",
                                               "another text",
@@ -315,12 +317,16 @@ std::vector<Change> changes_between(const Manifest& former, const Manifest& late
   const Manifest::Texts limits = comparable(before.limits, after.limits);
   const Manifest::Texts texts = comparable(before.texts, after.texts);
   const Manifest::Texts outcomes = comparable(before.outcomes, after.outcomes);
+  const bool has_index =
+      sentences_after.empty() || std::ranges::any_of(sentences_after, [](const Sentence& sentence) {
+        return sentence.latex.find("\\valueindex") != sentence.latex.npos;
+      });
   std::vector<Change> all;
   for (auto&& more :
        {of_texts(before.verdicts, after.verdicts, ChangeKind::other_verdict),
         of_texts(before.outcomes, outcomes, ChangeKind::other_verdict),
         of_texts(before.limits, limits, ChangeKind::other_limit),
-        together(of_numbers(before.numbers, after.numbers),
+        together(of_numbers(before.numbers, after.numbers, has_index),
                  of_texts(before.texts, texts, ChangeKind::other_text)),
         of_words(before.words, after.words), of_figures(figures_in(before), figures_in(after)),
         of_excerpts(before, after)}) {

@@ -29,7 +29,7 @@ enum class ChangeKind {
   other_limit  ///< of a criterion
 };
 
-/// «moved beyond its error», as a reader is told.
+/// «moved beyond both errors», as a reader is told.
 std::string name_of(ChangeKind kind);
 
 /// A difference between two states of a document.
@@ -79,7 +79,7 @@ void tell_styles(Change& change, const StoredNumber& stored, const ManifestNumbe
 Manifest with_row_names(Manifest manifest, const Manifest& other);
 
 /// A line for each change, and below it the places of the sentences that print it:
-/// «moved beyond its error  value x: 992.8 psi, was 994.1 psi», «    results.tex:12».
+/// «moved beyond both errors  value x: 992.8 psi, was 994.1 psi», «    results.tex:12».
 std::string changes_text(const std::vector<Change>& changes);
 
 /// A row for each change and sentence: class, what, before, after, file, line.

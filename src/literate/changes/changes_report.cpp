@@ -38,10 +38,10 @@ std::string changes_text(const std::vector<Change>& changes) {
       continue;
     }
     const std::string said = difference(change);
-    text += fmt::format("{:<22}  {}{}{}\n", name_of(change.kind), change.what,
+    text += fmt::format("{:<24}  {}{}{}\n", name_of(change.kind), change.what,
                         said.empty() ? "" : ": ", said);
     for (const Sentence& sentence : change.printed_in) {
-      text += fmt::format("{:<22}    {}\n", "", place_of(sentence));
+      text += fmt::format("{:<24}    {}\n", "", place_of(sentence));
     }
   }
   if (n_unseen > 0) {
@@ -93,8 +93,9 @@ std::string changes_html(const std::vector<Change>& changes, const Compared& com
       "th,td{{text-align:left;vertical-align:top;padding:.3rem .6rem;border-bottom:1px solid #999}}"
       "div{{overflow-x:auto}}</style>\n</head>\n<body>\n<h1>What changed</h1>\n"
       "<p>Before: {}. After: {}.</p>\n"
-      "<p>A number moved beyond its error if it moved by more than both errors together, within it "
-      "if by less. Other digits only are the same number printed in another way, or one without an "
+      "<p>A number moved beyond both errors if it moved by more than the former and the present "
+      "one together, within both if by less. Other digits only are the same number printed in "
+      "another way, or one without an "
       "error that moved in digits that are not printed. Other data only belong to a figure that is "
       "drawn as before, from other data or by another script.</p>\n"
       "<div tabindex=\"0\" role=\"region\" aria-label=\"Changes\">\n"

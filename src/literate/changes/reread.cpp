@@ -217,7 +217,8 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
                              const Commit& commit) {
     auto& [n_unknown, place] = unknown[reason];
     if (n_unknown == 0) {
-      place = fmt::format("{} of commit {}", place_of(sentences.front()), commit.id.substr(0, 12));
+      place = place_of(sentences.front());
+      if (!commit.id.empty()) place += " of commit " + commit.id.substr(0, 12);
     }
     n_unknown += sentences.size();
   };
@@ -255,8 +256,11 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
   for (const auto& [id, entry] : written) hold(entry.first, entry.second, "written");
   for (const auto& [id, entry] : recorded) {
     hold(entry.first, entry.second, "first recorded");
-    not_known("they are older than this first record and held against it", entry.second,
-              entry.first);
+    not_known(
+        fmt::format(
+            "they are no younger than the first record, that of commit {}, and held against it",
+            entry.first.id.substr(0, 12)),
+        entry.second, {});
   }
   std::vector<Sentence> incomplete;
   for (const auto& [place, sentence] : unrecorded) incomplete.push_back(sentence);

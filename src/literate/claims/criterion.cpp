@@ -379,9 +379,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   criterion.condition_ = first.condition_;
   criterion.limit_phrase_ = first.limit_phrase_;
   criterion.excess_ = worst.excess_;
-  criterion.margin_ = std::ranges::min_element(each, {}, [](const Criterion& c) {
-                        return std::abs(c.excess_);
-                      })->margin_;
+  criterion.margin_ = (none_holds ? nearest : worst).margin_;
   // What is undecided makes no difference where one holds and another fails.
   const bool is_in_part = n_holding > 0 && n_with(Outcome::fails) > 0;
   if (n_undecided > 0 && !is_in_part) {

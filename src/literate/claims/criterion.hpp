@@ -109,7 +109,8 @@ class Criterion {
   const std::string& limit_reason() const { return limit_.reason(); }
   double limit_number() const { return limit_.number(); }
 
-  /// How far it is from another outcome; of several cases how far the nearest is.
+  /// How far it is from another outcome; of several cases how far the printed one is from its
+  /// limit, and by which factor that must move to give all of them another outcome.
   const Margin& margin() const { return margin_; }
 
   /// What is missing for a decision; empty unless undecided.

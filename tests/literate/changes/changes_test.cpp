@@ -116,6 +116,21 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   BOOST_TEST_REQUIRE(of_sides.size() == 1U);
   BOOST_TEST(name_of(of_sides[0].kind) == "another error");
 
+  // An index prints the errors of values; those of cells are printed nowhere else.
+  after = state();
+  after.numbers["table a, row 1, column 2"].abs_error = 0.1;
+  const std::vector<Change> of_cell = changes_between(state(), after, {}, {});
+  BOOST_TEST_REQUIRE(of_cell.size() == 1U);
+  BOOST_TEST(!of_cell[0].is_seen());
+  after = state();
+  after.numbers["peak"].abs_error = 0.2;
+  for (const std::string text : {"The peak is \\val{peak}.", "\\valueindex"}) {
+    const auto sentences = literate::sentences_in(text, "a.tex");
+    const auto changes = changes_between(state(), after, sentences, sentences);
+    BOOST_TEST_REQUIRE(changes.size() == 1U);
+    BOOST_TEST(changes[0].is_seen() == (text == "\\valueindex"), text);
+  }
+
   after = state();
   after.texts["flag is-wide"] = "no";
   check_told(after, ChangeKind::other_text, "flag is-wide", "yes", "no");
@@ -367,7 +382,7 @@ BOOST_AUTO_TEST_CASE(sentences_that_print_what_changed_are_told_with_it) {
   }
   const std::string text = literate::changes_text(changes);
   BOOST_TEST(text.find("value peak") == std::string::npos);
-  BOOST_TEST(text.find("value count: was 7\n                          old.tex:1\n") !=
+  BOOST_TEST(text.find("value count: was 7\n                            old.tex:1\n") !=
              std::string::npos);
   BOOST_TEST(text.ends_with(
       "2 numbers or their errors moved in digits that are not printed: changes.csv has them\n"));
@@ -431,7 +446,7 @@ BOOST_AUTO_TEST_CASE(the_answer_quotes_old_and_new_words_and_lists_what_moved) {
       "Size, "
       "a.tex:1\n\nBefore:\n\n> About half.\n\nNow:\n\n"
       "> Nearly all of it.\n\nWhy:\n\n## Results that are others\n\n"
-      "- value peak: moved beyond its error, 11.0 psi, was 10.0 psi\n\n## Inputs and tools that "
+      "- value peak: moved beyond both errors, 11.0 psi, was 10.0 psi\n\n## Inputs and tools that "
       "are others (there: before, here: now)\n\n- case.toml: another content\n");
 }
 

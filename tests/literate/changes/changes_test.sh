@@ -59,10 +59,10 @@ manifest rod 10 >"$former/paper/manifest.json"
 changes SINCE=submitted
 claim 'a tag is compared' "$status" -eq 0
 claim 'what moved is told once, with its sentence and the folder of its file' "$(head -n 2 <<<"$said" | tr -s ' ')" = \
-  'moved beyond its error value peak: 12 psi, was 10 psi
+  'moved beyond both errors value peak: 12 psi, was 10 psi
  paper/a.tex:1'
 claim 'the table has the file' "$(sed -n 2p build/out/changes/changes.csv)" = \
-  'moved beyond its error,value peak,10 psi,12 psi,paper/a.tex,1'
+  'moved beyond both errors,value peak,10 psi,12 psi,paper/a.tex,1'
 claim 'the page says what was compared' "$(grep -c 'Before: submitted, commit .* After: the sources as they are' build/out/changes/changes.html)" -eq 1
 manifest rod 12 >"$former/paper/manifest.json"
 changes SINCE=submitted
