@@ -345,6 +345,10 @@ std::vector<Change> changes_between(const Manifest& former, const Manifest& late
       }
     }
     const std::string value = change.name_of_value();
+    const bool is_in_index = has_index && !value.empty();
+    const bool needs_sentence = !value.empty() || name.starts_with(of_tables);
+    change.is_printed =
+        sentences.empty() || !needs_sentence || is_in_index || !change.printed_in.empty();
     const auto was = before.numbers.find(value);
     const auto is = stored.find(value);
     if (was != before.numbers.end() && is != stored.end()) {

@@ -36,7 +36,7 @@ std::string name_of(ChangeKind kind);
 struct Change {
   /// Whether a reader sees it: numbers also move in digits that are not printed or drawn.
   bool is_seen() const {
-    return kind != ChangeKind::other_data && (before.empty() || before != after);
+    return is_printed && kind != ChangeKind::other_data && (before.empty() || before != after);
   }
 
   /// The name of the value that moved; empty for another thing.
@@ -50,6 +50,7 @@ struct Change {
   std::string before;  ///< as it was printed, or its former name; empty for something that is new
   std::string after;   ///< empty for something that is gone
   std::vector<Sentence> printed_in;  ///< the sentences that print it
+  bool is_printed = true;            ///< false of a value or cell that the document prints nowhere
 };
 
 /// Lists what differs between two manifests: verdicts, limits of criteria, values, cells of tables,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "literate/page/html_text.hpp"
@@ -27,6 +28,63 @@ std::string quoted(const std::vector<Sentence>& sentences) {
   return text;
 }
 
+/// «; printed in a.tex:12, b.tex:3».
+std::string places_of(const Change& change) {
+  std::string text;
+  for (const Sentence& sentence : change.printed_in) {
+    text += text.empty()
+                ? change.kind == ChangeKind::gone ? "; was printed in the former " : "; printed in "
+                : ", ";
+    text += place_of(sentence);
+  }
+  return text;
+}
+
+/// «other verdict, refuted, was confirmed».
+std::string told(const Change& change) {
+  const std::string said = difference(change);
+  return name_of(change.kind) + (said.empty() ? "" : ", ") + said;
+}
+
+/// What is told together: a claim with its criteria, and the cells of a table.
+std::string group_of(const Change& change) {
+  const bool is_claim = change.what.starts_with("claim ");
+  return change.what.substr(0, change.what.find(is_claim ? ": " : ", row "));
+}
+
+/// A list of the changes that a reader sees. Of a table with many it has their number.
+std::string results_together(const std::vector<Change>& changes) {
+  constexpr std::size_t most_cells = 4;
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<const Change*>> groups;
+  for (const Change& change : changes) {
+    if (!change.is_seen()) continue;
+    std::vector<const Change*>& group = groups[group_of(change)];
+    if (group.empty()) order.push_back(group_of(change));
+    group.push_back(&change);
+  }
+  std::string text;
+  for (const std::string& name : order) {
+    const std::vector<const Change*>& group = groups.at(name);
+    const Change& first = *group.front();
+    if (name.starts_with("claim ")) {
+      const std::string verdict = first.what == name ? ": " + told(first) : "";
+      text += fmt::format("- {}{}{}\n", name, verdict, places_of(first));
+      for (const Change* change : group) {
+        if (change->what == name) continue;
+        text += fmt::format("  - {}: {}\n", change->what.substr(name.size() + 2), told(*change));
+      }
+    } else if (group.size() > most_cells) {
+      text += fmt::format("- {}: {} cells are others{}\n", name, group.size(), places_of(first));
+    } else {
+      for (const Change* change : group) {
+        text += fmt::format("- {}: {}{}\n", change->what, told(*change), places_of(*change));
+      }
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string changes_text(const std::vector<Change>& changes) {
@@ -46,7 +104,7 @@ std::string changes_text(const std::vector<Change>& changes) {
   }
   if (n_unseen > 0) {
     text +=
-        fmt::format("{} {} or {} moved in digits that are not printed: changes.csv has {}\n",
+        fmt::format("{} {} or {} moved, which nothing printed shows: changes.csv has {}\n",
                     n_unseen, n_unseen == 1 ? "number" : "numbers",
                     n_unseen == 1 ? "its error" : "their errors", n_unseen == 1 ? "it" : "them");
   }
@@ -147,8 +205,9 @@ std::string answer_to_referees(const std::vector<Change>& changes, const Compare
               ? fmt::format("Places at which the author's words are others: {}.\n", edits.size())
               : "The former words are not known.\n";
   text += compared.has_results
-              ? fmt::format("Results that a reader sees and that are others: {}.\n",
-                            std::ranges::count_if(changes, &Change::is_seen))
+              ? fmt::format(
+                    "Results that a reader sees and that are others: {}; changes.csv has each.\n",
+                    std::ranges::count_if(changes, &Change::is_seen))
               : "The results could not be compared.\n";
   for (const Edit& edit : edits) {
     const Sentence& first = edit.after.empty() ? edit.before.front() : edit.after.front();
@@ -158,22 +217,8 @@ std::string answer_to_referees(const std::vector<Change>& changes, const Compare
     if (!edit.after.empty()) text += "Now:\n\n" + quoted(edit.after) + "\n";
     text += "Why:\n";
   }
-  std::string numbers;
-  for (const Change& change : changes) {
-    if (!change.is_seen()) continue;
-    const std::string said = difference(change);
-    numbers += fmt::format("- {}: {}{}{}", change.what, name_of(change.kind),
-                           said.empty() ? "" : ", ", said);
-    for (std::size_t i = 0; i < change.printed_in.size(); ++i) {
-      const bool is_gone = change.kind == ChangeKind::gone;
-      numbers += (i > 0     ? ", "
-                  : is_gone ? "; was printed in the former "
-                            : "; printed in ") +
-                 place_of(change.printed_in[i]);
-    }
-    numbers += "\n";
-  }
-  if (!numbers.empty()) text += "\n## Results that are others\n\n" + numbers;
+  const std::string results = results_together(changes);
+  if (!results.empty()) text += "\n## Results that are others\n\n" + results;
   if (!compared.reasons.empty())
     text += "\n## Inputs and tools that are others (there: before, here: now)\n\n";
   for (const std::string& reason : compared.reasons) text += "- " + reason + "\n";

@@ -256,11 +256,10 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
   for (const auto& [id, entry] : written) hold(entry.first, entry.second, "written");
   for (const auto& [id, entry] : recorded) {
     hold(entry.first, entry.second, "first recorded");
-    not_known(
-        fmt::format(
-            "they are no younger than the first record, that of commit {}, and held against it",
-            entry.first.id.substr(0, 12)),
-        entry.second, {});
+    not_known(fmt::format("they are no younger than the first record, that of commit {}; only what "
+                          "moved since is told",
+                          entry.first.id.substr(0, 12)),
+              entry.second, {});
   }
   std::vector<Sentence> incomplete;
   for (const auto& [place, sentence] : unrecorded) incomplete.push_back(sentence);

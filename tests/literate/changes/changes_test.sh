@@ -139,6 +139,9 @@ claim 'a tag before the engine ends with 2' "$status" -eq 2
 claim 'it is told with the reason' "$(says 'changes: early cannot be made here: CMake Error: The source directory')" = yes
 claim 'and what else to give' "$(says 'give the manifest.json of a paper that was made of it instead; build/out/changes/answer.md has')" = yes
 
+git checkout -q submitted -- paper
+git commit -qam 'the paper as it was submitted'
+
 manifest bar 10 >other.json
 refused 'a manifest of another paper' 'is the manifest of another project, "bar"' SINCE=other.json
 echo '{"project": "rod", "made_with": {"case": {}}, "inputs": {}, "outputs": {}, "verdicts": {}, "numbers": {}}' >other.json
