@@ -164,8 +164,7 @@ struct LoadShape {
   std::string name;       ///< such as "uniform"
   std::string parameter;  ///< what LoadNumbers::parameter is, such as "EXPONENT"; empty for none
   std::vector<std::string> numbers;  ///< the names of the others that it needs
-  std::string
-      source;  ///< of the closed forms, as a sentence that names it ends; empty if there are none
+  std::string source;                ///< of the closed forms, such as "eq. (3)"; empty without them
   std::function<KnownLoad(const LoadNumbers&)> make;  ///< throws InvalidQuantity
 };
 

@@ -159,6 +159,10 @@ Estimate abs(Estimate a) {
   return {std::abs(a.value), a.abs_error};
 }
 
+Estimate max(Estimate a, Estimate b) {
+  return {std::max(a.value, b.value), std::max(a.abs_error, b.abs_error)};
+}
+
 Estimate operator*(Estimate a, double b) {
   return b * a;
 }

@@ -44,4 +44,7 @@ Estimate atan(Estimate a);
 /// |a|, as wrong as a.
 Estimate abs(Estimate a);
 
+/// The greater of two, as wrong as the worse known of them.
+Estimate max(Estimate a, Estimate b);
+
 }  // namespace numerics

@@ -90,11 +90,7 @@ void claim_size(Document& document, const HalfSpaceCase& half_space, const Block
   const Estimate middle = study.under_triangle().displacement_z(0, 0);
   const Estimate level = change(0);
   Estimate shape;
-  for (const double x : half_space.points) {
-    const Estimate of_shape = abs(change(x) - level);
-    shape.value = std::max(shape.value, of_shape.value);
-    shape.abs_error = std::max(shape.abs_error, of_shape.abs_error);
-  }
+  for (const double x : half_space.points) shape = max(shape, abs(change(x) - level));
   const Limit unaffected(LimitKind::choice, 1e-2,
                          "a tenth of the convergence that the run asks for");
   document.value("block.larger.level", Value(level, scientific(3), units.length));

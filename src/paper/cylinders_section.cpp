@@ -62,20 +62,16 @@ EdgeSweep sweep_edge(const ContactCase& c, const Hertz& hertz, double elements) 
   constexpr int n_grids = 100;  // peak and half-width err most at different places
   const double a = hertz.half_width();
   EdgeSweep sweep{elements, elements, {}, {}, {}, {}, 1 / (elements * elements), n_grids};
-  const auto take = [](Estimate& largest, double error, double wrong) {
-    largest.value = std::max(largest.value, std::abs(error));
-    largest.abs_error = std::max(largest.abs_error, wrong);
-  };
   for (int k = 0; k < n_grids; ++k) {
     const double here = elements + static_cast<double>(k) / n_grids;
     const line_contact::Grid grid{c.n_nodes + 2, a / here};
     const Solution solution = line_contact::solve_by_matrix_inversion(
         {c.cylinders.profile(), c.cylinders.contact_modulus(), grid}, c.line_load);
     sweep.most_elements = here;
-    take(sweep.peak, solution.peak_pressure() / hertz.peak_pressure() - 1,
-         pressure_error(solution) + rounded(c, 1));
-    take(sweep.half_width, solution.half_width() / a - 1,
-         half_width_error(solution) + rounded(c, 1));
+    sweep.peak = max(sweep.peak, {std::abs(solution.peak_pressure() / hertz.peak_pressure() - 1),
+                                  pressure_error(solution) + rounded(c, 1)});
+    sweep.half_width = max(sweep.half_width, {std::abs(solution.half_width() / a - 1),
+                                              half_width_error(solution) + rounded(c, 1)});
     if (k == 0) {
       sweep.first_peak = sweep.peak;
       sweep.first_half_width = sweep.half_width;

@@ -92,8 +92,7 @@ Estimate departure(const CoupledSliding& exact, double mu, const Material& first
   for (const double xi : {-0.93, -0.61, -0.2, 0.0, 0.37, 0.72, 0.95}) {
     const double x = exact.shift() + xi * exact.half_width();
     const Estimate slope = body1.normal_gradient(x) + body2.normal_gradient(x);
-    largest.value = std::max(largest.value, std::abs(slope.value + curvature * x));
-    largest.abs_error = std::max(largest.abs_error, slope.abs_error);
+    largest = max(largest, abs(slope + curvature * x));
   }
   return 1 / (curvature * exact.half_width()) * largest;
 }
@@ -181,9 +180,8 @@ void compare_pairs(Document& document, const ContactCase& c, const FrictionCase&
       losses.push_back(Criterion::at_most("loss", Value(loss_of(exact, a, closed), percent(1)),
                                           nearly_identical()));
     departure_of_ratio = std::max(departure_of_ratio, departure_from_beta_mu(pair, mu));
-    const Estimate off = departure(exact, mu, first, second, pair.cylinders.relative_curvature());
-    departure_of_exact.value = std::max(departure_of_exact.value, off.value);
-    departure_of_exact.abs_error = std::max(departure_of_exact.abs_error, off.abs_error);
+    departure_of_exact = max(departure_of_exact, departure(exact, mu, first, second,
+                                                           pair.cylinders.relative_curvature()));
   };
   const Material& body1 = c.body1.material;
   const Material& body2 = c.body2.material;

@@ -57,10 +57,8 @@ void check_symmetry(Document& document, const HalfSpaceCase& c) {
   const double unit = c.material.integral_compliance() * c.load.line_load();
   Estimate largest;
   for (const double x : c.points) {
-    const Estimate difference =
-        1 / unit * abs(surface.normal_displacement(x) - surface.normal_displacement(-x));
-    largest.value = std::max(largest.value, difference.value);
-    largest.abs_error = std::max(largest.abs_error, difference.abs_error);
+    largest = max(largest,
+                  1 / unit * abs(surface.normal_displacement(x) - surface.normal_displacement(-x)));
   }
   document.check(
       "symmetric",
@@ -91,7 +89,7 @@ void describe_odd_point(Document& document, const HalfSpaceCase& c, const UnitSy
   const Estimate shift = abs(displacement(c, x + printed_data.tri_dist.step.value()) - exact);
   // The printed number is meant as it stands, not as the interval of what rounds to it.
   const double printed = printed_data.figure5.analytical[i].value();
-  const Estimate low{std::abs(printed - exact.value), exact.abs_error};
+  const Estimate low = abs(printed - exact);
   document.value("tri-dist.odd.x", Value(closed_form(x), fixed(decimals_of(c.points)), unit));
   document.value("tri-dist.odd.shift", Value(shift, scientific(2), unit));
   document.value("figure5.odd.difference", Value(low, scientific(2), unit));
@@ -100,10 +98,8 @@ void describe_odd_point(Document& document, const HalfSpaceCase& c, const UnitSy
 
 // How far a number is from one that is printed, which it must round to.
 Criterion from_print(const PrintedNumber& printed, Estimate computed) {
-  const double distance = std::abs(computed.value - printed.value());
   return Criterion::at_most(
-      "distance",
-      Value(1 / printed.last_place() * Estimate{distance, computed.abs_error}, significant(2)),
+      "distance", Value(1 / printed.last_place() * abs(computed - printed.value()), significant(2)),
       {LimitKind::data, 0.5, "every printed digit: the computed value rounds to the printed one"});
 }
 

@@ -26,10 +26,9 @@ void measure_tangential(Document& document, const HalfSpaceCase& c, const UnitSy
   for (const double x : c.points) {
     const Estimate by_quadrature = surface.tangential_displacement(x);
     const Estimate exact = closed_form(tangential_displacement(c.material, c.load, x));
-    const double off = std::abs(by_quadrature.value - exact.value);
-    const double allowed = by_quadrature.abs_error + exact.abs_error;
+    const Estimate off = abs(by_quadrature - exact);
     shares.push_back(Criterion::at_most(
-        "share", Value(allowed == 0 ? 0 : off / allowed, significant(1)).as_is(),
+        "share", Value(off.abs_error == 0 ? 0 : off.value / off.abs_error, significant(1)).as_is(),
         {LimitKind::data, 1.0, "the error that the quadrature reports, and rounding"}));
   }
   document.check("tangential-within-error",

@@ -26,6 +26,7 @@ struct Expression {
     subtract,
     multiply,
     divide,
+    greater,
     scale,
     root,
     power,
@@ -57,7 +58,7 @@ Expression random_expression(RandomInputs& random, int depth) {
   made.constant = made.kind == power ? std::floor(random.uniform(-4, 5)) : random.uniform(-10, 10);
   if (made.kind == power && random.sign() > 0) made.constant += 0.5;
   made.parts.push_back(random_expression(random, depth - 1));
-  if (made.kind >= add && made.kind <= divide) {
+  if (made.kind >= add && made.kind <= greater) {
     made.parts.push_back(random_expression(random, depth - 1));
   }
   return made;
@@ -66,7 +67,7 @@ Expression random_expression(RandomInputs& random, int depth) {
 // With the operands as `value_of` gives them, in any arithmetic.
 template <class Number, class ValueOf>
 Number computed(const Expression& e, const ValueOf& value_of) {
-  using std::abs, std::atan, std::cos, std::exp, std::log, std::pow, std::sin, std::sqrt;
+  using std::abs, std::atan, std::cos, std::exp, std::log, std::max, std::pow, std::sin, std::sqrt;
   using enum Expression::Kind;
   if (e.kind == operand) return value_of(e);
   const Number a = computed<Number>(e.parts[0], value_of);
@@ -79,6 +80,8 @@ Number computed(const Expression& e, const ValueOf& value_of) {
       return a * computed<Number>(e.parts[1], value_of);
     case divide:
       return a / computed<Number>(e.parts[1], value_of);
+    case greater:
+      return max(a, computed<Number>(e.parts[1], value_of));
     case scale:
       return e.constant * a;
     case root:
