@@ -72,10 +72,15 @@ class Propagation {
   }
 
  private:
+  // What a source adds twice may cancel; then rounding alone would be left of it.
   static void add(Measured& made, double slope, const Measured& a) {
+    constexpr double of_rounding = 64 * half_ulp;
     for (const auto& [source, component] : a.components_) {
       double& sum = made.components_[source];
-      sum += slope * component;
+      const double added = slope * component;
+      const double whole = std::abs(sum) + std::abs(added);
+      sum += added;
+      if (std::abs(sum) <= of_rounding * whole) sum = 0;
     }
     made.neglected_ += std::abs(slope) * a.neglected_;
   }

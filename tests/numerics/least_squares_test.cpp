@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(what_the_observations_have_in_common_moves_the_whole_line) 
       fit_linear(straight({0, 1, 2, 3}), {point(1, 0.1, 1) + scale, point(2, 0.1, 2) + scale,
                                           point(3, 0.1, 3) + scale, point(4, 0.1, 4) + scale});
   BOOST_TEST(fit.coefficients[0].components().at("zero of the scale") == 0.5, tolerance(1e-12));
-  BOOST_TEST(std::abs(fit.coefficients[1].kinds().at("zero of the scale")) < 1e-14);
+  BOOST_TEST(!fit.coefficients[1].kinds().contains("zero of the scale"));
 }
 
 // The worst data within the bounds, found by trying all their signs.

@@ -84,7 +84,7 @@ std::string standard_tex(const Value& value, const Uncertainty& uncertainty) {
     text += fmt::format(" ({})", fmt::join(kinds, ", "));
   }
   if (uncertainty.neglected > least_told * uncertainty.standard) {
-    text += ", of which the second order may take or add " +
+    text += "; the second order, which is left out, is at most " +
             like(value, uncertainty.neglected, significant(n_digits).rounded_up());
   }
   return text;

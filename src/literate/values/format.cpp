@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace literate {
@@ -273,11 +274,25 @@ void add_bound(RoundedNumber& rounded, double number, double bound, std::string_
   rounded.beside.push_back({rounded_up_to_place(counted(bound), place), std::string(what)});
 }
 
+/// The place of the second digit of the bound; the least there is without one.
+int place_of_bound(const Uncertainty& uncertainty) {
+  const double bound = uncertainty.told_bound();
+  return bound > 0 ? rounded_to_digits(bound, n_digits_of_error).place
+                   : std::numeric_limits<int>::min() / 2;
+}
+
+/// The place of the second digit of the standard uncertainty, or of the third of a bound that is
+/// much greater.
+int place_of_both(const Uncertainty& uncertainty) {
+  return std::max(rounded_to_digits(uncertainty.standard, n_digits_of_error).place,
+                  place_of_bound(uncertainty) - 1);
+}
+
 /// The number with each kind of what is not known of it, to the digits of the least of them, but to
 /// no more than three of all together.
 RoundedNumber with_kinds(double number, const Uncertainty& uncertainty) {
-  int place = rounded_to_digits(uncertainty.standard, n_digits_of_error).place;
-  const int finest = place - 1;
+  int place = place_of_both(uncertainty);
+  const int finest = std::max(place_of_bound(uncertainty), place) - 1;
   for (const auto& [kind, standard] : uncertainty.kinds) {
     place = std::min(place, rounded_to_digits(standard, n_digits_of_error).place);
   }
@@ -297,9 +312,10 @@ RoundedNumber with_uncertainty(double number, const Uncertainty& uncertainty) {
     return with_sides(number, uncertainty.sides->first, uncertainty.sides->second);
   }
   if (uncertainty.standard == 0) return with_bound({number, uncertainty.told_bound()});
-  const Decimal standard = rounded_to_digits(uncertainty.standard, n_digits_of_error);
-  RoundedNumber result{rounded_to_place(number, standard.place), Style::automatic, true,
-                       standard.digits};
+  const int place = place_of_both(uncertainty);
+  const Decimal standard = rounded_to_place(uncertainty.standard, place);
+  if (is_zero(standard)) return with_bound({number, uncertainty.told_bound()});
+  RoundedNumber result{rounded_to_place(number, place), Style::automatic, true, standard.digits};
   add_bound(result, number, uncertainty.told_bound(), "");
   return result;
 }

@@ -103,9 +103,10 @@ Format supported(int max_digits = 12);
 /// ±, as JCGM 100:2008, 7.2.2, has it, and is rounded up with the rounding of the number in it:
 /// 0.786151378 and 1.2e-7 are 0.78615138 ± 0.00000013. A bound that is another one to either side
 /// stands behind + and −: 994 +22 −18. Beside a standard uncertainty it is left out where it is
-/// less than half a unit of the last digit. What the law of propagation neglects belongs to the
-/// bound where it is more than the standard uncertainty, as of the cosine of 0 ± 0.3. With an error
-/// of 0 it prints as exact() does.
+/// less than half a unit of the last digit. Beside a bound that is much greater the number has that
+/// bound's digits, and a standard uncertainty that is less than half of a third one is left out.
+/// What the law of propagation neglects belongs to the bound where it is more than the standard
+/// uncertainty, as of the cosine of 0 ± 0.3. With an error of 0 it prints as exact() does.
 Format uncertain();
 
 /// What is not known of a number, in its unit: the true one is no farther than `bound` from a

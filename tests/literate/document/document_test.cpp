@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(what_is_known_of_an_error_is_told_of_no_more_than_that) {
                  "\\qty{20}{psi})}"));
   BOOST_TEST(has("index.tex", "statistics \\num{20}), error $\\le$ \\num{3.0}}"));
   BOOST_TEST(has("index.tex", "error $\\le$ \\qty{1.8e1}{psi} below, \\qty{2.1e1}{psi} above"));
-  BOOST_TEST(has("index.tex", ", of which the second order may take or add \\num{0.4"));
+  BOOST_TEST(has("index.tex", "; the second order, which is left out, is at most \\num{0.4"));
   BOOST_TEST(has("page/index.html", "<tex>standard uncertainty \\qty{22}{psi}"));
   BOOST_TEST(has("values.csv", "load,994(22) psi,994,0,,,21.9317"));
   BOOST_TEST(has("names.json",

@@ -78,7 +78,7 @@ list >faults.toml
 plant
 claim 'a paper whose every claim is turned is measured' "$status" -eq 0
 claim 'only faults in what is computed count' "$(says '2 claims; 5 of 7 faults are in what computes them')" = yes
-claim 'one that does not compile is counted apart' "$(says '2 of 2 claims are turned by 4 faults; 1 more do not')" = yes
+claim 'one that does not compile is counted apart' "$(says '4 faults turn 2 of 2 claims; 1 more do not')" = yes
 claim 'the record is claim by fault' "$(sed 1d paper/severity.csv)" = 'claim,even,odd,crash,large
 even,,refuted,,
 odd,refuted,,,

@@ -338,6 +338,21 @@ BOOST_AUTO_TEST_CASE(a_bound_beside_a_standard_uncertainty_is_printed_where_it_c
           .printed() == "(5.432(12) ± 0.004) V");
 }
 
+BOOST_AUTO_TEST_CASE(a_standard_uncertainty_beside_a_much_greater_bound_adds_no_digits) {
+  const auto printed = [](double standard, const Format& format = uncertain()) {
+    return Value(Measured(0.802468588, standard, "scale") + Measured::bounded({0, 8.6694e-6}),
+                 format)
+        .printed();
+  };
+  BOOST_TEST(printed(1e-6) == "0.8024686(10) ± 0.0000087");
+  BOOST_TEST(printed(2e-7) == "0.80246859(20) ± 0.00000868");
+  BOOST_TEST(printed(2e-8) == "0.80246859(2) ± 0.00000868");
+  BOOST_TEST(printed(2e-9) == "0.8024686 ± 0.0000087");
+  BOOST_TEST(printed(5.4e-20) == "0.8024686 ± 0.0000087");
+  BOOST_TEST(printed(5.4e-20, uncertain().by_kind()) ==
+             "0.80246859 ± 0.00000001 (scale) ± 0.00000868 (at most)");
+}
+
 BOOST_AUTO_TEST_CASE(where_the_law_of_propagation_does_not_hold_the_second_order_is_a_bound) {
   // With a second derivative of −1 it is 0.3²/2.
   BOOST_TEST(Value(cos(Measured(0, 0.3, "angle")), uncertain()).printed() == "1.000 ± 0.045");
