@@ -334,6 +334,11 @@ std::vector<Change> changes_between(const Manifest& former, const Manifest& late
     all.insert(all.end(), in_order.begin(), in_order.end());
   }
   for (Change& change : all) {
+    // No sentence prints where the uncertainty of a value comes from; an index does.
+    if (change.what.ends_with(": sources of uncertainty")) {
+      change.is_printed = has_index;
+      continue;
+    }
     const std::string name = asked_for(change.what.substr(0, change.what.find(": ")));
     const auto& sentences = change.kind == ChangeKind::gone ? sentences_before : sentences_after;
     const bool is_verdict = change.what.starts_with("claim ") && change.what == name;

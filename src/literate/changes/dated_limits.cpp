@@ -138,7 +138,7 @@ DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& 
             claim.place, one.what(), one.condition(), at(one.commit()),
             records[*first].commit.substr(0, 12), one.limit_in(*first)));
       } else if (one.is_older()) {
-        dated.ages[one.what()] = older_than_result;
+        dated.ages[one.what()] = older_than_verdict;
       }
     }
   }

@@ -13,7 +13,7 @@ namespace literate {
 
 /// What is known of the age of limits.
 struct DatedLimits {
-  /// «claim x: quantity»: chosen_after or older_than_result; the others are not known.
+  /// «claim x: quantity»: chosen_after or older_than_verdict; the others are not known.
   Manifest::Texts ages = {};
   std::vector<std::string> chosen_after = {};  ///< a line for each such limit, with both commits
 };
@@ -24,8 +24,9 @@ struct DatedLimits {
 /// record that has its criterion, unless the claim is undecided by this criterion alone.
 ///
 /// A limit was chosen after the result if it came with a later record, and an earlier one of the
-/// same case, whatever its comments, has a result at another limit. It is older than the result if
-/// it came earlier, after the first record of all, and has stood since. It is not known of limits
+/// same case, whatever its comments, has a result at another limit. It is older than its verdict
+/// if it came earlier, after the first record of all, and has stood since; whether the number
+/// itself was known before, as another value or claim, no record tells. It is not known of limits
 /// that came with their result, nor, if their number is another, of those that the run computes, of
 /// theory and method. Nothing is known if a record cannot be read.
 DatedLimits dated_limits(const std::filesystem::path& document, const Manifest& now,

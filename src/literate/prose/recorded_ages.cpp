@@ -20,9 +20,9 @@ RecordedAges::RecordedAges(const std::filesystem::path& document, const Names& n
       const auto record = nlohmann::json::parse(sys::read_file(file));
       limits = record.at("limits").get<Texts>();
       ages = record.value("ages", Texts());
-      // In another case a limit is no older than the result, though it was chosen after one.
+      // In another case a limit is no older than its verdict, though it was chosen after one.
       if (record.at("inputs") != nlohmann::json{{"case", names.case_sha256}}) {
-        std::erase_if(ages, [](const auto& age) { return age.second == older_than_result; });
+        std::erase_if(ages, [](const auto& age) { return age.second == older_than_verdict; });
       }
     } catch (const nlohmann::json::exception&) {
       throw sys::OutputError(fmt::format(
@@ -36,7 +36,7 @@ RecordedAges::RecordedAges(const std::filesystem::path& document, const Names& n
       const auto recorded = limits.find(what);
       const bool is_known = age != ages.end() && recorded != limits.end() &&
                             recorded->second == limit.condition &&
-                            (age->second == chosen_after || age->second == older_than_result);
+                            (age->second == chosen_after || age->second == older_than_verdict);
       ages_[id].push_back(is_known ? age->second : "");
     }
   }

@@ -11,7 +11,7 @@
 namespace literate {
 
 inline constexpr const char* chosen_after = "chosen after the result";
-inline constexpr const char* older_than_result = "older than the result";
+inline constexpr const char* older_than_verdict = "older than its verdict";
 
 /// What the record beside the prose, results.json, says of the age of a claim's limits, in the
 /// order of its criteria; empty where it is not known, as without a record, with one of another

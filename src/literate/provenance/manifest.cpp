@@ -236,13 +236,10 @@ std::string text_or_none(const std::string* text) {
 }
 
 /// A number as a message tells it; a cell of a table is printed without its unit.
-// A value prints its unit behind the number, in signs of its own; a cell of a table does not.
-std::string printed_or_none(const ManifestNumber* number) {
+std::string printed_or_none(const std::string& name, const ManifestNumber* number) {
   if (number == nullptr) return "none";
   const std::string unit = number->unit.value_or("");
-  const bool ends_with_number =
-      number->printed.find_last_of("0123456789)") == number->printed.size() - 1;
-  const bool tells_unit = unit.empty() || !ends_with_number;
+  const bool tells_unit = unit.empty() || !name.starts_with("table ");
   return fmt::format("{} ({}{})", number->number, number->printed, tells_unit ? "" : " " + unit);
 }
 
@@ -274,8 +271,8 @@ ManifestComparison compare(const Manifest& theirs, const Manifest& ours) {
   for_each_difference(
       theirs.numbers, ours.numbers, agree,
       [&](const std::string& key, const ManifestNumber* a, const ManifestNumber* b) {
-        result.moved.push_back(
-            fmt::format("{}: {} there, {} here", key, printed_or_none(a), printed_or_none(b)));
+        result.moved.push_back(fmt::format("{}: {} there, {} here", key, printed_or_none(key, a),
+                                           printed_or_none(key, b)));
       });
   for_each_difference(theirs.verdicts, ours.verdicts, equal,
                       [&](const std::string& name, const std::string* a, const std::string* b) {

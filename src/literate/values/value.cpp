@@ -38,7 +38,7 @@ Print print_of(const NumberPrint& number, const std::string& unit, const std::st
                                beside);
     if (what.empty()) continue;
     print.plain += fmt::format(" ({})", what);
-    print.latex += fmt::format("\\mbox{{ ({})}}", escape_latex(what));
+    print.latex += fmt::format("\\text{{ ({})}}", escape_latex(what));
   }
   if (!number.exponent.empty() || !unit.empty()) {
     print = {fmt::format("({})", print.plain), fmt::format("({})", print.latex)};

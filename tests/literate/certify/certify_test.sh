@@ -126,7 +126,7 @@ cp whole/rod.pdf "$scratch/paper.pdf"
 mv out gone
 certify traced PDF="$scratch/paper.pdf"
 claim 'a PDF alone is held against its own list' "$status" -eq 0
-claim 'its scripts are held against the checkout' "$(says 'attached sources: 1 of 1')" = yes
+claim 'its scripts are held against the checkout' "$(says 'files of the checkout beside those attached: 1 of 1')" = yes
 claim 'and its pages were not checked' "$(grep -c 'the pages of the PDF' $certificate.txt)" -eq 1
 certify traced PDF="$scratch/paper.pdf" MANIFEST=whole/manifest.json
 claim 'with the manifest its values are' "$status $(says 'values: 1 of 1') $(says 'attachments: 3 of 3')" = '0 yes yes'

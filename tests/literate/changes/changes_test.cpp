@@ -485,6 +485,19 @@ BOOST_AUTO_TEST_CASE(
              "- table b: 6 cells are others; printed in a.tex:1\n");
 }
 
+BOOST_AUTO_TEST_CASE(sources_of_uncertainty_are_printed_by_an_index_alone) {
+  Manifest before = state(), after = state();
+  before.words["value fit: sources of uncertainty"] = "gauge 1";
+  after.words["value fit: sources of uncertainty"] = "gauge 2";
+  for (const std::string text : {"It fits \\val{fit}.", "\\valueindex"}) {
+    const auto sentences = literate::sentences_in(text, "a.tex");
+    const auto changes = changes_between(before, after, sentences, sentences);
+    BOOST_TEST_REQUIRE(changes.size() == 1U);
+    BOOST_TEST(changes[0].printed_in.empty());
+    BOOST_TEST(changes[0].is_seen() == (text == "\\valueindex"), text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_answer_counts_nothing_that_was_not_compared) {
   const std::string answer = literate::answer_to_referees(
       {}, {.before = "v1", .after = "now", .reasons = {}, .has_words = false, .has_results = false},

@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(a_limit_that_is_not_committed_yet_is_told_as_such) {
 }
 
 BOOST_AUTO_TEST_CASE(a_limit_that_stood_while_its_claim_was_undecided_is_older_than_the_result) {
-  BOOST_TEST(History({without_claim(), open}).age(one_percent) == older_than_result);
-  BOOST_TEST(History({without_claim(), open, one_percent}).age(one_percent) == older_than_result);
+  BOOST_TEST(History({without_claim(), open}).age(one_percent) == older_than_verdict);
+  BOOST_TEST(History({without_claim(), open, one_percent}).age(one_percent) == older_than_verdict);
   BOOST_TEST(History({without_claim(), open}).age(open) == "");  // it has judged none yet
 }
 
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(a_limit_that_the_run_computes_is_not_known_if_it_moves) {
   BOOST_TEST(History({one_percent}).age(two_percent, "method: the grid's error") == "");
   BOOST_TEST(History({one_percent}).age(two_percent, "data: printed") == chosen_after);
   BOOST_TEST(History({without_claim(), open}).age(one_percent, "theory: c/a, the strip") ==
-             older_than_result);
+             older_than_verdict);
 }
 
 BOOST_AUTO_TEST_CASE(a_squash_leaves_nothing_to_know) {
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(a_rebase_that_keeps_the_commits_keeps_what_is_known) {
   history.write("a.tex", "Words.\n");
   history.commit();
   history.git({"rebase", "-q", "words", "main"});
-  BOOST_TEST(history.age(one_percent) == older_than_result);
+  BOOST_TEST(history.age(one_percent) == older_than_verdict);
 }
 
 BOOST_AUTO_TEST_CASE(a_record_that_cannot_be_read_leaves_nothing_to_know) {
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(a_record_that_was_removed_meanwhile_is_passed_over) {
   history.commit();
   history.record(one_percent);
   history.commit();
-  BOOST_TEST(history.age(one_percent) == older_than_result);
+  BOOST_TEST(history.age(one_percent) == older_than_verdict);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

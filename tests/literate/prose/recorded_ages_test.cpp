@@ -37,8 +37,8 @@ std::string record(const std::string& of_case, const std::string& age) {
 BOOST_AUTO_TEST_CASE(the_ledger_is_told_of_each_limit_whose_age_is_known) {
   BOOST_TEST(told(record("c1", chosen_after)) ==
              "\\LiterateLimitAge{far}{2}{chosen after the result}\n");
-  BOOST_TEST(told(record("c1", older_than_result)) ==
-             "\\LiterateLimitAge{far}{2}{older than the result}\n");
+  BOOST_TEST(told(record("c1", older_than_verdict)) ==
+             "\\LiterateLimitAge{far}{2}{older than its verdict}\n");
 }
 
 BOOST_AUTO_TEST_CASE(what_was_chosen_after_a_result_was_so_in_another_case_too) {
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(what_was_chosen_after_a_result_was_so_in_another_case_too) 
 
 BOOST_AUTO_TEST_CASE(nothing_is_told_without_a_record_or_of_another_case_or_limit) {
   BOOST_TEST(told("") == "");
-  BOOST_TEST(told(record("c2", older_than_result)) == "");
+  BOOST_TEST(told(record("c2", older_than_verdict)) == "");
   BOOST_TEST(told(record("c1", chosen_after), "at most 2 %") == "");
   BOOST_TEST(told(record("c1", "as old as the hills")) == "");
   BOOST_TEST(told(R"({"inputs": {"case": "c1"}, "limits": {}})") == "");

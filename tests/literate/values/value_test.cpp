@@ -379,8 +379,8 @@ BOOST_AUTO_TEST_CASE(kinds_of_uncertainty_are_told_apart_where_this_is_asked_for
   BOOST_TEST(Value(load + Measured::bounded({0, 0.32}), uncertain().by_kind()).printed() ==
              "993.6 ± 8.8 (calibration) ± 20.0 (statistics) ± 0.4 (at most)");
   BOOST_TEST(Value(1e3 * load, uncertain().by_kind()).latex() ==
-             "\\ensuremath{(\\num{9.936}\\pm\\num{0.088}\\mbox{ (calibration)}"
-             "\\pm\\num{0.200}\\mbox{ (statistics)})\\times\\num{e5}}");
+             "\\ensuremath{(\\num{9.936}\\pm\\num{0.088}\\text{ (calibration)}"
+             "\\pm\\num{0.200}\\text{ (statistics)})\\times\\num{e5}}");
   // What cancels leaves rounding alone, which is no kind.
   const Measured factor = Measured(1.1, 0.02, "calibration");
   const Measured high = factor * Measured(6.2, 0.03, "scatter/1");
