@@ -145,6 +145,7 @@ BOOST_AUTO_TEST_CASE(a_number_has_its_signs_powers_and_what_is_not_known_of_it) 
         ">994\u00A0±\u00A022 (scale)\u00A0±\u00A03 (at most)</a>",
         ">(4.73\u00A0±\u00A00.17)\u00A0×\u00A010<sup>−5</sup>\u00A0m</span><sup>2</sup></a>"}},
       {"\\(\\val{tiny}\\)", {"<mo>×</mo>", "<mo>±</mo>"}},
+      {"\\(\\val{kinds}\\)", {"<mtext mathvariant=\"normal\"> (scale)</mtext>"}},
       {"\\unit{\\joule\\per\\mole\\squared}", {"J/mol<sup>2</sup>"}},
       {"\\unit{\\watt\\per\\metre\\per\\kelvin}", {"W/(m K)"}},
       {"\\(\\unit{\\watt\\per\\metre\\per\\kelvin}\\)",
