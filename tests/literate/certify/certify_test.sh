@@ -119,7 +119,18 @@ claim 'a PDF that is not there is bad input' "$status $(says "PDF: there is no f
 more=('said=cannot read none.json' status=2)
 certify full MANIFEST=none.json
 claim 'where a manifest cannot be read nothing is said to differ' "$status $(says 'full: not all could be told') $(says differs)" = '2 yes no'
+sed 's/"commit": "[^"]*"/"commit": "of another"/' out/manifest.json >theirs.json
+more=($'said=typeset     0.4 s  rod.pdf\n3 files have the bytes that theirs.json tells of' status=0)
+certify full MANIFEST=theirs.json
+claim 'a comparison with a manifest is called one, without the progress of stages' \
+  "$(grep -c "^- compared with 'theirs.json': 3 files have the bytes that theirs.json tells of$" out/certificate-full.txt)" -eq 1
+claim 'it is not called made again' "$(grep -c '^- made again' out/certificate-full.txt) $(grep -c '^- .*nothing was made again' out/certificate-full.txt)" = '0 1'
+claim 'the files and the commit told are those of the paper here' "$(grep -c -e '^- manifest.json: ' -e 'of another' out/certificate-full.txt)" -eq 1
+more=($'said=rod: compiler: GNU 12 there, GNU 13 here\nverify: one: 1 there, 2 here' status=1)
+certify full MANIFEST=theirs.json
+claim 'each difference is a line' "$(sed -n '/^Differs/,/^$/p' out/certificate-full.txt | grep -c '^- ')" -eq 2
 more=()
+rm theirs.json
 
 # A reviewer who has the PDF.
 cp whole/rod.pdf "$scratch/paper.pdf"
