@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(a_manifest_from_elsewhere_is_compared_by_bytes_then_by_numb
   manifest["made_with"]["platform"]["compiler"] = "GNU 99";
   BOOST_TEST(compared().status == 0);
   BOOST_TEST(holds(compared().output, "compiler: GNU 99 there, "));
-  manifest["numbers"]["cylinders.approach"] = {{"number", 2.385}, {"printed", "2.4"}};
+  manifest["numbers"]["cylinders.approach"] = {{"number", 2.385}, {"printed", "2.4 mm"}};
   BOOST_TEST(compared().status == 1);
   BOOST_TEST(holds(compared().errors, "moved: cylinders.approach: 2.385 (2.4 mm) there, "));
   manifest["project"] = "other";
