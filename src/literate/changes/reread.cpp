@@ -242,7 +242,8 @@ Reread sentences_to_reread(const fs::path& document, const Manifest& now, const 
         if (ticks.contains({digest, change.what, change.after})) continue;
         if (!told.emplace(digest, change.what).second) continue;
         found.sentences.push_back(fmt::format(
-            "{}: read this sentence again: {} is {}, and was {} when it was {}, at {}; then "
+            "{}: read this sentence again: {} is {}, and was {} in results.json when it was {}, at "
+            "{}; then "
             "change it, or write into read.csv: {}",
             place_of(sentence), change.what, change.after, change.before, when,
             commit.id.substr(0, 12),

@@ -87,9 +87,9 @@ BOOST_AUTO_TEST_CASE(what_the_record_beside_a_sentence_does_not_have_is_held_aga
   const Reread found = paper.reread(later);
 
   BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(
-      holds(found.sentences[0], "value width is 5 in, and was 3 in when it was last recorded"),
-      found.sentences[0]);
+  BOOST_TEST(holds(found.sentences[0],
+                   "value width is 5 in, and was 3 in in results.json when it was last recorded"),
+             found.sentences[0]);
   BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
   BOOST_TEST(holds(found.unknown[0], "1 sentence, such as " + paper.folder().filename().string() +
                                          "/b.tex:1 of commit "),
@@ -128,7 +128,8 @@ BOOST_AUTO_TEST_CASE(words_that_are_older_than_the_first_record_are_held_against
   const Reread found = paper.reread(results(12));
 
   BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0], "was 10 psi when it was first recorded, at "));
+  BOOST_TEST(
+      holds(found.sentences[0], "was 10 psi in results.json when it was first recorded, at "));
   BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
   BOOST_TEST(holds(found.unknown[0], "they are no younger than the first record, that of commit "));
 }
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(such_words_keep_their_age_when_what_stands_beside_them_chan
   const auto is_listed = [&] {
     const Reread found = paper.reread(results(12));
     return found.sentences.size() == 1U &&
-           holds(found.sentences[0], "was 10 psi when it was first recorded, at ");
+           holds(found.sentences[0], "was 10 psi in results.json when it was first recorded, at ");
   };
 
   paper.write("a.tex", "Look there. " + first_words);
@@ -309,7 +310,7 @@ BOOST_AUTO_TEST_CASE(words_are_not_known_where_history_begins_with_them) {
   BOOST_TEST(holds(found.unknown[0], "/a.tex:1: they are "), found.unknown[0]);
   BOOST_TEST(holds(found.unknown[0], "they are no younger than the first record, that of commit "));
   BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0], "was 10 psi when it was first recorded"));
+  BOOST_TEST(holds(found.sentences[0], "was 10 psi in results.json when it was first recorded"));
 }
 
 BOOST_AUTO_TEST_CASE(without_history_nothing_is_known) {
