@@ -44,7 +44,7 @@ SurfaceQuadrature::SurfaceQuadrature(const Material& material, const Load& load,
       datum_(sys::require_finite("datum", datum)),
       normal_(load.normal),
       tangential_(load.tangential),
-      constant_(-1.0 * displacement_without_constant(datum)) {}
+      constant_(-displacement_without_constant(datum)) {}
 
 // begin excerpt: equation-2
 Estimate SurfaceQuadrature::normal_gradient(double x) const {
@@ -70,7 +70,7 @@ Estimate SurfaceQuadrature::normal_displacement(double x) const {
 }
 
 Estimate SurfaceQuadrature::tangential_displacement(double x) const {
-  Estimate local = -1.0 * local_part(normal_, x);
+  Estimate local = -local_part(normal_, x);
   for (const LineForce& force : load_.forces) {
     const double side = std::copysign(1.0, distance_to_force(force, x));
     local.value -= material_.local_compliance() / 2 * force.magnitude * side;
@@ -117,7 +117,7 @@ Estimate SurfaceQuadrature::normal_displacement_from_gradient(double x) const {
     const double middle = nodes[i] + (nodes[i + 1] - nodes[i]) / 2;
     sum += integrate_gradient(nodes[i], middle) - integrate_gradient(nodes[i + 1], middle);
   }
-  return x < datum_ ? -1.0 * sum : sum;
+  return x < datum_ ? -sum : sum;
 }
 
 // ∫ (∂u_z/∂x) dx from begin to end, where the gradient may be infinite or kinked at or just before

@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_contact/cylinder_friction.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
+#include "contact/partial_slip.hpp"
 #include "line_contact/cylinders.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {
 namespace {
 
-// Returns |Q|/(μP), in which P = π a p₀/2.
-double share_of_sliding(const Hertz& normal, double friction, double tangential_load) {
-  sys::require_positive("friction", friction);
-  sys::require_finite("tangential_load", tangential_load);
-  const double limit =
-      friction * std::numbers::pi / 2 * normal.half_width() * normal.peak_pressure();
-  if (!(std::abs(tangential_load) < limit)) {
-    throw sys::InvalidQuantity(
-        "tangential_load", tangential_load,
-        fmt::format("less in magnitude than friction times load, {}: there sliding begins", limit));
-  }
-  return std::abs(tangential_load) / limit;
+// P = π a p₀/2
+double load_of(const Hertz& normal) {
+  return std::numbers::pi / 2 * normal.half_width() * normal.peak_pressure();
 }
 
 }  // namespace
@@ -34,8 +24,9 @@ CattaneoMindlin::CattaneoMindlin(const Hertz& normal, double friction, double ta
     : normal_(normal),
       friction_(friction),
       tangential_load_(tangential_load),
-      stick_half_width_(normal.half_width() *
-                        std::sqrt(1 - share_of_sliding(normal, friction, tangential_load))) {}
+      stick_half_width_(
+          normal.half_width() *
+          std::sqrt(1 - contact::share_of_sliding(load_of(normal), friction, tangential_load))) {}
 
 double CattaneoMindlin::traction(double x) const {
   const double a = normal_.half_width();

@@ -119,8 +119,7 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
   // Up to where QAWC itself takes x for a pole, it does; ∫ f/(x − s) is −∫ f/(s − x).
   if (position <= 1.1) {
     const auto difference = [&](double s) { return piece.value(s) - nearest_value; };
-    return -1.0 *
-           quadrature_.principal_value(difference, piece.begin, piece.end, x, abs_tolerance, name);
+    return -quadrature_.principal_value(difference, piece.begin, piece.end, x, abs_tolerance, name);
   }
 
   // Farther off, v = ln(|x − s|/distance) takes the kernel in: ds/(x − s) = ±dv.
@@ -133,7 +132,7 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
   const double end = std::log1p((piece.end - piece.begin) / distance);
   const Estimate magnitude =
       quadrature_.adaptive(substituted, 0, end, abs_tolerance, name, GaussKronrod::points_15);
-  return at_begin ? -1.0 * magnitude : magnitude;
+  return at_begin ? -magnitude : magnitude;
 }
 
 // begin excerpt: logarithmic-integral

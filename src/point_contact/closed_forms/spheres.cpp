@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_contact/closed_forms/spheres.hpp"
 
-#include <fmt/core.h>
-
 #include <cmath>
 #include <numbers>
 
+#include "contact/partial_slip.hpp"
 #include "point_contact/closed_forms/revolution.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {
-namespace {
-
-// |Q|/(μP)
-double share_of_sliding(const Hertz& normal, double friction, double tangential_load) {
-  sys::require_positive("friction", friction);
-  sys::require_finite("tangential_load", tangential_load);
-  const double limit = friction * normal.load();
-  if (!(std::abs(tangential_load) < limit)) {
-    throw sys::InvalidQuantity(
-        "tangential_load", tangential_load,
-        fmt::format("less in magnitude than friction times load, {}: there sliding begins", limit));
-  }
-  return std::abs(tangential_load) / limit;
-}
-
-}  // namespace
-
 Hertz::Hertz(double contact_modulus, double relative_curvature, double load)
     : relative_curvature_(sys::require_positive("relative_curvature", relative_curvature)),
       load_(sys::require_positive("load", load)),
@@ -90,7 +72,7 @@ CattaneoMindlin::CattaneoMindlin(const Hertz& normal, double friction, double ta
     : normal_(normal),
       friction_(friction),
       tangential_load_(tangential_load),
-      share_of_sliding_(share_of_sliding(normal, friction, tangential_load)),
+      share_of_sliding_(contact::share_of_sliding(normal.load(), friction, tangential_load)),
       stick_radius_(normal.radius() * std::cbrt(1 - share_of_sliding_)) {}
 
 double CattaneoMindlin::traction(double r) const {
