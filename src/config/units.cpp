@@ -15,7 +15,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +22,7 @@
 
 #include "config/unit_definitions.hpp"
 #include "system/decimal.hpp"
+#include "system/pattern.hpp"
 #include "system/text.hpp"
 
 namespace config {
@@ -52,16 +52,16 @@ ut_system* database() {
 
 /// UDUNITS reads m² but not m⁻² or m⁴, no deg, and m^0.5 as five times m⁰, without a word.
 std::string spelt_for_udunits(std::string name) {
-  static const std::regex broken_power(R"((\^|\*\*)[+-]?\d+\.\d)");
-  if (std::regex_search(name, broken_power)) {
+  static const sys::Pattern broken_power(R"((\^|\*\*)[+-]?\d+\.\d)");
+  if (broken_power.is_in(name)) {
     throw UnitError(fmt::format("unit \"{}\" has a power that is no whole number", name));
   }
   constexpr std::pair<const char*, const char*> raised[] = {
       {"⁻", "-"}, {"⁺", "+"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
       {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}};
   for (const auto& [sign, digit] : raised) boost::replace_all(name, sign, digit);
-  static const std::regex degree("(^|[^A-Za-z_])deg(?![A-Za-z_])");
-  return std::regex_replace(name, degree, "$1degree");
+  static const sys::Pattern degree("(^|[^A-Za-z_])deg(?![A-Za-z_])");
+  return degree.replaced_in(name, "$1degree");
 }
 
 Unit parse(const std::string& name) {
@@ -229,13 +229,12 @@ Factor factor_of_name(const std::string& name) {
 
 /// The names in a unit: kg, m and s in kg.m/s2.
 std::vector<std::string> names_in(const std::string& spelt) {
-  static const std::regex name("[^0-9 .*/^()+-]+([0-9]+[A-Za-z_]+)*");
+  static const sys::Pattern name("[^0-9 .*/^()+-]+([0-9]+[A-Za-z_]+)*");
   std::vector<std::string> names;
-  for (std::sregex_iterator found(spelt.begin(), spelt.end(), name), end; found != end; ++found) {
-    const auto at = static_cast<std::size_t>(found->position());
-    const bool is_exponent =
-        at > 0 && sys::is_digit(spelt[at - 1]) && boost::iequals(found->str(), "e");
-    if (!is_exponent) names.push_back(found->str());
+  for (const sys::Pattern::Match& found : name.all_in(spelt)) {
+    const bool is_exponent = !found.before.empty() && sys::is_digit(found.before.back()) &&
+                             boost::iequals(found.parts[0], "e");
+    if (!is_exponent) names.push_back(found.str());
   }
   return names;
 }

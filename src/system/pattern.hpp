@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +22,12 @@ class Pattern {
   /// A match, as views of the text that was searched.
   struct Match {
     std::vector<std::string_view>
-        parts;              ///< the whole match and each group; an unmatched group is empty
-    std::string_view rest;  ///< the text after the match
+        parts;                ///< the whole match and each group; an unmatched group is empty
+    std::string_view before;  ///< the text between the match before, or the begin, and this one
+    std::string_view rest;    ///< the text after the match
+
+    /// The whole match, or a group.
+    std::string str(std::size_t i = 0) const { return std::string(parts.at(i)); }
   };
 
   /// Whether a part of the text matches.
@@ -33,6 +38,18 @@ class Pattern {
 
   /// The first match in the text.
   std::optional<Match> find_in(std::string_view text) const;
+
+  /// The match with which the text begins, if it begins with one.
+  std::optional<Match> find_at_begin_of(std::string_view text) const;
+
+  /// All matches, from left to right.
+  std::vector<Match> all_in(std::string_view text) const;
+
+  /// What stands between the matches.
+  std::vector<std::string_view> split(std::string_view text) const;
+
+  /// The text with each match replaced, where $1 is the first group of the match.
+  std::string replaced_in(std::string_view text, const std::string& replacement) const;
 
   /// The match, if the whole text matches.
   std::optional<Match> match_all_of(std::string_view text) const;

@@ -4,12 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <regex>
 #include <stdexcept>
 
 #include "literate/document/document_tex.hpp"
 #include "literate/text/latex.hpp"
 #include "system/files.hpp"
+#include "system/pattern.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -95,17 +95,17 @@ std::string limits_html(const LimitNotes& notes) {
 }
 
 std::string lettered(const std::string& claim_html, std::vector<std::string>& order) {
-  static const std::regex link(R"re((href="#limit-([a-z]+)">\[)[a-z]+\])re");
+  static const sys::Pattern link(R"re((href="#limit-([a-z]+)">\[)[a-z]+\])re");
   std::string html;
-  auto rest = claim_html.begin();
-  for (std::sregex_iterator at(rest, claim_html.end(), link), end; at != end; ++at) {
-    const auto known = std::ranges::find(order, at->str(2));
+  std::string_view rest = claim_html;
+  for (const sys::Pattern::Match& found : link.all_in(claim_html)) {
+    const auto known = std::ranges::find(order, found.parts[2]);
     const auto index = static_cast<std::size_t>(known - order.begin());
-    if (known == order.end()) order.push_back(at->str(2));
-    html += std::string(rest, (*at)[0].first) + at->str(1) + letter_of_index(index) + "]";
-    rest = (*at)[0].second;
+    if (known == order.end()) order.push_back(found.str(2));
+    html += std::string(found.before) + found.str(1) + letter_of_index(index) + "]";
+    rest = found.rest;
   }
-  return html + std::string(rest, claim_html.end());
+  return html.append(rest);
 }
 
 std::string in_order(const std::string& limits_html, const std::vector<std::string>& order) {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
-#include <regex>
 
 #include "literate/page/expansion.hpp"
 #include "system/decimal.hpp"
 #include "system/files.hpp"
+#include "system/pattern.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -61,22 +61,20 @@ std::optional<bool> Expander::compared(TexScanner& in, std::string_view kind) {
       {"pt", 1}, {"in", 72.27}, {"cm", 72.27 / 2.54}, {"mm", 7.227 / 2.54}, {"bp", 72.27 / 72}};
   const std::string number = R"(\s*(-?[\d.]+|\\[A-Za-z]+(?:\[[^\]]*\])?(?:\{[^{}]*\})*))";
   const std::string unit = kind == "ifdim" ? R"(\s*([a-z]{2}))" : "()";
-  const std::regex comparison(number + unit + R"(\s*([<=>]))" + number + unit + R"(\s?)");
-  const std::string text(in.rest());
-  std::smatch found;
-  if (!std::regex_search(text, found, comparison, std::regex_constants::match_continuous))
-    return {};
-  in.skip(static_cast<std::size_t>(found.length()));
+  const sys::Pattern comparison(number + unit + R"(\s*([<=>]))" + number + unit + R"(\s?)");
+  const auto found = comparison.find_at_begin_of(in.rest());
+  if (!found) return {};
+  in.skip(found->parts[0].size());
   const auto measured = [&](std::size_t i) -> std::optional<double> {
-    const auto value = sys::parsed<double>(expanded(found.str(i)));
+    const auto value = sys::parsed<double>(expanded(found->str(i)));
     if (!value || kind == "ifnum") return value;
-    const auto point = points.find(found.str(i + 1));
+    const auto point = points.find(found->str(i + 1));
     if (point == points.end()) return std::nullopt;
     return *value * point->second;
   };
   const auto left = measured(1), right = measured(4);
   if (!left || !right) return std::nullopt;
-  const char sign = found.str(3).front();
+  const char sign = found->parts[3].front();
   return sign == '<'   ? *left < *right
          : sign == '>' ? *left > *right
                        : std::abs(*left - *right) < 1e-6;
@@ -277,12 +275,10 @@ void Expander::know_definitions() {
   });
   // \hskip1em plus .5em minus .4em, \penalty0
   know({"hskip", "vskip", "kern", "penalty"}, "", [this](const Call& call) {
-    static const std::regex length(
-        R"(^\s*-?[\d.]+\s*((em|ex|pt|pc|mm|cm|in)(\s*(plus|minus)\s*[\d.]+\s*[a-z]+)*)?)");
-    std::cmatch found;
-    const std::string_view rest = call.in.rest();
-    std::regex_search(rest.data(), rest.data() + rest.size(), found, length);
-    call.in.skip(static_cast<std::size_t>(found.length()));
+    static const sys::Pattern length(
+        R"(\s*-?[\d.]+\s*((em|ex|pt|pc|mm|cm|in)(\s*(plus|minus)\s*[\d.]+\s*[a-z]+)*)?)");
+    const auto found = length.find_at_begin_of(call.in.rest());
+    if (found) call.in.skip(found->parts[0].size());
     emit(call.name == "penalty" ? "" : " ");
   });
   know({"unskip"}, "", [this](const Call&) {

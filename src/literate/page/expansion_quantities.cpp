@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <boost/algorithm/string/replace.hpp>
-#include <regex>
 
 #include "literate/page/expansion.hpp"
 #include "literate/tables/column_writer.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
+#include "system/pattern.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -21,38 +21,39 @@ std::string power_of(std::string exponent, bool is_math) {
 }
 
 /// A unit as plain_unit() writes it, with raised powers: «m s⁻¹», «m^(1/2)».
-std::string unit_with_powers(std::string unit, bool is_math) {
-  static const std::regex power(R"(((?:⁻|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹)+)|\^\(([^)]*)\))");
+std::string unit_with_powers(std::string_view unit, bool is_math) {
+  static const sys::Pattern power(R"(((?:⁻|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹)+)|\^\(([^)]*)\))");
   constexpr std::string_view raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  const auto plain = [&](const std::string& text) {
+  const auto plain = [&](std::string_view text) {
     const std::string escaped = escape_bookmark(text);
     return is_math && !escaped.empty() ? "\\text{" + escaped + "}" : escaped;
   };
   std::string text;
-  for (std::smatch found; std::regex_search(unit, found, power); unit = found.suffix()) {
+  for (const sys::Pattern::Match& found : power.all_in(unit)) {
     std::string exponent = found.str(1) + found.str(2);
     boost::replace_all(exponent, "⁻", "-");
     for (int digit = 0; digit < 10; ++digit) {
       boost::replace_all(exponent, raised[digit], std::to_string(digit));
     }
-    text += plain(found.prefix()) + power_of(exponent, is_math);
+    text += plain(found.before) + power_of(exponent, is_math);
+    unit = found.rest;
   }
   return text + plain(unit);
 }
 
 // A unit of siunitx with a solidus, as the PDF has it: \joule\per\mole\per\kelvin is J/(mol K).
 std::string unit_with_solidus(const std::string& unit) {
-  static const std::regex factor(
+  static const sys::Pattern factor(
       R"(\s*(\\per(?![A-Za-z])\s*)?((?:\\(?:yocto|zepto|atto|femto|pico|nano|micro|milli|centi|deci|)"
       R"(deca|hecto|kilo|mega|giga|tera|peta|exa|zetta|yotta|square|cubic)(?![A-Za-z])\s*)*)"
       R"((?:\\[A-Za-z]+|[^\\]+)\s*(?:\\(?:squared|cubed)(?![A-Za-z])|\\tothe\{[^}]*\})?))");
   std::string above, below;
   int n_below = 0;
-  for (std::sregex_iterator found(unit.begin(), unit.end(), factor), end; found != end; ++found) {
-    const bool is_below = (*found)[1].matched;
+  for (const sys::Pattern::Match& found : factor.all_in(unit)) {
+    const bool is_below = !found.parts[1].empty();
     n_below += is_below ? 1 : 0;
     std::string& part = is_below ? below : above;
-    part += (part.empty() ? "" : "\\,") + ("\\si{" + found->str(2) + "}");
+    part += (part.empty() ? "" : "\\,") + ("\\si{" + found.str(2) + "}");
   }
   if (n_below == 0) return above;
   return above + (n_below > 1 ? "/(" + below + ")" : "/" + below);
@@ -63,33 +64,33 @@ std::string unit_with_solidus(const std::string& unit) {
 // The forms are «-1.2e-6 lbf/in», «994(22) ± 3», «994 +22 −18», «(4.7 ± 1.8)e-3 mm»,
 // «994 ± 22 (statistics) ± 5 (calibration)»; from the first blank before something else it is unit.
 std::string quantity_latex(std::string_view printed, bool is_math) {
-  static const std::regex number(R"([-+.\d()e]*\d[-+.\d()e]*( .*)?)"),
+  static const sys::Pattern number(R"([-+.\d()e]*\d[-+.\d()e]*( .*)?)"),
       part(
           R"( \(([^()]*)\)|( ± )| \+([\de.-]+) −([\de.-]+)| (.*)|e\+?(-?\d+)|(-)|(\d+)(?:\.(\d+))?|.)");
-  std::string rest(printed);
-  if (!std::regex_match(rest, number)) return escape_latex(printed);
+  if (!number.is_all_of(printed)) return escape_latex(printed);
   std::string text;
-  for (std::smatch found; std::regex_search(rest, found, part); rest = found.suffix()) {
-    const auto quantity = [&](std::size_t i) { return quantity_latex(found.str(i), is_math); };
-    if (found[1].matched) {
-      const std::string words = " (" + escape_bookmark(found.str(1)) + ")";
+  for (const sys::Pattern::Match& found : part.all_in(printed)) {
+    const auto quantity = [&](std::size_t i) { return quantity_latex(found.parts[i], is_math); };
+    const auto is_form = [&](std::size_t i) { return !found.parts[i].empty(); };
+    if (is_form(1)) {
+      const std::string words = " (" + escape_bookmark(found.parts[1]) + ")";
       text += is_math ? "\\text{" + words + "}" : words;
-    } else if (found[2].matched) {
+    } else if (is_form(2)) {
       text += is_math ? "\\pm " : "~±~";
-    } else if (found[3].matched) {
+    } else if (is_form(3)) {
       text += is_math ? "^{+" + quantity(3) + "}_{-" + quantity(4) + "}"
                       : "~+" + quantity(3) + "~−" + quantity(4);
-    } else if (found[5].matched) {
-      text += (is_math ? "\\," : "~") + unit_with_powers(found.str(5), is_math);
-    } else if (found[6].matched) {
-      if (found.str(6) == "0") continue;  // as siunitx prints it
+    } else if (is_form(5)) {
+      text += (is_math ? "\\," : "~") + unit_with_powers(found.parts[5], is_math);
+    } else if (is_form(6)) {
+      if (found.parts[6] == "0") continue;  // as siunitx prints it
       if (!text.empty()) text += is_math ? "\\times" : "~×~";
       text += "10" + power_of(found.str(6), is_math);
-    } else if (found[7].matched) {
+    } else if (is_form(7)) {
       text += is_math ? "{-}" : "−";
-    } else if (found[8].matched) {
+    } else if (is_form(8)) {
       text += grouped(found.str(8), false);
-      if (found[9].matched) text += "." + grouped(found.str(9), true);
+      if (is_form(9)) text += "." + grouped(found.str(9), true);
     } else {
       text += found.str();
     }
@@ -99,19 +100,18 @@ std::string quantity_latex(std::string_view printed, bool is_math) {
 
 /// What siunitx prints of a number that an author types: «-.5E3» is −0.5e3.
 std::string Expander::typed_number(std::string_view latex) {
-  static const std::regex form(
+  static const sys::Pattern form(
       R"(\s*([-+]?)(\d*)(?:[.,](\d*))?(\(\d+\))?(?:[eEdD]([-+]?[1-9]\d*|0))?\s*)");
   const std::string typed = expanded(latex);
-  std::smatch parts;
-  const bool is_number = std::regex_match(typed, parts, form) &&
-                         (parts.length(2) + parts.length(3) + parts.length(5) > 0);
-  if (!is_number) {
+  const auto found = form.match_all_of(typed);
+  if (!found || (found->str(2) + found->str(3) + found->str(5)).empty()) {
     fail(fmt::format("the page cannot set the number '{}'; write it as -1.2(3)e-4", typed));
     return "";
   }
-  std::string number = parts.str(1) + parts.str(2);
-  if (parts.length(3) > 0) number += (parts.length(2) == 0 ? "0." : ".") + parts.str(3);
-  return number + parts.str(4) + (parts[5].matched ? "e" + parts.str(5) : "");
+  const auto part = [&](std::size_t i) { return found->str(i); };
+  std::string number = part(1) + part(2);
+  if (!part(3).empty()) number += (part(2).empty() ? "0." : ".") + part(3);
+  return number + part(4) + (part(5).empty() ? "" : "e" + part(5));
 }
 
 /// A number or a unit is set as siunitx sets it without options.
@@ -149,16 +149,16 @@ void Expander::know_quantities() {
   // pandoc takes only letters for columns, and shows nothing of what stands between them.
   know_environments(
       {"tabular", "tabular*", "tabularx", "longtable"}, "om", [this](const Call& call) {
-        static const std::regex joint(R"([@!]\s*\{\s*[^\s\\}])"),
+        static const sys::Pattern joint(R"([@!]\s*\{\s*[^\s\\}])"),
             filler(R"([@!<>]\s*\{[^{}]*\}|\|)"), paragraph(R"([pmbw]\s*\{[^{}]*\}|X)");
         const bool has_width = call.name == "tabular*" || call.name == "tabularx";
         std::string columns = expanded(has_width ? argument(call.in) : call.arguments[0]);
-        if (std::regex_search(columns, joint)) {
+        if (joint.is_in(columns)) {
           fail(
               "the page cannot join columns by @{…}; \\LiteratePicture{tabular} has LaTeX set "
               "them");
         }
-        columns = std::regex_replace(std::regex_replace(columns, filler, ""), paragraph, "l");
+        columns = paragraph.replaced_in(filler.replaced_in(columns, ""), "l");
         begin_block("<div class=\"lit-scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\">",
                     "</div>");
         emit("\\begin{tabular}{" + columns + "}");
@@ -172,9 +172,9 @@ void Expander::know_quantities() {
     argument(call.in);
   });
   know({"makebox", "framebox"}, "oom", [this](const Call& call) {
-    static const std::regex length(R"(\s*[\d.]+(em|ex|pt|pc|mm|cm|in)\s*)");
+    static const sys::Pattern length(R"(\s*[\d.]+(em|ex|pt|pc|mm|cm|in)\s*)");
     const std::string width(call.option());
-    if (is_math_ || !std::regex_match(width, length)) {
+    if (is_math_ || !length.is_all_of(width)) {
       read_all(call.arguments[0]);
       return emit(width.empty() ? "" : " ");
     }

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "literate/page/expansion.hpp"
 #include "literate/page/html_text.hpp"
+#include "system/pattern.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -16,7 +16,7 @@ namespace {
 // The names in an argument of \author, LaTeX. Lines below the names, marks and notes are none; a
 // comma or «and» separates names unless the argument is one name.
 std::vector<std::string> names_of(std::string text, bool is_one) {
-  static const std::regex comment(R"((^|[^\\])%[^\n]*\n\s*)"),
+  static const sys::Pattern comment(R"((^|[^\\])%[^\n]*\n\s*)"),
       group(R"([\s~]*\\and(?![A-Za-z])[\s~]*)"),
       block(R"(\\IEEEauthorblockN\s*\{((?:[^{}]|\{[^{}]*\})*)\})"),
       beside(R"(\\(?:corref|fnref|footnote|footnotemark|IEEEauthorrefmark|inst|IEEEauthorblockA|)"
@@ -25,18 +25,15 @@ std::vector<std::string> names_of(std::string text, bool is_one) {
       separator(R"([\s~]*,(?![\s~]*(?:Jr\.?|Sr\.?|I{2,3}|IV|Ph\.?D\.?|M\.?D\.?)(?![A-Za-z]))[\s~]*)"
                 R"((?:and[\s~])?|[\s~]+and[\s~]+)");
   constexpr std::string_view blanks = " \t\r\n~,";
-  text = std::regex_replace(std::regex_replace(text, comment, "$1"), block, "$1");
-  text = std::regex_replace(text, beside, "");
+  text = block.replaced_in(comment.replaced_in(text, "$1"), "$1");
+  text = beside.replaced_in(text, "");
   std::vector<std::string> names;
-  const std::sregex_token_iterator groups(text.begin(), text.end(), group, -1), end;
-  for (auto one = groups; one != end; ++one) {
-    const std::string line = one->str().substr(0, one->str().find("\\\\"));
-    std::sregex_token_iterator name(line.begin(), line.end(), separator, -1);
-    for (; name != end; is_one ? name = end : ++name) {
-      const std::string whole = is_one ? line : name->str();
-      const auto begin = std::min(whole.find_first_not_of(blanks), whole.size());
-      const auto behind = whole.find_last_not_of(blanks) + 1;
-      if (begin < whole.size()) names.push_back(whole.substr(begin, behind - begin));
+  for (const std::string_view one : group.split(text)) {
+    const std::string_view line = one.substr(0, one.find("\\\\"));
+    for (const std::string_view name : is_one ? std::vector{line} : separator.split(line)) {
+      const auto begin = std::min(name.find_first_not_of(blanks), name.size());
+      const auto behind = name.find_last_not_of(blanks) + 1;
+      if (begin < name.size()) names.emplace_back(name.substr(begin, behind - begin));
     }
   }
   return names;
@@ -44,10 +41,10 @@ std::vector<std::string> names_of(std::string text, bool is_one) {
 
 // organization={Dept},city={X}: the values in their order, as elsarticle prints them.
 std::string values_of_keys(const std::string& text) {
-  static const std::regex setting(R"(\w+\s*=\s*(?:\{((?:[^{}]|\{[^{}]*\})*)\}|([^,]*)))");
+  static const sys::Pattern setting(R"(\w+\s*=\s*(?:\{((?:[^{}]|\{[^{}]*\})*)\}|([^,]*)))");
   std::string values;
-  for (std::sregex_iterator found(text.begin(), text.end(), setting), end; found != end; ++found) {
-    const std::string value(sys::stripped(found->str(1) + found->str(2)));
+  for (const sys::Pattern::Match& found : setting.all_in(text)) {
+    const std::string value(sys::stripped(found.str(1) + found.str(2)));
     values += (values.empty() ? "" : ", ") + value;
   }
   return values.empty() ? text : values;

@@ -2,10 +2,10 @@
 #include "literate/page/html_text.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
-#include <regex>
 #include <utility>
 
 #include "literate/text/characters.hpp"
+#include "system/pattern.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -33,31 +33,31 @@ std::string shifted(const std::string& text, bool is_raised) {
 }
 
 // Exponents, indices and fractions of numbers, which without their tags would be digits in a row.
-std::string with_plain_numbers(std::string html) {
-  static const std::regex fraction("<mfrac><m[in]>([^<]*)</m[in]><m[in]>([^<]*)</m[in]></mfrac>");
-  static const std::regex shift(
+std::string with_plain_numbers(std::string_view html) {
+  static const sys::Pattern fraction("<mfrac><m[in]>([^<]*)</m[in]><m[in]>([^<]*)</m[in]></mfrac>");
+  static const sys::Pattern shift(
       "<(su[pb])>([^<]*)</su[pb]>|"
       "(?:<mrow><mo[^>]*>(−)</mo><mn>([0-9]+)</mn></mrow>|<mn>([0-9]+)</mn>)"
       "</m(su[pb])>");
-  html = std::regex_replace(html, fraction, "$1/$2");
+  const std::string with_fractions = fraction.replaced_in(html, "$1/$2");
+  std::string_view rest = with_fractions;
   std::string text;
-  std::smatch found;
-  while (std::regex_search(html, found, shift)) {
-    const bool is_raised = found[1].str() == "sup" || found[6].str() == "sup";
-    const std::string inside = found[2].str() + found[3].str() + found[4].str() + found[5].str();
+  for (const sys::Pattern::Match& found : shift.all_in(with_fractions)) {
+    const bool is_raised = found.parts[1] == "sup" || found.parts[6] == "sup";
+    const std::string inside = found.str(2) + found.str(3) + found.str(4) + found.str(5);
     const std::string made = shifted(inside, is_raised);
-    text += found.prefix().str() + (made.empty() ? inside : made);
-    html = found.suffix().str();
+    text.append(found.before).append(made.empty() ? inside : made);
+    rest = found.rest;
   }
-  return text + html;
+  return text.append(rest);
 }
 
 }  // namespace
 
 std::string text_of_html(std::string_view html) {
-  static const std::regex space("<mspace[^>]*>"), tag("<[^>]*>");
-  const std::string numbers = with_plain_numbers(std::regex_replace(std::string(html), space, " "));
-  return sys::one_line(std::regex_replace(numbers, tag, ""));
+  static const sys::Pattern space("<mspace[^>]*>"), tag("<[^>]*>");
+  const std::string numbers = with_plain_numbers(space.replaced_in(html, " "));
+  return sys::one_line(tag.replaced_in(numbers, ""));
 }
 
 std::string one_word(const std::string& verdict) {
@@ -65,8 +65,8 @@ std::string one_word(const std::string& verdict) {
 }
 
 std::string without_blanks(std::string_view text) {
-  static const std::regex blank("\\s+");
-  return std::regex_replace(std::string(text), blank, "");
+  static const sys::Pattern blank("\\s+");
+  return blank.replaced_in(text, "");
 }
 
 }  // namespace literate

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <regex>
 #include <set>
 
 #include "literate/prose/tex_scanner.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/pattern.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -35,10 +35,10 @@ void read_cleveref(const std::string& text, PrintedLabel& label) {
 
 // Cleveref makes the capital of a name that the document gives when it prints the name.
 std::string with_capital(const std::string& name) {
-  static const std::regex made(R"(^\\MakeUppercase\s*(?:\[\])?\s*\{([a-z])\}(.*)$)");
-  std::smatch parts;
-  if (!std::regex_match(name, parts, made)) return name;
-  return static_cast<char>(parts.str(1)[0] - 'a' + 'A') + parts.str(2);
+  static const sys::Pattern made(R"(\\MakeUppercase\s*(?:\[\])?\s*\{([a-z])\}(.*))");
+  const auto found = made.match_all_of(name);
+  if (!found) return name;
+  return static_cast<char>(found->parts[1].front() - 'a' + 'A') + found->str(2);
 }
 
 }  // namespace

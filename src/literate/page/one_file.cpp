@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <cctype>
-#include <regex>
 #include <vector>
 
 #include "literate/page/html_text.hpp"
 #include "literate/text/characters.hpp"
 #include "literate/text/latex.hpp"
 #include "system/files.hpp"
+#include "system/pattern.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;
@@ -127,10 +127,9 @@ namespace {
 
 // 2026/11/22 of an ISO date, as Highwire's tags have it; the year of another text.
 std::string publication_date(const std::string& date) {
-  static const std::regex year_or_day(R"(\d{4}(-\d\d-\d\d)?)");
-  std::smatch found;
-  std::regex_search(date, found, year_or_day);
-  return boost::replace_all_copy(found.str(), "-", "/");
+  static const sys::Pattern year_or_day(R"(\d{4}(-\d\d-\d\d)?)");
+  const auto found = year_or_day.find_in(date);
+  return found ? boost::replace_all_copy(found->str(), "-", "/") : "";
 }
 
 std::string key_word(const std::string& text) {

@@ -8,7 +8,6 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "config/units.hpp"
 #include "literate/text/characters.hpp"
 #include "system/decimal.hpp"
+#include "system/pattern.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -168,10 +168,8 @@ class Reader {
       return factors;
     }
     if (rest_.starts_with('1')) {
-      static const std::regex longer("^1([0-9.]|[eE][-+]?[0-9])");
-      if (std::regex_search(rest_.begin(), rest_.end(), longer)) {
-        refuse("a number stands there for a name");
-      }
+      static const sys::Pattern longer("1([0-9.]|[eE][-+]?[0-9])");
+      if (longer.find_at_begin_of(rest_)) refuse("a number stands there for a name");
       rest_.remove_prefix(1);
       return {};
     }
@@ -297,8 +295,8 @@ class Reader {
 
   std::pair<int, std::string> with_broken(std::string text) {
     if (text.starts_with('+')) text.erase(0, 1);
-    static const std::regex broken(R"(-?\d+[./]\d+)");
-    if (std::regex_match(text, broken)) return {1, text};
+    static const sys::Pattern broken(R"(-?\d+[./]\d+)");
+    if (broken.is_all_of(text)) return {1, text};
     const bool is_negative = text.starts_with('-');
     return {(is_negative ? -1 : 1) * number(std::string_view(text).substr(is_negative ? 1 : 0)),
             ""};
