@@ -67,7 +67,7 @@ def tools():
         empty = f'"$REAL" "$@" || exit; for f in *.{ending}; do : >"$f"; done'
         yield gnuplot(f"gnuplot leaves an empty .{ending} and succeeds", empty, figure)
     yield gnuplot("gnuplot warns", 'echo "line 0: warning: something" >&2; exit 1', figure + ".*something")
-    yield gnuplot("gnuplot hangs", "sleep 1000", figure + r".*TIMEOUT", variables={"TIMEOUT": "15"}, is_fast=True)
+    yield gnuplot("gnuplot hangs", "sleep 1000", figure + r".*TIMEOUT", variables={"TIMEOUT": "5"}, is_fast=True)
     yield gnuplot("gnuplot floods", "yes | head -c 30000000; exit 1", figure)
     tex = r"report\.tex|LaTeX"
     yield latex("pdflatex fails without a word", "exit 3", tex)
