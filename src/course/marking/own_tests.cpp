@@ -21,7 +21,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int most_runs = 100;  ///< of tests whose questions depend on the answers
+constexpr int most_runs = 300;  ///< of tests whose questions depend on the answers
 
 /// What tests ask, and what a program answers to it, a line each.
 struct Talk {
@@ -66,6 +66,7 @@ class TestsRun {
 
   /// Once more, of a program that is known by its talk.
   Verdict repeated(const Talk& talk) {
+    if (took_too_long()) return {too_long()};
     auto [asked, verdict] = run_tests(talk);
     return asked == talk.questions ? verdict : Verdict{"ask other questions each time"};
   }
@@ -78,6 +79,9 @@ class TestsRun {
                                const std::string& text, JobEnd& end);
   std::string failure_of(const JobEnd& end) const;
   bool took_too_long() const { return seconds_ > seconds_for_all_; }
+  std::string too_long() const {
+    return fmt::format("take longer than {} s in all", seconds_for_all_);
+  }
 
   Limits limits_;
   int seconds_for_all_;
@@ -150,8 +154,10 @@ Verdict TestsRun::verdict_on(const fs::path& program, Talk& talk) {
     if (asked == talk.questions) return verdict;
     talk.questions = std::move(asked);
   }
-  return {took_too_long() ? fmt::format("take longer than {} s in all", seconds_for_all_)
-                          : fmt::format("still ask something else in run {}", most_runs)};
+  return {took_too_long() ? too_long()
+                          : fmt::format("ask more than {} questions one after the other, each of "
+                                        "which depends on the answer before",
+                                        most_runs)};
 }
 
 /// The line of a text, for a message; nothing else that tests said of the right program is told.
@@ -211,8 +217,11 @@ Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
   std::set<std::string> caught;
   for (const std::string& id : shuffled_with_the_right_one(wrong)) {
     if (id == the_right_one) {
-      if (!run.repeated(right).accepts()) return fault("do not always accept the right program");
-      continue;
+      const Verdict again = run.repeated(right);
+      if (again.accepts()) continue;
+      return fault(again.failure.empty()
+                       ? "do not always accept the right program"
+                       : again.failure + " when they try the right program again");
     }
     Talk talk{right.questions};
     if (run.verdict_on(programs / "wrong" / id, talk).rejects()) caught.insert(id);

@@ -25,7 +25,7 @@ bool is_not_finite(std::string_view word) {
 }
 
 /// Whether two answers to one question are the same but for the order in which threads added up:
-/// relatively to 1e-10, or to 1e-13 of the largest number. Every check allows for more.
+/// relatively to 1e-10, or to 1e-13 of the largest number of the answer.
 bool is_same(const Numbers& first, const Numbers& second) {
   constexpr double relative = 1e-10;
   constexpr double of_the_largest = 1e-13;
