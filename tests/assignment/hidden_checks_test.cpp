@@ -110,6 +110,17 @@ BOOST_AUTO_TEST_CASE(an_error_that_is_the_same_everywhere_is_no_estimate) {
                  {"quadrature-honest"});
 }
 
+BOOST_AUTO_TEST_CASE(an_error_may_have_a_small_least_value) {
+  const Program floored = spoiled("gradient_by_quadrature", [](Numbers& out) {
+    double greatest = 0;
+    for (std::size_t i = 0; i < out.size(); i += 2) {
+      greatest = std::max(greatest, std::abs(out[i]));
+    }
+    for (std::size_t i = 1; i < out.size(); i += 2) out[i] = std::max(out[i], 1e-10 * greatest);
+  });
+  require_failed(floored, {});
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_that_takes_the_second_body_for_the_first_is_wrong_for_other_pairs) {
   const Program one_body = misled("contact", [](Numbers& in) {
     in[3] = in[0];

@@ -21,8 +21,8 @@ namespace exercise {
 ///
 /// a Cauchy principal value where x lies under the load. `value` is to be good to 10⁻⁷ of the
 /// greatest slope, and the truth must lie within `abs_error` of it, also where GSL's own estimate
-/// leaves something out; an error that is zero, more than 10⁻⁶ of the greatest slope, or the same at
-/// all places of one load is no use.
+/// leaves something out; an error that is zero, or more than 10⁻⁶ of the greatest slope, is no use,
+/// and one number for all places of a load may be 10⁻⁹ of it at most.
 numerics::Estimate normal_gradient_by_quadrature(const Material& material, const Load& load,
                                                  double x);
 
