@@ -119,6 +119,15 @@ Limits read_limits(const Table& table) {
   return limits;
 }
 
+std::map<std::string, std::size_t> read_single_numbers(const Table& table) {
+  constexpr int most = 1000;
+  std::map<std::string, std::size_t> numbers;
+  for (const std::string& task : table.keys()) {
+    numbers[task] = static_cast<std::size_t>(integer(table, task, 1, most));
+  }
+  return numbers;
+}
+
 CheckEntry read_check(const Table& table, std::set<std::string>& ids) {
   CheckEntry check;
   check.id = new_id(table, "id", ids);
@@ -307,6 +316,9 @@ Assignment read_assignment(const fs::path& folder) {
   assignment.points = positive(root, "points");
   assignment.floor = number(root, "floor", 0, assignment.points);
   if (root.has("feedback")) assignment.holds_feedback_back = read_feedback(root);
+  if (root.has("single_numbers")) {
+    assignment.single_numbers = read_single_numbers(root.table("single_numbers"));
+  }
   if (root.has("late")) assignment.late = read_late(root.table("late"));
   if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
   Exercises exercises(root, folder);

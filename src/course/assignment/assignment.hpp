@@ -101,6 +101,9 @@ struct Assignment {
   std::vector<std::string> provided;
   LatePolicy late;
   Limits limits;
+  /// Of a task, how many numbers of its answer stand before those that are of one kind: of a
+  /// contact the approach and the half-width, before the pressures.
+  std::map<std::string, std::size_t> single_numbers;
   std::vector<Exercise> exercises;
   std::vector<Criterion> criteria;  ///< besides `points`, which are those of the checks
   std::vector<Quantity> quantities;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,6 +18,11 @@ namespace course {
 /// no comparison holds. Throws ProgramFailure for anything else; the message repeats nothing of
 /// what the program printed, not even how much it was.
 Numbers parse_answer(std::string_view text);
+
+/// Whether two answers to one question are the same but for the order in which threads added up:
+/// relatively to 1e-10, or to 1e-13 of the largest of the numbers, which are of one kind but for
+/// the first `n_single` (Assignment::single_numbers).
+bool is_same_answer(const Numbers& first, const Numbers& second, std::size_t n_single);
 
 /// Runs a program in the sandbox on a text, within the limits. Input, output and errors are files
 /// beside it, `input`, `output` and `errors`.
@@ -56,6 +62,7 @@ class ProgramRun {
   std::string with_errors(const std::string& failure) const;
 
   Limits limits_;
+  std::map<std::string, std::size_t> single_numbers_;
   int exercise_seconds_;
   std::filesystem::path common_, program_;
   bool tells_errors_;

@@ -197,6 +197,16 @@ BOOST_AUTO_TEST_CASE(one_number_that_is_none_leaves_the_others_to_the_check) {
   BOOST_CHECK_THROW(parse_answer(" \n"), ProgramFailure);
 }
 
+BOOST_AUTO_TEST_CASE(numbers_of_other_kinds_are_compared_each_by_itself) {
+  using course::is_same_answer;
+  const Numbers contact = {1.9e-5, 3e-4, 0, 5e8, 1e-7};
+  BOOST_TEST(is_same_answer(contact, {1.9e-5, 3e-4, 0, 5e8, 3e-7}, 2));
+  BOOST_TEST(is_same_answer(contact, {1.9e-5 * (1 + 1e-12), 3e-4, 0, 5e8 * (1 + 1e-12), 0}, 2));
+  BOOST_TEST(!is_same_answer(contact, {1.8e-5, 3e-4, 0, 5e8, 1e-7}, 2));
+  BOOST_TEST(!is_same_answer(contact, {1.9e-5, 3e-4, 1e-3, 5e8, 1e-7}, 2));
+  BOOST_TEST(!is_same_answer(contact, {1.9e-5, 3e-4, 0, 5e8}, 2));
+}
+
 BOOST_AUTO_TEST_CASE(answers_that_differ_as_threads_add_up_are_the_same) {
   const Graded graded =
       grade(with("src/sum.cpp",
