@@ -41,9 +41,10 @@ struct ReportTexts {
 // What a marker should look at, «report/report.tex:line:column: what». Texts of any bytes are
 // taken.
 
-/// In this order: bytes that are no UTF-8; what LaTeX says; commands of numbers.tex that the report
-/// defines anew; commands that an ordinary report does not need, and by which one could hide
-/// something from the other findings.
+/// In this order: bytes that are no UTF-8; what LaTeX says; definitions of commands that
+/// numbers.tex has or that show what is computed, and of those whose name is not written there;
+/// commands that an ordinary report does not need, and by which one could hide something from the
+/// other findings.
 std::vector<std::string> findings_of_commands(const ReportTexts& texts);
 
 /// Typed numbers, by the engine's lint.

@@ -24,7 +24,7 @@ constexpr const char* report_file = "report/report.tex";
 
 /// A command that a text defines.
 struct Definition {
-  std::string name;
+  std::string name;  ///< without backslash; empty if the name is not written there
   literate::TexPlace place;
 };
 
@@ -36,18 +36,31 @@ bool is_of_the_kernel(std::string_view command) {
 }
 
 bool defines(std::string_view command) {
-  static const std::set<std::string_view> all = {"newcommand",
-                                                 "newcommand*",
-                                                 "renewcommand",
-                                                 "renewcommand*",
-                                                 "providecommand",
-                                                 "providecommand*",
-                                                 "def",
-                                                 "edef",
-                                                 "gdef",
-                                                 "xdef",
-                                                 "let"};
+  static const std::set<std::string_view> all = {"newcommand", "renewcommand", "providecommand",
+                                                 "def",        "edef",         "gdef",
+                                                 "xdef",       "let",          "addto"};
   return is_of_the_kernel(command) || all.contains(command);
+}
+
+/// The name of \name or of \, and its like; empty if the token is no command.
+std::string name_of(const literate::TexToken& token) {
+  const bool is_command =
+      token.kind == literate::TexKind::command || token.kind == literate::TexKind::symbol;
+  if (!is_command) return "";
+  return std::string(token.name.empty() ? token.text.substr(1) : token.name);
+}
+
+/// What \newcommand and its like define by `token`. A parameter, as #1, stands for a name that is
+/// written elsewhere, and so do what makes names and what is expanded first.
+Definition definition_by(const literate::TexToken& token, std::string_view text) {
+  const std::string name = name_of(token);
+  const bool is_made = name == "csname" || name == "expandafter";
+  return {is_made ? "" : name, literate::place_in(text, token.text)};
+}
+
+bool may_stand_before_a_name(const literate::TexToken& token) {
+  return token.kind == literate::TexKind::open || token.kind == literate::TexKind::comment ||
+         sys::stripped(token.text).empty();
 }
 
 /// Finds \newcommand*\name, \def\name and their like.
@@ -56,25 +69,21 @@ std::vector<Definition> definitions_in(std::string_view text) {
   literate::TexScanner scanner(text);
   bool is_awaited = false;
   while (const auto token = scanner.next()) {
-    using literate::TexKind;
-    if (is_awaited && token->kind == TexKind::command) {
-      definitions.push_back({std::string(token->name), literate::place_in(text, token->text)});
-      is_awaited = false;
-    } else if (token->kind == TexKind::command) {
-      is_awaited = defines(token->name);
-    } else {
-      const bool may_stand_between = token->kind == TexKind::open ||
-                                     token->kind == TexKind::comment ||
-                                     sys::stripped(token->text).empty();
-      is_awaited = is_awaited && may_stand_between;
-    }
+    if (is_awaited && may_stand_before_a_name(*token)) continue;
+    if (is_awaited) definitions.push_back(definition_by(*token, text));
+    is_awaited = !is_awaited && defines(name_of(*token));
   }
   return definitions;
 }
 
-std::set<std::string> names_of(const std::vector<Definition>& definitions) {
+/// The commands that stand in a text.
+std::set<std::string> commands_in(std::string_view text) {
   std::set<std::string> names;
-  for (const Definition& definition : definitions) names.insert(definition.name);
+  literate::TexScanner scanner(text);
+  while (const auto token = scanner.next()) {
+    const std::string name = name_of(*token);
+    if (!name.empty()) names.insert(name);
+  }
   return names;
 }
 
@@ -126,6 +135,11 @@ bool is_unusual(std::string_view command) {
                                                  "romannumeral",
                                                  "char",
                                                  "chardef",
+                                                 "symbol",
+                                                 "mathchar",
+                                                 "mathchardef",
+                                                 "mathcode",
+                                                 "DeclareMathSymbol",
                                                  "numexpr",
                                                  "dimexpr",
                                                  "openin",
@@ -187,6 +201,20 @@ std::vector<std::string> unusual_commands(std::string_view text) {
   return findings;
 }
 
+/// Why a definition in the report is to be looked at; empty if it is an ordinary one. A number is
+/// forged by other commands in it, as \, too.
+std::string fault_in(const Definition& definition, const std::set<std::string>& computed) {
+  if (definition.name.empty()) return "defines a command whose name is not written there";
+  const std::string name = shown_name(definition.name);
+  if (computed.contains(definition.name)) {
+    return fmt::format("\\{} is defined anew, but numbers.tex has it", name);
+  }
+  if (definition.name == "includegraphics" || definition.name == "input") {
+    return fmt::format("\\{} is defined anew, but shows what the program computes", name);
+  }
+  return "";
+}
+
 /// The texts, those of the report in UTF-8.
 ReportTexts readable(ReportTexts texts) {
   if (place_of_no_utf8(texts.report)) {
@@ -207,13 +235,11 @@ std::vector<std::string> findings_of_commands(const ReportTexts& given) {
     findings.push_back(at(report_file, *place, "this is no UTF-8"));
   }
   const ReportTexts texts = readable(given);
-  const std::set<std::string> names = names_of(definitions_in(texts.computed));
   append(findings, told_by_latex(texts.log));
-  for (const Definition& anew : definitions_in(texts.report)) {
-    if (!names.contains(anew.name)) continue;
-    findings.push_back(
-        at(report_file, anew.place,
-           fmt::format("\\{} is defined anew, but numbers.tex gives it", shown_name(anew.name))));
+  const std::set<std::string> computed = commands_in(texts.computed);
+  for (const Definition& definition : definitions_in(texts.report)) {
+    const std::string fault = fault_in(definition, computed);
+    if (!fault.empty()) findings.push_back(at(report_file, definition.place, fault));
   }
   append(findings, unusual_commands(texts.report));
   return findings;

@@ -65,23 +65,60 @@ BOOST_AUTO_TEST_CASE(a_number_that_the_report_defines_anew_is_told_however_that_
     const Lines findings =
         findings_of_commands({.report = report(definition), .computed = computed, .log = ""});
     BOOST_REQUIRE(!findings.empty());
-    BOOST_TEST(findings[0].ends_with(": \\approach is defined anew, but numbers.tex gives it"),
+    BOOST_TEST(findings[0].ends_with(": \\approach is defined anew, but numbers.tex has it"),
                findings[0]);
   }
   check({.report = report("\\newcommand\\mine{a} \\approach"), .computed = computed, .log = ""},
         {});
 }
 
+BOOST_AUTO_TEST_CASE(a_definition_whose_target_is_not_written_there_is_told) {
+  const std::string says = ": defines a command whose name is not written there";
+  check({.report = report("\\newcommand\\adapt[2]{\\renewcommand#1{#2}}\n\\adapt\\halfwidth{x}"),
+         .computed = computed,
+         .log = ""},
+        {"report/report.tex:3:35" + says});
+  for (const char* definition :
+       {"\\renewcommand{#1}{x}", "\\renewcommand* #1{x}", "\\def\\mine#1{\\gdef##1{x}}",
+        "\\def~{x}", "\\newcommand\\mine{\\renewcommand}", "\\def\\csname halfwidth\\endcsname{x}",
+        "\\renewcommand\\expandafter{x}", "\\RenewDocumentCommand#1{}{x}", "\\addto#1{x}"}) {
+    const Lines findings =
+        findings_of_commands({.report = report(definition), .computed = computed, .log = ""});
+    BOOST_REQUIRE_MESSAGE(!findings.empty(), definition);
+    BOOST_TEST(findings[0].ends_with(says), findings[0]);
+  }
+  check({.report = report("\\newcommand{\\half}[1]{\\def\\mine##1{#1}} \\def\\pair(#1,#2){#1} "
+                          "\\addto\\captionsenglish{x} \\renewcommand*% why\n {\\abstractname}{x}"),
+         .computed = computed,
+         .log = ""},
+        {});
+}
+
+BOOST_AUTO_TEST_CASE(what_stands_in_a_number_or_shows_a_figure_may_not_be_defined_anew) {
+  check({.report = report("\\renewcommand\\,{x}"), .computed = computed, .log = ""},
+        {"report/report.tex:3:14: \\, is defined anew, but numbers.tex has it"});
+  for (const std::string command : {"includegraphics", "input"}) {
+    check({.report = report("\\renewcommand\\" + command + "{generated/numbers.tex}"),
+           .computed = "",
+           .log = ""},
+          {"report/report.tex:3:14: \\" + command +
+           " is defined anew, but shows what the program computes"});
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_command_that_could_hide_something_is_told_once_where_it_stands_first) {
   const std::string says = " is not needed in an ordinary report; see what it does";
   for (const std::string command :
        {"\\csname", "\\catcode", "\\iffalse", "\\openout", "\\pdfcatalog", "\\expandafter",
-        "\\renewenvironment", "\\number", "\\input", "\\NewCommandCopy", "\\csdef"}) {
+        "\\renewenvironment", "\\number", "\\input", "\\primitive", "\\csdef", "\\symbol",
+        "\\mathcode"}) {
     check({.report = report("It is " + command + " so, " + command + " and so."),
            .computed = computed,
            .log = ""},
           {"report/report.tex:3:7: " + command + says});
   }
+  check({.report = report("\\NewCommandCopy\\mine\\yours"), .computed = computed, .log = ""},
+        {"report/report.tex:3:1: \\NewCommandCopy" + says});
   check({.report = report("It is ^^30."), .computed = computed, .log = ""},
         {"report/report.tex:3:7: ^^" + says});
   check({.report = report("\\input{generated/numbers.tex} \\section{x} \\verb|catcode|"),
