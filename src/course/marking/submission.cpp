@@ -4,12 +4,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <stdexcept>
 
 #include "course/assignment/student.hpp"
 #include "course/marking/archive.hpp"
 #include "system/error.hpp"
+#include "system/nearest_name.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -135,6 +138,31 @@ std::string like(std::string_view path) {
   return name;
 }
 
+/// Whether a name in lower case is that of a file which may have been meant for the compiler.
+bool is_source(const std::string& name) {
+  return std::ranges::any_of(std::array{".cpp", ".cc", ".cxx", ".c++", ".c"},
+                             [&](const char* ending) { return name.ends_with(ending); });
+}
+
+/// The entry whose name is nearest to that of a wanted file, among those that are no wanted file
+/// where it belongs; empty if none is near.
+std::string nearest_entry(const std::vector<std::string>& entries,
+                          const std::vector<std::string>& wanted, const std::string& place,
+                          const std::string& file) {
+  std::map<std::string, std::string> entry_of;
+  std::set<std::string> names;
+  for (const std::string& entry : entries) {
+    const bool is_where_it_belongs = std::ranges::any_of(
+        wanted, [&](const std::string& another) { return entry == place + another; });
+    const std::string name = like(entry);
+    if (is_where_it_belongs || !is_source(name)) continue;
+    entry_of.emplace(name, entry);
+    names.insert(name);
+  }
+  const auto nearest = sys::nearest_name(like(file), names);
+  return nearest ? entry_of.at(*nearest) : "";
+}
+
 /// Says what is there in place of what is missing.
 void explain_missing(const std::vector<std::string>& entries,
                      const std::vector<std::string>& wanted, const std::string& place,
@@ -151,14 +179,10 @@ void explain_missing(const std::vector<std::string>& entries,
   }
   for (const std::string& file : wanted) {
     if (std::ranges::find(entries, place + file) != entries.end()) continue;
-    const auto other = std::ranges::find_if(entries, [&](const std::string& entry) {
-      const bool is_where_it_belongs = std::ranges::any_of(
-          wanted, [&](const std::string& another) { return entry == place + another; });
-      return like(entry) == like(file) && !is_where_it_belongs;
-    });
-    if (other == entries.end()) continue;
+    const std::string other = nearest_entry(entries, wanted, place, file);
+    if (other.empty()) continue;
     submission.problems.push_back(
-        fmt::format("there is '{}', but {} is looked for", shown_name(*other), file));
+        fmt::format("there is '{}', but {} is looked for", shown_name(other), file));
   }
 }
 

@@ -41,9 +41,9 @@ struct Submission {
 /// Takes the exercises' files from a folder or archive and reads nothing else in it. They may
 /// be at the top or in one folder below. A file that is no regular text file within the limits is
 /// left out with a line in `problems`. If none is found, a line says where else there is one, or
-/// that there is an archive; for each that is missing, a line names what is called alike. `work` is
-/// a folder for the sandbox. Throws OutputError if the submission is neither a folder nor an
-/// archive, or cannot be taken at all: if it is empty, damaged, too large, or holds the files in
+/// that there is an archive; for each that is missing, a line names what is called nearly so.
+/// `work` is a folder for the sandbox. Throws OutputError if the submission is neither a folder nor
+/// an archive, or cannot be taken at all: if it is empty, damaged, too large, or holds the files in
 /// two places. Then it waits for a person.
 Submission take_submission(const Assignment& assignment, const std::filesystem::path& submission,
                            const std::filesystem::path& work, Isolation isolation);

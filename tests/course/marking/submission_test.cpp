@@ -333,6 +333,31 @@ BOOST_AUTO_TEST_CASE(what_is_called_like_a_missing_file_is_named) {
   check_hint("bob", "sum.cpp.txt', but src/sum.cpp is looked for");
 }
 
+BOOST_AUTO_TEST_CASE(what_is_spelt_nearly_like_a_missing_file_is_named) {
+  for (const std::string there : {"src/square.cc", "src/sqare.cpp", "src/s-quare.cpp"}) {
+    const TemporaryFolder folder;
+    folder.write("alice/" + there, "int a;\n");
+    folder.write("alice/src/square.hpp", "int a();\n");
+    folder.write("alice/src/sum.cpp", "int b;\n");
+
+    const Submission submission = take(folder.path() / "alice");
+
+    const std::vector<std::string> expected = {
+        "src/square.cpp is missing", "there is '" + there + "', but src/square.cpp is looked for"};
+    BOOST_TEST(submission.problems == expected, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_header_of_the_same_name_is_not_what_is_missing) {
+  const TemporaryFolder folder;
+  folder.write("alice/src/square.hpp", "int a();\n");
+  folder.write("alice/src/sum.cpp", "int b;\n");
+
+  BOOST_TEST(take(folder.path() / "alice").problems ==
+                 std::vector<std::string>{"src/square.cpp is missing"},
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(what_is_neither_folder_nor_archive_is_refused) {
   const TemporaryFolder folder;
 
