@@ -23,7 +23,7 @@ class Objects {
     for (const Exercise& exercise : assignment_.exercises) {
       if (errors_.contains(exercise.file) || own_.contains(exercise.file)) continue;
       if (!files.contains(exercise.file)) {
-        errors_[exercise.file] = exercise.file + " is missing";
+        errors_[exercise.file] = exercise.file + " was not taken";
         continue;
       }
       const fs::path object = folder_ / fmt::format("{}.o", own_.size() + errors_.size());

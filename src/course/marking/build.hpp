@@ -19,8 +19,8 @@ struct Built {
   /// others, so that what the others do when they start or end costs nothing here. An exercise is
   /// not there if its file needs another one to be linked.
   std::map<std::string, std::filesystem::path> alone;
-  /// The compiler's message by exercise, for each exercise whose file is missing or does not
-  /// compile and is replaced by its stub.
+  /// The compiler's message by exercise, for each exercise whose file was not taken or does
+  /// not compile and is replaced by its stub.
   std::map<std::string, std::string> compile_errors;
   std::string link_error;  ///< empty if there is a program
   double seconds = 0;      ///< that it took, as JobEnd::seconds

@@ -196,7 +196,7 @@ std::vector<std::string> shuffled_with_the_right_one(std::vector<std::string> pr
 Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
                    std::vector<std::string>& missed) {
   const auto file = task.files.find(exercise.tests);
-  if (file == task.files.end()) return {0, exercise.tests + " is missing"};
+  if (file == task.files.end()) return {0, exercise.tests + " was not taken"};
   const fs::path folder = fs::absolute(task.scratch) / exercise.id;
   const std::string error = compile(task, exercise, folder);
   if (!error.empty()) return {0, fmt::format("{} is not compiled: {}", exercise.tests, error)};

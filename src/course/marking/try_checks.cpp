@@ -74,7 +74,7 @@ void require_code(const Assignment& assignment, const Checks& checks) {
 std::string obstacle(const Exercise& exercise, const Built& built, Visibility visibility) {
   if (visibility == Visibility::tests) return "";
   if (built.compile_errors.contains(exercise.id)) {
-    return exercise.file + " is missing or does not compile";
+    return exercise.file + " was not taken or does not compile";
   }
   return built.link_error.empty() ? "" : "the program does not link";
 }

@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(a_submission_without_tests_loses_their_points_alone) {
   const Graded found = grade_submission(assignment(), task, folder.path() / "graded");
 
   BOOST_TEST(mark_of(found) == 20);
-  BOOST_TEST(result_of(found, "square-tests").message == "src/tests/square.cpp is missing");
+  BOOST_TEST(result_of(found, "square-tests").message == "src/tests/square.cpp was not taken");
 }
 
 BOOST_AUTO_TEST_CASE(tests_count_whatever_the_students_own_function_is_like) {

@@ -54,8 +54,8 @@ BOOST_AUTO_TEST_CASE(stubs_have_none) {
   const Graded graded = grade({});
 
   BOOST_TEST(total(graded.results) == 0);
-  BOOST_TEST(graded.built.compile_errors.at("sum") == "src/sum.cpp is missing");
-  BOOST_TEST(graded.results[0].message == "src/square.cpp is missing or does not compile");
+  BOOST_TEST(graded.built.compile_errors.at("sum") == "src/sum.cpp was not taken");
+  BOOST_TEST(graded.results[0].message == "src/square.cpp was not taken or does not compile");
 }
 
 BOOST_AUTO_TEST_CASE(what_does_not_compile_costs_its_own_exercise_and_keeps_its_message) {
