@@ -243,7 +243,7 @@ std::string Compiler::message_of(const JobEnd& end) const {
                       : "";
   return shown(without(without(without(text, project_.path.string() + "/", ""),
                                toolkit_.folder.string() + "/", ""),
-                       sandbox_.scratch() + "/", ""),
+                       scratch_.string() + "/", ""),
                max_message) +
          hint;
 }

@@ -68,6 +68,15 @@ BOOST_AUTO_TEST_CASE(what_does_not_compile_costs_its_own_exercise_and_keeps_its_
              "      |            ^~~~~~~\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_message_keeps_what_a_student_wrote_of_folders) {
+  const Graded graded = grade(with("src/sum.cpp", "#include \"../../tmp/mine.hpp\"\n"));
+
+  BOOST_TEST(graded.built.compile_errors.at("sum").starts_with(
+                 "src/sum.cpp:1:10: fatal error: ../../tmp/mine.hpp: No such file or directory\n"
+                 "    1 | #include \"../../tmp/mine.hpp\"\n"),
+             graded.built.compile_errors.at("sum"));
+}
+
 BOOST_AUTO_TEST_CASE(what_does_not_link_costs_its_own_exercise) {
   const Graded graded = grade(with("src/sum.cpp", "int main() {}\n"));
 
