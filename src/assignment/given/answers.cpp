@@ -32,7 +32,7 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
   if (std::none_of(numbers.begin(), numbers.end(), is_finite)) {
     throw NoAnswer("task " + task + ": no number is finite");
   }
-  if (greatest(numbers) == 0) throw NoAnswer("task " + task + ": all numbers are zero");
+  if (greatest(numbers) == 0) throw NoAnswer("task " + task + ": all finite numbers are zero");
   // No comparison holds for a NaN, but some hold for an infinity.
   std::replace_if(
       numbers.begin(), numbers.end(), [](double number) { return !is_finite(number); },
