@@ -16,7 +16,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int listing_kb = 1024;
-constexpr int archive_seconds = 10;
+constexpr int listing_seconds = 10;
+
+/// Without one, bsdtar would ask for the passphrase of a locked archive for ever.
+constexpr const char* no_passphrase = "--passphrase=none";
 
 /// The name with slashes between its folders: some programs of Windows write backslashes, and no
 /// slash at all.
@@ -90,42 +93,56 @@ bool leads_out(const std::string& name) {
 
 }  // namespace
 
-Archive::Archive(const Limits& limits, fs::path file, fs::path work, Isolation isolation)
-    : limits_(limits), file_(std::move(file)), work_(std::move(work)), sandbox_(isolation, work_) {
+Archive::Archive(const Limits& limits, const fs::path& file, fs::path work, Isolation isolation,
+                 int unpacking_seconds)
+    : limits_(limits),
+      work_(std::move(work)),
+      sandbox_(isolation, work_),
+      copy_{work_ / "archive", "/archive"},
+      unpacking_seconds_(unpacking_seconds),
+      seconds_left_(unpacking_seconds) {
   // The history of a repository, which is not read, may be in it.
   const int most_mb = 10 * limits.submission_mb;
-  if (fs::file_size(file_) > static_cast<std::uintmax_t>(most_mb) * 1'048'576) {
+  if (fs::file_size(file) > static_cast<std::uintmax_t>(most_mb) * 1'048'576) {
     throw std::invalid_argument(fmt::format("the archive is larger than {} MB", most_mb));
   }
+  fs::copy_file(file, copy_.path);
+  make_readable(copy_.path);
   list();
 }
 
-JobEnd Archive::run(const std::vector<std::string>& arguments, int file_kb) const {
-  // The student chose the name of the archive. The copy has a fixed name, and every user may read
-  // it.
-  const fs::path copy = work_ / "archive";
-  if (!fs::exists(copy)) {
-    fs::copy_file(file_, copy);
-    make_readable(copy);
-  }
-  const Readable archive{copy, "/archive"};
+JobEnd Archive::run(const std::vector<std::string>& arguments, int seconds, int file_kb) const {
   Job job;
   job.command = {"/usr/bin/env", "LC_ALL=C.UTF-8", sys::find_tool("bsdtar")};
   job.command.insert(job.command.end(), arguments.begin(), arguments.end());
-  // Without one, bsdtar would ask for the passphrase of a locked archive for ever.
-  job.command.insert(job.command.begin() + 4, {sandbox_.place(archive), "--passphrase=none"});
-  job.readable = {archive};
+  job.readable = {copy_};
   job.output = work_ / "archive.out";
   job.errors = work_ / "archive.err";
-  job.seconds = archive_seconds;
+  job.seconds = seconds;
   job.memory_mb = limits_.memory_mb;
   job.processes = limits_.processes;
   job.file_kb = file_kb;
   return sandbox_.run(job);
 }
 
+/// Throws std::invalid_argument if the time is over.
+JobEnd Archive::unpack(const std::vector<std::string>& arguments, int file_kb) {
+  JobEnd end{.ending = Ending::too_slow};
+  if (seconds_left_ > 0) {
+    end = run(arguments, std::max(1, static_cast<int>(seconds_left_)), file_kb);
+    seconds_left_ -= end.seconds;
+  }
+  if (end.ending == Ending::too_slow) {
+    seconds_left_ = 0;
+    throw std::invalid_argument(
+        fmt::format("is not unpacked: the archive takes longer than {} s", unpacking_seconds_));
+  }
+  return end;
+}
+
 void Archive::list() {
-  const JobEnd end = run({"-tf"}, listing_kb);
+  const JobEnd end =
+      run({"-tf", sandbox_.place(copy_), no_passphrase}, listing_seconds, listing_kb);
   if (end.ending == Ending::too_slow)
     throw std::invalid_argument("the archive takes too long to list");
   if (end.ending == Ending::too_much_output) {
@@ -151,7 +168,30 @@ bool Archive::climbs_out() const {
   return std::ranges::any_of(names_, leads_out);
 }
 
-std::string Archive::read(const std::string& entry) const {
+void Archive::keep(const std::vector<std::string>& entries) {
+  // bsdtar would copy what does not fit the checksums that a zip and a 7z have.
+  const std::string sign = beginning_of(copy_.path, 2);
+  if (sign == "PK" || sign == "7z") return;
+  // Here bsdtar takes no passphrase; within walls there is no terminal at which it could ask.
+  std::vector<std::string> arguments = {"-cf", "-", "--format=gnutar"};
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (std::ranges::find(entries, entries_[i]) == entries.end()) continue;
+    arguments.push_back("--include=" + patterns_[i]);
+  }
+  if (arguments.size() == 3) return;
+  arguments.push_back("@" + sandbox_.place(copy_));
+  try {
+    const JobEnd end = unpack(arguments, 1024 * limits_.submission_mb);
+    // Otherwise `read` finds out which entry is too large, damaged or locked.
+    if (end.ending != Ending::normal || end.status != 0) return;
+    fs::rename(work_ / "archive.out", copy_.path);
+    make_readable(copy_.path);
+  } catch (const std::invalid_argument&) {
+    // No time is left, as `read` will tell.
+  }
+}
+
+std::string Archive::read(const std::string& entry) {
   const auto n_such = std::ranges::count(entries_, entry);
   if (n_such == 0) throw std::invalid_argument("is missing");
   if (n_such > 1) throw std::invalid_argument("is in the archive more than once");
@@ -160,11 +200,11 @@ std::string Archive::read(const std::string& entry) const {
   if (std::ranges::count(patterns_, pattern) > 1) {
     throw std::invalid_argument("is in the archive more than once");
   }
-  const JobEnd end = run({"-xOf", "--", pattern}, limits_.file_kb);
+  const JobEnd end =
+      unpack({"-xOf", sandbox_.place(copy_), no_passphrase, "--", pattern}, limits_.file_kb);
   if (end.ending == Ending::too_much_output) {
     throw std::invalid_argument(fmt::format("is larger than {} kB", limits_.file_kb));
   }
-  if (end.ending == Ending::too_slow) throw std::invalid_argument("takes too long to unpack");
   if (end.ending != Ending::normal || end.status != 0) {
     throw std::invalid_argument("cannot be unpacked: the archive is damaged or locked");
   }

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* report = "report/report.tex";
+constexpr const char* report_pdf = "report/report.pdf";
 constexpr int max_entries = 20'000;  ///< in a folder; no homework has more
 constexpr int max_depth = 16;        ///< of folders in one another
 
@@ -29,6 +30,11 @@ std::vector<std::string> wanted_files(const Assignment& assignment) {
     if (!exercise.tests.empty()) files.insert(exercise.tests);
   }
   return {files.begin(), files.end()};
+}
+
+std::vector<std::string> below(const std::string& place, std::vector<std::string> files) {
+  for (std::string& file : files) file.insert(0, place);
+  return files;
 }
 
 /// Everything in a folder, whatever its kind, but the history of its repository; links are not
@@ -82,7 +88,7 @@ template <class Read>
 Report report_of(const std::vector<std::string>& entries, const std::string& place,
                  const Read& read) {
   Report taken;
-  for (const char* file : {report, "report/report.pdf"}) {
+  for (const char* file : {report, report_pdf}) {
     if (std::ranges::find(entries, place + file) == entries.end()) continue;
     try {
       taken.files[file] = read(place + file);
@@ -218,7 +224,7 @@ Submission take_folder(const Assignment& assignment, const fs::path& folder) {
 Submission take_archive(const Assignment& assignment, const fs::path& file, const fs::path& work,
                         Isolation isolation) {
   Submission submission;
-  const Archive archive(assignment.limits, file, work, isolation);
+  Archive archive(assignment.limits, file, work, isolation);
   const std::vector<std::string> wanted = wanted_files(assignment);
   const std::string place = place_of_files(archive.entries(), wanted);
   if (archive.climbs_out()) {
@@ -227,6 +233,7 @@ Submission take_archive(const Assignment& assignment, const fs::path& file, cons
   }
   submission.has_report =
       std::ranges::find(archive.entries(), place + report) != archive.entries().end();
+  archive.keep(below(place, wanted));
   take_files(
       wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
   explain_missing(archive.entries(), wanted, place, submission);
@@ -295,8 +302,10 @@ Report take_report(const Assignment& assignment, const fs::path& path, const fs:
   const bool is_packed = is_archive(path);
   try {
     if (is_packed) {
-      const Archive archive(limits, path, work, isolation);
-      return report_of(archive.entries(), place_of_files(archive.entries(), wanted),
+      Archive archive(limits, path, work, isolation);
+      const std::string place = place_of_files(archive.entries(), wanted);
+      archive.keep(below(place, {report, report_pdf}));
+      return report_of(archive.entries(), place,
                        [&](const std::string& entry) { return archive.read(entry); });
     }
     const Contents contents = contents_of(path);

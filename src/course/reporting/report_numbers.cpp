@@ -106,7 +106,7 @@ class FiguresRun {
     const fs::path unpacking = work_ / "unpacking";
     fs::create_directories(unpacking);
     try {
-      const Archive files(limits_, archive(), unpacking, isolation_);
+      Archive files(limits_, archive(), unpacking, isolation_);
       std::size_t n_bytes = 0;  // an archive is small although its files have holes
       for (const std::string& name : files.entries()) {
         if (!is_wanted(name) || numbers.files.size() == most_files) continue;
@@ -126,8 +126,7 @@ class FiguresRun {
   }
 
   /// Empty if it cannot be read, which is told.
-  static std::string bytes_of(const Archive& files, const std::string& name,
-                              ReportNumbers& numbers) {
+  static std::string bytes_of(Archive& files, const std::string& name, ReportNumbers& numbers) {
     try {
       return files.read(name);
     } catch (const std::invalid_argument& fault) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/marking/submission.hpp"
 
+#include <fmt/core.h>
+#include <sys/resource.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cstdint>
 #include <random>
@@ -9,6 +12,7 @@
 #include <vector>
 
 #include "course/assignment/student.hpp"
+#include "course/marking/archive.hpp"
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
 #include "system/error.hpp"
@@ -71,6 +75,28 @@ std::string problem_of(const fs::path& path) {
     const std::string what = error.what();
     return "waits: " + what.substr(what.find(": ") + 2);
   }
+}
+
+/// A small archive that takes long to go through, with this many files src/0.cpp and so on.
+fs::path slow_archive(const TemporaryFolder& folder, int n_files) {
+  for (int i = 0; i < n_files; ++i) folder.write(fmt::format("src/{}.cpp", i), "int a;\n");
+  folder.write("zero", "");
+  fs::resize_file(folder.path() / "zero", 100'000'000);
+  const auto result = sys::run({.program = "sh",
+                                .arguments = {"-c", "tar -cf - src zero | bzip2 -1 > a.tar.bz2"},
+                                .working_directory = folder.path()});
+  BOOST_REQUIRE_MESSAGE(result.exit_status == 0, result.output);
+  return folder.path() / "a.tar.bz2";
+}
+
+/// The processor time of all children so far.
+double children_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 }  // namespace
@@ -235,6 +261,15 @@ BOOST_AUTO_TEST_CASE(a_locked_archive_waits_with_a_report_in_it_too) {
              "waits: src/square.cpp cannot be unpacked: the archive is damaged or locked");
 }
 
+BOOST_AUTO_TEST_CASE(a_file_of_a_zip_that_is_damaged_is_not_taken) {
+  const TemporaryFolder folder;
+  std::string bytes = sys::read_file(zip_of(folder, ""));
+  bytes[bytes.find("int a")] = 'x';
+
+  BOOST_TEST(problem_of(folder.write("b.zip", bytes)) ==
+             "src/square.cpp cannot be unpacked: the archive is damaged or locked");
+}
+
 BOOST_AUTO_TEST_CASE(folders_that_are_deep_in_one_another_wait) {
   const TemporaryFolder folder;
   std::string deep = "alice/";
@@ -371,6 +406,41 @@ BOOST_AUTO_TEST_CASE(an_archive_larger_than_allowed_is_not_opened) {
 
   BOOST_TEST(problem_of(folder.write("a.zip", std::string(11'000'000, 'x'))) ==
              "waits: the archive is larger than 10 MB");
+}
+
+BOOST_AUTO_TEST_CASE(an_archive_is_gone_through_once_for_all_its_files) {
+  const TemporaryFolder folder;
+  Assignment assignment = toy_grading::assignment();
+  for (int i = 0; i < 12; ++i) {
+    assignment.exercises.push_back(assignment.exercises.back());
+    assignment.exercises.back().file = fmt::format("src/{}.cpp", i);
+  }
+  const fs::path archive = slow_archive(folder, 12);
+  const double before = children_seconds();
+  const TemporaryFolder listing;
+  const Archive listed(assignment.limits, archive, listing.path(), Isolation::sandbox);
+  const double one_list = children_seconds() - before;
+
+  const TemporaryFolder work;
+  const auto taken = take_submission(assignment, archive, work.path(), Isolation::sandbox);
+
+  BOOST_TEST(taken.files.size() == 12U);
+  BOOST_TEST(children_seconds() - before < 6 * one_list);
+}
+
+BOOST_AUTO_TEST_CASE(all_that_is_unpacked_of_an_archive_has_one_limit_of_time) {
+  const TemporaryFolder folder, work;
+  Archive archive(toy_grading::assignment().limits, slow_archive(folder, 1), work.path(),
+                  Isolation::sandbox, 1);
+  std::string fault;
+  for (int i = 0; i < 40 && fault.empty(); ++i) {
+    try {
+      archive.read("src/0.cpp");
+    } catch (const std::invalid_argument& error) {
+      fault = error.what();
+    }
+  }
+  BOOST_TEST(fault == "is not unpacked: the archive takes longer than 1 s");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_archive_says_so_in_one_line) {
