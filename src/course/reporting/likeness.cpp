@@ -28,6 +28,75 @@ std::string without_blanks(std::string_view line) {
   return text;
 }
 
+/// The length of the token with which a text begins: a comment, a string or character, a word or
+/// number, or one sign.
+std::size_t length_of_token(std::string_view text) {
+  const auto up_to = [&](std::size_t end) { return std::min(end, text.size()); };
+  if (text.starts_with("//")) return up_to(text.find('\n'));
+  if (text.starts_with("/*")) {
+    const auto end = text.find("*/", 2);
+    return end == text.npos ? 2 : end + 2;
+  }
+  if (text.front() == '"' || text.front() == '\'') {
+    std::size_t end = 1;
+    while (end < text.size() && text[end] != text.front() && text[end] != '\n') {
+      end += text[end] == '\\' ? 2U : 1U;
+    }
+    return up_to(end + 1);
+  }
+  const auto is_in_word = [](char c) { return sys::is_alphanumeric(c) || c == '_'; };
+  if (!is_in_word(text.front())) return 1;
+  const auto end = std::ranges::find_if_not(
+      text, [&](char c) { return is_in_word(c) || c == '.' || c == '\''; });
+  return static_cast<std::size_t>(end - text.begin());
+}
+
+/// A text nearly as sim_c++ sees it: a character for each token, which is the same for all words
+/// and numbers and for all strings, and none for comments.
+std::string tokens_of(std::string_view text) {
+  std::string tokens;
+  while (!text.empty()) {
+    const std::size_t length = length_of_token(text);
+    const char c = text.front();
+    const bool is_comment = length > 1 && c == '/';
+    if (!is_comment && std::string_view(" \t\r\n\v\f").find(c) == std::string_view::npos) {
+      tokens += sys::is_alphanumeric(c) || c == '_' ? 'a' : c;
+    }
+    text.remove_prefix(length);
+  }
+  return tokens;
+}
+
+constexpr std::size_t most_repetitions = 500;
+
+/// Whether a text repeats itself so often that sim_c++, whose time grows with the third power of
+/// the length of what is repeated, could take hours. Shorter stretches than its 24 tokens do not
+/// count.
+bool repeats_itself(std::string_view text) {
+  constexpr std::size_t shortest = 24;
+  const std::string tokens = tokens_of(text);
+  for (std::size_t period = 1; period * most_repetitions < tokens.size(); ++period) {
+    std::size_t n_in_a_row = 0, n_repeated = 0;
+    for (std::size_t i = period; i < tokens.size(); ++i) {
+      n_in_a_row = tokens[i] == tokens[i - period] ? n_in_a_row + 1 : 0;
+      if (n_in_a_row >= shortest) n_repeated += n_in_a_row == shortest ? shortest : 1;
+    }
+    if (n_repeated > period * most_repetitions) return true;
+  }
+  return false;
+}
+
+/// Why what somebody wrote would hinder others from being compared; empty if it does not.
+std::string hindrance_of(std::string_view own) {
+  constexpr std::size_t most_kb = 32;
+  if (own.size() > most_kb * 1024) {
+    return fmt::format("{} kB of it are neither given nor expected, more than {} kB",
+                       own.size() / 1024, most_kb);
+  }
+  if (!repeats_itself(own)) return "";
+  return fmt::format("it repeats itself more than {} times", most_repetitions);
+}
+
 std::size_t number_in(std::string_view digits) {
   std::size_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -123,7 +192,6 @@ std::string own_lines(std::string_view text, const std::set<std::string>& known)
 Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& all,
                      const std::set<std::string>& known, int percent, const fs::path& work,
                      Isolation isolation) {
-  constexpr std::size_t most_kb = 32;
   Likeness likeness;
   for (const Exercise& exercise : assignment.exercises) {
     const fs::path folder = work / exercise.id;
@@ -132,10 +200,10 @@ Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& a
       const auto file = written.files.find(exercise.file);
       if (file == written.files.end()) continue;
       const std::string own = own_lines(file->second, known);
-      if (own.size() > most_kb * 1024) {
-        likeness.problems.push_back(fmt::format(
-            "{} of {} is not compared: {} kB of it are neither given nor expected, more than {} kB",
-            exercise.file, written.unit, own.size() / 1024, most_kb));
+      const std::string hindrance = hindrance_of(own);
+      if (!hindrance.empty()) {
+        likeness.problems.push_back(
+            fmt::format("{} of {} is not compared: {}", exercise.file, written.unit, hindrance));
         continue;
       }
       sys::write_file_atomically(folder / fmt::format("{}.cpp", units.size()), own);

@@ -42,8 +42,9 @@ std::string own_lines(std::string_view text, const std::set<std::string>& known)
 /// Compares what students wrote, exercise by exercise, without the known lines, by sim_c++ of the
 /// package similarity-tester: layout, comments, names and numbers do not count, and runs of fewer
 /// than its 24 tokens neither. Finds the pairs with at least `percent` of the tokens of one of them
-/// in common. What is left of a text may have 32 kB, many times as much as an honest solution, or
-/// it is not compared. `work` is an empty folder. Throws sys::ToolError if sim_c++ is missing.
+/// in common. What is left of a text may have 32 kB, many times as much as an honest solution, and
+/// may not repeat itself hundreds of times, or it is not compared. `work` is an empty folder.
+/// Throws sys::ToolError if sim_c++ is missing.
 Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& all,
                      const std::set<std::string>& known, int percent,
                      const std::filesystem::path& work, Isolation isolation);
