@@ -150,7 +150,7 @@ const std::map<std::string, std::string> not_graded = {
     {"archive_bomb", "src/square.cpp is larger than 64 kB"},
     {"archive_is_empty", "the archive is empty"},
     {"archive_is_none", "the archive cannot be read: Error opening archive: Unrecognized"},
-    {"archive_of_odd_names", "none of the files that are looked for is in it"},
+    {"archive_of_odd_names", "but src/square.cpp is looked for"},
     {"archive_of_two", "the submission holds files in two places, 'a/' and 'b/'"},
     {"binary_file", "src/square.cpp is no text: byte 9 is zero"},
     {"device", "src/square.cpp is a device, not a file"},
@@ -161,7 +161,7 @@ const std::map<std::string, std::string> not_graded = {
     {"huge_submission", "the submission is larger than 1 MB"},
     {"link_for_file", "src/square.cpp is a symbolic link"},
     {"link_for_folder", "is a symbolic link, or lies behind one"},
-    {"missing_file", "none of the files that are looked for is in it"},
+    {"missing_file", "there is 'src/squares.cpp', but src/square.cpp is looked for"},
     {"pipe_for_file", "src/square.cpp is a pipe, not a file"}};
 
 std::string points_of(const std::string& name) {
