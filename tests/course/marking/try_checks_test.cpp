@@ -211,7 +211,9 @@ BOOST_AUTO_TEST_CASE(numbers_of_other_kinds_are_compared_each_by_itself) {
   const Numbers contact = {1.9e-5, 3e-4, 0, 5e8, 1e-7};
   BOOST_TEST(is_same_answer(contact, {1.9e-5, 3e-4, 0, 5e8, 3e-7}, 2));
   BOOST_TEST(is_same_answer(contact, {1.9e-5 * (1 + 1e-12), 3e-4, 0, 5e8 * (1 + 1e-12), 0}, 2));
+  BOOST_TEST(is_same_answer({1.9e-5, 3e-4, 1e-7, 5e8}, {1.9e-5, 3e-4, 3e-7, 5e8}, 2));
   BOOST_TEST(!is_same_answer(contact, {1.8e-5, 3e-4, 0, 5e8, 1e-7}, 2));
+  BOOST_TEST(!is_same_answer(contact, {1.9e-5, 2e-4, 0, 5e8, 1e-7}, 2));
   BOOST_TEST(!is_same_answer(contact, {1.9e-5, 3e-4, 1e-3, 5e8, 1e-7}, 2));
   BOOST_TEST(!is_same_answer(contact, {1.9e-5, 3e-4, 0, 5e8}, 2));
 }
