@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(a_slip_of_the_pen_has_its_place) {
   check_error("floor = 0", "floor = 0\nflor = 2", "flor: unknown key", 1);
   check_error("run_seconds = 2", "run_second = 2", "limits.run_second: unknown key");
   check_error("run_seconds = 2", "run_seconds = 0", "0 is not from 1 to 86400");
-  check_error("[limits]", "[single_numbers]\nsum = 0\n[limits]", "sum: 0 is not from 1 to 1000");
+  check_error("[limits]", "[single_numbers]\nsum = 0\n[limits]", "sum: 0 is not from 1 to 1000", 1);
   check_error("percent_per_day = 10", "percent_per_day = 110", "110 is not from 0 to 100");
   const std::string criterion = "[[criterion]]\nid = \"words\"\ntitle = \"Words\"\nsays = \"x\"\n";
   check_error("[late]\n", criterion + "points = 0\n\n[late]\n", "0 is not positive", 4);
