@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assignment/assignment.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <set>
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_takes_the_second_body_for_the_first_is_wrong
 Numbers without_quadrature(const std::string& task, const Numbers& in) {
   if (task != "gradient_by_quadrature" && task != "displacement") return programs::right(task, in);
   Numbers triangle = in;
-  triangle[2] = static_cast<double>(assignment::Shape::triangle);
+  triangle[2] = assignment::shape::triangle;
   return programs::right(task, triangle);
 }
 
@@ -145,6 +146,24 @@ BOOST_AUTO_TEST_CASE(a_closed_form_for_the_triangle_gets_little_for_any_load) {
                            "displacement-other"}) {
       const double share = assignment::hidden_checks().at(id)(without_quadrature, variant).share;
       BOOST_TEST(share < 0.1, variant.student << ' ' << id);
+    }
+  }
+}
+
+// A program that knows the shapes which the handout names, and takes any other for one of them.
+Numbers with_remembered_shapes(const std::string& task, const Numbers& in) {
+  if (task != "gradient_by_quadrature" && task != "displacement") return programs::right(task, in);
+  Numbers known = in;
+  known[2] = std::min(in[2], assignment::shape::one_sided);
+  return programs::right(task, known);
+}
+
+BOOST_AUTO_TEST_CASE(remembered_shapes_miss_the_waves) {
+  for (const course::Variant& variant : programs::variants()) {
+    for (const char* id : {"quadrature-reference", "quadrature-honest", "displacement-reference"}) {
+      const double share =
+          assignment::hidden_checks().at(id)(with_remembered_shapes, variant).share;
+      BOOST_TEST(share < 0.85, variant.student << ' ' << id);
     }
   }
 }

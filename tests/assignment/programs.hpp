@@ -50,7 +50,7 @@ inline Numbers gradient(const Numbers& in) {
 /// The load with this shape, p₀ and a.
 inline elasticity::Load load_of(double shape, double unit_pressure, double half_width) {
   const auto pressure = [=](double s) {
-    return assignment::pressure(assignment::shape_of(shape), unit_pressure, half_width, s);
+    return assignment::pressure(shape, unit_pressure, half_width, s);
   };
   return elasticity::distributed_load(pressure, {}, {-half_width, 0, half_width});
 }

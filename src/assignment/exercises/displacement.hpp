@@ -41,9 +41,8 @@ inline Task task() {
 
 /// The answer: u_z at each x.
 inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
-  const Numbers inputs = joined(
-      {s.young, s.poisson, static_cast<double>(s.shape), s.peak_pressure, s.half_width, s.datum},
-      x);
+  const Numbers inputs =
+      joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width, s.datum}, x);
   return nonzero_answer(program, "displacement", inputs, x.size());
 }
 

@@ -28,8 +28,9 @@ void try_displacement(const Program& program, Surface surface, const Places& pla
 Outcome displacement_is_right(const Program& program, const Variant& variant) {
   Tally tally("u_z is right to 1e-8 of p0 a/E");
   for (const Places& places :
-       {Places{Shape::triangle, {0.7}}, Places{Shape::smooth, {0, -0.3, 0.999, 1.2, 20}},
-        Places{Shape::one_sided, {0.001, 0.7, -0.99, 1, -3, -200}}}) {
+       {Places{shape::triangle, {0.7}}, Places{shape::smooth, {0, -0.3, 0.999, 1.2, 20}},
+        Places{shape::one_sided, {0.001, 0.7, -0.99, 1, -3, -200}},
+        Places{waves(variant), {0.2, -0.8, 1.5}}}) {
     try_displacement(program, surface_of(variant), places, tally);
   }
   return tally.outcome();
@@ -42,7 +43,7 @@ Outcome displacement_is_right_elsewhere(const Program& program, const Variant& v
   for (const double datum : {0.45, 1.0, -2.5, 60.0}) {
     surface.datum = datum * surface.half_width;
     Tally of_datum("");
-    try_displacement(program, surface, {Shape::one_sided, {0.1, -0.6, 1.1, 7}}, of_datum);
+    try_displacement(program, surface, {shape::one_sided, {0.1, -0.6, 1.1, 7}}, of_datum);
     tally.part(of_datum.outcome().share == 1, at("datum/a", datum));
   }
   return tally.outcome();

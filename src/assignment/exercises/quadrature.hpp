@@ -63,8 +63,7 @@ struct Answer {
 };
 
 inline Answer ask(const Program& program, const Surface& s, const Numbers& x) {
-  const Numbers inputs =
-      joined({s.young, s.poisson, static_cast<double>(s.shape), s.peak_pressure, s.half_width}, x);
+  const Numbers inputs = joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width}, x);
   const Numbers pairs = nonzero_answer(program, "gradient_by_quadrature", inputs, 2 * x.size());
   Answer found;
   for (std::size_t i = 0; i < pairs.size(); i += 2) {

@@ -6,6 +6,7 @@
 
 #include "assignment/given/answers.hpp"
 #include "assignment/given/bodies.hpp"
+#include "course/assignment/variant.hpp"
 #include "elasticity/load.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/surface_quadrature.hpp"
@@ -22,14 +23,21 @@ inline elasticity::SurfaceQuadrature reference_of(const Surface& s) {
   return {elasticity::Material(s.young, s.poisson), elastic_load(s), s.datum};
 }
 
-/// A shape of the load, and the abscissas in half-widths at which its surface is tried.
+/// A shape of the load by its number, and the abscissas in half-widths at which its surface is
+/// tried.
 struct Places {
-  Shape shape;
+  double shape;
   course::Numbers xi;
 };
 
-inline std::string place(double xi, Shape shape) {
-  return at("x/a", xi) + at(", pressure", static_cast<double>(shape));
+/// Waves whose number no handout names, so that whoever remembers the other shapes does not know
+/// this one.
+inline double waves(const course::Variant& variant) {
+  return 4 + 12 * variant("poisson2");
+}
+
+inline std::string place(double xi, double shape) {
+  return at("x/a", xi) + (shape < shape::fewest_waves ? at(", pressure", shape) : ", waves");
 }
 
 }  // namespace assignment

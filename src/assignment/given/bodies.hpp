@@ -10,14 +10,15 @@
 
 namespace assignment {
 
-/// A half-space under a pressure: E, ν, p₀, a, the x where u_z = 0, and the shape of the pressure.
+/// A half-space under a pressure: E, ν, p₀, a, the x where u_z = 0, and the number of
+/// the pressure's shape.
 struct Surface {
   double young;
   double poisson;
   double peak_pressure;
   double half_width;
   double datum;
-  Shape shape = Shape::triangle;
+  double shape = shape::triangle;
 };
 
 /// The first body of a variant, under the variant's triangle.

@@ -49,8 +49,8 @@ std::ofstream open(const std::filesystem::path& file) {
 void write_surface(const std::filesystem::path& file) {
   std::ofstream out = open(file);
   // The triangle as a load of which only the values are known.
-  const exercise::Load load = assignment::load_of(static_cast<double>(assignment::Shape::triangle),
-                                                  triangle.peak_pressure, triangle.half_width);
+  const exercise::Load load =
+      assignment::load_of(assignment::shape::triangle, triangle.peak_pressure, triangle.half_width);
   for (int i = -160; i <= 160; ++i) {
     const double xi = i / 40.0;
     const double x = xi * triangle.half_width;
