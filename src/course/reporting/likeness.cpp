@@ -28,105 +28,64 @@ std::string without_blanks(std::string_view line) {
   return text;
 }
 
-/// The length of the token with which a text begins: a comment, a string or character, a word or
-/// number, or one sign.
-std::size_t length_of_token(std::string_view text) {
-  const auto up_to = [&](std::size_t end) { return std::min(end, text.size()); };
-  if (text.starts_with("//")) return up_to(text.find('\n'));
-  if (text.starts_with("/*")) {
-    const auto end = text.find("*/", 2);
-    return end == text.npos ? 2 : end + 2;
-  }
-  if (text.front() == '"' || text.front() == '\'') {
-    std::size_t end = 1;
-    while (end < text.size() && text[end] != text.front() && text[end] != '\n') {
-      end += text[end] == '\\' ? 2U : 1U;
-    }
-    return up_to(end + 1);
-  }
-  const auto is_in_word = [](char c) { return sys::is_alphanumeric(c) || c == '_'; };
-  if (!is_in_word(text.front())) return 1;
-  const auto end = std::ranges::find_if_not(
-      text, [&](char c) { return is_in_word(c) || c == '.' || c == '\''; });
-  return static_cast<std::size_t>(end - text.begin());
-}
-
-/// A text nearly as sim_c++ sees it: a character for each token, which is the same for all words
-/// and numbers and for all strings, and none for comments.
-std::string tokens_of(std::string_view text) {
-  std::string tokens;
-  while (!text.empty()) {
-    const std::size_t length = length_of_token(text);
-    const char c = text.front();
-    const bool is_comment = length > 1 && c == '/';
-    if (!is_comment && std::string_view(" \t\r\n\v\f").find(c) == std::string_view::npos) {
-      tokens += sys::is_alphanumeric(c) || c == '_' ? 'a' : c;
-    }
-    text.remove_prefix(length);
-  }
-  return tokens;
-}
-
-constexpr std::size_t most_repetitions = 500;
-
-/// Whether a text repeats itself so often that sim_c++, whose time grows with the third power of
-/// the length of what is repeated, could take hours. Shorter stretches than its 24 tokens do not
-/// count.
-bool repeats_itself(std::string_view text) {
-  constexpr std::size_t shortest = 24;
-  const std::string tokens = tokens_of(text);
-  for (std::size_t period = 1; period * most_repetitions < tokens.size(); ++period) {
-    std::size_t n_in_a_row = 0, n_repeated = 0;
-    for (std::size_t i = period; i < tokens.size(); ++i) {
-      n_in_a_row = tokens[i] == tokens[i - period] ? n_in_a_row + 1 : 0;
-      if (n_in_a_row >= shortest) n_repeated += n_in_a_row == shortest ? shortest : 1;
-    }
-    if (n_repeated > period * most_repetitions) return true;
-  }
-  return false;
-}
-
-/// Why what somebody wrote would hinder others from being compared; empty if it does not.
-std::string hindrance_of(std::string_view own) {
-  constexpr std::size_t most_kb = 32;
-  if (own.size() > most_kb * 1024) {
-    return fmt::format("{} kB of it are neither given nor expected, more than {} kB",
-                       own.size() / 1024, most_kb);
-  }
-  if (!repeats_itself(own)) return "";
-  return fmt::format("it repeats itself more than {} times", most_repetitions);
-}
-
 std::size_t number_in(std::string_view digits) {
   std::size_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return number;
 }
 
-/// The percentage of the first file that is in the second, by their numbers.
-using Shares = std::map<std::pair<std::size_t, std::size_t>, int>;
+/// What sim_c++ tells of the texts in a folder, by their numbers.
+struct Compared {
+  std::map<std::pair<std::size_t, std::size_t>, int> percent;  ///< of the first is in the second
+  std::set<std::size_t> too_slow;                              ///< of which nothing is told
+};
 
-Shares shares_in(std::string_view output) {
-  static const sys::Pattern line_form(
+constexpr std::size_t most_kb = 32;
+constexpr int seconds_of_a_text = 3;
+
+// sim_c++ takes hours over some texts that repeat themselves, but little over another text and one
+// of these. So each text is compared with all in a run of its own, and a text whose run takes too
+// long hinders no other.
+constexpr const char* sim_script = R"sh(
+seconds=$1
+shift
+for text; do
+  prlimit --cpu="$seconds:$((seconds + 1))" "$0" -p -e -t 1 -S "$text" / "$@"
+  case $? in
+    0) ;;
+    152) echo "$text takes too long" ;; # ended by SIGXCPU
+    *) exit 1 ;;
+  esac
+done)sh";
+
+Compared told_by_sim(std::string_view output) {
+  static const sys::Pattern share_form(
       R"(\s*(?:\S*/)?(\d+)\.cpp consists for (\d+) % of (?:\S*/)?(\d+)\.cpp material\s*)");
-  Shares shares;
+  Compared compared;
   for (const std::string_view line : sys::lines_of(output)) {
-    const auto match = line_form.match_all_of(line);
-    if (!match) continue;
-    shares[{number_in(match->parts[1]), number_in(match->parts[3])}] =
-        static_cast<int>(number_in(match->parts[2]));
+    if (const auto share = share_form.match_all_of(line)) {
+      compared.percent[{number_in(share->parts[1]), number_in(share->parts[3])}] =
+          static_cast<int>(number_in(share->parts[2]));
+    } else if (line.ends_with(".cpp takes too long")) {
+      compared.too_slow.insert(number_in(line));
+    }
   }
-  return shares;
+  std::erase_if(compared.percent, [&](const auto& share) {
+    const auto [i, j] = share.first;
+    return compared.too_slow.contains(i) || compared.too_slow.contains(j);
+  });
+  return compared;
 }
 
-/// The shares of all files in a folder, which are named 0.cpp, 1.cpp and so on. Throws
+/// Compares all files in a folder, which are named 0.cpp, 1.cpp and so on. Throws
 /// std::runtime_error if sim_c++ fails.
-Shares compare(const fs::path& folder, std::size_t n_files, const fs::path& work,
-               Isolation isolation) {
+Compared compare(const fs::path& folder, std::size_t n_files, const fs::path& work,
+                 Isolation isolation) {
   const Sandbox sandbox(isolation, work);
   const Readable readable{folder, "/own"};
   make_readable(folder);
-  Job job{.command = {sys::find_tool("sim_c++").string(), "-p", "-a", "-e", "-t", "1"},
+  Job job{.command = {"/bin/sh", "-c", sim_script, sys::find_tool("sim_c++").string(),
+                      fmt::format("{}", seconds_of_a_text)},
           .readable = {readable},
           .folder = sandbox.place(readable),
           .output = work / "sim.out",
@@ -143,15 +102,15 @@ Shares compare(const fs::path& folder, std::size_t n_files, const fs::path& work
     if (end.ending == Ending::too_large) why = fmt::format("it takes over {} MB", job.memory_mb);
     throw std::runtime_error("sim_c++ failed: " + why);
   }
-  return shares_in(sys::read_file(job.output));
+  return told_by_sim(sys::read_file(job.output));
 }
 
 /// The pairs of one exercise.
 std::vector<LikePair> pairs_of(const std::string& exercise, const std::vector<std::string>& units,
-                               const Shares& shares, int percent) {
+                               const Compared& compared, int percent) {
   const auto share = [&](std::size_t i, std::size_t j) {
-    const auto found = shares.find({i, j});
-    return found == shares.end() ? 0 : found->second;
+    const auto found = compared.percent.find({i, j});
+    return found == compared.percent.end() ? 0 : found->second;
   };
   std::vector<LikePair> pairs;
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -196,14 +155,18 @@ Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& a
   for (const Exercise& exercise : assignment.exercises) {
     const fs::path folder = work / exercise.id;
     std::vector<std::string> units;
+    const auto not_compared = [&](const std::string& unit, const std::string& why) {
+      likeness.problems.push_back(
+          fmt::format("{} of {} is not compared: {}", exercise.file, unit, why));
+    };
     for (const Written& written : all) {
       const auto file = written.files.find(exercise.file);
       if (file == written.files.end()) continue;
       const std::string own = own_lines(file->second, known);
-      const std::string hindrance = hindrance_of(own);
-      if (!hindrance.empty()) {
-        likeness.problems.push_back(
-            fmt::format("{} of {} is not compared: {}", exercise.file, written.unit, hindrance));
+      if (own.size() > most_kb * 1024) {
+        not_compared(written.unit,
+                     fmt::format("{} kB of it are neither given nor expected, more than {} kB",
+                                 own.size() / 1024, most_kb));
         continue;
       }
       sys::write_file_atomically(folder / fmt::format("{}.cpp", units.size()), own);
@@ -211,8 +174,12 @@ Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& a
     }
     if (units.size() < 2) continue;
     try {
-      const Shares shares = compare(folder, units.size(), work, isolation);
-      const auto more = pairs_of(exercise.id, units, shares, percent);
+      const Compared compared = compare(folder, units.size(), work, isolation);
+      for (const std::size_t i : compared.too_slow) {
+        not_compared(units[i],
+                     fmt::format("sim_c++ takes longer than {} s for it", seconds_of_a_text));
+      }
+      const auto more = pairs_of(exercise.id, units, compared, percent);
       likeness.pairs.insert(likeness.pairs.end(), more.begin(), more.end());
     } catch (const sys::ToolError&) {
       throw;

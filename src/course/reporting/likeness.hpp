@@ -43,7 +43,7 @@ std::string own_lines(std::string_view text, const std::set<std::string>& known)
 /// package similarity-tester: layout, comments, names and numbers do not count, and runs of fewer
 /// than its 24 tokens neither. Finds the pairs with at least `percent` of the tokens of one of them
 /// in common. What is left of a text may have 32 kB, many times as much as an honest solution, and
-/// may not repeat itself hundreds of times, or it is not compared. `work` is an empty folder.
+/// may not keep sim_c++ busy for seconds, or it is not compared. `work` is an empty folder.
 /// Throws sys::ToolError if sim_c++ is missing.
 Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& all,
                      const std::set<std::string>& known, int percent,

@@ -106,28 +106,25 @@ BOOST_AUTO_TEST_CASE(a_text_that_is_too_long_hinders_no_other_from_being_compare
              "expected, more than 32 kB");
 }
 
-BOOST_AUTO_TEST_CASE(a_text_that_repeats_itself_hinders_no_other_from_being_compared) {
+BOOST_AUTO_TEST_CASE(a_text_that_keeps_sim_busy_hinders_no_other_from_being_compared) {
   const auto repeated = [](const std::string& part, int n) {
     std::string text;
     for (int i = 0; i < n; ++i) text += part;
     return text;
   };
-  const std::string idle = repeated("0;", 1500);
-  const std::string halves = repeated("0;", 750) + "return 1;" + repeated("/* a */ b ;\n", 750);
+  const std::string idle = repeated("0;", 8000);
 
-  const Likeness found = likeness({"void f() {" + idle + "}\n", first,
-                                   other + "int f() {" + halves + " return 1; }\n", copied});
+  const Likeness found = likeness({"void f() {" + idle + "return;" + idle + "}\n", first,
+                                   other + "void f() {" + idle + "}\n", copied});
 
   BOOST_REQUIRE(found.pairs.size() == 1U);
   BOOST_TEST((std::set<std::string>{found.pairs[0].first, found.pairs[0].second} ==
               std::set<std::string>{"bob", "dave"}));
-  BOOST_REQUIRE(found.problems.size() == 2U);
+  BOOST_TEST_REQUIRE(!found.problems.empty());
   BOOST_TEST(found.problems[0] ==
-             "src/square.cpp of alice is not compared: it repeats itself more than 500 times");
+             "src/square.cpp of alice is not compared: sim_c++ takes longer than 3 s for it");
   const std::string table = "double x[] = {" + repeated("0.5, ", 400) + "1};\n";
-  const std::string ruled = repeated("// " + std::string(70, '-') + "\n", 50);
-  BOOST_TEST(likeness({table + ruled + first, table + "\"" + ruled.substr(0, 73) + "\"" + other})
-                 .problems.empty());
+  BOOST_TEST(likeness({table + first, table + other}).problems.empty());
 }
 
 BOOST_AUTO_TEST_CASE(lines_are_known_whatever_their_blanks) {
