@@ -29,12 +29,17 @@ std::string text(const Table& table, const std::string& key) {
   return text;
 }
 
-double number(const Table& table, const std::string& key, double least, double most) {
-  const double number = table.number(key);
+template <class Number>
+Number within(const Table& table, const std::string& key, Number number, Number least,
+              Number most) {
   if (number < least || number > most) {
     table.fail(key, fmt::format("{} is not from {} to {}", number, least, most));
   }
   return number;
+}
+
+double number(const Table& table, const std::string& key, double least, double most) {
+  return within(table, key, table.number(key), least, most);
 }
 
 double positive(const Table& table, const std::string& key) {
@@ -43,12 +48,8 @@ double positive(const Table& table, const std::string& key) {
   return number;
 }
 
-int integer(const Table& table, const std::string& key, int least, int most) {
-  const long integer = table.integer(key);
-  if (integer < least || integer > most) {
-    table.fail(key, fmt::format("{} is not from {} to {}", integer, least, most));
-  }
-  return static_cast<int>(integer);
+int integer(const Table& table, const std::string& key, long least, long most) {
+  return static_cast<int>(within(table, key, table.integer(key), least, most));
 }
 
 // Reads an identifier, which must not be among those known.
@@ -172,17 +173,14 @@ Quantity read_quantity(const Table& table, std::set<std::string>& names) {
   return quantity;
 }
 
-/// Reads the exercises. References from one to another are checked when all of them are known.
+/// Reads the exercises, each of which builds on earlier ones alone.
 class Exercises {
  public:
   Exercises(const Table& root, const fs::path& folder) : folder_(folder) {
-    tables_ = root.tables("exercise");
-    if (tables_.empty()) root.fail("exercise", "missing; there must be one at least");
-    for (const Table& table : tables_) exercises_.push_back(read(table));
-    for (std::size_t i = 0; i < tables_.size(); ++i) require_order(i);
+    const auto tables = root.tables("exercise");
+    if (tables.empty()) root.fail("exercise", "missing; there must be one at least");
+    for (const Table& table : tables) exercises_.push_back(read(table));
   }
-
-  const std::set<std::string>& check_ids() const { return check_ids_; }
 
   std::vector<Exercise> take() && { return std::move(exercises_); }
 
@@ -195,12 +193,8 @@ class Exercises {
  private:
   Exercise read(const Table& table);
   std::string read_file_name(const Table& table, const std::string& key);
-  void require_order(std::size_t index) const;
-  bool leads_to(const std::string& from, const std::string& to, std::set<std::string>& seen) const;
-  const Exercise* find(const std::string& id) const;
 
   fs::path folder_;
-  std::vector<Table> tables_;
   std::vector<Exercise> exercises_;
   std::set<std::string> ids_, check_ids_, files_;
 };
@@ -225,6 +219,11 @@ Exercise Exercises::read(const Table& table) {
   exercise.file = read_file_name(table, "file");
   if (table.has("tests")) exercise.tests = read_file_name(table, "tests");
   if (table.has("builds_on")) exercise.builds_on = table.texts("builds_on");
+  for (const std::string& needed : exercise.builds_on) {
+    if (std::ranges::find(exercises_, needed, &Exercise::id) == exercises_.end()) {
+      table.fail("builds_on", fmt::format("there is no exercise \"{}\" before this one", needed));
+    }
+  }
   // An empty list `check = []` is no list of tables for the parser.
   const bool has_none = is_empty_list(table, "check");
   const auto checks = has_none ? std::vector<Table>{} : table.tables("check");
@@ -240,34 +239,6 @@ Exercise Exercises::read(const Table& table) {
                            exercise.id, n));
   }
   return exercise;
-}
-
-const Exercise* Exercises::find(const std::string& id) const {
-  const auto found = std::ranges::find(exercises_, id, &Exercise::id);
-  return found == exercises_.end() ? nullptr : &*found;
-}
-
-bool Exercises::leads_to(const std::string& from, const std::string& to,
-                         std::set<std::string>& seen) const {
-  const Exercise* exercise = find(from);
-  if (exercise == nullptr || !seen.insert(from).second) return false;
-  return std::ranges::any_of(exercise->builds_on, [&](const std::string& next) {
-    return next == to || leads_to(next, to, seen);
-  });
-}
-
-void Exercises::require_order(std::size_t index) const {
-  const Exercise& exercise = exercises_[index];
-  for (const std::string& needed : exercise.builds_on) {
-    if (find(needed) == nullptr) {
-      tables_[index].fail("builds_on", fmt::format("there is no exercise \"{}\"", needed));
-    }
-  }
-  std::set<std::string> seen;
-  if (leads_to(exercise.id, exercise.id, seen)) {
-    tables_[index].fail("builds_on",
-                        fmt::format("exercise \"{}\" builds on itself in the end", exercise.id));
-  }
 }
 
 std::vector<std::string> read_provided(const Table& root, const std::vector<Exercise>& exercises) {
@@ -323,7 +294,7 @@ Assignment read_assignment(const fs::path& folder) {
   if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
   Exercises exercises(root, folder);
   const double sum = exercises.points();
-  std::set<std::string> ids = exercises.check_ids();  // a column of the table is one or the other
+  std::set<std::string> ids;
   for (const Table& table : root.tables("criterion")) {
     assignment.criteria.push_back(read_criterion(table, ids));
   }

@@ -35,7 +35,7 @@ struct Exercise {
   std::string id;
   std::string title;
   std::string file;                    ///< in the student's project, such as "src/closed_form.cpp"
-  std::vector<std::string> builds_on;  ///< ids of exercises whose functions it calls
+  std::vector<std::string> builds_on;  ///< ids of earlier exercises whose functions it calls
   std::vector<CheckEntry> checks;
   /// The student's own tests, such as "src/tests/influence.cpp"; empty if none are asked for. If
   /// they are, one of the checks is theirs.

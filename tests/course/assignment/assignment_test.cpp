@@ -104,11 +104,11 @@ BOOST_AUTO_TEST_CASE(ids_are_words_and_each_its_own) {
   check_error("name = \"second\"", "name = \"first\"", "\"first\" stands here again");
 }
 
-BOOST_AUTO_TEST_CASE(what_an_exercise_builds_on_is_there_and_not_itself) {
-  check_error("[\"root\"]", "[\"roof\"]", "there is no exercise \"roof\"");
-  check_error("[\"root\"]", "[\"mean\"]", "exercise \"mean\" builds on itself");
+BOOST_AUTO_TEST_CASE(an_exercise_builds_on_earlier_ones_alone) {
+  check_error("[\"root\"]", "[\"roof\"]", "there is no exercise \"roof\" before this one");
+  check_error("[\"root\"]", "[\"mean\"]", "there is no exercise \"mean\" before this one");
   check_error("file = \"src/root.cpp\"", "file = \"src/root.cpp\"\nbuilds_on = [\"mean\"]",
-              "exercise \"root\" builds on itself", 1);
+              "there is no exercise \"mean\" before this one", 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_quantitys_nominal_value_is_one_that_it_may_have) {
