@@ -23,9 +23,7 @@ using Known = std::map<std::string, StudentMark>;
 Mark parsed_mark(const Assignment& assignment, const nlohmann::json& json) {
   Mark mark;
   mark.state = json.at("state").get<std::string>();
-  mark.days_late = json.at("days_late").get<int>();
   mark.slip_days = json.at("slip_days").get<int>();
-  mark.percent = json.at("deduction_percent").get<double>();
   mark.points = json.at("points").get<double>();
   mark.deduction = json.at("deduction").get<double>();
   mark.mark = json.at("mark").get<double>();

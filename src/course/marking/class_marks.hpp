@@ -15,9 +15,7 @@ namespace course {
 /// What `grade` found out about one submission, read from its mark.json.
 struct Mark {
   std::string state;  ///< "on time", "late" or "too late"
-  int days_late = 0;
-  int slip_days = 0;   ///< of these, days that cost nothing and are used up
-  double percent = 0;  ///< of the points, which is deducted
+  int slip_days = 0;  ///< days late that cost nothing and are used up
   double points = 0;
   double deduction = 0;
   double mark = 0;

@@ -72,13 +72,10 @@ bool is_passed(const CheckEntry& entry, const CheckResult& result) {
 std::string mark_json(const Assignment& assignment, const Graded& graded) {
   nlohmann::ordered_json json = {{"student", graded.student},
                                  {"state", state_of(graded)},
-                                 {"days_late", graded.late.days},
                                  {"slip_days", graded.late.slip_days},
-                                 {"deduction_percent", graded.late.percent},
                                  {"points", points_of(graded)},
                                  {"deduction", deduction_of(graded)},
                                  {"mark", mark_of(graded)},
-                                 {"most", assignment.points},
                                  {"has_report", graded.submission.has_report},
                                  {"missing", nlohmann::ordered_json::array()},
                                  {"not_compiling", nlohmann::ordered_json::array()},
