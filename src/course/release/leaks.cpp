@@ -9,6 +9,7 @@
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/pattern.hpp"
 #include "system/process.hpp"
 #include "system/text.hpp"
 
@@ -24,9 +25,8 @@ bool is_space(char c) {
 }
 
 std::string without_space(std::string_view text) {
-  std::string dense;
-  dense.reserve(text.size());
-  std::ranges::copy_if(text, std::back_inserter(dense), [](char c) { return !is_space(c); });
+  std::string dense(text);
+  std::erase_if(dense, is_space);
   return dense;
 }
 
@@ -70,16 +70,9 @@ std::string without_thin_spaces(std::string_view text) {
 
 /// Whether a line is an entry of a PDF's table of its own objects, "0000000017 00000 n".
 bool is_entry_of_table(std::string_view line) {
-  constexpr std::string_view form = "dddddddddd ddddd k";
-  if (line.size() < form.size()) return false;
-  for (std::size_t i = 0; i < form.size(); ++i) {
-    const char c = line[i];
-    const bool fits = form[i] == 'd'   ? sys::is_digit(c)
-                      : form[i] == 'k' ? c == 'n' || c == 'f'
-                                       : c == ' ';
-    if (!fits) return false;
-  }
-  return true;
+  constexpr std::size_t length = 18;
+  static const sys::Pattern form(R"(\d{10} \d{5} [nf])");
+  return form.is_all_of(line.substr(0, length));
 }
 
 /// A PDF without the numbers that say where in the file something stands. By chance any of them has

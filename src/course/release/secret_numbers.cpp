@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 
-#include "system/decimal.hpp"
 #include "system/text.hpp"
 
 namespace course {
@@ -38,44 +38,6 @@ bool is_telling(const std::string& digits) {
   return last != std::string::npos && last + 1 >= telling_digits;
 }
 
-// The digits rounded to n of them; "99999996" becomes "10000000".
-std::string rounded(const std::string& digits, std::size_t n) {
-  std::string result = digits.substr(0, n);
-  if (digits.size() <= n || digits[n] < '5') return result;
-  for (std::size_t i = n; i-- > 0;) {
-    if (result[i] != '9') {
-      ++result[i];
-      return result;
-    }
-    result[i] = '0';
-  }
-  return "1" + result.substr(0, n - 1);
-}
-
-// Reads a number with its point and exponent, returns its significant digits, and moves `at`
-// behind it.
-std::string read_digits(std::string_view text, std::size_t& at) {
-  std::string digits;
-  bool has_point = false;
-  for (; at < text.size(); ++at) {
-    if (is_digit(text[at])) {
-      if (!digits.empty() || text[at] != '0') digits += text[at];
-    } else if (text[at] == '.' && !has_point) {
-      has_point = true;
-    } else {
-      break;
-    }
-  }
-  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-    std::size_t end = at + 1;
-    if (end < text.size() && (text[end] == '+' || text[end] == '-')) ++end;
-    const std::size_t first = end;
-    while (end < text.size() && is_digit(text[end])) ++end;
-    if (end > first) at = end;
-  }
-  return digits;
-}
-
 }  // namespace
 
 SecretNumbers::SecretNumbers(const std::vector<double>& numbers) {
@@ -84,7 +46,7 @@ SecretNumbers::SecretNumbers(const std::vector<double>& numbers) {
     const std::string all = digits_of(number, 17);
     for (std::size_t n = least_digits; n <= most_digits; ++n) {
       digits_.insert(all.substr(0, n));
-      digits_.insert(rounded(all, n));
+      digits_.insert(digits_of(number, n));
     }
     patterns_.push_back(std::bit_cast<std::uint64_t>(number));
     patterns_.push_back(std::bit_cast<std::uint64_t>(-number));
@@ -92,11 +54,14 @@ SecretNumbers::SecretNumbers(const std::vector<double>& numbers) {
   std::ranges::sort(patterns_);
 }
 
-bool SecretNumbers::is_secret(const std::string& digits) const {
+bool SecretNumbers::is_secret(const std::string& printed, double number) const {
+  std::string digits = printed.substr(0, printed.find_first_of("eE"));
+  std::erase(digits, '.');
+  digits.erase(0, digits.find_first_not_of('0'));
   if (digits.size() < least_digits) return false;
   const std::size_t n = std::min(digits.size(), most_digits);
   const std::string cut = digits.substr(0, n);
-  return is_telling(cut) && (digits_.contains(cut) || digits_.contains(rounded(digits, n)));
+  return is_telling(cut) && (digits_.contains(cut) || digits_.contains(digits_of(number, n)));
 }
 
 std::vector<std::string> SecretNumbers::printed_in(std::string_view text) const {
@@ -111,10 +76,12 @@ std::vector<std::string> SecretNumbers::printed_in(std::string_view text) const 
       while (at < text.size() && continues_word(text[at])) ++at;
       continue;
     }
-    const std::size_t begin = at;
-    const std::string digits = read_digits(text, at);
+    double number = 0;
+    const char* const begin = text.data() + at;
+    const std::string printed(begin, std::from_chars(begin, text.data() + text.size(), number).ptr);
+    at += printed.size();
     const bool ends = at == text.size() || !continues_word(text[at]);
-    if (ends && is_secret(digits)) found.emplace_back(text.substr(begin, at - begin));
+    if (ends && is_secret(printed, number)) found.push_back(printed);
     while (at < text.size() && continues_word(text[at])) ++at;
   }
   return found;

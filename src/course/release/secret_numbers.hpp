@@ -30,7 +30,7 @@ class SecretNumbers {
   bool empty() const { return patterns_.empty(); }
 
  private:
-  bool is_secret(const std::string& digits) const;
+  bool is_secret(const std::string& printed, double number) const;
 
   std::set<std::string, std::less<>> digits_;  // of six to eight digits, cut and rounded
   std::vector<std::uint64_t> patterns_;        // sorted
