@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/erase.hpp>
 #include <string_view>
 
 #include "course/assignment/student.hpp"
@@ -19,14 +20,6 @@ namespace {
 constexpr std::size_t max_message =
     4000;  ///< bytes of the compiler's message that a student is shown
 constexpr int max_object_kb = 64 * 1024;
-
-std::string without(std::string text, const std::string& words, const std::string& instead) {
-  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
-    text.replace(at, words.size(), instead);
-    at += instead.size();
-  }
-  return text;
-}
 
 /// A compiler's message with at most three lines «from …» in a row, which say what included
 /// what, so that the error itself is not cut off.
@@ -234,18 +227,17 @@ std::string Compiler::message_of(const JobEnd& end) const {
   if (has_worked(end)) return "";
   std::string excess = excess_of(end);
   if (!excess.empty()) return excess;
-  const std::string text = without_long_chains(beginning_of(errors(), 16 * max_message));
+  std::string text = without_long_chains(beginning_of(errors(), 16 * max_message));
+  for (const fs::path& folder : {project_.path, toolkit_.folder, scratch_}) {
+    boost::algorithm::erase_all(text, folder.string() + "/");
+  }
   const bool misses_a_header = text.find("No such file or directory\n") != text.npos &&
                                text.find("#include \"") != text.npos;
   const std::string hint =
       misses_a_header ? "Only the exercises' own files are taken from a submission: what stands in "
                         "another file must stand in them.\n"
                       : "";
-  return shown(without(without(without(text, project_.path.string() + "/", ""),
-                               toolkit_.folder.string() + "/", ""),
-                       scratch_.string() + "/", ""),
-               max_message) +
-         hint;
+  return shown(text, max_message) + hint;
 }
 
 std::string Compiler::too_large() const {

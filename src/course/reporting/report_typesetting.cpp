@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/erase.hpp>
 #include <chrono>
 #include <csignal>
 
@@ -55,16 +56,6 @@ done
 if [ -s "$scratch/report.log" ]; then cat "$scratch/report.log" >&2; else printf '%s\n' "$said" >&2; fi
 if [ -n "$size" ] && [ "$(wc -c <"$scratch/report.pdf")" -eq "$size" ]; then cat "$scratch/report.pdf" || exit; fi
 exit "$status")sh";
-
-std::string without(const std::string& text, const std::string& words) {
-  std::string result;
-  std::size_t begin = 0;
-  for (auto at = text.find(words); at != text.npos; at = text.find(words, begin)) {
-    result.append(text, begin, at - begin);
-    begin = at + words.size();
-  }
-  return result.append(text, begin);
-}
 
 }  // namespace
 
@@ -137,7 +128,8 @@ Typeset ReportTypesetting::typeset(const fs::path& folder) const {
   const Limits& limits = assignment_.limits;
   const Product made = latex(folder);
   Typeset typeset{made.output.starts_with("%PDF") ? made.output : "",
-                  without(made.errors, sandbox_.scratch() + "/"), "", made.end.status == 1};
+                  boost::algorithm::erase_all_copy(made.errors, sandbox_.scratch() + "/"), "",
+                  made.end.status == 1};
   const Ending ending = made.end.ending;
   const int status = made.end.status;
   const auto is_ended_by = [&](int signal) { return ending == Ending::crash && status == signal; };
