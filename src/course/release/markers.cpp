@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -13,12 +14,7 @@
 namespace course {
 namespace {
 
-enum class Kind { begin_solution, end_solution, begin_hidden, end_hidden, stub };
-
-struct Marker {
-  Kind kind;
-  std::string text;  // the stub, or the name of hidden tests
-};
+enum class Region { solution, hidden_tests };
 
 // Whether a line has the words of a marker, however they are spelt. A misspelt marker would give a
 // solution away.
@@ -35,10 +31,8 @@ class Divider {
 
   void read(const LineWithEnd& line) {
     ++number_;
-    if (const auto marker = marker_in(line.text)) {
-      act(*marker, line);
-      return;
-    }
+    const auto words = words_of_comment(line.text, comment_);
+    if (words && acts_on(*words, line)) return;
     if (looks_like_marker(line.text)) {
       fail(number_,
            fmt::format("a marker is a line «{} BEGIN SOLUTION», «… END SOLUTION», «… BEGIN "
@@ -57,67 +51,56 @@ class Divider {
   [[noreturn]] void fail(int line, std::string_view message) const {
     throw sys::SourceError(fmt::format("{}:{}: {}", file_, line, message));
   }
-  static std::string_view name_of(Kind begin) {
-    return begin == Kind::begin_solution ? "BEGIN SOLUTION" : "BEGIN HIDDEN TESTS";
+  static std::string_view name_of(Region region) {
+    return region == Region::solution ? "BEGIN SOLUTION" : "BEGIN HIDDEN TESTS";
   }
 
-  std::optional<Marker> marker_in(std::string_view line) const;
-  void act(const Marker& marker, const LineWithEnd& line);
-  void begin(const Marker& marker, const LineWithEnd& line);
-  void end(Kind begin, const LineWithEnd& line);
-  void stub(const std::string& text);
+  bool acts_on(std::string_view words, const LineWithEnd& line);
+  void begin(Region region, const LineWithEnd& line);
+  void end(Region region, const LineWithEnd& line);
+  void stub(std::string_view text);
   void add(const LineWithEnd& line);
 
   std::string file_;
   CommentSigns comment_;
   int number_ = 0;
-  std::optional<Kind> region_;
+  std::optional<Region> region_;
   int begin_line_ = 0;
   bool takes_stubs_ = false;
   std::string indentation_, line_end_;
   MarkedText result_;
 };
 
-std::optional<Marker> Divider::marker_in(std::string_view line) const {
-  const auto words = words_of_comment(line, comment_);
-  if (!words) return {};
-  if (*words == "BEGIN SOLUTION") return Marker{Kind::begin_solution, ""};
-  if (*words == "END SOLUTION") return Marker{Kind::end_solution, ""};
-  if (*words == "END HIDDEN TESTS") return Marker{Kind::end_hidden, ""};
-  if (*words == "BEGIN HIDDEN TESTS") return Marker{Kind::begin_hidden, ""};
-  if (words->starts_with("BEGIN HIDDEN TESTS:")) {
-    return Marker{Kind::begin_hidden, std::string(sys::stripped(words->substr(19)))};
+/// Does what a marker says; false if the words are none.
+bool Divider::acts_on(std::string_view words, const LineWithEnd& line) {
+  constexpr std::string_view begin_hidden = "BEGIN HIDDEN TESTS";
+  if (words == "BEGIN SOLUTION") {
+    begin(Region::solution, line);
+  } else if (words == "END SOLUTION") {
+    end(Region::solution, line);
+  } else if (words == begin_hidden || words.starts_with(std::string(begin_hidden) + ":")) {
+    begin(Region::hidden_tests, line);
+    words.remove_prefix(std::min(begin_hidden.size() + 1, words.size()));
+    const std::string_view name = sys::stripped(words);
+    if (!name.empty()) result_.hidden_regions.emplace_back(name);
+  } else if (words == "END HIDDEN TESTS") {
+    end(Region::hidden_tests, line);
+  } else if (words.starts_with("STUB:")) {
+    stub(words.substr(words.starts_with("STUB: ") ? 6 : 5));
+  } else {
+    return false;
   }
-  if (words->starts_with("STUB:")) {
-    const std::string_view text = words->substr(5);
-    return Marker{Kind::stub, std::string(text.substr(text.starts_with(' ') ? 1 : 0))};
-  }
-  return {};
+  return true;
 }
 
-void Divider::act(const Marker& marker, const LineWithEnd& line) {
-  switch (marker.kind) {
-    case Kind::begin_solution:
-    case Kind::begin_hidden:
-      return begin(marker, line);
-    case Kind::end_solution:
-      return end(Kind::begin_solution, line);
-    case Kind::end_hidden:
-      return end(Kind::begin_hidden, line);
-    case Kind::stub:
-      return stub(marker.text);
-  }
-}
-
-void Divider::begin(const Marker& marker, const LineWithEnd& line) {
+void Divider::begin(Region region, const LineWithEnd& line) {
   if (region_) {
-    fail(number_, fmt::format("{} inside the {} of line {}", name_of(marker.kind),
-                              name_of(*region_), begin_line_));
+    fail(number_, fmt::format("{} inside the {} of line {}", name_of(region), name_of(*region_),
+                              begin_line_));
   }
-  region_ = marker.kind;
+  region_ = region;
   begin_line_ = number_;
-  if (!marker.text.empty()) result_.hidden_regions.push_back(marker.text);
-  if (marker.kind == Kind::begin_hidden) return;
+  if (region == Region::hidden_tests) return;
   takes_stubs_ = true;
   indentation_ = line.text.substr(0, line.text.find_first_not_of(" \t"));
   line_end_ = line.end;
@@ -126,22 +109,22 @@ void Divider::begin(const Marker& marker, const LineWithEnd& line) {
                                  space, comment_.end, line_end_);
 }
 
-void Divider::end(Kind begin, const LineWithEnd& line) {
-  if (region_ != begin) {
-    fail(number_, fmt::format("this END has no {} before it", name_of(begin)));
+void Divider::end(Region region, const LineWithEnd& line) {
+  if (region_ != region) {
+    fail(number_, fmt::format("this END has no {} before it", name_of(region)));
   }
   region_.reset();
   takes_stubs_ = false;
   // If the file ends without a newline, so does the handout.
-  const bool was_solution = begin == Kind::begin_solution;
-  if (was_solution && line.end.empty() && result_.handout.ends_with(line_end_)) {
+  if (region == Region::solution && line.end.empty() && result_.handout.ends_with(line_end_)) {
     result_.handout.resize(result_.handout.size() - line_end_.size());
   }
 }
 
-void Divider::stub(const std::string& text) {
+void Divider::stub(std::string_view text) {
   if (!takes_stubs_) fail(number_, "STUB may only stand below BEGIN SOLUTION");
-  result_.handout += (text.empty() ? "" : indentation_) + text + line_end_;
+  if (!text.empty()) result_.handout += indentation_;
+  result_.handout.append(text).append(line_end_);
 }
 
 void Divider::add(const LineWithEnd& line) {
