@@ -79,9 +79,6 @@ ExitCode marking(const MarkingOptions& options) {
   for (const course::Entry& entry : listing.entries) units.push_back(entry.student);
   const auto names = course::anonymous_names(units, seed);
   constexpr auto isolation = course::Isolation::sandbox;
-  const std::vector<std::string> former = fs::is_directory(options.output)
-                                              ? sys::files_below(options.output)
-                                              : std::vector<std::string>{};
   const course::ScratchFolder work;
   const course::ReportTypesetting typesetting(assignment, work.path(), isolation);
   sys::Staging staging(options.output);
@@ -95,7 +92,7 @@ ExitCode marking(const MarkingOptions& options) {
       sys::write_file_atomically(staging.path() / name / file, text);
     }
   }
-  staging.publish(former);
+  staging.replace();
   sys::write_file_atomically(options.names, table);
   return answer_faults(listing.problems);
 }
@@ -130,8 +127,6 @@ ExitCode collect(const ClassOptions& options) {
 /// Writes the page of each student who has a mark to `folder`, which it replaces as a whole.
 void write_feedback(const ClassOptions& options, const course::ClassMarks& marks,
                     const fs::path& folder) {
-  const std::vector<std::string> former =
-      fs::is_directory(folder) ? sys::files_below(folder) : std::vector<std::string>{};
   sys::Staging staging(folder);
   for (const course::StudentMark& student : marks.students) {
     if (!student.mark) continue;
@@ -139,7 +134,7 @@ void write_feedback(const ClassOptions& options, const course::ClassMarks& marks
         staging.path() / (student.student + ".html"),
         sys::read_file(fs::path(options.grades) / student.unit() / "feedback.html"));
   }
-  staging.publish(former);
+  staging.replace();
 }
 
 ExitCode results(const ClassOptions& options) {

@@ -51,9 +51,6 @@ ExitCode likeness(const LikenessOptions& options, int percent) {
   constexpr auto isolation = course::Isolation::sandbox;
   const course::Listing listing =
       course::list_submissions(options.submissions, roster_of(options.roster));
-  const std::vector<std::string> former = fs::is_directory(options.output)
-                                              ? sys::files_below(options.output)
-                                              : std::vector<std::string>{};
   sys::Staging staging(options.output);
   export_to(staging.path() / "base", base);
   std::vector<course::Written> all;
@@ -74,7 +71,7 @@ ExitCode likeness(const LikenessOptions& options, int percent) {
   const course::Likeness likeness = course::likeness_of(
       assignment, all, course::known_lines(expected), percent, work.path(), isolation);
   sys::write_file_atomically(staging.path() / "pairs.csv", course::pairs_csv(likeness.pairs));
-  staging.publish(former);
+  staging.replace();
   problems.insert(problems.end(), likeness.problems.begin(), likeness.problems.end());
   return answer_faults(problems);
 }

@@ -152,4 +152,8 @@ void Staging::publish(const std::vector<std::string>& former) {
   }
 }
 
+void Staging::replace() {
+  publish(files_below(output_dir_));
+}
+
 }  // namespace sys

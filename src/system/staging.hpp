@@ -31,6 +31,9 @@ class Staging {
   /// there, and removes those of `former` that were not made again. Throws OutputError.
   void publish(const std::vector<std::string>& former);
 
+  /// Does so and leaves no other file in the output folder.
+  void replace();
+
  private:
   std::filesystem::path output_dir_;
   std::filesystem::path path_;

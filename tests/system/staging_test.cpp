@@ -49,6 +49,11 @@ BOOST_AUTO_TEST_CASE(publishing_moves_what_changed_and_removes_what_was_not_made
       boost::test_tools::per_element());
   BOOST_TEST(read_file(out / "changed") == "new");
   BOOST_CHECK(fs::last_write_time(out / "same") == stamp);
+
+  staging.replace();
+
+  BOOST_TEST(files_below(out) == std::vector<std::string>{"same"},
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_list_of_former_files_cannot_remove_anything_elsewhere) {

@@ -5,6 +5,7 @@
 
 #include "system/error.hpp"
 #include "system/files.hpp"
+#include "system/staging.hpp"
 
 namespace course {
 namespace fs = std::filesystem;
@@ -40,53 +41,14 @@ std::string literal(double number) {
   return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
 }
 
-fs::path without_trailing_slash(const fs::path& folder) {
-  const fs::path normal = fs::absolute(folder).lexically_normal();
-  return normal.has_filename() ? normal : normal.parent_path();
-}
-
 // A folder that holds the file of the variant was written by this program and may be replaced.
 void require_replaceable(const fs::path& folder) {
-  const auto status = fs::symlink_status(folder);
-  if (!fs::exists(status)) return;
-  const bool is_ours = fs::is_directory(status) &&
-                       (fs::is_empty(folder) || fs::is_regular_file(folder / variant_file));
-  if (is_ours) return;
+  if (fs::is_empty(folder) || fs::is_regular_file(folder / variant_file)) return;
   throw sys::OutputError(
       fmt::format("'{}' exists and was not written by this command; name another folder or "
                   "remove it",
                   folder.string()));
 }
-
-/// A folder beside the one that it will replace. It is removed if it does not come to that.
-class Replacement {
- public:
-  explicit Replacement(const fs::path& folder)
-      : folder_(folder), fresh_(folder.string() + ".new"), old_(folder.string() + ".old") {
-    require_replaceable(folder_);
-    for (const fs::path& beside : {fresh_, old_}) require_replaceable(beside);
-    fs::remove_all(fresh_);
-    fs::create_directories(fresh_);
-  }
-  Replacement(const Replacement&) = delete;
-  Replacement& operator=(const Replacement&) = delete;
-  ~Replacement() {
-    std::error_code ignored;
-    fs::remove_all(fresh_, ignored);
-  }
-
-  const fs::path& path() const { return fresh_; }
-
-  void replace() {
-    fs::remove_all(old_);
-    if (fs::exists(folder_)) fs::rename(folder_, old_);
-    fs::rename(fresh_, folder_);
-    fs::remove_all(old_);
-  }
-
- private:
-  fs::path folder_, fresh_, old_;
-};
 
 void write(const fs::path& file, const std::string& text, fs::perms permissions) {
   sys::write_file_atomically(file, text);
@@ -165,23 +127,16 @@ std::string variant_header(const Assignment& assignment, const Variant& variant)
 
 void write_project(const Project& project, Edition edition, const Assignment& assignment,
                    const Variant& variant, const fs::path& sheet, const fs::path& output) {
-  const fs::path folder = without_trailing_slash(output);
-  try {
-    Replacement fresh(folder);
-    // This file is written first, so that the folder of a run that breaks off may be replaced
-    // later.
-    write(fresh.path() / variant_file, variant_header(assignment, variant), fs::perms::none);
-    for (const auto& [name, text] : texts(project, edition)) {
-      write(fresh.path() / name, text, project.at(name).permissions);
-    }
-    if (!sheet.empty()) {
-      write(fresh.path() / "sheet.pdf", sys::read_file(sheet), fs::perms::none);
-    }
-    fresh.replace();
-  } catch (const fs::filesystem_error& error) {
-    throw sys::OutputError(
-        fmt::format("cannot write the folder '{}': {}", folder.string(), error.code().message()));
+  sys::Staging staging(output);
+  require_replaceable(output);
+  write(staging.path() / variant_file, variant_header(assignment, variant), fs::perms::none);
+  for (const auto& [name, text] : texts(project, edition)) {
+    write(staging.path() / name, text, project.at(name).permissions);
   }
+  if (!sheet.empty()) {
+    write(staging.path() / "sheet.pdf", sys::read_file(sheet), fs::perms::none);
+  }
+  staging.replace();
 }
 
 }  // namespace course

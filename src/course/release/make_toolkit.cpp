@@ -32,8 +32,7 @@ std::set<std::string> write_project(const Assignment& assignment, const Project&
                                     const fs::path& folder) {
   std::set<std::string> files;
   Files handout = texts(project, Edition::handout);
-  handout["provided/variant_of_this_handout.hpp"] =
-      variant_header(assignment, nominal_variant(assignment));
+  handout[variant_file] = variant_header(assignment, nominal_variant(assignment));
   for (const auto& [file, text] : handout) {
     const bool is_of_report = file.starts_with("report/");
     if (!is_of_report && !file.starts_with("src/") && !file.starts_with("provided/")) continue;

@@ -65,10 +65,9 @@ class Prover {
 
 ProvedClaim Prover::variant() const {
   ProvedClaim claim{.says = "the handout is of this variant", .faults = {}};
-  const std::string header = "provided/variant_of_this_handout.hpp";
-  if (sys::read_file(input_.handout / header) !=
-      variant_header(input_.assignment, input_.variant)) {
-    claim.faults.push_back(fmt::format("{} has other numbers", (input_.handout / header).string()));
+  const fs::path header = input_.handout / variant_file;
+  if (sys::read_file(header) != variant_header(input_.assignment, input_.variant)) {
+    claim.faults.push_back(fmt::format("{} has other numbers", header.string()));
   }
   return claim;
 }

@@ -51,7 +51,7 @@ Built in_folder(const Built& built, const fs::path& folder) {
 std::vector<std::string> differences_of_folder(const VariantCheckInput& input,
                                                const Variant& variant, const fs::path& handout) {
   Files wanted = texts(input.project, Edition::handout);
-  wanted["provided/variant_of_this_handout.hpp"] = variant_header(input.assignment, variant);
+  wanted[variant_file] = variant_header(input.assignment, variant);
   std::vector<std::string> faults;
   std::size_t n_found = 0;
   for (const std::string& file : sys::files_below(handout)) {

@@ -102,8 +102,7 @@ BOOST_AUTO_TEST_CASE(a_handout_is_replaced_as_a_whole) {
   write(Edition::handout, handout / "");
 
   BOOST_TEST(!fs::exists(handout / "src/left over.cpp"));
-  BOOST_TEST(!fs::exists(folder.path() / "h.new"));
-  BOOST_TEST(!fs::exists(folder.path() / "h.old"));
+  BOOST_TEST(!fs::exists(folder.path() / "h.part"));
 }
 
 BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_handout) {
