@@ -31,7 +31,7 @@ struct Talk {
 
 /// What tests say of a program.
 struct Verdict {
-  std::string failure;  ///< why they say nothing, as «take longer than 5 s»
+  std::string failure;  ///< why they say nothing, as «took longer than 5 s»
   int n_checks = 0;
   int rejecting_line = 0;  ///< of the first check that does not hold; 0 if all do
 
@@ -77,10 +77,9 @@ class TestsRun {
                                       const std::vector<std::string>& questions);
   std::vector<std::string> run(const fs::path& program, const std::vector<std::string>& arguments,
                                const std::string& text, JobEnd& end);
-  std::string failure_of(const JobEnd& end) const;
   bool took_too_long() const { return seconds_ > seconds_for_all_; }
   std::string too_long() const {
-    return fmt::format("take longer than {} s in all", seconds_for_all_);
+    return fmt::format("took longer than {} s in all", seconds_for_all_);
   }
 
   Limits limits_;
@@ -113,24 +112,6 @@ std::vector<std::string> TestsRun::answers_of(const fs::path& program,
   return answers;
 }
 
-std::string TestsRun::failure_of(const JobEnd& end) const {
-  switch (end.ending) {
-    case Ending::too_slow:
-      return fmt::format("take longer than {} s", limits_.run_seconds);
-    case Ending::too_large:
-      return fmt::format("use more than {} MB", limits_.memory_mb);
-    case Ending::too_many_processes:
-      return fmt::format("start more than {} processes and threads", limits_.processes);
-    case Ending::too_much_output:
-      return fmt::format("ask or print more than {} kB", limits_.output_kb);
-    case Ending::crash:
-      return "crash";
-    case Ending::normal:
-      break;
-  }
-  return end.status == 0 ? "" : "end with a failure";
-}
-
 std::pair<std::vector<std::string>, Verdict> TestsRun::run_tests(const Talk& talk) {
   JobEnd end;
   std::pair<std::vector<std::string>, Verdict> result;
@@ -142,8 +123,8 @@ std::pair<std::vector<std::string>, Verdict> TestsRun::run_tests(const Talk& tal
     std::istringstream(line.substr(2)) >> verdict.n_checks >> verdict.rejecting_line;
     has_ended = true;
   }
-  verdict.failure = failure_of(end);
-  if (verdict.failure.empty() && !has_ended) verdict.failure = "end before their last check";
+  verdict.failure = failure_of(limits_, end);
+  if (verdict.failure.empty() && !has_ended) verdict.failure = "ended before their last check";
   return result;
 }
 
@@ -155,7 +136,7 @@ Verdict TestsRun::verdict_on(const fs::path& program, Talk& talk) {
     talk.questions = std::move(asked);
   }
   return {took_too_long() ? too_long()
-                          : fmt::format("ask more than {} questions one after the other, each of "
+                          : fmt::format("asked more than {} questions one after the other, each of "
                                         "which depends on the answer before",
                                         most_runs)};
 }
@@ -208,7 +189,8 @@ Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
   const auto fault = [&](const std::string& what) {
     return Outcome{0, fmt::format("your tests {}", what)};
   };
-  if (!verdict.failure.empty()) return fault(verdict.failure + " when they try the right program");
+  if (!verdict.failure.empty())
+    return fault(verdict.failure + " when they tried the right program");
   if (verdict.rejects()) {
     return fault("reject the right program: " + shown_line(file->second, verdict.rejecting_line));
   }
@@ -221,7 +203,7 @@ Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
       if (again.accepts()) continue;
       return fault(again.failure.empty()
                        ? "do not always accept the right program"
-                       : again.failure + " when they try the right program again");
+                       : again.failure + " when they tried the right program again");
     }
     Talk talk{right.questions};
     if (run.verdict_on(programs / "wrong" / id, talk).rejects()) caught.insert(id);

@@ -89,28 +89,35 @@ ProgramRun::ProgramRun(const Assignment& assignment, const Built& built, Isolati
       sandbox_(isolation, program_.parent_path()),
       seconds_(built.seconds) {}
 
-std::string ProgramRun::failure_of(const JobEnd& end) const {
+std::string failure_of(const Limits& limits, const JobEnd& end) {
   switch (end.ending) {
     case Ending::too_slow:
-      return fmt::format("the program takes longer than {} s", limits_.run_seconds);
+      return fmt::format("took longer than {} s", limits.run_seconds);
     case Ending::too_large:
-      return fmt::format("the program uses more than {} MB", limits_.memory_mb);
+      return fmt::format("used more than {} MB", limits.memory_mb);
     case Ending::too_many_processes:
-      return fmt::format("the program starts more than {} processes and threads",
-                         limits_.processes);
+      return fmt::format("started more than {} processes and threads", limits.processes);
     case Ending::too_much_output:
-      return fmt::format("the program prints more than {} kB", limits_.output_kb);
-    case Ending::crash: {
-      const char* name = ::sigabbrev_np(end.status);
-      return with_errors(name == nullptr
-                             ? fmt::format("the program crashed (signal {})", end.status)
-                             : fmt::format("the program crashed (SIG{})", name));
-    }
+      return fmt::format("wrote more than {} kB", limits.output_kb);
+    case Ending::crash:
+      return "crashed";
     case Ending::normal:
       break;
   }
-  // The status itself is not shown: the program could report hidden inputs by it.
-  return end.status == 0 ? "" : with_errors("the program ended with a failure");
+  return end.status == 0 ? "" : "ended with a failure";
+}
+
+std::string ProgramRun::failure_of(const JobEnd& end) const {
+  std::string failure = course::failure_of(limits_, end);
+  if (failure.empty()) return "";
+  failure.insert(0, "the program ");
+  if (end.ending == Ending::crash) {
+    const char* name = ::sigabbrev_np(end.status);
+    failure +=
+        name == nullptr ? fmt::format(" (signal {})", end.status) : fmt::format(" (SIG{})", name);
+  }
+  const bool may_say_why = end.ending == Ending::crash || end.ending == Ending::normal;
+  return may_say_why ? with_errors(failure) : failure;
 }
 
 std::string ProgramRun::with_errors(const std::string& failure) const {
@@ -118,7 +125,7 @@ std::string ProgramRun::with_errors(const std::string& failure) const {
   // So say the libraries of C++ and of OpenMP if they cannot start a thread.
   if (said.find("Resource temporarily unavailable") != said.npos) {
     return fmt::format(
-        "the program starts more than {} processes and threads, or they need more "
+        "the program started more than {} processes and threads, or they needed more "
         "than {} MB",
         limits_.processes, limits_.memory_mb);
   }

@@ -24,6 +24,10 @@ Numbers parse_answer(std::string_view text);
 /// the first `n_single` (Assignment::single_numbers).
 bool is_same_answer(const Numbers& first, const Numbers& second, std::size_t n_single);
 
+/// What went wrong with a program, such as «took longer than 5 s» by Limits::run_seconds; empty if
+/// nothing did. Neither its status nor its signal is told, by which it could report what it knows.
+std::string failure_of(const Limits& limits, const JobEnd& end);
+
 /// Runs a program in the sandbox on a text, within the limits. Input, output and errors are files
 /// beside it, `input`, `output` and `errors`.
 JobEnd run_on_text(const Sandbox& sandbox, const Limits& limits,

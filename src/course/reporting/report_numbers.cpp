@@ -9,6 +9,7 @@
 #include "course/assignment/student.hpp"
 #include "course/marking/archive.hpp"
 #include "course/marking/build.hpp"
+#include "course/marking/program_run.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/handout.hpp"
 #include "system/process.hpp"
@@ -35,30 +36,14 @@ bool is_wanted(const std::string& name) {
   return is_plain && name.size() <= longest && (name == "numbers.tex" || name.ends_with(".dat"));
 }
 
-std::string why_it_ended(const Limits& limits, const JobEnd& end) {
-  switch (end.ending) {
-    case Ending::too_slow:
-      return fmt::format("it takes longer than {} s", limits.report_seconds);
-    case Ending::too_large:
-      return fmt::format("it uses more than {} MB", limits.memory_mb);
-    case Ending::too_many_processes:
-      return fmt::format("it starts more than {} processes", limits.processes);
-    case Ending::too_much_output:
-      return fmt::format("it writes more than {} MB", limits.submission_mb);
-    case Ending::crash:
-      return "it crashed";
-    case Ending::normal:
-      break;
-  }
-  return end.status == 0 ? "" : fmt::format("it ended with status {}", end.status);
-}
-
 /// Runs the program, whose files come back as an archive on standard output.
 class FiguresRun {
  public:
   FiguresRun(const Assignment& assignment, const fs::path& work, Isolation isolation)
       : limits_(assignment.limits), work_(work), isolation_(isolation), sandbox_(isolation, work) {
     limits_.file_kb = 1024 * limits_.submission_mb;
+    limits_.output_kb = limits_.file_kb;
+    limits_.run_seconds = limits_.report_seconds;
   }
 
   ReportNumbers run(const fs::path& program, double& seconds_left) const {
@@ -69,10 +54,10 @@ class FiguresRun {
     for (const std::string_view line : sys::lines_of(said)) {
       numbers.problems.push_back(fmt::format("{}: {}", program_file, line));
     }
-    const std::string why = why_it_ended(limits_, end);
+    const std::string why = failure_of(limits_, end);
     if (!why.empty()) {
       numbers.problems.push_back(
-          fmt::format("{}: with these functions there are no numbers: {}", program_file, why));
+          fmt::format("{}: with these functions there are no numbers: it {}", program_file, why));
       return numbers;
     }
     take_files(numbers);

@@ -123,11 +123,12 @@ BOOST_AUTO_TEST_CASE(tests_that_check_nothing_or_reject_the_right_program_have_n
 }
 
 BOOST_AUTO_TEST_CASE(tests_that_come_to_no_end_catch_nothing) {
-  check_tried("exits_early", 0, "your tests end before their last check when they try the right");
+  check_tried("exits_early", 0,
+              "your tests ended before their last check when they tried the right");
   check_tried("exits_where_a_check_fails", 0, "your tests catch 0 of 4 wrong programs");
   check_tried("crashes_on_wrong_programs", 0, "your tests catch 0 of 4 wrong programs");
-  check_tried("throws", 0, "your tests crash when they try the right program");
-  check_tried("never_ends", 0, "your tests take longer than 1 s when they try the right program");
+  check_tried("throws", 0, "your tests crashed when they tried the right program");
+  check_tried("never_ends", 0, "your tests took longer than 1 s when they tried the right program");
 }
 
 BOOST_AUTO_TEST_CASE(all_runs_of_tests_together_have_one_limit) {
@@ -136,7 +137,7 @@ BOOST_AUTO_TEST_CASE(all_runs_of_tests_together_have_one_limit) {
   toy.limits.submission_seconds = static_cast<int>(toy.exercises.size() + 1);  // a second for tests
   const Tried sleepers = tried("sleeps", Isolation::sandbox, toy);
   BOOST_TEST(sleepers.points == 0);
-  BOOST_TEST(sleepers.message.starts_with("your tests take longer than 1 s in all"),
+  BOOST_TEST(sleepers.message.starts_with("your tests took longer than 1 s in all"),
              sleepers.message);
 }
 
@@ -144,8 +145,8 @@ BOOST_AUTO_TEST_CASE(tests_gain_nothing_but_by_answers) {
   check_tried("says_that_it_ended", 0, "your tests catch 0 of 4 wrong programs");
   check_tried("forks", 0, "your tests catch 0 of 4 wrong programs");
   check_tried("asks_by_chance", 0,
-              "your tests ask more than 300 questions one after the other, each of which depends "
-              "on the answer before when they try the");
+              "your tests asked more than 300 questions one after the other, each of which depends "
+              "on the answer before when they tried the");
   check_tried("looks_for_the_program", 0, "your tests catch 0 of 4 wrong programs");
   // A busy machine may let it reject the right program the first time.
   BOOST_TEST(tried("goes_by_the_clock").points == 0);
