@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct MarkingOptions : CourseOptions {
-  std::string submissions, output, names, roster, toolkit;
+  std::string names;
   bool is_nominal = false;
 };
 
@@ -98,15 +98,14 @@ ExitCode marking(const MarkingOptions& options) {
 }
 
 struct ClassOptions : CourseOptions {
-  std::string grades, output, roster, submissions, canvas, column;
+  std::string grades, canvas, column;
 };
 
 void add_class_options(CLI::App& command, ClassOptions& options) {
   add_required_text(command, "grades", options.grades, "DIR",
                     "Folder of the folders that `grade` wrote, each named for its student");
   add_assignment(command, options);
-  add_text(command, "--roster", options.roster, "FILE",
-           "CSV of the class; students without a mark get a line");
+  add_roster(command, options);
   add_text(command, "--submissions", options.submissions, "DIR",
            "Folder of the submissions; those without a mark get a line");
 }
@@ -180,17 +179,14 @@ void add_marking_command(CLI::App& program, ExitCode& exit_code) {
               "Typeset the reports under names that do not tell whose they are, for markers",
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<MarkingOptions>();
-                add_required_text(command, "submissions", options->submissions, "DIR",
-                                  "Folder with a folder or archive a student");
+                add_submissions(command, *options);
                 add_assignment(command, *options);
                 add_seed(command, *options);
-                add_text(command, "--roster", options->roster, "FILE", "CSV of the class");
-                add_required_text(command, "--output", options->output, "DIR",
-                                  "Folder to write; replaced as a whole");
+                add_roster(command, *options);
+                add_output(command, *options);
                 add_required_text(command, "--names", options->names, "FILE",
                                   "CSV to write for you alone: whose each report is");
-                add_required_text(command, "--toolkit", options->toolkit, "DIR",
-                                  "Folder that `toolkit` wrote");
+                add_toolkit(command, *options);
                 add_switch(command, "--nominal", options->is_nominal,
                            "Everybody has the nominal numbers; the seed draws names only");
                 return [options] { return marking(*options); };

@@ -42,12 +42,18 @@ struct CourseOptions {
   std::string assignment = "report/assignment";
   std::string source = ".";
   std::string student, seed, seed_file;
+  std::string submissions, roster, toolkit, output;
 };
 
 void add_assignment(CLI::App& command, CourseOptions& options);
 void add_source(CLI::App& command, CourseOptions& options);
 void add_student(CLI::App& command, CourseOptions& options);
 void add_seed(CLI::App& command, CourseOptions& options);
+void add_submissions(CLI::App& command, CourseOptions& options);
+void add_roster(CLI::App& command, CourseOptions& options);
+void add_toolkit(CLI::App& command, CourseOptions& options);
+/// Adds the folder that a command replaces as a whole.
+void add_output(CLI::App& command, CourseOptions& options);
 
 /// Reads the assignment and makes sure that each of its checks has code.
 course::Assignment read_assignment(const CourseOptions& options);

@@ -20,12 +20,8 @@
 namespace course_app {
 namespace {
 
-struct ToolkitOptions : CourseOptions {
-  std::string output;
-};
-
 struct GradeOptions : CourseOptions {
-  std::string submission, toolkit, output, submitted, deadline, late_until, roster;
+  std::string submission, submitted, deadline, late_until;
   bool is_in_container = false;
 };
 
@@ -70,8 +66,7 @@ ExitCode grade(const GradeOptions& options) {
   return ExitCode::success;
 }
 
-struct ListOptions {
-  std::string submissions, roster;
+struct ListOptions : CourseOptions {
   bool has_null = false;
 };
 
@@ -92,7 +87,7 @@ ExitCode list(const ListOptions& options) {
 void add_toolkit_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "toolkit", "Compile for `grade`, once, what students do not write",
               exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<ToolkitOptions>();
+                auto options = std::make_shared<CourseOptions>();
                 add_assignment(command, *options);
                 add_source(command, *options);
                 add_required_text(command, "--output", options->output, "DIR", "Folder to write");
@@ -110,8 +105,7 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
                 add_required_text(command, "submission", options->submission, "FOLDER|ARCHIVE",
                                   "A folder, .zip, .tar, .tar.gz, .tgz or .tar.xz");
                 add_assignment(command, *options);
-                add_required_text(command, "--toolkit", options->toolkit, "DIR",
-                                  "Folder that `toolkit` wrote");
+                add_toolkit(command, *options);
                 add_required_text(command, "--output", options->output, "DIR", "Folder to write");
                 add_text(command, "--student", options->student, "ID",
                          "The student; by default the submission's name without its ending");
@@ -122,9 +116,7 @@ void add_grade_command(CLI::App& program, ExitCode& exit_code) {
                          "For this student, instead of the assignment's");
                 add_text(command, "--late-until", options->late_until, "TIME",
                          "When nothing counts any more, instead of after the assignment's days");
-                add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class with the column `student` and, as they are known, "
-                         "`submitted`, `deadline`, `slip_days` and `group`");
+                add_roster(command, *options);
                 add_switch(command, "--container", options->is_in_container,
                            "Grade with limits and without walls, in a container that holds nothing "
                            "but this submission and its grader");
@@ -136,9 +128,8 @@ void add_list_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "list", "List the submissions in a folder, a line each", exit_code,
               [](CLI::App& command) {
                 auto options = std::make_shared<ListOptions>();
-                add_required_text(command, "submissions", options->submissions, "DIR",
-                                  "Folder with a folder or archive a student");
-                add_text(command, "--roster", options->roster, "FILE", "CSV of the class");
+                add_submissions(command, *options);
+                add_roster(command, *options);
                 add_switch(command, "--null", options->has_null,
                            "End each with a zero byte instead of a line end");
                 return [options] { return list(*options); };

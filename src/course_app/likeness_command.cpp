@@ -20,10 +20,6 @@ namespace course_app {
 namespace fs = std::filesystem;
 namespace {
 
-struct LikenessOptions : CourseOptions {
-  std::string submissions, output, roster;
-};
-
 int percent_of(const NumberOption& option) {
   constexpr long otherwise = 50;
   const long percent = option.integer().value_or(otherwise);
@@ -37,7 +33,7 @@ void export_to(const fs::path& folder, const course::Files& files) {
   for (const auto& [file, text] : files) sys::write_file_atomically(folder / file, text);
 }
 
-ExitCode likeness(const LikenessOptions& options, int percent) {
+ExitCode likeness(const CourseOptions& options, int percent) {
   const course::Assignment assignment = read_assignment(options);
   const course::Project project = course::read_project(assignment, options.source);
   const course::Files base =
@@ -82,14 +78,12 @@ void add_likeness_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "likeness",
               "Compare submissions with each other, and export them for MOSS and JPlag", exit_code,
               [](CLI::App& command) {
-                auto options = std::make_shared<LikenessOptions>();
-                add_required_text(command, "submissions", options->submissions, "DIR",
-                                  "Folder with a folder or archive a student");
+                auto options = std::make_shared<CourseOptions>();
+                add_submissions(command, *options);
                 add_assignment(command, *options);
                 add_source(command, *options);
-                add_text(command, "--roster", options->roster, "FILE", "CSV of the class");
-                add_required_text(command, "--output", options->output, "DIR",
-                                  "Folder to write; replaced as a whole");
+                add_roster(command, *options);
+                add_output(command, *options);
                 auto percent = std::make_shared<NumberOption>(
                     command, "--percent", "How much of one of them a pair must have in common; 50");
                 return [options, percent] { return likeness(*options, percent_of(*percent)); };

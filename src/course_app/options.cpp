@@ -29,6 +29,27 @@ void add_seed(CLI::App& command, CourseOptions& options) {
            "File of the seed, which keeps it out of the list of processes");
 }
 
+void add_submissions(CLI::App& command, CourseOptions& options) {
+  add_required_text(command, "submissions", options.submissions, "DIR",
+                    "Folder with a folder or archive a student");
+}
+
+void add_roster(CLI::App& command, CourseOptions& options) {
+  add_text(
+      command, "--roster", options.roster, "FILE",
+      "CSV of the class: the column `student` and, as they are known, `submitted`, `deadline`, "
+      "`slip_days` and `group`");
+}
+
+void add_toolkit(CLI::App& command, CourseOptions& options) {
+  add_required_text(command, "--toolkit", options.toolkit, "DIR", "Folder that `toolkit` wrote");
+}
+
+void add_output(CLI::App& command, CourseOptions& options) {
+  add_required_text(command, "--output", options.output, "DIR",
+                    "Folder to write; replaced as a whole");
+}
+
 std::optional<course::Roster> roster_of(const std::string& file) {
   if (file.empty()) return std::nullopt;
   return course::read_roster(file);

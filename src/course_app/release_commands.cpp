@@ -23,16 +23,12 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Options : CourseOptions {
-  std::string output, sheet, handout, zip, toolkit, roster, handouts;
+  std::string sheet, handout, zip, handouts;
 };
 
 void add_place(CLI::App& command, Options& options) {
   add_assignment(command, options);
   add_source(command, options);
-}
-
-void add_toolkit(CLI::App& command, Options& options) {
-  add_required_text(command, "--toolkit", options.toolkit, "DIR", "Folder that `toolkit` wrote");
 }
 
 std::size_t count_of(const NumberOption& option, long otherwise, long most) {
@@ -131,29 +127,30 @@ ExitCode check_variants(const Options& options, const std::vector<std::string>& 
 
 }  // namespace
 
+namespace {
+
+void add_edition(CLI::App& program, ExitCode& exit_code, const char* name, const char* says,
+                 course::Edition edition) {
+  add_command(program, name, says, exit_code, [edition](CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    add_output(command, *options);
+    add_student(command, *options);
+    add_text(command, "--sheet", options->sheet, "FILE", "The assignment sheet, a PDF");
+    add_place(command, *options);
+    return [options, edition] { return write(*options, edition); };
+  });
+}
+
+}  // namespace
+
 void add_handout_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "handout", "Write the project that students get", exit_code,
-              [](CLI::App& command) {
-                auto options = std::make_shared<Options>();
-                add_required_text(command, "--output", options->output, "DIR",
-                                  "Folder to write; replaced as a whole");
-                add_student(command, *options);
-                add_text(command, "--sheet", options->sheet, "FILE", "The assignment sheet, a PDF");
-                add_place(command, *options);
-                return [options] { return write(*options, course::Edition::handout); };
-              });
+  add_edition(program, exit_code, "handout", "Write the project that students get",
+              course::Edition::handout);
 }
 
 void add_solution_command(CLI::App& program, ExitCode& exit_code) {
-  add_command(program, "solution", "Write the same project with the instructor's solution",
-              exit_code, [](CLI::App& command) {
-                auto options = std::make_shared<Options>();
-                add_required_text(command, "--output", options->output, "DIR",
-                                  "Folder to write; replaced as a whole");
-                add_student(command, *options);
-                add_place(command, *options);
-                return [options] { return write(*options, course::Edition::solution); };
-              });
+  add_edition(program, exit_code, "solution",
+              "Write the same project with the instructor's solution", course::Edition::solution);
 }
 
 void add_prove_command(CLI::App& program, ExitCode& exit_code) {
@@ -182,8 +179,7 @@ void add_check_variants_command(CLI::App& program, ExitCode& exit_code) {
               exit_code, [](CLI::App& command) {
                 auto options = std::make_shared<Options>();
                 auto count = std::make_shared<NumberOption>(command, "--count", "How many; 300");
-                add_text(command, "--roster", options->roster, "FILE",
-                         "CSV of the class whose variants are tried");
+                add_roster(command, *options);
                 add_seed(command, *options);
                 add_text(command, "--handouts", options->handouts, "DIR",
                          "The students' handouts and zips, to be proved as well");

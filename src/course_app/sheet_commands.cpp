@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -10,24 +9,21 @@
 #include "command_line/stage.hpp"
 #include "course_app/commands.hpp"
 #include "literate/document/document.hpp"
-#include "literate/figures/draw.hpp"
 #include "literate/main/stages.hpp"
 
 namespace course_app {
 namespace {
 
-struct SheetOptions : CourseOptions {
-  std::string output;
-};
-
-ExitCode run(const SheetOptions& options) {
-  const Stage writing("sheet");
+void register_sheet(literate::Document& document, const CourseOptions& options) {
   const course::Assignment assignment = read_assignment(options);
-  literate::Document document;
   assignment::register_sheet(document, assignment, variant_of(options, assignment));
+}
+
+ExitCode run(const CourseOptions& options) {
+  const Stage writing("sheet");
+  literate::Document document;
+  register_sheet(document, options);
   document.write(options.output);
-  const auto scripts = std::filesystem::path(options.assignment) / "figures";
-  literate::draw_figures(options.output, scripts, document.figure_places());
   writing.done(
       fmt::format("{} values, {} tables", document.values().size(), document.tables().size()));
   return ExitCode::success;
@@ -38,9 +34,7 @@ ExitCode run(const SheetOptions& options) {
 void compute(literate::Document& document, const literate::Inputs& inputs) {
   CourseOptions options;
   options.assignment = inputs.case_file.parent_path().string();
-  options.source = inputs.source.string();
-  const course::Assignment assignment = read_assignment(options);
-  assignment::register_sheet(document, assignment, variant_of(options, assignment));
+  register_sheet(document, options);
 }
 
 }  // namespace
@@ -48,7 +42,7 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
 void add_sheet_command(CLI::App& program, ExitCode& exit_code) {
   add_command(program, "sheet", "Write what the assignment sheet is typeset from", exit_code,
               [](CLI::App& command) {
-                auto options = std::make_shared<SheetOptions>();
+                auto options = std::make_shared<CourseOptions>();
                 add_required_text(command, "--output", options->output, "DIR",
                                   "Folder to write to");
                 add_student(command, *options);
