@@ -1,6 +1,12 @@
 # shellcheck shell=bash
 # The scripts of this folder source this file before they change to another folder.
 caller=${CALLER:-$PWD}
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+root=$(cd "$here/../../.." && pwd -P)
+build=${WORK:-$root/build}
+# shellcheck disable=SC2034  # the scripts use them
+work=$build/course assignment=${ASSIGNMENT:-$root/report/assignment}
+export HALFSPACE_COURSE=${HALFSPACE_COURSE:-$root/build/release/halfspace-course}
 
 # given SCRIPT VARIABLE PATH: prints the absolute path of what the user named; a relative PATH starts from the folder in
 # which the user called make.
@@ -43,3 +49,16 @@ keep_seed() {
   rm -f "$1"
   (umask 077 && printf '%s\n' "$SEED" >"$1")
 }
+
+# pack ZIP FOLDER ENTRY: packs what stands in FOLDER below ENTRY. A zip keeps times and rights, so these are set in a copy:
+# the same files give the same bytes.
+pack() (
+  copy=$(mktemp -d "${TMPDIR:-/tmp}/halfspace packing.XXXXXX")
+  trap 'rm -rf "$copy"' EXIT
+  cp -R "$2" "$copy/folder"
+  chmod -R u=rwX,go=rX "$copy/folder"
+  find "$copy/folder" -exec touch -d 2000-01-01T00:00:00Z {} +
+  (cd "$copy/folder" && find "$3" -type f | LC_ALL=C sort | TZ=UTC zip -q -X -D ../packed.zip -@)
+  mkdir -p "$(dirname "$1")"
+  mv "$copy/packed.zip" "$1"
+)
