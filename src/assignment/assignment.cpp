@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "assignment/given/answers.hpp"
 #include "assignment/given/bodies.hpp"
@@ -39,22 +40,20 @@ bool is_valid_contact(const Cylinders& c) {
          edge >= least_margin * a && edge <= greatest_margin * a && c.datum >= 10 * edge;
 }
 
-}  // namespace
-
-course::Checks public_checks() {
+course::Checks all_of(std::span<const ChecksOfExercise> exercises) {
   course::Checks checks;
-  for (const ChecksOfExercise of_exercise : public_checks_of_exercises) {
-    checks.merge(guarded(of_exercise()));
-  }
+  for (const ChecksOfExercise of_exercise : exercises) checks.merge(guarded(of_exercise()));
   return checks;
 }
 
+}  // namespace
+
+course::Checks public_checks() {
+  return all_of(public_checks_of_exercises);
+}
+
 course::Checks hidden_checks() {
-  course::Checks checks;
-  for (const ChecksOfExercise of_exercise : hidden_checks_of_exercises) {
-    checks.merge(guarded(of_exercise()));
-  }
-  return checks;
+  return all_of(hidden_checks_of_exercises);
 }
 
 bool is_valid(const course::Variant& variant) {

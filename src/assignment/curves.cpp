@@ -13,9 +13,6 @@ namespace assignment {
 namespace {
 
 using course::Curve;
-using course::Numbers;
-using course::Program;
-using course::Variant;
 
 // Abscissas from −3 to 3 half-widths of the load.
 Numbers places() {

@@ -30,11 +30,6 @@ double normal_gradient(const Material& material, const TriangularLoad& load, dou
 
 namespace assignment::closed_form {
 
-using course::Numbers;
-using course::Outcome;
-using course::Program;
-using course::Variant;
-
 /// E ν p₀ a x₁ x₂ …
 inline Task task() {
   return {"gradient", "E ν p₀ a x₁ x₂ …", "∂u_z/∂x at each x, eq. (3)", 5, [](const Numbers& in) {

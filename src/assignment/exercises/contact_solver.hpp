@@ -53,11 +53,6 @@ Contact solve_contact(const Cylinders& cylinders, const Grid& grid, double datum
 
 namespace assignment::contact_solver {
 
-using course::Numbers;
-using course::Outcome;
-using course::Program;
-using course::Variant;
-
 inline Task task() {
   return {"contact", "E₁ ν₁ R₁ E₂ ν₂ R₂ P c n datum", "δ, a, then the n pressures", 10,
           [](const Numbers& in) {

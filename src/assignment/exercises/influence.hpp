@@ -26,11 +26,6 @@ double influence_coefficient(double contact_modulus, double spacing, double datu
 
 namespace assignment::influence {
 
-using course::Numbers;
-using course::Outcome;
-using course::Program;
-using course::Variant;
-
 inline Task task() {
   return {"influence", "E* c datum k₁ k₂ …", "A_k for each whole number k", 4,
           [](const Numbers& in) {

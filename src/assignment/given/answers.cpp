@@ -23,9 +23,9 @@ bool is_finite(double number) {
 
 }  // namespace
 
-course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
-                               const course::Numbers& inputs, std::size_t count) {
-  course::Numbers numbers = program(task, inputs);
+Numbers nonzero_answer(const Program& program, const std::string& task, const Numbers& inputs,
+                       std::size_t count) {
+  Numbers numbers = program(task, inputs);
   if (numbers.size() != count) {
     throw NoAnswer("task " + task + ": not as many numbers as are due, " + std::to_string(count));
   }
@@ -42,8 +42,8 @@ course::Numbers nonzero_answer(const course::Program& program, const std::string
 
 course::Checks guarded(course::Checks checks) {
   for (auto& [id, check] : checks) {
-    check = [unguarded = std::move(check)](const course::Program& program,
-                                           const course::Variant& variant) -> course::Outcome {
+    check = [unguarded = std::move(check)](const Program& program,
+                                           const Variant& variant) -> Outcome {
       try {
         return unguarded(program, variant);
       } catch (const NoAnswer& e) {
@@ -59,7 +59,7 @@ void Tally::part(bool holds, const std::string& where) {
   if (!holds) failed_.push_back(where);
 }
 
-course::Outcome Tally::outcome() const {
+Outcome Tally::outcome() const {
   if (failed_.empty()) return {1, ""};
   constexpr std::size_t most_shown = 3;
   std::ostringstream message;
@@ -82,7 +82,7 @@ bool near(double a, double b, double tolerance) {
   return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) <= tolerance;
 }
 
-double greatest(const course::Numbers& numbers) {
+double greatest(const Numbers& numbers) {
   double found = 0;
   for (const double number : numbers) {
     if (is_finite(number)) found = std::max(found, std::abs(number));
@@ -90,12 +90,12 @@ double greatest(const course::Numbers& numbers) {
   return found;
 }
 
-course::Numbers times(double factor, course::Numbers numbers) {
+Numbers times(double factor, Numbers numbers) {
   for (double& number : numbers) number *= factor;
   return numbers;
 }
 
-course::Numbers joined(course::Numbers first, const course::Numbers& second) {
+Numbers joined(Numbers first, const Numbers& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }

@@ -11,14 +11,19 @@
 
 namespace assignment {
 
+using course::Numbers;
+using course::Outcome;
+using course::Program;
+using course::Variant;
+
 /// The answer of a task: exactly `count` numbers, at least one of which is finite and not zero
 /// (zeros have every symmetry there is).
 ///
 /// Throws for anything else, and guarded() turns that into share 0 and a message. A NaN or an
 /// infinity among other numbers is returned as NaN, with which no comparison holds. Passes on what
 /// the program itself throws (course::ProgramFailure).
-course::Numbers nonzero_answer(const course::Program& program, const std::string& task,
-                               const course::Numbers& inputs, std::size_t count);
+Numbers nonzero_answer(const Program& program, const std::string& task, const Numbers& inputs,
+                       std::size_t count);
 
 /// The same checks, which give share 0 and a message where nonzero_answer throws.
 course::Checks guarded(course::Checks checks);
@@ -32,7 +37,7 @@ class Tally {
   void part(bool holds, const std::string& where);
 
   /// The share of the parts that hold, and where the first of the others are.
-  course::Outcome outcome() const;
+  Outcome outcome() const;
 
  private:
   std::string property_;
@@ -47,15 +52,15 @@ std::string at(const std::string& name, double number);
 bool near(double a, double b, double tolerance);
 
 /// The greatest magnitude among the finite numbers; 0 if there is none.
-double greatest(const course::Numbers& numbers);
+double greatest(const Numbers& numbers);
 
 /// Allows for a few roundings and for the digits that a sum of logarithms loses near the load.
 inline constexpr double roundings = 1e-9;
 
 /// Each number times the factor.
-course::Numbers times(double factor, course::Numbers numbers);
+Numbers times(double factor, Numbers numbers);
 
 /// The second list appended to the first.
-course::Numbers joined(course::Numbers first, const course::Numbers& second);
+Numbers joined(Numbers first, const Numbers& second);
 
 }  // namespace assignment
