@@ -8,6 +8,7 @@
 
 #include "assignment/programs.hpp"
 #include "course/release/handout.hpp"
+#include "holds.hpp"
 #include "system/files.hpp"
 
 BOOST_AUTO_TEST_SUITE(wrong_solutions_test)
@@ -47,8 +48,8 @@ BOOST_AUTO_TEST_CASE(the_handout_says_nothing_of_a_wrong_solution) {
   const course::Project project = course::read_project(description, HALFSPACE_SOURCE_DIR);
   for (const auto& wrong : course::read_wrong_solutions(description, solution())) {
     for (const auto& [file, text] : course::texts(project, course::Edition::handout)) {
-      BOOST_TEST(text.find(wrong.says) == text.npos, file << " says: " << wrong.says);
-      BOOST_TEST((wrong.id == "constants" || text.find(wrong.id) == text.npos),
+      BOOST_TEST(!holds(text, wrong.says), file << " says: " << wrong.says);
+      BOOST_TEST((wrong.id == "constants" || !holds(text, wrong.id)),
                  file << " names " << wrong.id);
     }
   }
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(make_check_lists_every_exercise_with_the_title_of_the_sheet
   int number = 0;
   for (const course::Exercise& exercise : description.exercises) {
     const std::string line = "{\"" + std::to_string(++number) + ". " + exercise.title + "\", ";
-    BOOST_TEST(program.find(line) != std::string::npos, line);
+    BOOST_TEST(holds(program, line), line);
   }
 }
 

@@ -7,6 +7,8 @@
 
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/check.hpp"
+#include "course/assignment/student.hpp"
+#include "course/marking/grade.hpp"
 #include "course/marking/toolkit.hpp"
 #include "course/release/make_toolkit.hpp"
 #include "course/release/markers.hpp"
@@ -21,7 +23,6 @@ inline const std::filesystem::path folder =
     std::filesystem::path(HALFSPACE_SOURCE_DIR) / "tests/course/toy_grading";
 
 inline course::Assignment assignment() {
-  using course::CheckEntry;
   using course::Visibility;
   course::Assignment toy;
   toy.folder = folder;
@@ -39,29 +40,20 @@ inline course::Assignment assignment() {
                 .output_kb = 16,
                 .file_kb = 64,
                 .submission_mb = 1};
-  const auto check = [](const char* id, double points, Visibility visibility, const char* says) {
-    CheckEntry entry;
-    entry.id = id;
-    entry.points = points;
-    entry.visibility = visibility;
-    entry.says = says;
-    return entry;
-  };
-  course::Exercise square;
-  square.id = "square";
-  square.title = "Squares";
-  square.file = "src/square.cpp";
-  square.checks = {check("square-growth", 4, Visibility::visible,
-                         "the square of -x is that of x, that of 2x four times as much"),
-                   check("square-values", 6, Visibility::hidden, "squares at points of your own")};
-  course::Exercise sum;
-  sum.id = "sum";
-  sum.title = "Sums";
-  sum.file = "src/sum.cpp";
-  sum.builds_on = {"square"};
-  sum.checks = {check("sum-order", 5, Visibility::visible, "the order does not matter"),
-                check("sum-values", 5, Visibility::hidden, "a sum of numbers of your own")};
-  toy.exercises = {square, sum};
+  toy.exercises = {
+      {.id = "square",
+       .title = "Squares",
+       .file = "src/square.cpp",
+       .builds_on = {},
+       .checks = {{"square-growth", 4, Visibility::visible,
+                   "the square of -x is that of x, that of 2x four times as much", ""},
+                  {"square-values", 6, Visibility::hidden, "squares at points of your own", ""}}},
+      {.id = "sum",
+       .title = "Sums",
+       .file = "src/sum.cpp",
+       .builds_on = {"square"},
+       .checks = {{"sum-order", 5, Visibility::visible, "the order does not matter", ""},
+                  {"sum-values", 5, Visibility::hidden, "a sum of numbers of your own", ""}}}};
   return toy;
 }
 
@@ -114,6 +106,24 @@ inline const std::filesystem::path& toolkit() {
     return made.path() / "toolkit";
   }();
   return path;
+}
+
+/// Writes files into the folder `name` and returns its path.
+inline std::filesystem::path write(const TemporaryFolder& to, const std::string& name,
+                                   const course::Files& files) {
+  for (const auto& [file, text] : files) to.write(name + "/" + file, text);
+  return to.path() / name;
+}
+
+/// The task to grade a submission by the checks of the toy.
+inline course::GradingTask task_for(const std::filesystem::path& submission,
+                                    const std::filesystem::path& with = toolkit()) {
+  course::GradingTask task;
+  task.submission = submission;
+  task.student = course::student_of(submission);
+  task.toolkit = with;
+  task.checks = checks();
+  return task;
 }
 
 }  // namespace toy_grading

@@ -2,6 +2,7 @@
 // Tries the tests in tests/course/own_tests, as students might write them, honest or not, on the
 // programs of tests/course/toy_grading.
 #include "course/marking/own_tests.hpp"
+#include "message_of.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <map>
@@ -11,6 +12,7 @@
 #include "course/sandbox/scratch_folder.hpp"
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
+#include "holds.hpp"
 #include "system/error.hpp"
 
 BOOST_AUTO_TEST_SUITE(own_tests_test, *boost::unit_test::fixture(&need_walls))
@@ -48,6 +50,13 @@ std::string fixture(const std::string& name) {
                         (name + ".cpp"));
 }
 
+/// The solution with these tests.
+Files with_tests(const std::string& name) {
+  Files files = toy_grading::solution();
+  files[file] = fixture(name);
+  return files;
+}
+
 struct Tried {
   double points = 0;
   std::string message;
@@ -57,8 +66,7 @@ struct Tried {
 Tried tried(const std::string& name, Isolation isolation = Isolation::sandbox,
             const Assignment& toy = assignment()) {
   const ScratchFolder scratch;
-  Files files = toy_grading::solution();
-  files[file] = fixture(name);
+  const Files files = with_tests(name);
   Tried tried;
   const Checks checks = with_own_tests({},
                                        {.assignment = toy,
@@ -79,16 +87,12 @@ void check_tried(const std::string& name, double points, const std::string& mess
   BOOST_TEST(found.message.starts_with(message), name << ": " << found.message);
 }
 
-Graded graded(const std::string& name, const fs::path& output) {
+/// Grades these files into the folder `output`/alice.
+Graded graded(const Files& files, const TemporaryFolder& output) {
   const TemporaryFolder folder;
-  for (const auto& [path, text] : toy_grading::solution()) folder.write("alice/" + path, text);
-  folder.write(std::string("alice/") + file, fixture(name));
-  GradingTask task;
-  task.submission = folder.path() / "alice";
-  task.student = "alice";
-  task.toolkit = toolkit();
-  task.checks = toy_grading::checks();
-  return grade_submission(assignment(), task, output);
+  const fs::path submission = toy_grading::write(folder, "alice", files);
+  return grade_submission(assignment(), toy_grading::task_for(submission, toolkit()),
+                          output.path() / "alice");
 }
 
 }  // namespace
@@ -158,8 +162,7 @@ BOOST_AUTO_TEST_CASE(tests_gain_nothing_but_by_answers) {
 BOOST_AUTO_TEST_CASE(tests_reach_no_function_of_their_author) {
   check_tried("calls_its_own_function", 0, "src/tests/square.cpp is not compiled: ");
   BOOST_TEST(
-      tried("calls_its_own_function").message.find("undefined reference to `square(double)") !=
-      std::string::npos);
+      holds(tried("calls_its_own_function").message, "undefined reference to `square(double)"));
   check_tried("includes_its_own_function", 0, "your tests reject the right program: line ");
   check_tried("is_no_cpp", 0, "src/tests/square.cpp is not compiled: src/tests/square.cpp");
 }
@@ -173,44 +176,38 @@ BOOST_AUTO_TEST_CASE(without_walls_tests_find_no_program_either) {
 BOOST_AUTO_TEST_CASE(the_student_is_told_how_many_are_caught_and_the_instructor_which_are_not) {
   const TemporaryFolder folder;
 
-  const Graded partial = graded("partial", folder.path() / "alice");
+  const Graded partial = graded(with_tests("partial"), folder);
 
   BOOST_TEST(mark_of(partial) == 22.5);
   for (const char* name : {"feedback.html", "results.json"}) {
     const std::string text = sys::read_file(folder.path() / "alice" / name);
-    BOOST_TEST(text.find("your tests catch 1 of 4 wrong programs") != text.npos, text);
+    BOOST_TEST(holds(text, "your tests catch 1 of 4 wrong programs"), text);
     for (const char* secret : {"sign-kept", "sign of the number", "ends-below-zero", "third-power",
                                "never-ends", "does not catch"}) {
-      BOOST_TEST(text.find(secret) == text.npos, name << " tells of " << secret);
+      BOOST_TEST(!holds(text, secret), name << " tells of " << secret);
     }
   }
   const std::string log = sys::read_file(folder.path() / "alice/log.txt");
-  BOOST_TEST(log.find("does not catch sign-kept\n") != log.npos, log);
-  BOOST_TEST(log.find("third-power") == log.npos);
+  BOOST_TEST(holds(log, "does not catch sign-kept\n"), log);
+  BOOST_TEST(!holds(log, "third-power"));
 }
 
 BOOST_AUTO_TEST_CASE(nothing_that_tests_write_of_the_right_programs_answers_is_told) {
   const TemporaryFolder folder;
 
-  const Graded teller = graded("tells_what_the_right_one_answers", folder.path() / "alice");
+  const Graded teller = graded(with_tests("tells_what_the_right_one_answers"), folder);
 
   BOOST_TEST(mark_of(teller) == 20);
   for (const char* name : {"feedback.html", "results.json", "log.txt", "mark.json"}) {
     const std::string text = sys::read_file(folder.path() / "alice" / name);
-    BOOST_TEST(text.find("1522756") == text.npos, text);
+    BOOST_TEST(!holds(text, "1522756"), text);
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_submission_without_tests_loses_their_points_alone) {
   const TemporaryFolder folder;
-  for (const auto& [path, text] : toy_grading::solution()) folder.write("alice/" + path, text);
-  GradingTask task;
-  task.submission = folder.path() / "alice";
-  task.student = "alice";
-  task.toolkit = toolkit();
-  task.checks = toy_grading::checks();
 
-  const Graded found = grade_submission(assignment(), task, folder.path() / "graded");
+  const Graded found = graded(toy_grading::solution(), folder);
 
   BOOST_TEST(mark_of(found) == 20);
   BOOST_TEST(result_of(found, "square-tests").message == "src/tests/square.cpp was not taken");
@@ -218,15 +215,10 @@ BOOST_AUTO_TEST_CASE(a_submission_without_tests_loses_their_points_alone) {
 
 BOOST_AUTO_TEST_CASE(tests_count_whatever_the_students_own_function_is_like) {
   const TemporaryFolder folder;
-  folder.write("alice/src/square.cpp", "this is no C++\n");
-  folder.write(std::string("alice/") + file, fixture("honest"));
-  GradingTask task;
-  task.submission = folder.path() / "alice";
-  task.student = "alice";
-  task.toolkit = toolkit();
-  task.checks = toy_grading::checks();
+  Files files = with_tests("honest");
+  files["src/square.cpp"] = files["src/sum.cpp"] = "this is no C++\n";
 
-  BOOST_TEST(mark_of(grade_submission(assignment(), task, folder.path() / "graded")) == 10);
+  BOOST_TEST(mark_of(graded(files, folder)) == 10);
 }
 
 BOOST_AUTO_TEST_CASE(the_programs_lie_beside_the_toolkit_where_no_other_user_reads_them) {
@@ -251,14 +243,11 @@ BOOST_AUTO_TEST_CASE(tests_that_nothing_could_fail_are_told_when_the_toolkit_is_
   toy.folder = folder.path() / "toy";
   folder.write("toy/wrong_solutions.toml", "");
 
-  BOOST_CHECK_EXCEPTION(
-      make_toolkit(toy, HALFSPACE_SOURCE_DIR, folder.path() / "toolkit"), sys::SourceError,
-      [](const auto& error) {
-        return std::string(error.what())
-            .ends_with(
-                "wrong_solutions.toml: no wrong solution changes src/square.cpp, on which "
-                "src/tests/square.cpp could be tried");
-      });
+  const std::string message = message_of<sys::SourceError>(
+      [&] { make_toolkit(toy, HALFSPACE_SOURCE_DIR, folder.path() / "toolkit"); });
+  BOOST_TEST(message.ends_with("wrong_solutions.toml: no wrong solution changes src/square.cpp, on "
+                               "which src/tests/square.cpp could be tried"),
+             message);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

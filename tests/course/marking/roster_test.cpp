@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/marking/roster.hpp"
+#include "message_of.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <string>
@@ -17,12 +18,8 @@ namespace {
 std::string source_error(const std::string& roster) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("class.csv", roster);
-  try {
-    read_roster(file);
-  } catch (const sys::SourceError& error) {
-    return std::string(error.what()).substr(folder.path().string().size() + 1);
-  }
-  return "";
+  return message_of<sys::SourceError>([&] { read_roster(file); })
+      .substr(folder.path().string().size() + 1);
 }
 
 }  // namespace

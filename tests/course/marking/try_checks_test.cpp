@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/marking/try_checks.hpp"
+#include "message_of.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
@@ -7,6 +8,7 @@
 
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
+#include "holds.hpp"
 #include "system/error.hpp"
 
 BOOST_AUTO_TEST_SUITE(try_checks_test, *boost::unit_test::fixture(&need_walls))
@@ -81,8 +83,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_link_costs_its_own_exercise) {
   const Graded graded = grade(with("src/sum.cpp", "int main() {}\n"));
 
   BOOST_TEST(total(graded.results) == 10);
-  BOOST_TEST(graded.built.compile_errors.at("sum").find("multiple definition of `main'") !=
-             std::string::npos);
+  BOOST_TEST(holds(graded.built.compile_errors.at("sum"), "multiple definition of `main'"));
 }
 
 BOOST_AUTO_TEST_CASE(a_helper_of_the_same_name_in_two_files_costs_the_second_only) {
@@ -95,8 +96,8 @@ BOOST_AUTO_TEST_CASE(a_helper_of_the_same_name_in_two_files_costs_the_second_onl
   BOOST_TEST(total(graded.results) == 10);
   BOOST_TEST(graded.built.link_error == "");
   BOOST_TEST(!graded.built.compile_errors.contains("square"));
-  BOOST_TEST(graded.built.compile_errors.at("sum").find("multiple definition of `twice(double)'") !=
-             std::string::npos);
+  BOOST_TEST(
+      holds(graded.built.compile_errors.at("sum"), "multiple definition of `twice(double)'"));
 }
 
 BOOST_AUTO_TEST_CASE(what_one_file_does_when_it_starts_or_ends_costs_no_other_exercise) {
@@ -232,7 +233,7 @@ BOOST_AUTO_TEST_CASE(answers_that_differ_as_threads_add_up_are_the_same) {
                  "}\n"));
 
   for (const CheckResult& result : graded.results) {
-    BOOST_TEST(result.message.find("different answers") == std::string::npos);
+    BOOST_TEST(!holds(result.message, "different answers"));
   }
 }
 
@@ -313,10 +314,9 @@ BOOST_AUTO_TEST_CASE(no_message_of_the_compiler_tells_when_it_ran) {
 
     const std::string message = grade(files).built.compile_errors.at("square");
 
-    const bool is_fixed = message.find("00:00:00") != message.npos ||
-                          message.find("Jan  1 1970") != message.npos ||
-                          message.find("assertion failed\n") != message.npos ||
-                          message.find("assertion failed: \n") != message.npos;
+    const bool is_fixed = holds(message, "00:00:00") || holds(message, "Jan  1 1970") ||
+                          holds(message, "assertion failed\n") ||
+                          holds(message, "assertion failed: \n");
     BOOST_TEST(is_fixed, macro << ": " << message);
   }
 }
@@ -421,12 +421,11 @@ BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
 BOOST_AUTO_TEST_CASE(a_folder_that_is_no_toolkit_is_named) {
   const TemporaryFolder scratch;
 
-  BOOST_CHECK_EXCEPTION(build(toy_grading::assignment(), scratch.path(), {},
-                              scratch.path() / "work", Isolation::sandbox),
-                        sys::OutputError, [](const auto& error) {
-                          return std::string(error.what())
-                              .ends_with("is no toolkit; `halfspace-course toolkit` makes one");
-                        });
+  const std::string message = message_of<sys::OutputError>([&] {
+    build(toy_grading::assignment(), scratch.path(), {}, scratch.path() / "work",
+          Isolation::sandbox);
+  });
+  BOOST_TEST(message.ends_with("is no toolkit; `halfspace-course toolkit` makes one"), message);
 }
 
 BOOST_AUTO_TEST_CASE(a_toolkit_replaces_a_toolkit_and_nothing_else) {
@@ -447,7 +446,7 @@ BOOST_AUTO_TEST_CASE(a_toolkit_replaces_a_toolkit_and_nothing_else) {
 BOOST_AUTO_TEST_CASE(no_solution_is_in_the_toolkit) {
   for (const std::string& file : sys::files_below(toy_grading::toolkit())) {
     const std::string text = sys::read_file(toy_grading::toolkit() / file);
-    BOOST_TEST(text.find("total += number") == text.npos, file);
+    BOOST_TEST(!holds(text, "total += number"), file);
   }
 }
 

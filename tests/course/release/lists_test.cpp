@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/release/handout.hpp"
+#include "message_of.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -34,10 +35,7 @@ std::string filled(const std::string& text, const std::string& file) {
 }
 
 void require_fault(const std::string& text, const std::string& expected) {
-  BOOST_CHECK_EXCEPTION(filled(text, "main.cpp"), sys::SourceError, [&](const auto& e) {
-    BOOST_TEST(e.what() == expected);
-    return true;
-  });
+  BOOST_TEST(message_of<sys::SourceError>([&] { filled(text, "main.cpp"); }) == expected);
 }
 
 }  // namespace
@@ -80,7 +78,8 @@ BOOST_AUTO_TEST_CASE(a_wrong_list_is_refused_with_its_line) {
   require_fault("// EACH EXERCISE: a@b\n",
                 "main.cpp:1: @b@ is not known in a list of «EACH EXERCISE:»");
   require_fault("// EACH EXERCISES: x\n",
-                "main.cpp:1: a list is of «EACH EXERCISE:», «EACH PUBLIC CHECK:» or «EACH OWN TESTS:», not of «EACH "
+                "main.cpp:1: a list is of «EACH EXERCISE:», «EACH PUBLIC CHECK:» or «EACH OWN "
+                "TESTS:», not of «EACH "
                 "EXERCISES:»");
 }
 

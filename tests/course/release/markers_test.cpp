@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/release/markers.hpp"
+#include "message_of.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <string>
@@ -14,11 +15,8 @@ namespace {
 
 void check_error(const std::string& text, const std::string& expected,
                  const std::string& file = "a b.cpp") {
-  BOOST_CHECK_EXCEPTION(apply_markers(text, file), sys::SourceError,
-                        [&](const sys::SourceError& e) {
-                          BOOST_TEST_MESSAGE(e.what());
-                          return std::string(e.what()).starts_with(file + ":" + expected);
-                        });
+  const std::string what = message_of<sys::SourceError>([&] { apply_markers(text, file); });
+  BOOST_TEST(what.starts_with(file + ":" + expected), what);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/release/proof.hpp"
+#include "message_of.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -13,6 +14,7 @@
 #include "course/sandbox/sandbox.hpp"
 #include "course/toy.hpp"
 #include "course/walls.hpp"
+#include "holds.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
 #include "temporary_folder.hpp"
@@ -40,7 +42,7 @@ class Toy {
 
   void replace(const std::string& file, const std::string& before, const std::string& after) const {
     std::string text = sys::read_file(folder_.path() / file);
-    BOOST_REQUIRE(text.find(before) != std::string::npos);
+    BOOST_REQUIRE(holds(text, before));
     text.replace(text.find(before), before.size(), after);
     folder_.write(file, text);
   }
@@ -97,8 +99,24 @@ class Toy {
   TemporaryFolder folder_;
 };
 
+const course::Assignment toy_assignment = toy::assignment();
+const course::Project toy_project = toy::project();
+
+/// The toy's variants of some students, all of which are valid.
+course::VariantCheckInput variants_of(const std::vector<std::string>& students) {
+  return {.assignment = toy_assignment,
+          .project = toy_project,
+          .visible = toy::public_checks(),
+          .hidden = toy::hidden_checks(),
+          .toolkit = toolkit(),
+          .is_valid = [](const course::Variant&) { return true; },
+          .seed = "winter",
+          .students = students,
+          .n_jobs = 2};
+}
+
 void check_only(const std::string& faults, const std::string& expected) {
-  BOOST_TEST(faults.find(expected) != std::string::npos, "no «" << expected << "» in " << faults);
+  BOOST_TEST(holds(faults, expected), "no «" << expected << "» in " << faults);
   BOOST_TEST(std::count(faults.begin(), faults.end(), '\n') == 1, faults);
 }
 
@@ -121,8 +139,8 @@ BOOST_AUTO_TEST_CASE(what_a_student_would_trip_over_is_a_fault) {
   toy.replace("handout/src/root.cpp", "return -1;", "(void)x; return -1;");
   toy.replace("handout/checks/main.cpp", "<< id", "<< 0");
   const std::string faults = toy.prove();
-  BOOST_TEST(faults.find("make check says nothing of root-square") != std::string::npos);
-  BOOST_TEST(faults.find("make check says nothing of mean-zeros") != std::string::npos);
+  BOOST_TEST(holds(faults, "make check says nothing of root-square"));
+  BOOST_TEST(holds(faults, "make check says nothing of mean-zeros"));
 }
 
 BOOST_AUTO_TEST_CASE(a_handout_that_does_not_compile_is_a_fault) {
@@ -141,9 +159,8 @@ BOOST_AUTO_TEST_CASE(a_stub_that_scores_is_a_fault) {
 
   const std::string faults = toy.prove();
 
-  BOOST_TEST(faults.find("the untouched handout scores 3") != std::string::npos);
-  BOOST_TEST(faults.find("src/root.cpp holds the expected value 1.5165750888103102") !=
-             std::string::npos);
+  BOOST_TEST(holds(faults, "the untouched handout scores 3"));
+  BOOST_TEST(holds(faults, "src/root.cpp holds the expected value 1.5165750888103102"));
 }
 
 BOOST_AUTO_TEST_CASE(a_solution_that_loses_points_is_a_fault) {
@@ -153,10 +170,10 @@ BOOST_AUTO_TEST_CASE(a_solution_that_loses_points_is_a_fault) {
 
   const std::string faults = toy.prove();
 
-  BOOST_TEST(faults.find("scores all 10 points: mean-reference: 0 of 3 points: differs") !=
-             std::string::npos);
-  BOOST_TEST(faults.find("wrong solution quarter (a quarter stands where a half should) scores 0, "
-                         "the list says 4") != std::string::npos);
+  BOOST_TEST(holds(faults, "scores all 10 points: mean-reference: 0 of 3 points: differs"));
+  BOOST_TEST(holds(faults,
+                   "wrong solution quarter (a quarter stands where a half should) scores 0, "
+                   "the list says 4"));
 }
 
 BOOST_AUTO_TEST_CASE(a_solution_left_in_a_handout_is_a_fault) {
@@ -166,10 +183,9 @@ BOOST_AUTO_TEST_CASE(a_solution_left_in_a_handout_is_a_fault) {
   fs::copy(toy::folder / "template/src/mean.cpp", handout / "src/mean.cpp.orig");
 
   const std::string faults = toy.prove(course::nominal_variant(toy.assignment()), toy.zip());
-  BOOST_TEST(faults.find("src/mean.cpp.orig holds the line ") != std::string::npos);
-  BOOST_TEST(faults.find("zip and folder: src/mean.cpp.orig is in one but not in the other") !=
-             std::string::npos);
-  BOOST_TEST(faults.find("compiles") == std::string::npos);
+  BOOST_TEST(holds(faults, "src/mean.cpp.orig holds the line "));
+  BOOST_TEST(holds(faults, "zip and folder: src/mean.cpp.orig is in one but not in the other"));
+  BOOST_TEST(!holds(faults, "compiles"));
 }
 
 BOOST_AUTO_TEST_CASE(a_handout_of_another_variant_is_a_fault) {
@@ -185,32 +201,25 @@ BOOST_AUTO_TEST_CASE(a_wrong_solution_must_change_one_place) {
   const auto error_of = [&](const std::string& before, const std::string& after) {
     const Toy changed;
     changed.replace("toy/wrong_solutions.toml", before, after);
-    try {
+    return message_of<config::Error>([&] {
       course::read_wrong_solutions(changed.assignment(),
                                    course::texts(changed.project(), course::Edition::solution));
-      return std::string("none");
-    } catch (const config::Error& e) {
-      BOOST_TEST_MESSAGE(e.what());
-      return std::string(e.what());
-    }
+    });
   };
-  const auto has = [](const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-  };
-
-  BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"guess\""),
-                 ":5:10: wrong.before: stands 5 times in the solution's src/root.cpp, not once"));
-  BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"0.5 * (gues\\n\""), "stands 0 times"));
-  BOOST_TEST(has(error_of("\"0.5 * (guess\"", "\"\""), ":5:10: wrong.before: must not be empty"));
-  BOOST_TEST(has(error_of("\"src/root.cpp\"", "\"README.md\""), "README.md is no exercise's file"));
+  BOOST_TEST(holds(error_of("\"0.5 * (guess\"", "\"guess\""),
+                   ":5:10: wrong.before: stands 5 times in the solution's src/root.cpp, not once"));
+  BOOST_TEST(holds(error_of("\"0.5 * (guess\"", "\"0.5 * (gues\\n\""), "stands 0 times"));
+  BOOST_TEST(holds(error_of("\"0.5 * (guess\"", "\"\""), ":5:10: wrong.before: must not be empty"));
   BOOST_TEST(
-      has(error_of("points = 4", "points = 11"), ":7:10: wrong.points: 11 is not from 0 to 10"));
-  BOOST_TEST(has(error_of("\"one-more\"", "\"quarter\""), "\"quarter\" stands here again"));
-  BOOST_TEST(has(error_of("points = 4", "points = 4\nscore = 5"), "wrong.score: unknown key"));
+      holds(error_of("\"src/root.cpp\"", "\"README.md\""), "README.md is no exercise's file"));
+  BOOST_TEST(
+      holds(error_of("points = 4", "points = 11"), ":7:10: wrong.points: 11 is not from 0 to 10"));
+  BOOST_TEST(holds(error_of("\"one-more\"", "\"quarter\""), "\"quarter\" stands here again"));
+  BOOST_TEST(holds(error_of("points = 4", "points = 4\nscore = 5"), "wrong.score: unknown key"));
   const std::string change =
       "points = 4\n[[wrong.change]]\nfile = \"src/mean.cpp\"\nbefore = \"sum += number;\"\n"
       "after = \"sum += 1;\"";
-  BOOST_TEST(has(error_of("points = 4", change), "wrong.after: unknown key"));
+  BOOST_TEST(holds(error_of("points = 4", change), "wrong.after: unknown key"));
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_solution_may_change_several_files) {
@@ -230,73 +239,38 @@ BOOST_AUTO_TEST_CASE(a_wrong_solution_may_change_several_files) {
   const course::Files files =
       course::with_mistake(course::texts(toy.project(), course::Edition::solution), wrong);
 
-  BOOST_TEST(files.at("src/root.cpp").find("guess * (guess") != std::string::npos);
-  BOOST_TEST(files.at("src/mean.cpp").find("sum += number;") == std::string::npos);
-  BOOST_CHECK_EXCEPTION(read(root + root), config::Error, [](const auto& error) {
-    return std::string(error.what()).ends_with("src/root.cpp is changed twice");
-  });
+  BOOST_TEST(holds(files.at("src/root.cpp"), "guess * (guess"));
+  BOOST_TEST(!holds(files.at("src/mean.cpp"), "sum += number;"));
+  BOOST_TEST(message_of<config::Error>([&] {
+               read(root + root);
+             }).ends_with("src/root.cpp is changed twice"));
 }
 
 BOOST_AUTO_TEST_CASE(the_solution_holds_on_every_variant) {
-  const auto assignment = toy::assignment();
-  const auto project = toy::project();
-  const course::VariantCheckInput input{.assignment = assignment,
-                                        .project = project,
-                                        .visible = toy::public_checks(),
-                                        .hidden = toy::hidden_checks(),
-                                        .toolkit = toolkit(),
-                                        .is_valid = [](const course::Variant&) { return true; },
-                                        .seed = "winter",
-                                        .students = course::invented_students(20),
-                                        .n_jobs = 3};
-
-  BOOST_TEST(course::faults_of_variants(input).empty());
+  BOOST_TEST(course::faults_of_variants(variants_of(course::invented_students(20))).empty());
 }
 
 BOOST_AUTO_TEST_CASE(two_students_with_one_variant_and_lost_points_are_told) {
-  const auto assignment = toy::assignment();
-  const auto project = toy::project();
-  course::Checks hidden = toy::hidden_checks();
-  hidden["mean-reference"] = [](const course::Program&, const course::Variant& variant) {
+  course::VariantCheckInput input = variants_of(course::invented_students(200));
+  input.hidden["mean-reference"] = [](const course::Program&, const course::Variant& variant) {
     return variant("first") < 5 ? course::Outcome{1, ""} : course::Outcome{0.5, "differs"};
   };
-  const auto faults = course::faults_of_variants(
-      {.assignment = assignment,
-       .project = project,
-       .visible = toy::public_checks(),
-       .hidden = hidden,
-       .toolkit = toolkit(),
-       .is_valid = [](const course::Variant& v) { return v("first") > 4.75 && v("second") < 14; },
-       .seed = "winter",
-       .students = course::invented_students(200),
-       .n_jobs = 2});
+  input.is_valid = [](const course::Variant& v) { return v("first") > 4.75 && v("second") < 14; };
+  std::string faults;
+  for (const std::string& fault : course::faults_of_variants(input)) faults += fault + "\n";
 
-  const auto has = [&](const std::string& part) {
-    return std::ranges::any_of(
-        faults, [&](const auto& fault) { return fault.find(part) != std::string::npos; });
-  };
-  BOOST_TEST(has("has the same variant as student-"));
-  BOOST_TEST(has(": mean-reference: 1.5 of 3 points: differs"));
+  BOOST_TEST(holds(faults, "has the same variant as student-"));
+  BOOST_TEST(holds(faults, ": mean-reference: 1.5 of 3 points: differs"));
 }
 
 BOOST_AUTO_TEST_CASE(each_students_handout_is_proved_to_be_theirs) {
-  const auto assignment = toy::assignment();
-  const auto project = toy::project();
   const TemporaryFolder folder;
-  course::VariantCheckInput input{.assignment = assignment,
-                                  .project = project,
-                                  .visible = toy::public_checks(),
-                                  .hidden = toy::hidden_checks(),
-                                  .toolkit = toolkit(),
-                                  .is_valid = [](const course::Variant&) { return true; },
-                                  .seed = "winter",
-                                  .students = {"ada", "build"},
-                                  .n_jobs = 2,
-                                  .handouts = folder.path(),
-                                  .secret_files = {toy::folder / "hidden/hidden_checks.hpp"}};
+  course::VariantCheckInput input = variants_of({"ada", "build"});
+  input.handouts = folder.path();
+  input.secret_files = {toy::folder / "hidden/hidden_checks.hpp"};
   const auto write = [&](const std::string& student, const std::string& numbers_of) {
-    const auto variant = course::variant_of(assignment, numbers_of, "winter", input.is_valid);
-    course::write_project(project, course::Edition::handout, assignment, variant, {},
+    const auto variant = course::variant_of(toy_assignment, numbers_of, "winter", input.is_valid);
+    course::write_project(toy_project, course::Edition::handout, toy_assignment, variant, {},
                           folder.path() / student);
     sys::run({.program = "zip",
               .arguments = {"-q", "-r", student + ".zip", student},
@@ -317,11 +291,9 @@ BOOST_AUTO_TEST_CASE(each_students_handout_is_proved_to_be_theirs) {
   write("build", "build");
   folder.write("ada/notes.txt", "mean-reference");
   const std::string found = faults();
-  BOOST_TEST(found.find("ada: notes.txt is not what it must be") != std::string::npos);
-  BOOST_TEST(found.find("ada: notes.txt holds the id of the hidden check mean-reference") !=
-             std::string::npos);
-  BOOST_TEST(found.find("ada: zip and folder: notes.txt is in one but not in the other") !=
-             std::string::npos);
+  BOOST_TEST(holds(found, "ada: notes.txt is not what it must be"));
+  BOOST_TEST(holds(found, "ada: notes.txt holds the id of the hidden check mean-reference"));
+  BOOST_TEST(holds(found, "ada: zip and folder: notes.txt is in one but not in the other"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

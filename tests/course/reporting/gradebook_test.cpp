@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "course/reporting/toy_class.hpp"
+#include "holds.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 
@@ -64,7 +65,7 @@ BOOST_AUTO_TEST_CASE(the_column_of_the_marks_may_be_named) {
 
 BOOST_AUTO_TEST_CASE(what_is_no_gradebook_of_canvas_is_refused) {
   BOOST_TEST(message("") == "canvas.csv:1:1: the gradebook is empty");
-  BOOST_TEST(message("student,mark\n").find("there is no column 'Student'") != std::string::npos);
+  BOOST_TEST(holds(message("student,mark\n"), "there is no column 'Student'"));
   BOOST_TEST(message("Student,ID,Section,Exam (12)\n") ==
              "canvas.csv:1:1: there are 0 columns that begin with 'Toy (', not one; COLUMN='name' "
              "says which");

@@ -17,6 +17,7 @@
 #include "course/assignment/assignment.hpp"
 #include "course/toy_grading.hpp"
 #include "course/walls.hpp"
+#include "holds.hpp"
 #include "message_of.hpp"
 #include "system/files.hpp"
 #include "system/text.hpp"
@@ -32,14 +33,7 @@ const fs::path fixtures = fs::path(HALFSPACE_SOURCE_DIR) / "tests/course/hostile
 
 Assignment assignment() {
   Assignment toy = toy_grading::assignment();
-  Quantity side;
-  side.name = "side";
-  side.unit = "m";
-  side.from = 3;
-  side.to = 9;
-  side.step = 1;
-  side.nominal = 3;
-  toy.quantities = {side};
+  toy.quantities = {{.name = "side", .unit = "m", .from = 3, .to = 9, .step = 1, .nominal = 3}};
   toy.limits.report_seconds = 4;
   return toy;
 }
@@ -83,9 +77,9 @@ class Marking {
 
   /// A new submission with the right solution and this report.
   fs::path submission(const std::string& name, const std::string& report) const {
-    for (const auto& [file, text] : toy_grading::solution()) made_.write(name + "/" + file, text);
-    made_.write(name + "/report/report.tex", report);
-    return made_.path() / name;
+    Files files = toy_grading::solution();
+    files["report/report.tex"] = report;
+    return toy_grading::write(made_, name, files);
   }
 
   Files marked(const fs::path& submission, double side = 3) const {
@@ -124,10 +118,6 @@ std::string replaced(std::string text, const std::string& word, const std::strin
     text.replace(at, word.size(), by);
   }
   return text;
-}
-
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != text.npos;
 }
 
 /// What findings.txt must say of each hostile report, and typeset.log besides.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/reporting/marked_report.hpp"
+#include "holds.hpp"
 
 #include <fmt/core.h>
 
@@ -151,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_finding_is_one_line_that_turns_no_text) {
   BOOST_TEST(!findings.empty());
   for (const std::string& finding : findings) {
     for (const char* bad : {"\n", "\x1b", "\u202E"}) {
-      BOOST_TEST(finding.find(bad) == finding.npos, finding);
+      BOOST_TEST(!holds(finding, bad), finding);
     }
   }
 }

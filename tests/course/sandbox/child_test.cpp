@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/sandbox/child.hpp"
+#include "message_of.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 
+#include "holds.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
@@ -56,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_child_inherits_neither_environment_nor_descriptors) {
 
   run_child(shell.child("env; ls /proc/self/fd"));
 
-  BOOST_TEST(shell.output().find("SECRET") == std::string::npos);
+  BOOST_TEST(!holds(shell.output(), "SECRET"));
   // ls itself opens descriptor 4 to read the folder.
   BOOST_TEST(shell.output().ends_with("\n0\n1\n2\n3\n4\n"), shell.output());
 }
@@ -72,9 +74,8 @@ BOOST_AUTO_TEST_CASE(a_program_that_cannot_start_is_named) {
   Child child = shell.child("");
   child.command = {"/no/such/program"};
 
-  BOOST_CHECK_EXCEPTION(run_child(child), sys::ToolError, [](const auto& error) {
-    return std::string(error.what()) == "cannot start /no/such/program: No such file or directory";
-  });
+  BOOST_TEST(message_of<sys::ToolError>([&] { run_child(child); }) ==
+             "cannot start /no/such/program: No such file or directory");
 }
 
 BOOST_AUTO_TEST_CASE(what_a_child_leaves_behind_ends_with_it) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course/sandbox/sandbox.hpp"
+#include "message_of.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +16,7 @@
 #include "course/sandbox/child.hpp"
 #include "course/sandbox/scratch_folder.hpp"
 #include "course/walls.hpp"
+#include "holds.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
@@ -32,8 +34,8 @@ struct Ended {
   std::string output, errors;
 };
 
-Ended run(const TemporaryFolder& work, Job job) {
-  const Sandbox sandbox(Isolation::sandbox, work.path());
+Ended run(const TemporaryFolder& work, Job job, Isolation isolation = Isolation::sandbox) {
+  const Sandbox sandbox(isolation, work.path());
   job.output = work.path() / "out";
   job.errors = work.path() / "err";
   const JobEnd end = sandbox.run(job);
@@ -49,11 +51,8 @@ Job shell(const std::string& script) {
 }
 
 /// A job without walls.
-JobEnd run_freely(const TemporaryFolder& work, Job job) {
-  const Sandbox sandbox(Isolation::none, work.path());
-  job.output = work.path() / "out";
-  job.errors = work.path() / "err";
-  return sandbox.run(job);
+Ended run_freely(const TemporaryFolder& work, const Job& job) {
+  return run(work, job, Isolation::none);
 }
 
 /// What `action` returns in a process of its own, which gives up the rights of root if it has them.
@@ -119,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_job_sees_nothing_else) {
   const Ended ended = run(work, shell("cat '" + secret.string() + "'; ls /; ls /tmp"));
 
   BOOST_TEST(ended.output == "bin\ndev\netc\nlib\nlib64\ntmp\nusr\n");
-  BOOST_TEST(ended.errors.find("secret': No such file") != std::string::npos, ended.errors);
+  BOOST_TEST(holds(ended.errors, "secret': No such file"), ended.errors);
   BOOST_TEST(run(work, shell("ls -A /usr/local /usr/src | grep -v :")).output == "\n");
 }
 
@@ -129,8 +128,8 @@ BOOST_AUTO_TEST_CASE(a_job_inherits_no_environment) {
 
   const Ended ended = run(work, shell("env"));
 
-  BOOST_TEST(ended.output.find("PATH=/usr/bin:/bin\n") != std::string::npos);
-  BOOST_TEST(ended.output.find("hidden") == std::string::npos);
+  BOOST_TEST(holds(ended.output, "PATH=/usr/bin:/bin\n"));
+  BOOST_TEST(!holds(ended.output, "hidden"));
 }
 
 BOOST_AUTO_TEST_CASE(a_job_writes_to_nothing_but_its_streams_unless_it_is_given_room) {
@@ -159,7 +158,7 @@ BOOST_AUTO_TEST_CASE(there_is_no_network_and_no_other_process) {
 
   const Ended ended = run(work, shell("bash -c ': >/dev/tcp/127.0.0.1/9'; echo $$"));
 
-  BOOST_TEST(ended.errors.find("Operation not permitted") != std::string::npos, ended.errors);
+  BOOST_TEST(holds(ended.errors, "Operation not permitted"), ended.errors);
   BOOST_TEST(std::stoi(ended.output) <= 4);
 }
 
@@ -219,8 +218,9 @@ BOOST_AUTO_TEST_CASE(a_job_that_locks_its_output_is_graded_all_the_same) {
 
   const bool is_read_twice = as_nobody(work, [&] {
     for (int i = 0; i < 2; ++i) {
-      run_freely(work, shell("echo 1; chmod 0 /proc/self/fd/1 /proc/self/fd/2"));
-      if (sys::read_file(work.path() / "out") != "1\n") return false;
+      const Ended ended =
+          run_freely(work, shell("echo 1; chmod 0 /proc/self/fd/1 /proc/self/fd/2"));
+      if (ended.output != "1\n") return false;
     }
     return true;
   });
@@ -284,11 +284,8 @@ BOOST_AUTO_TEST_CASE(without_bubblewrap_nothing_is_graded_and_the_message_names_
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", ((work.path() / "bin").string() + ":" + path).c_str(), 1);
 
-  BOOST_CHECK_EXCEPTION(Sandbox(Isolation::sandbox, work.path()), sys::ToolError,
-                        [](const auto& error) {
-                          return std::string(error.what()) ==
-                                 "bubblewrap cannot keep submissions apart here: no permission";
-                        });
+  BOOST_TEST(message_of<sys::ToolError>([&] { Sandbox(Isolation::sandbox, work.path()); }) ==
+             "bubblewrap cannot keep submissions apart here: no permission");
   ::setenv("PATH", path.c_str(), 1);
 }
 
@@ -297,7 +294,7 @@ BOOST_AUTO_TEST_CASE(without_walls_limits_hold) {
   Job job = shell("exec yes");
   job.file_kb = 8;
 
-  BOOST_TEST((run_freely(work, job).ending == Ending::too_much_output));
+  BOOST_TEST((run_freely(work, job).end.ending == Ending::too_much_output));
 }
 
 BOOST_AUTO_TEST_CASE(without_walls_a_job_of_root_leaves_no_files) {
@@ -325,8 +322,8 @@ BOOST_AUTO_TEST_CASE(without_walls_and_rights_a_job_writes_to_its_scratch_folder
       "cd \"$HOME\" && echo x >own && mkdir d && mv own d/own && cat d/own && echo x >/dev/null";
 
   BOOST_TEST(as_nobody(work, [&] {
-    const JobEnd end = run_freely(work, shell(outside + inside));
-    return end.status == 0 && sys::read_file(work.path() / "out") == "x\n";
+    const Ended ended = run_freely(work, shell(outside + inside));
+    return ended.end.status == 0 && ended.output == "x\n";
   }));
 
   for (const char* folder : {"/tmp", "/dev/shm", "/var/tmp"}) {
@@ -341,9 +338,8 @@ BOOST_AUTO_TEST_CASE(without_walls_the_kernels_lists_are_refused_as_within) {
 
   BOOST_TEST(as_nobody(work, [&] {
     for (const char* list : {"--shmem 98762", "--semaphore 3", "--queue"}) {
-      run_freely(work, shell(std::string("ipcmk ") + list));
-      const std::string errors = sys::read_file(work.path() / "err");
-      if (!errors.ends_with("Operation not permitted\n")) return false;
+      const Ended ended = run_freely(work, shell(std::string("ipcmk ") + list));
+      if (!ended.errors.ends_with("Operation not permitted\n")) return false;
     }
     return true;
   }));
@@ -361,7 +357,7 @@ BOOST_AUTO_TEST_CASE(a_job_has_no_device_but_null) {
 BOOST_AUTO_TEST_CASE(without_walls_nothing_is_left_behind) {
   const TemporaryFolder work;
 
-  BOOST_TEST((run_freely(work, shell(leaves_daemons)).ending == Ending::normal));
+  BOOST_TEST((run_freely(work, shell(leaves_daemons)).end.ending == Ending::normal));
   BOOST_TEST(!is_sleeping("98761"));
 }
 
@@ -371,10 +367,10 @@ BOOST_AUTO_TEST_CASE(without_walls_and_rights_nothing_is_left_behind_and_process
   many.processes = 8;
 
   BOOST_TEST(as_nobody(
-      work, [&] { return run_freely(work, shell(leaves_daemons)).ending == Ending::normal; }));
+      work, [&] { return run_freely(work, shell(leaves_daemons)).end.ending == Ending::normal; }));
   BOOST_TEST(!is_sleeping("98761"));
-  BOOST_TEST(
-      as_nobody(work, [&] { return run_freely(work, many).ending == Ending::too_many_processes; }));
+  BOOST_TEST(as_nobody(
+      work, [&] { return run_freely(work, many).end.ending == Ending::too_many_processes; }));
 }
 
 BOOST_AUTO_TEST_CASE(gradings_at_the_same_time_run_as_different_users) {
@@ -397,12 +393,8 @@ BOOST_AUTO_TEST_CASE(without_walls_a_job_cannot_reach_the_folder_of_another_grad
   const TemporaryFolder work;
   const pid_t other = ::fork();
   if (other == 0) {
-    const Sandbox own(Isolation::none, work.path());
-    Job job = shell("cat '" + (scratch.path() / "secret").string() + "'; ls '" +
-                    scratch.path().parent_path().string() + "'");
-    job.output = work.path() / "out";
-    job.errors = work.path() / "err";
-    own.run(job);
+    run_freely(work, shell("cat '" + (scratch.path() / "secret").string() + "'; ls '" +
+                           scratch.path().parent_path().string() + "'"));
     ::_exit(0);
   }
   ::waitpid(other, nullptr, 0);
@@ -419,8 +411,7 @@ BOOST_AUTO_TEST_CASE(a_killed_grading_takes_its_job_and_what_that_started_along)
       ::setpgid(0, 0);
       Job job = shell(script);
       job.seconds = 50;
-      if (has_walls) run(work, job);
-      if (!has_walls) run_freely(work, job);
+      run(work, job, has_walls ? Isolation::sandbox : Isolation::none);
       ::_exit(0);
     }
     const auto wait_for = [](const char* seconds, bool is_there) {
