@@ -114,68 +114,27 @@ std::vector<std::string> told_by_latex(const std::string& log) {
   return findings;
 }
 
-/// Commands that reach under LaTeX's surface: they make names and characters of others, skip text,
-/// or read and write files. Those of pdfTeX all begin with «pdf».
+/// Commands that reach under LaTeX's surface:
+constexpr std::string_view unusual =
+    // that make or change names
+    "csname expandafter let futurelet @namedef @nameuse makeatletter primitive csdef cslet "
+    "letcs csuse patchcmd apptocmd pretocmd robustify newrobustcmd renewrobustcmd "
+    "renewenvironment ExplSyntaxOn "
+    // that make characters and numbers of others
+    "catcode lccode uccode lowercase uppercase scantokens number romannumeral char chardef "
+    "symbol mathchar mathchardef mathcode DeclareMathSymbol numexpr dimexpr endlinechar "
+    "escapechar "
+    // that skip text, or read and write files
+    "iffalse include openin openout read write immediate special jobname "
+    // that act later, or keep LaTeX from saying something
+    "everypar everyeof everyjob AtBeginDocument AtEndDocument AddToHook batchmode "
+    "errorstopmode scrollmode interactionmode ";
+
+/// Those of pdfTeX all begin with «pdf».
 bool is_unusual(std::string_view command) {
-  static const std::set<std::string_view> all = {"csname",
-                                                 "expandafter",
-                                                 "let",
-                                                 "futurelet",
-                                                 "catcode",
-                                                 "lccode",
-                                                 "uccode",
-                                                 "lowercase",
-                                                 "uppercase",
-                                                 "scantokens",
-                                                 "makeatletter",
-                                                 "@namedef",
-                                                 "@nameuse",
-                                                 "iffalse",
-                                                 "number",
-                                                 "romannumeral",
-                                                 "char",
-                                                 "chardef",
-                                                 "symbol",
-                                                 "mathchar",
-                                                 "mathchardef",
-                                                 "mathcode",
-                                                 "DeclareMathSymbol",
-                                                 "numexpr",
-                                                 "dimexpr",
-                                                 "openin",
-                                                 "openout",
-                                                 "read",
-                                                 "write",
-                                                 "immediate",
-                                                 "special",
-                                                 "jobname",
-                                                 "endlinechar",
-                                                 "escapechar",
-                                                 "include",
-                                                 "everypar",
-                                                 "everyeof",
-                                                 "everyjob",
-                                                 "ExplSyntaxOn",
-                                                 "renewenvironment",
-                                                 "primitive",
-                                                 "AtEndDocument",
-                                                 "batchmode",
-                                                 "errorstopmode",
-                                                 "scrollmode",
-                                                 "interactionmode",
-                                                 "AtBeginDocument",
-                                                 "AddToHook",
-                                                 "csdef",
-                                                 "cslet",
-                                                 "letcs",
-                                                 "csuse",
-                                                 "patchcmd",
-                                                 "apptocmd",
-                                                 "pretocmd",
-                                                 "robustify",
-                                                 "newrobustcmd",
-                                                 "renewrobustcmd"};
-  return all.contains(command) || is_of_the_kernel(command) || command.starts_with("pdf");
+  static const std::vector<std::string> all = sys::split(unusual, ' ');
+  return std::ranges::find(all, command) != all.end() || is_of_the_kernel(command) ||
+         command.starts_with("pdf");
 }
 
 /// Each of them once, where it stands first; so too notations of characters by their codes, and
