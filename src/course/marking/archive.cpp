@@ -33,57 +33,44 @@ std::string without_here(std::string name) {
   return name;
 }
 
-/// A character of a name as bsdtar lists it.
+/// An entry's name, and the pattern by which bsdtar finds it: an argument in which it could not
+/// convert a byte that is no UTF-8, so that `?`, any character, stands for what it escaped.
 struct Listed {
-  char character;
-  bool is_escaped;  ///< because it is unprintable, or no UTF-8
+  std::string name, pattern;
 };
 
-/// The characters of a name that bsdtar listed: it writes \\ for a backslash, \n and such for white
-/// space, and \ooo for any other byte that it cannot print.
-std::vector<Listed> characters_of(std::string_view listed) {
+/// Reads a line of bsdtar's list: it writes \\ for a backslash, \n and such for white space, and
+/// \ooo for any other byte that it cannot print.
+Listed listed_in(std::string_view line) {
   constexpr std::string_view letters = "abfnrtv\\";
   constexpr std::string_view meant = "\a\b\f\n\r\t\v\\";
-  std::vector<Listed> characters;
-  while (!listed.empty()) {
+  Listed listed;
+  while (!line.empty()) {
     std::size_t n_read = 1;
-    Listed next{listed.front(), false};
-    if (next.character == '\\' && listed.size() > 1) {
-      const auto letter = letters.find(listed[1]);
+    char character = line.front();
+    bool is_escaped = false;  // because it is unprintable, or no UTF-8
+    if (character == '\\' && line.size() > 1) {
+      const auto letter = letters.find(line[1]);
       unsigned byte = 0;
       const auto [end, error] = std::from_chars(
-          listed.data() + 1, listed.data() + std::min<std::size_t>(4, listed.size()), byte, 8);
+          line.data() + 1, line.data() + std::min<std::size_t>(4, line.size()), byte, 8);
       if (letter != letters.npos) {
-        next = {meant[letter], listed[1] != '\\'};
+        character = meant[letter];
+        is_escaped = line[1] != '\\';
         n_read = 2;
       } else if (error == std::errc{}) {
-        next = {static_cast<char>(byte), true};
-        n_read = static_cast<std::size_t>(end - listed.data());
+        character = static_cast<char>(byte);
+        is_escaped = true;
+        n_read = static_cast<std::size_t>(end - line.data());
       }
     }
-    characters.push_back(next);
-    listed.remove_prefix(n_read);
-  }
-  return characters;
-}
-
-std::string name_of(const std::vector<Listed>& characters) {
-  std::string name;
-  for (const Listed& listed : characters) name += listed.character;
-  return name;
-}
-
-/// A name as an argument of bsdtar, which takes it for a pattern. It could not convert a byte that
-/// is no UTF-8, so that
-/// `?`, any character, stands for what it escaped.
-std::string pattern_of(const std::vector<Listed>& characters) {
-  std::string pattern;
-  for (const auto& [character, is_escaped] : characters) {
     const bool is_special = std::string_view("*?[]\\").find(character) != std::string_view::npos;
-    if (is_special) pattern += '\\';
-    pattern += is_escaped ? '?' : character;
+    listed.name += character;
+    if (is_special) listed.pattern += '\\';
+    listed.pattern += is_escaped ? '?' : character;
+    line.remove_prefix(n_read);
   }
-  return pattern;
+  return listed;
 }
 
 bool leads_out(const std::string& name) {
@@ -156,16 +143,12 @@ void Archive::list() {
   }
   const std::string listing = beginning_of(work_ / "archive.out", listing_kb * 1024);
   for (const std::string_view line : sys::lines_of(listing)) {
-    const std::vector<Listed> characters = characters_of(line);
-    names_.push_back(name_of(characters));
-    patterns_.push_back(pattern_of(characters));
-    entries_.push_back(without_here(with_slashes(names_.back())));
+    Listed listed = listed_in(line);
+    climbs_out_ = climbs_out_ || leads_out(listed.name);
+    entries_.push_back(without_here(with_slashes(std::move(listed.name))));
+    patterns_.push_back(std::move(listed.pattern));
   }
   if (entries_.empty()) throw std::invalid_argument("the archive is empty");
-}
-
-bool Archive::climbs_out() const {
-  return std::ranges::any_of(names_, leads_out);
 }
 
 void Archive::keep(const std::vector<std::string>& entries) {

@@ -25,7 +25,7 @@ class Archive {
   const std::vector<std::string>& entries() const { return entries_; }
 
   /// Whether there are entries with an absolute path, or with "..".
-  bool climbs_out() const;
+  bool climbs_out() const { return climbs_out_; }
 
   /// Puts aside all but these entries, as far as they are there, so that `read` need not go through
   /// the whole archive for each. A zip or a 7z stays as it is.
@@ -46,8 +46,8 @@ class Archive {
   int unpacking_seconds_;
   double seconds_left_;
   std::vector<std::string> entries_;
-  std::vector<std::string> names_;     ///< as they are in the archive
   std::vector<std::string> patterns_;  ///< by which bsdtar finds them
+  bool climbs_out_ = false;
 };
 
 }  // namespace course

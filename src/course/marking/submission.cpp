@@ -67,36 +67,8 @@ Contents contents_of(const fs::path& folder) {
   return contents;
 }
 
-/// Reads the wanted files through `read`, which throws std::invalid_argument with a reason.
-template <class Read>
-void take_files(const std::vector<std::string>& wanted, const std::string& place, const Read& read,
-                Submission& submission) {
-  for (const std::string& file : wanted) {
-    try {
-      const std::string text = read(place + file);
-      const std::string fault = fault_of(text);
-      if (!fault.empty()) throw std::invalid_argument(fault);
-      submission.files[file] = text;
-    } catch (const std::invalid_argument& error) {
-      submission.problems.push_back(fmt::format("{} {}", file, error.what()));
-    }
-  }
-}
-
-/// Those files of a report among `entries` that `read` gives.
-template <class Read>
-Report report_of(const std::vector<std::string>& entries, const std::string& place,
-                 const Read& read) {
-  Report taken;
-  for (const char* file : {report, report_pdf}) {
-    if (std::ranges::find(entries, place + file) == entries.end()) continue;
-    try {
-      taken.files[file] = read(place + file);
-    } catch (const std::invalid_argument& error) {
-      if (file == std::string_view(report)) taken.fault = error.what();
-    }
-  }
-  return taken;
+bool stands_in(const std::vector<std::string>& entries, const std::string& entry) {
+  return std::ranges::find(entries, entry) != entries.end();
 }
 
 /// Throws std::invalid_argument for a folder that holds nothing, or more than homework.
@@ -173,9 +145,8 @@ std::string nearest_entry(const std::vector<std::string>& entries,
 void explain_missing(const std::vector<std::string>& entries,
                      const std::vector<std::string>& wanted, const std::string& place,
                      Submission& submission) {
-  const bool has_any = std::ranges::any_of(wanted, [&](const std::string& file) {
-    return std::ranges::find(entries, place + file) != entries.end();
-  });
+  const bool has_any = std::ranges::any_of(
+      wanted, [&](const std::string& file) { return stands_in(entries, place + file); });
   if (!has_any) {
     std::string where = place_of_the_missing(entries, wanted);
     if (!where.empty()) {
@@ -184,7 +155,7 @@ void explain_missing(const std::vector<std::string>& entries,
     }
   }
   for (const std::string& file : wanted) {
-    if (std::ranges::find(entries, place + file) != entries.end()) continue;
+    if (stands_in(entries, place + file)) continue;
     const std::string other = nearest_entry(entries, wanted, place, file);
     if (other.empty()) continue;
     submission.problems.push_back(
@@ -204,43 +175,6 @@ void require_something(const Submission& submission) {
   throw std::invalid_argument("none of the files that are looked for is in it");
 }
 
-Submission take_folder(const Assignment& assignment, const fs::path& folder) {
-  Submission submission;
-  const Contents contents = contents_of(folder);
-  require_homework(assignment.limits, contents);
-  const std::vector<std::string> wanted = wanted_files(assignment);
-  const std::string place = place_of_files(contents.entries, wanted);
-  submission.has_report =
-      std::ranges::find(contents.entries, place + report) != contents.entries.end();
-  const auto max_bytes = static_cast<std::size_t>(assignment.limits.file_kb) * 1024;
-  take_files(
-      wanted, place, [&](const std::string& file) { return read_beneath(folder, file, max_bytes); },
-      submission);
-  explain_missing(contents.entries, wanted, place, submission);
-  require_something(submission);
-  return submission;
-}
-
-Submission take_archive(const Assignment& assignment, const fs::path& file, const fs::path& work,
-                        Isolation isolation) {
-  Submission submission;
-  Archive archive(assignment.limits, file, work, isolation);
-  const std::vector<std::string> wanted = wanted_files(assignment);
-  const std::string place = place_of_files(archive.entries(), wanted);
-  if (archive.climbs_out()) {
-    submission.problems.emplace_back(
-        "the archive has entries that lead out of its folder; they are ignored");
-  }
-  submission.has_report =
-      std::ranges::find(archive.entries(), place + report) != archive.entries().end();
-  archive.keep(below(place, wanted));
-  take_files(
-      wanted, place, [&](const std::string& entry) { return archive.read(entry); }, submission);
-  explain_missing(archive.entries(), wanted, place, submission);
-  require_something(submission);
-  return submission;
-}
-
 /// Whether a submission is an archive and not a folder. Throws OutputError if it is neither.
 bool is_archive(const fs::path& path) {
   std::error_code error;
@@ -251,6 +185,66 @@ bool is_archive(const fs::path& path) {
                                        shown_name(path.string()), archive_endings()));
   }
   return is_one;
+}
+
+/// A folder or archive that was handed in. Throws as is_archive, and std::invalid_argument for what
+/// is no homework or cannot be read.
+class HandedIn {
+ public:
+  HandedIn(const Limits& limits, const fs::path& path, const fs::path& work, Isolation isolation)
+      : limits_(limits), path_(path) {
+    if (is_archive(path)) {
+      archive_.emplace(limits, path, work, isolation);
+      entries_ = archive_->entries();
+    } else {
+      Contents contents = contents_of(path);
+      require_homework(limits, contents);
+      entries_ = std::move(contents.entries);
+    }
+  }
+
+  const std::vector<std::string>& entries() const { return entries_; }
+  bool climbs_out() const { return archive_ && archive_->climbs_out(); }
+
+  /// Puts aside all else, as far as that makes reading quicker.
+  void keep(const std::vector<std::string>& entries) {
+    if (archive_) archive_->keep(entries);
+  }
+  std::string read(const std::string& entry) {
+    const auto max_bytes = static_cast<std::size_t>(limits_.file_kb) * 1024;
+    return archive_ ? archive_->read(entry) : read_beneath(path_, entry, max_bytes);
+  }
+
+ private:
+  Limits limits_;
+  fs::path path_;
+  std::optional<Archive> archive_;
+  std::vector<std::string> entries_;
+};
+
+Submission taken_from(HandedIn handed_in, const std::vector<std::string>& wanted) {
+  const std::vector<std::string>& entries = handed_in.entries();
+  const std::string place = place_of_files(entries, wanted);
+  Submission submission;
+  if (handed_in.climbs_out()) {
+    submission.problems.emplace_back(
+        "the archive has entries that lead out of its folder; they are ignored");
+  }
+  submission.has_report = stands_in(entries, place + report);
+  handed_in.keep(below(place, wanted));
+  for (const std::string& file : wanted) {
+    try {
+      const std::string text = handed_in.read(place + file);
+      const std::string fault = fault_of(text);
+      if (!fault.empty()) throw std::invalid_argument(fault);
+      submission.files[file] = text;
+    } catch (const std::invalid_argument& error) {
+      submission.problems.push_back(fmt::format("{} {}", file, error.what()));
+    }
+  }
+  explain_missing(entries, wanted, place, submission);
+  require_something(submission);
+  return submission;
 }
 
 }  // namespace
@@ -284,10 +278,8 @@ std::string fault_of(std::string_view text) {
 
 Submission take_submission(const Assignment& assignment, const fs::path& path, const fs::path& work,
                            Isolation isolation) {
-  const bool is_packed = is_archive(path);
   try {
-    return is_packed ? take_archive(assignment, path, work, isolation)
-                     : take_folder(assignment, path);
+    return taken_from({assignment.limits, path, work, isolation}, wanted_files(assignment));
   } catch (const std::invalid_argument& fault) {
     throw sys::OutputError(
         fmt::format("'{}' cannot be taken: {}", shown_name(path.string()), fault.what()));
@@ -298,24 +290,23 @@ Report take_report(const Assignment& assignment, const fs::path& path, const fs:
                    Isolation isolation) {
   Limits limits = assignment.limits;
   limits.file_kb = 1024 * limits.submission_mb;  // a PDF is larger than a source file
-  const std::vector<std::string> wanted = wanted_files(assignment);
-  const bool is_packed = is_archive(path);
+  Report taken;
   try {
-    if (is_packed) {
-      Archive archive(limits, path, work, isolation);
-      const std::string place = place_of_files(archive.entries(), wanted);
-      archive.keep(below(place, {report, report_pdf}));
-      return report_of(archive.entries(), place,
-                       [&](const std::string& entry) { return archive.read(entry); });
+    HandedIn handed_in(limits, path, work, isolation);
+    const std::string place = place_of_files(handed_in.entries(), wanted_files(assignment));
+    handed_in.keep(below(place, {report, report_pdf}));
+    for (const std::string file : {report, report_pdf}) {
+      if (!stands_in(handed_in.entries(), place + file)) continue;
+      try {
+        taken.files[file] = handed_in.read(place + file);
+      } catch (const std::invalid_argument& error) {
+        if (file == report) taken.fault = error.what();
+      }
     }
-    const Contents contents = contents_of(path);
-    require_homework(limits, contents);
-    const auto max_bytes = static_cast<std::size_t>(limits.file_kb) * 1024;
-    return report_of(contents.entries, place_of_files(contents.entries, wanted),
-                     [&](const std::string& file) { return read_beneath(path, file, max_bytes); });
   } catch (const std::invalid_argument&) {
     return {};
   }
+  return taken;
 }
 
 }  // namespace course
