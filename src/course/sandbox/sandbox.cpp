@@ -186,29 +186,14 @@ std::vector<std::string> Sandbox::walls(const Job& job) const {
   for (const std::string& folder : hidden_folders()) {
     append(walls, {"--perms", "0755", "--tmpfs", folder, "--remount-ro", folder});
   }
-  append(walls, {"--symlink",
-                 "usr/bin",
-                 "/bin",
-                 "--symlink",
-                 "usr/lib",
-                 "/lib",
-                 "--symlink",
-                 "usr/lib64",
-                 "/lib64",
-                 "--perms",
-                 "0755",
-                 "--dir",
-                 "/etc",
-                 "--ro-bind-try",
-                 "/etc/alternatives",
-                 "/etc/alternatives",
-                 "--ro-bind-try",
-                 "/etc/ld.so.cache",
-                 "/etc/ld.so.cache",
-                 "--perms",
-                 "0755",
-                 "--tmpfs",
-                 "/dev"});
+  for (const std::string folder : {"bin", "lib", "lib64"}) {
+    append(walls, {"--symlink", "usr/" + folder, "/" + folder});
+  }
+  append(walls, {"--perms", "0755", "--dir", "/etc"});
+  for (const char* setting : {"/etc/alternatives", "/etc/ld.so.cache"}) {
+    append(walls, {"--ro-bind-try", setting, setting});
+  }
+  append(walls, {"--perms", "0755", "--tmpfs", "/dev"});
   // There is no terminal, which a compiler would wait for, no room that jobs share, and nothing to
   // read that is another each time, such as /proc: a compiler's message would show it, or an object
   // hold it, and /proc also tells what the rest of the machine does.
