@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "assignment/assignment.hpp"
-#include "command_line/options.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/marking/class_marks.hpp"
 #include "course/marking/submission.hpp"

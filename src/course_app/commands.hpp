@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "command_line/exit_codes.hpp"
+#include "command_line/options.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/variant.hpp"
 #include "course/marking/roster.hpp"
@@ -54,6 +54,9 @@ void add_roster(CLI::App& command, CourseOptions& options);
 void add_toolkit(CLI::App& command, CourseOptions& options);
 /// Adds the folder that a command replaces as a whole.
 void add_output(CLI::App& command, CourseOptions& options);
+
+/// A whole number from 1 to `most`; throws sys::InputError for another one.
+long number_of(const NumberOption& option, long otherwise, long most);
 
 /// Reads the assignment and makes sure that each of its checks has code.
 course::Assignment read_assignment(const CourseOptions& options);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "assignment/assignment.hpp"
-#include "command_line/options.hpp"
 #include "course/assignment/assignment.hpp"
 #include "course/assignment/student.hpp"
 #include "course/marking/grade.hpp"

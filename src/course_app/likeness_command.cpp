@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "command_line/options.hpp"
 #include "course/marking/submission.hpp"
 #include "course/release/handout.hpp"
 #include "course/release/wrong_solutions.hpp"
@@ -19,15 +18,6 @@
 namespace course_app {
 namespace fs = std::filesystem;
 namespace {
-
-int percent_of(const NumberOption& option) {
-  constexpr long otherwise = 50;
-  const long percent = option.integer().value_or(otherwise);
-  if (percent < 1 || percent > 100) {
-    throw sys::InputError(fmt::format("--percent: {} is not from 1 to 100", percent));
-  }
-  return static_cast<int>(percent);
-}
 
 void export_to(const fs::path& folder, const course::Files& files) {
   for (const auto& [file, text] : files) sys::write_file_atomically(folder / file, text);
@@ -86,7 +76,9 @@ void add_likeness_command(CLI::App& program, ExitCode& exit_code) {
                 add_output(command, *options);
                 auto percent = std::make_shared<NumberOption>(
                     command, "--percent", "How much of one of them a pair must have in common; 50");
-                return [options, percent] { return likeness(*options, percent_of(*percent)); };
+                return [options, percent] {
+                  return likeness(*options, static_cast<int>(number_of(*percent, 50, 100)));
+                };
               });
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include "assignment/assignment.hpp"
-#include "command_line/options.hpp"
 #include "course_app/commands.hpp"
 #include "system/files.hpp"
 
@@ -48,6 +47,14 @@ void add_toolkit(CLI::App& command, CourseOptions& options) {
 void add_output(CLI::App& command, CourseOptions& options) {
   add_required_text(command, "--output", options.output, "DIR",
                     "Folder to write; replaced as a whole");
+}
+
+long number_of(const NumberOption& option, long otherwise, long most) {
+  const long number = option.integer().value_or(otherwise);
+  if (number < 1 || number > most) {
+    throw sys::InputError(fmt::format("{}: {} is not from 1 to {}", option.flag(), number, most));
+  }
+  return number;
 }
 
 std::optional<course::Roster> roster_of(const std::string& file) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "assignment/assignment.hpp"
-#include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "course/marking/roster.hpp"
 #include "course/release/handout.hpp"
@@ -31,17 +30,9 @@ void add_place(CLI::App& command, Options& options) {
   add_source(command, options);
 }
 
-std::size_t count_of(const NumberOption& option, long otherwise, long most) {
-  const long count = option.integer().value_or(otherwise);
-  if (count < 1 || count > most) {
-    throw sys::InputError(fmt::format("{}: {} is not from 1 to {}", option.flag(), count, most));
-  }
-  return static_cast<std::size_t>(count);
-}
-
 std::size_t jobs_of(const NumberOption& option) {
   constexpr long most = 1024;
-  return count_of(option, 1, most);
+  return static_cast<std::size_t>(number_of(option, 1, most));
 }
 
 ExitCode write(const Options& options, course::Edition edition) {
@@ -93,7 +84,7 @@ std::vector<std::string> students_of(const Options& options, const NumberOption&
   constexpr long most = 100000;
   if (options.roster.empty()) {
     if (!options.handouts.empty()) throw sys::InputError("--handouts needs --roster");
-    return course::invented_students(count_of(count, class_size, most));
+    return course::invented_students(static_cast<std::size_t>(number_of(count, class_size, most)));
   }
   if (count.integer()) throw sys::InputError("--count and --roster exclude each other");
   std::vector<std::string> students = course::units_of(course::read_roster(options.roster));

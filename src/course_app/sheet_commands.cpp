@@ -5,7 +5,6 @@
 #include <string>
 
 #include "assignment/sheet.hpp"
-#include "command_line/options.hpp"
 #include "command_line/stage.hpp"
 #include "course_app/commands.hpp"
 #include "literate/document/document.hpp"

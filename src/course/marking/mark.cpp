@@ -5,16 +5,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace course {
 namespace {
-
-double in_hundredths(double number) {
-  return std::round(number * 100) / 100;
-}
 
 std::string indented(const std::string& text) {
   std::string result = "    ";

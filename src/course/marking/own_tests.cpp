@@ -217,30 +217,33 @@ Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
           fmt::format("your tests catch {} of {} wrong programs", caught.size(), wrong.size())};
 }
 
-}  // namespace
-
-Checks with_own_tests(Checks checks, const OwnTestsTask& task, std::vector<std::string>& missed) {
-  for (const Exercise& exercise : task.assignment.exercises) {
+/// Adds the check of each exercise that asks for tests, with what `outcome` makes of the exercise.
+template <class MakeOutcome>
+Checks with_checks_of_tests(Checks checks, const Assignment& assignment,
+                            const MakeOutcome& outcome) {
+  for (const Exercise& exercise : assignment.exercises) {
     for (const CheckEntry& entry : exercise.checks) {
       if (entry.visibility != Visibility::tests) continue;
-      checks[entry.id] = [task, &exercise, &missed](const Program&, const Variant&) {
-        return outcome_of(task, exercise, missed);
+      checks[entry.id] = [outcome, &exercise](const Program&, const Variant&) {
+        return outcome(exercise);
       };
     }
   }
   return checks;
 }
 
+}  // namespace
+
+Checks with_own_tests(Checks checks, const OwnTestsTask& task, std::vector<std::string>& missed) {
+  return with_checks_of_tests(
+      std::move(checks), task.assignment,
+      [task, &missed](const Exercise& exercise) { return outcome_of(task, exercise, missed); });
+}
+
 Checks without_own_tests(Checks checks, const Assignment& assignment, double share) {
-  for (const Exercise& exercise : assignment.exercises) {
-    for (const CheckEntry& entry : exercise.checks) {
-      if (entry.visibility != Visibility::tests) continue;
-      checks[entry.id] = [share](const Program&, const Variant&) {
-        return Outcome{share, "the tests were not tried"};
-      };
-    }
-  }
-  return checks;
+  return with_checks_of_tests(std::move(checks), assignment, [share](const Exercise&) {
+    return Outcome{share, "the tests were not tried"};
+  });
 }
 
 }  // namespace course

@@ -37,7 +37,7 @@ std::vector<std::string> link_flags() {
 
 Toolkit open_toolkit(const Assignment& assignment, const fs::path& folder) {
   Toolkit toolkit{fs::absolute(folder)};
-  if (!fs::exists(toolkit.list())) {
+  if (!fs::exists(toolkit.header())) {
     throw sys::OutputError(
         fmt::format("'{}' is no toolkit; `halfspace-course toolkit` makes one", folder.string()));
   }

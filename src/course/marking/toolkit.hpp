@@ -22,8 +22,6 @@ struct Toolkit {
   std::filesystem::path report() const { return project() / "report"; }
   /// Is compiled in advance, into a file beside it.
   std::filesystem::path header() const { return folder / "precompiled.hpp"; }
-  /// Names every file of the toolkit.
-  std::filesystem::path list() const { return folder / "files.txt"; }
   /// The folder with the programs for the tests of an exercise, `right` and wrong/ID for each wrong
   /// solution of it. No job can read it.
   std::filesystem::path programs_of(const std::string& exercise) const;

@@ -14,10 +14,8 @@
 namespace course {
 namespace {
 
-/// Points are given in hundredths, since nobody could check a sum of shares such as 1/3.
 double points_of(double share, double points) {
-  if (!(share > 0)) return 0;
-  return std::round(std::min(share, 1.0) * points * 100) / 100;
+  return share > 0 ? in_hundredths(std::min(share, 1.0) * points) : 0;
 }
 
 /// The outcome if the program answered numbers for which the check throws; the exception's text
@@ -118,10 +116,14 @@ std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& 
   return in_order;
 }
 
+double in_hundredths(double number) {
+  return std::round(number * 100) / 100;
+}
+
 double total(const std::vector<CheckResult>& results) {
   double sum = 0;
   for (const CheckResult& result : results) sum += result.points;
-  return std::round(sum * 100) / 100;
+  return in_hundredths(sum);
 }
 
 namespace {

@@ -35,7 +35,11 @@ std::vector<CheckResult> try_checks(const Assignment& assignment, const Checks& 
                                     const Built& built, const Variant& variant, ProgramRun& run,
                                     const std::function<void()>& after_public = {});
 
-/// The sum of the points, in hundredths.
+/// Rounded to hundredths, in which points are given, since nobody could check a sum of shares such
+/// as 1/3.
+double in_hundredths(double number);
+
+/// The sum of the points.
 double total(const std::vector<CheckResult>& results);
 
 /// What a solution of the instructor's own, right or wrong, reached.

@@ -35,12 +35,6 @@ ProjectFile read(const Assignment& assignment, const fs::path& file) {
           .permissions = fs::status(file).permissions()};
 }
 
-// A C++ literal of type double that reads back as the same number.
-std::string literal(double number) {
-  const std::string digits = fmt::format("{}", number);
-  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
-}
-
 // A folder that holds the file of the variant was written by this program and may be replaced.
 void require_replaceable(const fs::path& folder) {
   if (fs::is_empty(folder) || fs::is_regular_file(folder / variant_file)) return;
@@ -106,9 +100,9 @@ Files submission(const Assignment& assignment, const Files& files) {
 std::string variant_header(const Assignment& assignment, const Variant& variant) {
   std::string entries;
   for (const Quantity& quantity : assignment.quantities) {
-    entries += fmt::format("        {{\"{}\", {}}},  // {}\n", quantity.name,
-                           literal(variant(quantity.name)),
-                           quantity.unit.empty() ? "a pure number" : quantity.unit);
+    entries +=
+        fmt::format("        {{\"{}\", {:#}}},  // {}\n", quantity.name, variant(quantity.name),
+                    quantity.unit.empty() ? "a pure number" : quantity.unit);
   }
   return fmt::format(
       "// These are the numbers of this handout. Each student has others.\n"

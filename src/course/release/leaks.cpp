@@ -57,15 +57,8 @@ bool has_word(std::string_view text, std::string_view word) {
 
 // Joins the groups of three digits between which typeset numbers have thin spaces.
 std::string without_thin_spaces(std::string_view text) {
-  const auto is_digit = [&](std::size_t i) { return i < text.size() && sys::is_digit(text[i]); };
-  std::string joined;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::size_t width = text.substr(i).starts_with("\u2009") ? 3 : text[i] == ' ' ? 1 : 0;
-    const bool joins = width > 0 && i > 0 && is_digit(i - 1) && is_digit(i + width);
-    if (!joins) joined += text[i];
-    if (joins) i += width - 1;
-  }
-  return joined;
+  static const sys::Pattern between_digits("([0-9])(?:\u2009| )(?=[0-9])");
+  return between_digits.replaced_in(text, "$1");
 }
 
 /// Whether a line is an entry of a PDF's table of its own objects, "0000000017 00000 n".

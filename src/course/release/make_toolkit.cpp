@@ -115,11 +115,9 @@ void run_compiler(std::vector<std::string> arguments, const std::filesystem::pat
 }
 
 void make_toolkit(const Assignment& assignment, const fs::path& source, const fs::path& output) {
-  std::vector<std::string> former;
-  if (const fs::path old_list = Toolkit{output}.list(); fs::exists(old_list)) {
-    const std::string list = sys::read_file(old_list);
-    for (const std::string_view file : sys::lines_of(list)) former.emplace_back(file);
-  } else if (fs::exists(output) && !fs::is_empty(output)) {
+  const bool may_be_replaced =
+      !fs::exists(output) || fs::is_empty(output) || fs::exists(Toolkit{output}.header());
+  if (!may_be_replaced) {
     throw sys::OutputError(fmt::format(
         "'{}' is no toolkit but holds something; name another folder", output.string()));
   }
@@ -127,11 +125,8 @@ void make_toolkit(const Assignment& assignment, const fs::path& source, const fs
   const Toolkit toolkit{staging.path()};
   const Project project = read_project(assignment, source);
   compile_all(assignment, toolkit, write_project(assignment, project, toolkit.project()));
-  std::string list;
-  for (const std::string& file : staging.files()) list += file + "\n";
-  sys::write_file_atomically(toolkit.list(), list);
   make_readable(staging.path());
-  staging.publish(former);
+  staging.replace();
   make_readable(output);
   make_programs(assignment, Toolkit{output}, texts(project, Edition::solution));
 }
