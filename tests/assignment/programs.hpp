@@ -3,9 +3,11 @@
 // planted mistake.
 #pragma once
 
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -132,6 +134,30 @@ inline Program scaled(const std::string& task, double factor) {
   return spoiled(task, [=](Numbers& out) {
     for (double& number : out) number *= factor;
   });
+}
+
+/// The variant with the nominal numbers.
+inline const course::Variant nominal = course::nominal_variant(assignment());
+
+/// The checks that a program does not pass in full.
+inline std::set<std::string> failed(const course::Checks& checks, const Program& program) {
+  std::set<std::string> ids;
+  for (const auto& [id, check] : checks) {
+    const course::Outcome outcome = check(program, nominal);
+    BOOST_TEST((outcome.share == 1) == outcome.message.empty(), id);
+    if (outcome.share < 1) ids.insert(id);
+  }
+  return ids;
+}
+
+/// That a right program passes all of these checks, whatever the numbers are.
+inline void check_right(const course::Checks& checks) {
+  for (const course::Variant& variant : variants()) {
+    for (const auto& [id, check] : checks) {
+      const course::Outcome outcome = check(right, variant);
+      BOOST_TEST(outcome.share == 1, variant.student << ' ' << id << ": " << outcome.message);
+    }
+  }
 }
 
 }  // namespace programs

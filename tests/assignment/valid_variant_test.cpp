@@ -8,9 +8,9 @@
 
 BOOST_AUTO_TEST_SUITE(valid_variant_test)
 
-namespace {
+using programs::nominal;
 
-const course::Variant nominal = course::nominal_variant(programs::assignment());
+namespace {
 
 bool is_valid_with(const std::string& quantity, double value) {
   course::Variant variant = nominal;

@@ -16,6 +16,7 @@ BOOST_AUTO_TEST_SUITE(answers_test)
 using course::Numbers;
 using course::Outcome;
 using course::Program;
+using programs::nominal;
 
 namespace {
 
@@ -29,9 +30,8 @@ course::Checks all_checks() {
 
 // The outcome of each check for a program whose answers are all changed in the same way.
 void require_refused(const Program& program, const std::string& reason) {
-  const course::Variant variant = course::nominal_variant(programs::assignment());
   for (const auto& [id, check] : all_checks()) {
-    const Outcome outcome = check(program, variant);
+    const Outcome outcome = check(program, nominal);
     BOOST_TEST_CONTEXT(id << ": " << outcome.message) {
       BOOST_TEST(outcome.share == 0);
       BOOST_TEST(holds(outcome.message, reason));
@@ -70,13 +70,12 @@ BOOST_AUTO_TEST_CASE(nothing_but_nans_or_infinities_counts_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(a_nan_or_infinity_at_one_place_costs_at_least_that_place) {
-  const course::Variant variant = course::nominal_variant(programs::assignment());
   // These do not look at the approach, with which the answer of a contact begins.
   const std::set<std::string> others = {"contact-convergence", "contact-load", "contact-pressure",
                                         "contact-reference", "contact-scaling"};
   for (const double bad : {not_a_number, infinity, -infinity}) {
     for (const auto& [id, check] : all_checks()) {
-      const Outcome outcome = check(with_first(bad), variant);
+      const Outcome outcome = check(with_first(bad), nominal);
       BOOST_TEST((outcome.share < 1) == !others.contains(id), id << " with " << bad);
       BOOST_TEST((outcome.share < 1) == !outcome.message.empty(), id);
     }
@@ -84,34 +83,31 @@ BOOST_AUTO_TEST_CASE(a_nan_or_infinity_at_one_place_costs_at_least_that_place) {
 }
 
 BOOST_AUTO_TEST_CASE(a_nan_at_one_place_does_not_cost_the_others) {
-  const course::Variant variant = course::nominal_variant(programs::assignment());
   const course::Checks checks = all_checks();
-  BOOST_TEST(checks.at("gradient-reference")(with_first(not_a_number), variant).share == 0.9);
-  BOOST_TEST(checks.at("influence-reference")(with_first(not_a_number), variant).share == 0.9);
-  BOOST_TEST(checks.at("quadrature-residual")(with_first(not_a_number), variant).share >= 0.8);
+  BOOST_TEST(checks.at("gradient-reference")(with_first(not_a_number), nominal).share == 0.9);
+  BOOST_TEST(checks.at("influence-reference")(with_first(not_a_number), nominal).share == 0.9);
+  BOOST_TEST(checks.at("quadrature-residual")(with_first(not_a_number), nominal).share >= 0.8);
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_without_a_half_width_keeps_the_points_of_its_pressure) {
-  const course::Variant variant = course::nominal_variant(programs::assignment());
   const course::Checks checks = all_checks();
   const Program program = programs::spoiled("contact", [](Numbers& out) { out[1] = not_a_number; });
 
-  BOOST_TEST(checks.at("contact-load")(program, variant).share == 1);
-  BOOST_TEST(checks.at("contact-gap")(program, variant).share == 1);
-  BOOST_TEST(checks.at("contact-scaling")(program, variant).share == 0.5);
-  BOOST_TEST(checks.at("contact-convergence")(program, variant).message ==
+  BOOST_TEST(checks.at("contact-load")(program, nominal).share == 1);
+  BOOST_TEST(checks.at("contact-gap")(program, nominal).share == 1);
+  BOOST_TEST(checks.at("contact-scaling")(program, nominal).share == 0.5);
+  BOOST_TEST(checks.at("contact-convergence")(program, nominal).message ==
              "the half-width is not above 0");
-  BOOST_TEST(checks.at("contact-half-width")(program, variant).share == 0);
+  BOOST_TEST(checks.at("contact-half-width")(program, nominal).share == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_pressure_with_a_nan_is_not_said_to_be_nowhere_negative) {
-  const course::Variant variant = course::nominal_variant(programs::assignment());
   const Program program = programs::spoiled("contact", [](Numbers& out) { out[9] = not_a_number; });
 
   for (const char* id : {"contact-load", "contact-gap", "contact-reference"}) {
-    BOOST_TEST(all_checks().at(id)(program, variant).share == 0, id);
+    BOOST_TEST(all_checks().at(id)(program, nominal).share == 0, id);
   }
-  BOOST_TEST(all_checks().at("contact-pressure")(program, variant).share == 0.5);
+  BOOST_TEST(all_checks().at("contact-pressure")(program, nominal).share == 0.5);
 }
 
 BOOST_AUTO_TEST_CASE(an_answer_that_is_too_long_counts_nothing) {
@@ -139,10 +135,9 @@ BOOST_AUTO_TEST_CASE(a_program_that_fails_is_for_the_grader_to_tell) {
   const Program crashes = [](const std::string&, const Numbers&) -> Numbers {
     throw course::ProgramFailure("killed by SIGSEGV");
   };
-  const course::Variant variant = course::nominal_variant(programs::assignment());
 
   for (const auto& [id, check] : all_checks()) {
-    BOOST_CHECK_THROW(check(crashes, variant), course::ProgramFailure);
+    BOOST_CHECK_THROW(check(crashes, nominal), course::ProgramFailure);
   }
 }
 

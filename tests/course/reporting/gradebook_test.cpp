@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "course/reporting/toy_class.hpp"
+#include "course/toy_grading.hpp"
 #include "holds.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
@@ -17,8 +17,29 @@ namespace {
 const std::string head =
     "Student,ID,SIS User ID,SIS Login ID,Section,Toy (4711),Exam (12),Current Score\n";
 
+/// A student of the toy with these points of its checks, in their order.
+StudentMark student(const std::string& id, const std::vector<double>& points, double percent = 0) {
+  const std::vector<std::string> checks = check_ids(toy_grading::assignment());
+  Mark mark;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    mark.checks[checks[i]] = points[i];
+    mark.points += points[i];
+  }
+  mark.deduction = mark.points * percent / 100;
+  mark.mark = mark.points - mark.deduction;
+  return {.student = id, .state = percent > 0 ? "late" : "on time", .mark = mark};
+}
+
+/// Four students, of whom one is late, and a fifth who handed in nothing.
+const ClassMarks marks = {.students = {student("alice", {4, 6, 5, 5}),
+                                       student("bob", {4, 1.5, 0, 0}, 20),
+                                       student("carol", {4, 6, 0, 2.5}),
+                                       student("dave", {0, 0, 5, 0}),
+                                       {.student = "erin", .state = "missing"}},
+                          .problems = {}};
+
 FilledGradebook filled(const std::string& text, const std::string& column = "") {
-  return canvas_csv(toy_grading::assignment(), toy_class::marks(), text, "canvas.csv", column);
+  return canvas_csv(toy_grading::assignment(), marks, text, "canvas.csv", column);
 }
 
 std::string message(const std::string& text, const std::string& column = "") {
@@ -28,7 +49,7 @@ std::string message(const std::string& text, const std::string& column = "") {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(moodle_gets_who_has_a_mark_and_the_points_of_each_exercise) {
-  BOOST_TEST(moodle_csv(toy_grading::assignment(), toy_class::marks()) ==
+  BOOST_TEST(moodle_csv(toy_grading::assignment(), marks) ==
              "student,grade,feedback\r\n"
              "alice,20,Squares: 10 of 10. Sums: 10 of 10.\r\n"
              "bob,4.4,Squares: 5.5 of 10. Sums: 0 of 10. Deducted for lateness: 1.1.\r\n"
