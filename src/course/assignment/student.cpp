@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/predicate.hpp>
 #include <fstream>
+#include <locale>
 #include <string_view>
 
 #include "system/error.hpp"
@@ -19,15 +21,10 @@ namespace {
 constexpr std::array<std::string_view, 9> endings = {
     ".zip", ".7z", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".tar.zst"};
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 // Some systems write the ending in capitals.
 std::string_view ending_of(std::string_view name) {
   const auto* ending = std::ranges::find_if(endings, [&](std::string_view end) {
-    return name.size() >= end.size() &&
-           std::ranges::equal(name.substr(name.size() - end.size()), end, {}, lower);
+    return boost::algorithm::iends_with(name, end, std::locale::classic());
   });
   return ending == endings.end() ? std::string_view{} : *ending;
 }

@@ -75,7 +75,7 @@ void add_summary(pugi::xml_node body, const Assignment& assignment, const Graded
   add_note(body, "Handed in " + lateness_text(graded) + ".");
   if (deduction_of(graded) > 0) {
     add_note(body,
-             fmt::format("Reached {}, deducted {}.", points_of(graded), deduction_of(graded)));
+             fmt::format("Reached {}, deducted {}.", total(graded.results), deduction_of(graded)));
   }
   add_note(body, graded.submission.has_report ? "The report is marked by a person."
                                               : "There is no report/report.tex.");

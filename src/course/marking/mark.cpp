@@ -22,16 +22,12 @@ std::string indented(const std::string& text) {
 
 }  // namespace
 
-double points_of(const Graded& graded) {
-  return total(graded.results);
-}
-
 double deduction_of(const Graded& graded) {
-  return in_hundredths(points_of(graded) * graded.late.percent / 100);
+  return in_hundredths(total(graded.results) * graded.late.percent / 100);
 }
 
 double mark_of(const Graded& graded) {
-  return in_hundredths(points_of(graded) - deduction_of(graded));
+  return in_hundredths(total(graded.results) - deduction_of(graded));
 }
 
 std::string state_of(const Graded& graded) {
@@ -68,7 +64,7 @@ std::string mark_json(const Assignment& assignment, const Graded& graded) {
   nlohmann::ordered_json json = {{"student", graded.student},
                                  {"state", state_of(graded)},
                                  {"slip_days", graded.late.slip_days},
-                                 {"points", points_of(graded)},
+                                 {"points", total(graded.results)},
                                  {"deduction", deduction_of(graded)},
                                  {"mark", mark_of(graded)},
                                  {"has_report", graded.submission.has_report},

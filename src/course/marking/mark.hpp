@@ -24,9 +24,7 @@ struct Graded {
   std::vector<std::string> missed = {};
 };
 
-/// The sum of the results' points, before any deduction.
-double points_of(const Graded& graded);
-double deduction_of(const Graded& graded);  ///< rounded to hundredths
+double deduction_of(const Graded& graded);  ///< from the sum of the points; rounded to hundredths
 double mark_of(const Graded& graded);       ///< the points minus the deduction
 
 /// "on time", which slip days may have bought, "late", or "too late".

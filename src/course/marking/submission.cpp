@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <locale>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -109,9 +111,7 @@ std::string place_of_the_missing(const std::vector<std::string>& entries,
 /// Quadrature.cpp.txt and quadrature.cpp are alike.
 std::string like(std::string_view path) {
   std::string name(path.substr(path.rfind('/') + 1));
-  std::ranges::transform(name, name.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
+  boost::algorithm::to_lower(name, std::locale::classic());
   if (name.ends_with(".txt")) name.resize(name.size() - 4);
   return name;
 }

@@ -89,15 +89,11 @@ void archive(const Toolkit& toolkit) {
 
 void compile_all(const Assignment& assignment, const Toolkit& toolkit,
                  const std::set<std::string>& files) {
-  const fs::path project = toolkit.project();
   make_header(toolkit, files);
   for (const std::string& file : files) {
     if (!file.ends_with(".cpp")) continue;
-    std::vector<std::string> arguments = compile_flags(project.string());
-    arguments.insert(arguments.end(),
-                     {"-include", toolkit.header().string(), "-c", (project / file).string()});
     const char* kind = is_theirs(assignment, file) ? "stubs" : "objects";
-    run_compiler(arguments, toolkit.folder / kind / (file + ".o"));
+    compile(toolkit, toolkit.project() / file, toolkit.folder / kind / (file + ".o"));
   }
   archive(toolkit);
 }
@@ -112,6 +108,12 @@ void run_compiler(std::vector<std::string> arguments, const std::filesystem::pat
   if (result.exit_status != 0) {
     throw sys::ToolError(fmt::format("the toolkit does not compile: g++ says\n{}", result.output));
   }
+}
+
+void compile(const Toolkit& toolkit, const fs::path& source, const fs::path& object) {
+  std::vector<std::string> arguments = compile_flags(toolkit.project().string());
+  arguments.insert(arguments.end(), {"-include", toolkit.header().string(), "-c", source.string()});
+  run_compiler(std::move(arguments), object);
 }
 
 void make_toolkit(const Assignment& assignment, const fs::path& source, const fs::path& output) {

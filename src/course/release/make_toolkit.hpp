@@ -20,6 +20,10 @@ void make_toolkit(const Assignment& assignment, const std::filesystem::path& sou
 /// Runs g++ for a product of the toolkit. Throws sys::ToolError with what it says if it fails.
 void run_compiler(std::vector<std::string> arguments, const std::filesystem::path& product);
 
+/// Compiles a source with the toolkit's header and flags. Throws so, too.
+void compile(const Toolkit& toolkit, const std::filesystem::path& source,
+             const std::filesystem::path& object);
+
 /// Compiles the programs on which students' own tests are tried, for each exercise that asks for
 /// tests: the solution, and the solution with the mistake that each wrong solution makes in the
 /// exercise's own file. They lie beside the toolkit, where this process's user alone can read them.

@@ -44,12 +44,9 @@ class Programs {
   fs::path object_of(const std::string& file, const std::string& text) {
     const fs::path source = scratch_.path() / file;
     sys::write_file_atomically(source, text);
-    std::vector<std::string> arguments = compile_flags(toolkit_.project().string());
-    arguments.insert(arguments.end(),
-                     {"-include", toolkit_.header().string(), "-c", source.string()});
     fs::path object = source;
     object += ".o";
-    run_compiler(arguments, object);
+    compile(toolkit_, source, object);
     return object;
   }
 

@@ -4,7 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/predicate.hpp>
+#include <locale>
 
 #include "course/sandbox/scratch_folder.hpp"
 #include "system/files.hpp"
@@ -30,15 +31,11 @@ sys::ProcessResult run_make(const fs::path& folder, const std::vector<std::strin
                                    {"LC_ALL", "C"}}});
 }
 
-bool is_warning(std::string line) {
-  std::ranges::transform(line, line.begin(), [](unsigned char c) { return std::tolower(c); });
-  return line.find("warning") != std::string::npos;
-}
-
 std::vector<std::string> warnings_in(const std::string& output) {
   std::vector<std::string> warnings;
   for (const std::string_view line : sys::lines_of(output)) {
-    if (is_warning(std::string(line))) warnings.push_back("make: " + std::string(line));
+    if (boost::algorithm::icontains(line, "warning", std::locale::classic()))
+      warnings.push_back("make: " + std::string(line));
   }
   return warnings;
 }

@@ -22,8 +22,14 @@ struct Graded {
   std::vector<CheckResult> results;
 };
 
+Built compiled(const Files& files, const TemporaryFolder& scratch,
+               Isolation isolation = Isolation::sandbox) {
+  return build(toy_grading::assignment(), toy_grading::toolkit(), files, scratch.path(), isolation);
+}
+
 std::vector<CheckResult> results_of(const Built& built, const Assignment& assignment,
-                                    const Checks& checks, Isolation isolation) {
+                                    const Checks& checks,
+                                    Isolation isolation = Isolation::sandbox) {
   ProgramRun run(assignment, built, isolation);
   return try_checks(assignment, checks, built, Variant{}, run);
 }
@@ -33,7 +39,7 @@ Graded grade(const Files& files, const Assignment& assignment = toy_grading::ass
   Graded graded;
   graded.built =
       build(assignment, toy_grading::toolkit(), files, scratch.path(), Isolation::sandbox);
-  graded.results = results_of(graded.built, assignment, toy_grading::checks(), Isolation::sandbox);
+  graded.results = results_of(graded.built, assignment, toy_grading::checks());
   return graded;
 }
 
@@ -295,8 +301,7 @@ BOOST_AUTO_TEST_CASE(an_exercise_that_takes_too_long_in_all_is_asked_no_more_and
 BOOST_AUTO_TEST_CASE(a_submission_that_takes_too_long_in_all_is_asked_no_more) {
   const Assignment assignment = toy_grading::assignment();
   const TemporaryFolder folder;
-  Built built = build(assignment, toy_grading::toolkit(), toy_grading::solution(), folder.path(),
-                      Isolation::sandbox);
+  Built built = compiled(toy_grading::solution(), folder);
   BOOST_TEST(built.seconds > 0);
   built.seconds = 120.5;
   ProgramRun run(assignment, built, Isolation::sandbox);
@@ -337,8 +342,7 @@ BOOST_AUTO_TEST_CASE(all_files_together_have_a_limit_to_compile) {
 BOOST_AUTO_TEST_CASE(hidden_questions_are_asked_when_all_public_answers_are_known) {
   const Assignment assignment = toy_grading::assignment();
   const TemporaryFolder folder;
-  const Built built = build(assignment, toy_grading::toolkit(), toy_grading::solution(),
-                            folder.path(), Isolation::sandbox);
+  const Built built = compiled(toy_grading::solution(), folder);
   ProgramRun run(assignment, built, Isolation::sandbox);
   std::vector<std::string> order;
   Checks checks;
@@ -382,10 +386,9 @@ BOOST_AUTO_TEST_CASE(public_checks_count_only_as_far_as_the_hidden_ones_of_the_e
                            "double square(double x) { return 2 * x * x; }\n");
   const TemporaryFolder scratch;
   const Assignment assignment = toy_grading::assignment();
-  const Built built =
-      build(assignment, toy_grading::toolkit(), files, scratch.path(), Isolation::sandbox);
+  const Built built = compiled(files, scratch);
 
-  const auto none = results_of(built, assignment, toy_grading::checks(), Isolation::sandbox);
+  const auto none = results_of(built, assignment, toy_grading::checks());
   BOOST_TEST(none[0].points == 0);
   BOOST_TEST(none[0].message ==
              "4 of 4 points, but it counts only as far as the hidden checks of the exercise hold");
@@ -394,18 +397,18 @@ BOOST_AUTO_TEST_CASE(public_checks_count_only_as_far_as_the_hidden_ones_of_the_e
 
   Checks half = toy_grading::checks();
   half["square-values"] = [](const Program&, const Variant&) { return Outcome{0.5, "by half"}; };
-  const auto some = results_of(built, assignment, half, Isolation::sandbox);
+  const auto some = results_of(built, assignment, half);
   BOOST_TEST(some[0].points == 2);
   BOOST_TEST(some[1].points == 3);
 
   half["square-growth"] = [](const Program&, const Variant&) { return Outcome{0.25, "a part"}; };
-  const auto less = results_of(built, assignment, half, Isolation::sandbox);
+  const auto less = results_of(built, assignment, half);
   BOOST_TEST(less[0].points == 1);
   BOOST_TEST(less[0].message == "a part");
 
   Assignment open = assignment;
   for (CheckEntry& entry : open.exercises[0].checks) entry.visibility = Visibility::visible;
-  const auto all = results_of(built, open, toy_grading::checks(), Isolation::sandbox);
+  const auto all = results_of(built, open, toy_grading::checks());
   BOOST_TEST(all[0].points == 4);
 }
 
@@ -414,8 +417,7 @@ BOOST_AUTO_TEST_CASE(a_check_without_code_is_the_instructors_mistake) {
 
   const Built built{
       .program = scratch.path() / "program", .alone = {}, .compile_errors = {}, .link_error = {}};
-  BOOST_CHECK_THROW(results_of(built, toy_grading::assignment(), {}, Isolation::sandbox),
-                    std::logic_error);
+  BOOST_CHECK_THROW(results_of(built, toy_grading::assignment(), {}), std::logic_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_no_toolkit_is_named) {
@@ -468,8 +470,7 @@ BOOST_AUTO_TEST_CASE(without_walls_no_memory_is_shared_and_no_socket_opened) {
     const TemporaryFolder scratch;
     const std::string text = sys::read_file(hostile / name / "src/square.cpp");
 
-    const Built built = build(toy_grading::assignment(), toy_grading::toolkit(),
-                              with("src/square.cpp", text), scratch.path(), Isolation::none);
+    const Built built = compiled(with("src/square.cpp", text), scratch, Isolation::none);
 
     BOOST_TEST(built.compile_errors.empty(), name);
     BOOST_TEST(total(results_of(built, toy_grading::assignment(), toy_grading::checks(),
@@ -481,8 +482,7 @@ BOOST_AUTO_TEST_CASE(without_walls_no_memory_is_shared_and_no_socket_opened) {
 BOOST_AUTO_TEST_CASE(without_walls_the_solution_has_all_points_too) {
   const TemporaryFolder scratch;
 
-  const Built built = build(toy_grading::assignment(), toy_grading::toolkit(),
-                            toy_grading::solution(), scratch.path(), Isolation::none);
+  const Built built = compiled(toy_grading::solution(), scratch, Isolation::none);
 
   BOOST_TEST(total(results_of(built, toy_grading::assignment(), toy_grading::checks(),
                               Isolation::none)) == 20);
