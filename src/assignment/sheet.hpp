@@ -10,9 +10,8 @@ namespace assignment {
 
 /// Registers everything that the assignment sheet (report/assignment/sheet.tex) names: its facts
 /// (`sheet.…`), the points and a table of checks of each exercise (`points.ID`, `checks-ID`), the
-/// limits
-/// (`limit.…`), all exercises with their files (`exercises`), the variant's numbers (`quantities`),
-/// and its figures.
+/// limits (`limit.…`), all exercises with their files (`exercises`), the variant's numbers
+/// (`quantities`), and its figures.
 ///
 /// It registers no id of a hidden check and no number that a check expects. Throws
 /// std::out_of_range for a quantity that the variant lacks.

@@ -122,8 +122,8 @@ using Files = std::map<std::string, std::string>;
 std::set<std::string> files_behind(const Assignment& assignment, const Exercise& exercise);
 
 /// The code of every check that the assignment lists, but of those that students' own tests decide
-/// (course/marking/own_tests.hpp). Throws config::Error for a listed check,
-/// with its place, that has no code of its visibility, and for code of a check that is not listed.
+/// (course/marking/own_tests.hpp). Throws config::Error for a listed check, with its place, that
+/// has no code of its visibility, and for code of a check that is not listed.
 Checks all_checks(const Assignment& assignment, const Checks& visible, const Checks& hidden);
 
 /// The value from + k·step of a quantity, rounded to 12 digits, so that it is 0.28 and not

@@ -105,8 +105,7 @@ std::string shown_name(std::string_view name) {
 std::string beginning_of(const std::filesystem::path& file, std::size_t max_bytes) {
   std::ifstream stream(file, std::ios::binary);
   std::string text;
-  std::array<char, 65536>
-      chunk{};  // most files are small, and max_bytes is what a large one may be
+  std::array<char, 65536> chunk{};  // most files are small
   while (text.size() < max_bytes && stream) {
     const std::size_t most = std::min(chunk.size(), max_bytes - text.size());
     stream.read(chunk.data(), static_cast<std::streamsize>(most));

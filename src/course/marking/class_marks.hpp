@@ -43,10 +43,9 @@ struct ClassMarks {
 };
 
 /// Merges the folders that `grade` wrote, each named for its student or for the group whose members
-/// all have its mark. Students without a mark
-/// are there as well, if they are in the roster or in `submissions`: "not graded" if they handed
-/// something in ("not in the class" for those who are not in the roster), and otherwise "missing".
-/// Throws OutputError if `grades` cannot be read.
+/// all have its mark. Students without a mark are there as well, if they are in the roster or in
+/// `submissions`: "not graded" if they handed something in ("not in the class" for those who are
+/// not in the roster), and otherwise "missing". Throws OutputError if `grades` cannot be read.
 ClassMarks class_marks(const Assignment& assignment, const std::filesystem::path& grades,
                        const std::optional<Roster>& roster,
                        const std::optional<std::filesystem::path>& submissions);

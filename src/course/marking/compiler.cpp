@@ -17,8 +17,7 @@ namespace course {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t max_message =
-    4000;  ///< bytes of the compiler's message that a student is shown
+constexpr std::size_t max_message = 4000;  ///< bytes that a student is shown
 constexpr int max_object_kb = 64 * 1024;
 
 /// A compiler's message with at most three lines «from …» in a row, which say what included

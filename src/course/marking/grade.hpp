@@ -23,10 +23,10 @@ struct GradingTask {
   Isolation isolation = Isolation::sandbox;
 };
 
-/// Grades one submission and writes results.json, feedback.html, mark.json and
-/// log.txt to the folder `output`, all of them or none. The same submission gives the same bytes.
-/// Throws OutputError if the path is no submission or a file cannot be written, and ToolError if
-/// the grader cannot work, but nothing because of what was submitted.
+/// Grades one submission and writes results.json, feedback.html, mark.json and log.txt to the
+/// folder `output`, all of them or none. The same submission gives the same bytes. Throws
+/// OutputError if the path is no submission or a file cannot be written, and ToolError if the
+/// grader cannot work, but nothing because of what was submitted.
 Graded grade_submission(const Assignment& assignment, const GradingTask& task,
                         const std::filesystem::path& output);
 

@@ -72,8 +72,8 @@ class ProgramRun {
   bool tells_errors_;
   Sandbox sandbox_;
   std::map<std::tuple<std::filesystem::path, std::string, Numbers>, Answer> answers_;
-  std::map<std::pair<std::filesystem::path, std::string>, Numbers>
-      last_;                                     ///< quick question of a task
+  /// The last quick question of a program's task.
+  std::map<std::pair<std::filesystem::path, std::string>, Numbers> last_;
   std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
   double seconds_;                               ///< of compiling and all runs so far
   std::map<std::filesystem::path, double> seconds_of_;  ///< by program

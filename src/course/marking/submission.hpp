@@ -52,8 +52,8 @@ Submission take_submission(const Assignment& assignment, const std::filesystem::
 struct Report {
   /// report/report.tex and report/report.pdf, as far as they are there and can be read.
   Files files;
-  std::string
-      fault;  ///< why a report.tex that is there cannot be read, as «is larger than 20480 kB»
+  /// Why a report.tex that is there cannot be read, as «is larger than 20480 kB».
+  std::string fault;
 
   /// Whether there is something for a person to mark.
   bool is_there() const { return !files.empty() || !fault.empty(); }

@@ -70,8 +70,8 @@ std::vector<std::string> differences_of_zip(const std::filesystem::path& zip,
 /// asks for tests, with the indentation and line end of that line. In it `@number@` is the number
 /// of the exercise, from 1; `@name@` the name of its file without folder and ending; `@file@` its
 /// file; `@id@` and `@title@` are as assignment.toml has them; `@points@` are those of the exercise
-/// or check; `@check@` and
-/// `@says@` are the id and the words of the check; and `@tests@` is the file of tests.
+/// or check; `@check@` and `@says@` are the id and the words of the check; and `@tests@` is the
+/// file of tests.
 ///
 /// Throws sys::SourceError «file:line: …» for a list of something else, and for another word
 /// between two @.

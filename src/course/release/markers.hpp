@@ -44,8 +44,7 @@ struct MarkedText {
   std::vector<std::string> hidden_regions;  ///< the names given to hidden tests
 };
 
-/// Divides a text at its markers. These are comments on lines of their own, with `//`, `%`, `#`
-/// or
+/// Divides a text at its markers. These are comments on lines of their own, with `//`, `%`, `#` or
 /// `<!-- -->` depending on the kind of file:
 ///
 ///     // BEGIN SOLUTION

@@ -38,14 +38,12 @@ struct ProvedClaim {
 
 /// Proves that a handout may be given to students:
 /// - it is of the variant;
-/// - it compiles with `make`, as students do it, without a warning, and `make check` names
-/// every
+/// - it compiles with `make`, as students do it, without a warning, and `make check` names every
 ///   public check;
 /// - as it is, it scores the assignment's floor; the instructor's solution scores all points; each
 ///   wrong solution, with the nominal numbers, scores what the list says;
-/// - it holds no secret and provides nothing of the reference (course/release/leaks.hpp), and
-/// its zip
-///   holds the same files.
+/// - it holds no secret and provides nothing of the reference (course/release/leaks.hpp), and its
+///   zip holds the same files.
 ///
 /// Passes each claim to `tell` when it has been tried, and returns whether all hold. More than
 /// one job at a time needs bubblewrap. Throws ToolError, OutputError and config::Error as its parts

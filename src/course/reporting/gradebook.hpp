@@ -21,9 +21,9 @@ struct FilledGradebook {
 };
 
 /// The marks for Canvas, which takes only what it exported itself: `exported` is that file, named
-/// `file`. A student's id is the column `SIS Login ID` or `SIS User ID`. The
-/// marks go to the column `column`; an empty name stands for the one that begins with the
-/// assignment's title and " (". Students without a mark keep an empty field, which changes nothing.
+/// `file`. A student's id is the column `SIS Login ID` or `SIS User ID`. The marks go to the column
+/// `column`; an empty name stands for the one that begins with the assignment's title and " (".
+/// Students without a mark keep an empty field, which changes nothing.
 /// Throws sys::SourceError «file:line:column: …» for a file that is no such export, or without such
 /// a column.
 FilledGradebook canvas_csv(const Assignment& assignment, const ClassMarks& marks,
