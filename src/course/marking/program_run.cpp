@@ -216,6 +216,11 @@ ProgramRun::Answer ProgramRun::ask(const std::string& task, const Numbers& input
   return {{}, before.empty() ? failure : failure + ", asked alone and after another one", 0};
 }
 
+bool ProgramRun::was_asked(const std::string& task) const {
+  return std::ranges::any_of(answers_,
+                             [&](const auto& known) { return std::get<1>(known.first) == task; });
+}
+
 Numbers ProgramRun::answer(const std::string& task, const Numbers& inputs) {
   const auto key = std::tuple{program_, task, inputs};
   auto known = answers_.find(key);

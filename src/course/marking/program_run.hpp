@@ -52,6 +52,9 @@ class ProgramRun {
   /// Throws ProgramFailure if there is no answer, ToolError if the sandbox cannot be started.
   Numbers answer(const std::string& task, const Numbers& inputs);
 
+  /// Whether any question of this task was asked.
+  bool was_asked(const std::string& task) const;
+
  private:
   struct Answer {
     Numbers numbers;

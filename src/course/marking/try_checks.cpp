@@ -162,6 +162,10 @@ SolutionTrial try_solution(const Assignment& assignment, const Built& built, con
       ++result;
     }
   }
+  for (const auto& [task, n_single] : assignment.single_numbers) {
+    if (run.was_asked(task)) continue;
+    trial.losses.push_back(fmt::format("single_numbers: no check asks the task '{}'", task));
+  }
   return trial;
 }
 

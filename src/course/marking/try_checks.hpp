@@ -45,7 +45,8 @@ double total(const std::vector<CheckResult>& results);
 /// What a solution of the instructor's own, right or wrong, reached.
 struct SolutionTrial {
   double points = 0;
-  std::vector<std::string> losses;  ///< a line for each check that does not give all its points
+  std::vector<std::string> losses;  ///< a line for each check that does not give all its points,
+                                    ///< and for each of single_numbers whose task is never asked
 };
 
 /// How to run the instructor's own programs. They need not be kept from anything, but where several

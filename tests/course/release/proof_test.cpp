@@ -176,6 +176,15 @@ BOOST_AUTO_TEST_CASE(a_solution_that_loses_points_is_a_fault) {
                    "the list says 4"));
 }
 
+BOOST_AUTO_TEST_CASE(a_misspelt_task_of_single_numbers_is_a_fault) {
+  const Toy toy;
+  toy.replace("toy/assignment.toml", "floor = 0",
+              "floor = 0\nsingle_numbers = {root = 1, mena = 1}");
+  toy.write_handout();
+
+  check_only(toy.prove(), "single_numbers: no check asks the task 'mena'");
+}
+
 BOOST_AUTO_TEST_CASE(a_solution_left_in_a_handout_is_a_fault) {
   const Toy toy;
   const fs::path handout = toy.write_handout();
