@@ -124,8 +124,11 @@ def announced_of(case):
     """Where PDF and manifest of a case are: another case than the paper's has a folder of its own."""
     if Path(case).samefile(ROOT / "report/ruggiero2001.toml"):
         return [ROOT / name for name in ANNOUNCED]
-    folder = "report-" + re.sub(r"[^\w.-]", "_", Path(case).stem, flags=re.ASCII)
-    return [ROOT / name.replace("report/", folder + "/", 1) for name in ANNOUNCED]
+    name = "-" + Path(case).stem
+    folder = re.sub(r"[^\w.-]", "_", name, flags=re.ASCII)
+    if folder != name:
+        folder += "-" + run("cksum", input=name + "\n", capture_output=True, text=True).stdout.split()[0]
+    return [ROOT / name.replace("report/", f"report{folder}/", 1) for name in ANNOUNCED]
 
 
 def tells_its_case(case):

@@ -177,7 +177,7 @@ def mistakes():
     yield wrong_source("an unknown figure", second, r"\fig{cylinder-pressure}", r"\fig{cylinder-presure}", r"second\.tex:\d+")
     yield wrong_source("a reference to nowhere", second, "sec:first", "sec:frist", r"sec:frist")
     yield wrong_source("a package that is not there", tex, r"\usepackage{lmodern}", r"\usepackage{nosuch}", r"report\.tex:\d+: .*nosuch\.sty")
-    yield wrong_source("a missing file of the prose", tex, r"\input{sections/second}", r"\input{sections/third}", r"report\.tex:\d+: .*third")
+    yield wrong_source("a missing file of the prose", tex, r"\input{sections/second}", r"\input{sections/third}", r"report\.tex:\d+:\d+: .*third")
     yield wrong_source("a box far too wide", second, "comes before", r"\hbox to 60cm{x}", r"Overfull")
     yield wrong_source("a script with an error", "figures/surface-gradient.gp", "plot", "plott", r"surface-gradient\.gp")
     yield wrong_source("a style with an error", "figures/style.gp", "set ", "sett ", r"style\.gp:\d+")
