@@ -9,7 +9,8 @@
 
 namespace literate {
 
-/// The file NAME.settings that literate_add_paper writes: a line «name=value» for each of these.
+/// The file NAME.settings that literate_add_paper writes: a line «name=value» for each of these, of
+/// which the last counts.
 /// The scripts read the same file and more lines of it.
 struct Settings {
   std::string name = {};                 ///< of the paper's targets and of the PDF

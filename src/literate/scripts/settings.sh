@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # Sourced with the file that literate_add_paper wrote for a paper: a line «name=value» for each variable that its
-# stages and scripts read. They are the name of the paper's targets, its project, the folders root, build, document, figures,
+# stages and scripts read; of two lines with one name the last counts. They are the name of the paper's targets, its project, the folders root, build, document, figures,
 # output, repository (its state) and engine, the LaTeX that typesets it, the files program, literate and case, the
 # document's main file, and with colons between the folders of sources, from the root on, the data that are imported, what their
 # scripts read and what runs these, the records of what was read and made for it before the stages; the list of the program's objects; and the list of planted faults.
@@ -48,6 +48,18 @@ figure_error() {
   message=$(head -n 1 <<<"$message")
   printf '%s: LaTeX: %s%s\n' "$(basename "$figures")/${place:-$figure.gp}" "${message##*:[0-9]*: }" "${place:+ $command}"
 }
+
+# fail MESSAGE [EXIT]: ends the script with a message that begins with its name: with 3, since a tool failed, or another code.
+fail() {
+  printf '%s: %s\n' "${0##*/}" "$1" >&2
+  exit "${2:-3}"
+}
+
+# here_git ARGUMENT…: git, whoever owns the checkout.
+here_git() { git -c "safe.directory=$root" "$@"; }
+
+# settings_with NAME=VALUE…: prints the settings with these in place of their own.
+settings_with() { cat -- "$settings" && printf '%s\n' "$@"; }
 
 # shown FILE: its name from the root on, if it lies below.
 shown() { printf '%s\n' "${1#"$root"/}"; }
