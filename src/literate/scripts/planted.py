@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Planted faults: their list, their text in a file, and a copy of a checkout to plant them in."""
+"""Planted faults: their list, their text in a file, a copy of a checkout to plant them in, and its build."""
 
 import os
+import re
 import shutil
 import subprocess
+import time
 import tomllib
 from pathlib import Path
 
@@ -87,3 +89,34 @@ def write(file, content):
     if not file.is_file() or file.read_bytes() != content:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(content)
+
+
+def run(command, seconds=None, folder=None):
+    """Returns the exit status, None if the command took too long, and what it said."""
+    try:
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=seconds)
+        return done.returncode, done.stdout + done.stderr
+    except subprocess.TimeoutExpired:
+        return None, f"longer than {seconds} s"
+
+
+def configure(tree, folder, *flags):
+    """Configures with -O1, because programs that run once need not be fast, and -w, because a fault may leave a
+    parameter unused."""
+    cache = folder / "CMakeCache.txt"
+    if cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={tree}\n" not in cache.read_text():
+        flags += ("--fresh",)  # the checkout was moved, and the cache still means the old place
+    status, said = run(["cmake", "-S", tree, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -w", "-DCMAKE_UNITY_BUILD=ON", *flags])
+    if status != 0:
+        raise ListError(f"the copy of the checkout cannot be configured\n{said}")
+
+
+def build(folder, targets):
+    """Returns the compiler's messages; empty if the build succeeded."""
+    status, said = run(["cmake", "--build", folder, "--target", *targets])
+    return "" if status == 0 else re.sub(r"^\[\d.*\n", "", said, flags=re.MULTILINE)
+
+
+def tell(what, begin, outcome):
+    print(f"{what:<24} {time.monotonic() - begin:6.1f} s  {outcome}", flush=True)
