@@ -13,7 +13,6 @@
 #include "literate/prose/document_files.hpp"
 #include "literate/prose/tex_commands.hpp"
 #include "literate/prose/tex_scanner.hpp"
-#include "system/files.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -215,9 +214,8 @@ std::vector<Sentence> sentences_below(const std::filesystem::path& document,
                                       const std::map<std::string, bool>& flags) {
   const OwnCommands own = own_commands_of(document);
   std::vector<Sentence> all;
-  for (const std::string& file : document_files(document)) {
-    std::ranges::move(sentences_in(sys::read_file(document / file), file, flags, own),
-                      std::back_inserter(all));
+  for (const DocumentFile& file : read_document(document)) {
+    std::ranges::move(sentences_in(file.text, file.name, flags, own), std::back_inserter(all));
   }
   for (Sentence& sentence : all) sentence.folder = source_label(document);
   return all;

@@ -41,11 +41,22 @@ std::vector<std::string> document_files(const fs::path& source_dir) {
   return files;
 }
 
+std::string DocumentFile::at(int line, int column) const {
+  return fmt::format("{}:{}:{}", label, line, column);
+}
+
+std::vector<DocumentFile> read_document(const fs::path& source_dir) {
+  std::vector<DocumentFile> files;
+  for (const std::string& name : document_files(source_dir)) {
+    files.push_back(
+        {name, source_label(source_dir) + "/" + name, sys::read_file(source_dir / name)});
+  }
+  return files;
+}
+
 OwnCommands own_commands_of(const fs::path& source_dir) {
   OwnCommands own;
-  for (const std::string& file : document_files(source_dir)) {
-    own.merge(own_commands_in(sys::read_file(source_dir / file)));
-  }
+  for (const DocumentFile& file : read_document(source_dir)) own.merge(own_commands_in(file.text));
   for (const std::string& file : sys::files_below(source_dir)) {
     if (!file.ends_with(".sty")) continue;
     own.merge(own_commands_in(sys::read_file(source_dir / file)));
@@ -56,9 +67,8 @@ OwnCommands own_commands_of(const fs::path& source_dir) {
 std::vector<std::string> images_of(const fs::path& source_dir) {
   static const std::set<std::string> endings = {".png", ".jpg", ".jpeg", ".pdf"};
   std::set<std::string> found;
-  for (const std::string& file : document_files(source_dir)) {
-    for (const TexCommand& use :
-         commands_in(sys::read_file(source_dir / file), {"includegraphics"})) {
+  for (const DocumentFile& file : read_document(source_dir)) {
+    for (const TexCommand& use : commands_in(file.text, {"includegraphics"})) {
       const fs::path image = fs::path(use.argument).lexically_normal();
       if (image.is_absolute() || *image.begin() == ".." || !endings.contains(image.extension()) ||
           !fs::is_regular_file(source_dir / image)) {
@@ -97,10 +107,9 @@ bool has_references(const fs::path& folder) {
                              [](const std::string& file) { return file.ends_with(".bbl"); });
 }
 
-std::vector<std::string> missing_databases(const fs::path& folder, const std::string& file,
-                                           const std::string& text) {
+std::vector<std::string> missing_databases(const fs::path& folder, const DocumentFile& file) {
   std::vector<std::string> errors;
-  for (const TexCommand& use : commands_in(text, {"bibliography", "addbibresource"})) {
+  for (const TexCommand& use : commands_in(file.text, {"bibliography", "addbibresource"})) {
     for (const std::string& name : databases(use)) {
       if (name.find('\\') != std::string::npos) continue;
       const bool is_there = fs::is_regular_file(folder / name);
@@ -108,7 +117,7 @@ std::vector<std::string> missing_databases(const fs::path& folder, const std::st
           is_there && fs::path(name).lexically_normal().begin()->string() == "..";
       if (!is_outside && (is_there || is_in_tex(folder, name))) continue;
       errors.push_back(fmt::format(
-          "{}/{}:{}:{}: {}", source_label(folder), file, use.line, use.column,
+          "{}: {}", file.at(use.line, use.column),
           is_outside ? fmt::format("the bibliography '{}' lies outside the folder of the document, "
                                    "where no build would see it change; move it there",
                                    name)
@@ -121,29 +130,30 @@ std::vector<std::string> missing_databases(const fs::path& folder, const std::st
 }  // namespace
 
 std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& generated) {
-  const std::vector<std::string> files = document_files(folder);
+  const std::vector<DocumentFile> files = read_document(folder);
   std::set<std::string> parts;
-  for (const std::string& file : files) {
-    parts.insert(fs::path(file).replace_extension().generic_string());
+  for (const DocumentFile& file : files) {
+    parts.insert(fs::path(file.name).replace_extension().generic_string());
   }
   const bool brings_references = has_references(folder);
   std::vector<std::string> errors;
-  for (const std::string& file : files) {
-    const std::string text = sys::read_file(folder / file);
+  for (const DocumentFile& file : files) {
     std::set<std::string> optional;
-    for (const TexCommand& use : commands_in(text, {"IfFileExists"})) optional.insert(use.argument);
-    for (const TexCommand& use : commands_in(text, {"input", "include"})) {
+    for (const TexCommand& use : commands_in(file.text, {"IfFileExists"})) {
+      optional.insert(use.argument);
+    }
+    for (const TexCommand& use : commands_in(file.text, {"input", "include"})) {
       const std::string& name = use.argument;
       if (optional.contains(name) || optional.contains(name + ".tex")) continue;
       if (name.find('\\') != std::string::npos || is_in(folder, name) || is_in(generated, name) ||
           is_in_tex(folder, name)) {
         continue;
       }
-      errors.push_back(fmt::format("{}/{}:{}:{}: there is no file '{}'{}", source_label(folder),
-                                   file, use.line, use.column, name, sys::suggestion(name, parts)));
+      errors.push_back(fmt::format("{}: there is no file '{}'{}", file.at(use.line, use.column),
+                                   name, sys::suggestion(name, parts)));
     }
     if (!brings_references) {
-      const std::vector<std::string> missing = missing_databases(folder, file, text);
+      const std::vector<std::string> missing = missing_databases(folder, file);
       errors.insert(errors.end(), missing.begin(), missing.end());
     }
   }
@@ -152,22 +162,20 @@ std::vector<std::string> missing_inputs(const fs::path& folder, const fs::path& 
 
 std::vector<std::string> misplaced_files(const fs::path& folder,
                                          const std::vector<std::string>& generated) {
-  const std::string label = source_label(folder);
   std::vector<std::string> errors;
   for (const std::string& file : generated) {
     // LaTeX reads no script of a figure, and these may stand in the document's folder.
     if (file.ends_with(".gp") || !fs::exists(folder / file)) continue;
     errors.push_back(fmt::format(
         "{}/{}: has the name of a file that is generated, and would take its place; rename it",
-        label, file));
+        source_label(folder), file));
   }
-  for (const std::string& file : document_files(folder)) {
-    const std::string text = sys::read_file(folder / file);
-    for (const TexCommand& use : commands_in(text, {"input", "include"})) {
+  for (const DocumentFile& file : read_document(folder)) {
+    for (const TexCommand& use : commands_in(file.text, {"input", "include"})) {
       const fs::path name = fs::path(use.argument).lexically_normal();
       if (name != page_preamble && name != fs::path(page_preamble).stem()) continue;
-      errors.push_back(fmt::format("{}/{}:{}:{}: {} is read for the page alone; rename this part",
-                                   label, file, use.line, use.column, page_preamble));
+      errors.push_back(fmt::format("{}: {} is read for the page alone; rename this part",
+                                   file.at(use.line, use.column), page_preamble));
     }
   }
   return errors;

@@ -25,6 +25,19 @@ inline constexpr std::string_view page_preamble = "page.tex";
 /// read.
 std::vector<std::string> document_files(const std::filesystem::path& source_dir);
 
+/// One of these files.
+struct DocumentFile {
+  std::string name;
+  std::string label;  ///< source_label and name, by which messages call it
+  std::string text;
+
+  /// «report/a.tex:line:column».
+  std::string at(int line, int column) const;
+};
+
+/// The same files with their texts.
+std::vector<DocumentFile> read_document(const std::filesystem::path& source_dir);
+
 /// The commands that the files of a document, and styles (.sty) beside them, define.
 OwnCommands own_commands_of(const std::filesystem::path& source_dir);
 

@@ -8,7 +8,6 @@
 #include "config/units.hpp"
 #include "literate/prose/document_files.hpp"
 #include "literate/text/characters.hpp"
-#include "system/files.hpp"
 #include "system/pattern.hpp"
 #include "system/text.hpp"
 
@@ -318,10 +317,8 @@ std::vector<std::string> typed_numbers_in(const std::vector<NamedText>& texts) {
 
 std::vector<std::string> typed_numbers_below(const std::filesystem::path& folder) {
   std::vector<std::string> findings;
-  for (const std::string& file : document_files(folder)) {
-    const auto found =
-        typed_numbers(sys::read_file(folder / file), source_label(folder) + "/" + file);
-    findings.insert(findings.end(), found.begin(), found.end());
+  for (const DocumentFile& file : read_document(folder)) {
+    std::ranges::move(typed_numbers(file.text, file.label), std::back_inserter(findings));
   }
   return findings;
 }

@@ -73,17 +73,15 @@ ReferenceReport check_references(const std::filesystem::path& source_dir, const 
   const OwnCommands own = own_commands_of(source_dir);
   ReferenceReport report;
   std::set<std::pair<std::string, std::string>> used;
-  for (const std::string& file : document_files(source_dir)) {
-    const std::string text = sys::read_file(source_dir / file);
-    if (prints_ledger(text)) {
+  for (const DocumentFile& file : read_document(source_dir)) {
+    if (prints_ledger(file.text)) {
       for (const auto& [id, place] : claims) used.emplace("claim", id);
     }
-    for (const auto& use : commands_in(text, commands, own)) {
+    for (const auto& use : commands_in(file.text, commands, own)) {
       const ReferenceKind& kind = *std::ranges::find(kinds, use.name, &ReferenceKind::command);
       used.emplace(kind.noun, use.argument);
       if (kind.places.contains(use.argument) || is_left_out(use.branches, names.flags)) continue;
-      const std::string place =
-          fmt::format("{}/{}:{}:{}", source_label(source_dir), file, use.line, use.column);
+      const std::string place = file.at(use.line, use.column);
       const bool is_flag =
           kind.noun == std::string_view("value") && names.flags.contains(use.argument);
       report.errors.push_back(
@@ -125,10 +123,9 @@ constexpr std::array<GeneratedKind, 3> kinds{
 std::vector<std::string> uses(const char* command, std::string_view name,
                               const std::filesystem::path& source_dir) {
   std::vector<std::string> places;
-  for (const std::string& file : document_files(source_dir)) {
-    for (const TexCommand& use : commands_in(sys::read_file(source_dir / file), {command})) {
-      if (use.argument != name) continue;
-      places.push_back(fmt::format("{}/{}:{}", source_label(source_dir), file, use.line));
+  for (const DocumentFile& file : read_document(source_dir)) {
+    for (const TexCommand& use : commands_in(file.text, {command})) {
+      if (use.argument == name) places.push_back(fmt::format("{}:{}", file.label, use.line));
     }
   }
   return places;
@@ -136,17 +133,16 @@ std::vector<std::string> uses(const char* command, std::string_view name,
 
 /// The first brace that nothing closes, «folder/file.tex:line:column: »; empty if there is none.
 std::string place_of_open_brace(const std::filesystem::path& source_dir) {
-  for (const std::string& file : document_files(source_dir)) {
-    const std::string text = sys::read_file(source_dir / file);
+  for (const DocumentFile& file : read_document(source_dir)) {
     std::vector<std::string_view> open;
-    TexScanner scanner(text);
+    TexScanner scanner(file.text);
     while (const auto token = scanner.next()) {
       if (token->kind == TexKind::open) open.push_back(token->text);
       if (token->kind == TexKind::close && !open.empty()) open.pop_back();
     }
     if (open.empty()) continue;
-    const TexPlace place = place_in(text, open.back());
-    return fmt::format("{}/{}:{}:{}: ", source_label(source_dir), file, place.line, place.column);
+    const TexPlace place = place_in(file.text, open.back());
+    return file.at(place.line, place.column) + ": ";
   }
   return {};
 }

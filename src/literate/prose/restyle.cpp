@@ -17,7 +17,6 @@
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
 #include "system/decimal.hpp"
-#include "system/files.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -311,9 +310,8 @@ Restyled restyled_values(const std::filesystem::path& source_dir, const Names& n
   Restyled result;
   std::set<std::string> lines;
   const OwnCommands own = own_commands_of(source_dir);
-  for (const std::string& file : document_files(source_dir)) {
-    for (const TexCommand& use :
-         commands_in(sys::read_file(source_dir / file), {"val", "rawval"}, own)) {
+  for (const DocumentFile& file : read_document(source_dir)) {
+    for (const TexCommand& use : commands_in(file.text, {"val", "rawval"}, own)) {
       if (use.options.empty() || !names.values.contains(use.argument)) continue;
       const auto stored = names.numbers.find(use.argument);
       try {
@@ -330,8 +328,7 @@ Restyled restyled_values(const std::filesystem::path& source_dir, const Names& n
                                    use.options, value.latex(), escape_bookmark(value.printed())));
         }
       } catch (const std::invalid_argument& error) {
-        result.errors.push_back(fmt::format("{}/{}:{}:{}: \\{}[{}]{{{}}}: {}",
-                                            source_label(source_dir), file, use.line, use.column,
+        result.errors.push_back(fmt::format("{}: \\{}[{}]{{{}}}: {}", file.at(use.line, use.column),
                                             use.name, use.options, use.argument, error.what()));
       }
     }

@@ -32,59 +32,44 @@ std::string take_group(std::string_view& text, char open, char close) {
   return std::string(group.substr(1, group.size() - 2));
 }
 
-std::string text_of_place(const Statement& statement) {
-  return fmt::format("{}:{}:{}", statement.file, statement.line, statement.column);
-}
-
-}  // namespace
-
-namespace {
-
 /// Reads the files of a document as LaTeX does, each once.
 class InReadingOrder {
  public:
-  explicit InReadingOrder(const std::filesystem::path& folder) : folder_(folder) {
-    for (const std::string& file : document_files(folder)) {
-      texts_[file] = sys::read_file(folder / file);
+  explicit InReadingOrder(const std::filesystem::path& folder) {
+    for (DocumentFile& file : read_document(folder)) files_.emplace(file.name, std::move(file));
+    for (const auto& [name, file] : files_) {
+      if (file.text.find("\\documentclass") != std::string::npos) read(name);
     }
-    for (const auto& [file, text] : texts_) {
-      if (text.find("\\documentclass") != std::string::npos) read(file);
-    }
-    for (const auto& [file, text] : texts_) read(file);
+    for (const auto& [name, file] : files_) read(name);
   }
 
   std::vector<Statement> statements;
 
  private:
-  void read(const std::string& file) {
-    const auto found = texts_.find(file);
-    if (found == texts_.end() || !seen_.insert(file).second) return;
-    const std::string& text = found->second;
-    for (const TexCommand& command : commands_in(text, {"statement", "input", "include"})) {
+  void read(const std::string& name) {
+    const auto found = files_.find(name);
+    if (found == files_.end() || !seen_.insert(name).second) return;
+    const DocumentFile& file = found->second;
+    for (const TexCommand& command : commands_in(file.text, {"statement", "input", "include"})) {
       if (command.name == "statement") {
-        add(file, command, std::string_view(text).substr(command.end));
+        add(file, command);
       } else {
         read(command.argument.ends_with(".tex") ? command.argument : command.argument + ".tex");
       }
     }
   }
 
-  void add(const std::string& file, const TexCommand& command, std::string_view rest) {
-    Statement statement{.id = "",
-                        .source = "",
-                        .sentence = "",
-                        .file = fmt::format("{}/{}", source_label(folder_), file),
-                        .line = command.line,
-                        .column = command.column,
-                        .branches = command.branches};
+  void add(const DocumentFile& file, const TexCommand& command) {
+    std::string_view rest = std::string_view(file.text).substr(command.end);
+    Statement& statement = statements.emplace_back();
     statement.source = without_comments(take_group(rest, '[', ']'));
     statement.id = take_group(rest, '{', '}');
     statement.sentence = without_comments(take_group(rest, '{', '}'));
-    statements.push_back(std::move(statement));
+    statement.place = file.at(command.line, command.column);
+    statement.branches = command.branches;
   }
 
-  std::filesystem::path folder_;
-  std::map<std::string, std::string> texts_;
+  std::map<std::string, DocumentFile> files_;
   std::set<std::string> seen_;
 };
 
@@ -104,7 +89,7 @@ std::vector<std::string> statement_errors(const std::vector<Statement>& statemen
   for (const Statement& statement : statements) {
     if (is_left_out(statement.branches, names.flags)) continue;
     const auto report = [&](const std::string& message) {
-      errors.push_back(fmt::format("{}: {}", text_of_place(statement), message));
+      errors.push_back(fmt::format("{}: {}", statement.place, message));
     };
     if (!known.contains(statement.id)) {
       report(
@@ -116,7 +101,7 @@ std::vector<std::string> statement_errors(const std::vector<Statement>& statemen
     const auto [first, is_new] = stated.try_emplace(statement.id, &statement);
     if (!is_new) {
       report(fmt::format("claim '{}' is stated twice, first at {}", statement.id,
-                         text_of_place(*first->second)));
+                         first->second->place));
     }
   }
   for (const auto& [id, claim] : names.claims) {
@@ -136,7 +121,7 @@ std::vector<std::string> unquoted_statements(const std::vector<Statement>& state
     if (statement.source.empty() || is_quoted || is_paraphrase) continue;
     findings.push_back(
         fmt::format("{}: statement '{}' is neither a quotation nor says 'paraphrase' in its source",
-                    text_of_place(statement), statement.id));
+                    statement.place, statement.id));
   }
   return findings;
 }

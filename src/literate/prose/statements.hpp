@@ -16,9 +16,7 @@ struct Statement {
   std::string id;                ///< of the claim
   std::string source;            ///< who else says it, and where; empty for the document's own
   std::string sentence;          ///< LaTeX
-  std::string file;              ///< source_label and name of the file
-  int line = 0;                  ///< of the command, from 1
-  int column = 0;                ///< from 1, counted in characters
+  std::string place;             ///< «report/a.tex:line:column» of the command
   std::vector<Branch> branches;  ///< of \ifflag around it, outermost first
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "literate/prose/document_files.hpp"
+#include "literate/prose/tex_scanner.hpp"
 
 #include "literate/text/latex.hpp"
 #include "system/error.hpp"
@@ -115,14 +116,10 @@ std::string stray(const TypesetOptions& options, const std::string& file) {
       "to '{}', or a program that the document quotes to a folder of sources",
       file, label);
   const std::string name = fs::path(file).replace_extension().generic_string();
-  for (const std::string& part : document_files(options.source_dir)) {
-    const std::string text = sys::read_file(options.source_dir / part);
-    int line_number = 0;
-    for (const std::string_view line : sys::lines_of(text)) {
-      ++line_number;
-      if (const auto at = line.find(name); at != line.npos) {
-        return fmt::format("{}/{}:{}:{}: {}", label, part, line_number, at + 1, message);
-      }
+  for (const DocumentFile& part : read_document(options.source_dir)) {
+    if (const auto at = part.text.find(name); at != part.text.npos) {
+      const auto [line, column] = place_in(part.text, std::string_view(part.text).substr(at));
+      return fmt::format("{}: {}", part.at(line, column), message);
     }
   }
   return fmt::format("{}: {}", label, message);

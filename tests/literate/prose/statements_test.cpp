@@ -53,9 +53,7 @@ BOOST_AUTO_TEST_CASE(a_statement_has_its_source_its_sentence_and_its_place) {
   BOOST_TEST(statements[0].id == "apples");
   BOOST_TEST(statements[0].source == "a book, p.~3");
   BOOST_TEST(statements[0].sentence == "Apples $a_i$ are \\emph{dear}.");
-  BOOST_TEST(statements[0].file == "market/main.tex");
-  BOOST_TEST(statements[0].line == 2);
-  BOOST_TEST(statements[0].column == 3);
+  BOOST_TEST(statements[0].place == "market/main.tex:2:3");
 }
 
 BOOST_AUTO_TEST_CASE(an_id_that_only_one_side_knows_is_an_error_with_place_and_nearest_name) {
