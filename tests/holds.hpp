@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <boost/test/unit_test.hpp>
 #include <string_view>
 
-/// Whether a part stands in a text.
-inline bool holds(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
+/// Whether a text holds a part. A test that fails prints both.
+inline boost::test_tools::assertion_result holds(std::string_view text, std::string_view part) {
+  boost::test_tools::assertion_result result(text.find(part) != text.npos);
+  result.message() << "'" << part << "' in: " << text;
+  return result;
+}
+
+/// Whether it does not.
+inline boost::test_tools::assertion_result lacks(std::string_view text, std::string_view part) {
+  boost::test_tools::assertion_result result(text.find(part) == text.npos);
+  result.message() << "'" << part << "' in: " << text;
+  return result;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "holds.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/process.hpp"
@@ -45,8 +46,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_file) {
   write_file_atomically(scratch / "file", "");
   const std::string missing = (scratch / "none").string();
 
-  BOOST_TEST(message_of<OutputError>([&] { read_file(missing); }).find(missing) !=
-             std::string::npos);
+  BOOST_TEST(holds(message_of<OutputError>([&] { read_file(missing); }), missing));
   BOOST_CHECK_THROW(read_file(scratch.path()), OutputError);
   BOOST_CHECK_THROW(sha256_of_file(missing), OutputError);
   BOOST_CHECK_THROW(files_below(missing), OutputError);

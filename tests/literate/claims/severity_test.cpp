@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "holds.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_no_record_is_refused_with_its_name) {
   for (const char* text : {"", "claim,sign\n", "# 12 of src:case.toml\nclaim,sign\n"}) {
     checkout.write("severity.csv", text);
     const std::string message = message_of<sys::SourceError>([&] { checkout.read(); });
-    BOOST_TEST(message.find("severity.csv:1:1: ") != message.npos, message);
+    BOOST_TEST(holds(message, "severity.csv:1:1: "));
   }
   checkout.write_record("");
   BOOST_CHECK_THROW(checkout.read(), sys::SourceError);

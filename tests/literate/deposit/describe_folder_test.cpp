@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "holds.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
 #include "temporary_folder.hpp"
@@ -31,10 +32,6 @@ Citation some_citation() {
           .authors = {{.name = "Ada L", .is_person = true, .orcid = "https://orcid.org/0000-0001"}},
           .license = "MIT",
           .doi = "10.1/x"};
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "holds.hpp"
 #include "literate/document/names.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
@@ -41,8 +42,7 @@ BOOST_AUTO_TEST_CASE(a_doubled_or_malformed_key_is_a_logic_error_naming_it) {
   const std::string message =
       message_of<std::logic_error>([&] { document.value("load", Value(2, integer())); });
   BOOST_TEST(message.find("tests/literate/document/document_test.cpp:") == 0U);
-  BOOST_TEST(message.find(": value 'load' is registered twice, first at tests/literate/") !=
-             std::string::npos);
+  BOOST_TEST(holds(message, ": value 'load' is registered twice, first at tests/literate/"));
   BOOST_CHECK_THROW(document.flag("converged", false), std::logic_error);
   BOOST_CHECK_THROW(document.table(Table("results", {Column::text("x")})), std::logic_error);
   BOOST_CHECK_THROW(document.value("a b", Value(2, integer())), std::logic_error);
@@ -124,10 +124,10 @@ BOOST_AUTO_TEST_CASE(bare_digits_read_back_the_same_and_have_neither_unit_nor_ex
   document.write(folder / "generated");
 
   const std::string values = sys::read_file(folder / "generated/values.tex");
-  BOOST_TEST(values.find("\\LiterateRaw{small}{0.000000125}") != std::string::npos);
-  BOOST_TEST(values.find("\\LiterateRaw{large}{30000000}") != std::string::npos);
-  BOOST_TEST(values.find("\\LiterateRaw{share}{0.125}") != std::string::npos);
-  BOOST_TEST(values.find("\\LiterateRaw{word}") == std::string::npos);
+  BOOST_TEST(holds(values, "\\LiterateRaw{small}{0.000000125}"));
+  BOOST_TEST(holds(values, "\\LiterateRaw{large}{30000000}"));
+  BOOST_TEST(holds(values, "\\LiterateRaw{share}{0.125}"));
+  BOOST_TEST(lacks(values, "\\LiterateRaw{word}"));
 }
 
 BOOST_AUTO_TEST_CASE(failed_checks_are_told_apart) {
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_part_is_appended_in_its_order_with_its_places_and_without
                std::ignore = document.value("radios");
              }).ends_with("no value 'radios' is registered, did you mean 'radius'?"));
   const std::string message = message_of<std::logic_error>([&] { document.append(part); });
-  BOOST_TEST(message.find("check 'second' is registered twice") != std::string::npos);
+  BOOST_TEST(holds(message, "check 'second' is registered twice"));
 }
 
 BOOST_AUTO_TEST_CASE(the_formula_of_a_limit_is_none_of_the_texts_that_may_hold_no_typed_number) {
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(an_output_that_is_no_folder_is_an_output_error_naming_it) {
   const std::string message =
       message_of<sys::OutputError>([&] { document_with(1).write(scratch / "out"); });
 
-  BOOST_TEST(message.find((scratch / "out").string()) != std::string::npos);
+  BOOST_TEST(holds(message, (scratch / "out").string()));
   BOOST_TEST(sys::read_file(scratch / "out") == "a file");
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "holds.hpp"
 #include "literate/document/document.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
@@ -23,10 +24,6 @@ namespace {
 
 const std::vector<double> x{0, 0.1, 1.0 / 3};
 const std::string curve_script = "plot curve using \"x\":\"y\" with lines\n";
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // A document of figures, with their scripts beside it.
 class Workplace {
@@ -84,8 +81,8 @@ BOOST_AUTO_TEST_CASE(a_figure_names_its_graphic_without_a_folder) {
   workplace.draw();
 
   const std::string tex = sys::read_file(workplace.drawn("f/f.tex"));
-  BOOST_TEST(has(tex, "]{f}}%"));
-  BOOST_TEST(!has(tex, workplace.generated().string()));
+  BOOST_TEST(holds(tex, "]{f}}%"));
+  BOOST_TEST(lacks(tex, workplace.generated().string()));
 }
 
 BOOST_AUTO_TEST_CASE(a_figure_has_the_same_bytes_at_another_time) {
@@ -98,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_figure_has_the_same_bytes_at_another_time) {
   workplace.draw();
 
   BOOST_TEST(sys::sha256_of_file(workplace.drawn("f/f.pdf")) == first);
-  BOOST_TEST(has(sys::read_file(workplace.drawn("f/f.pdf")), "D:19700101000000Z"));
+  BOOST_TEST(holds(sys::read_file(workplace.drawn("f/f.pdf")), "D:19700101000000Z"));
 }
 
 BOOST_AUTO_TEST_CASE(gnuplot_draws_the_same_figure_again_in_the_generated_folder) {
@@ -138,7 +135,7 @@ BOOST_AUTO_TEST_CASE(the_drawing_of_a_figure_that_is_no_longer_registered_is_rem
   workplace.draw();
 
   for (const std::string& file : sys::files_below(workplace.generated())) {
-    BOOST_TEST(!has(file, "figures/g/"), file);
+    BOOST_TEST(lacks(file, "figures/g/"));
   }
   BOOST_TEST(fs::exists(workplace.drawn("f/f.pdf")));
   workplace.without_figure("f");
@@ -187,11 +184,11 @@ BOOST_AUTO_TEST_CASE(a_drawing_that_is_older_than_its_data_is_refused) {
     return message_of<sys::OutputError>([&] { require_drawn(workplace.generated(), places); });
   };
 
-  BOOST_TEST(has(refusal(), "figure 'f'"));
+  BOOST_TEST(holds(refusal(), "figure 'f'"));
   workplace.draw();
   BOOST_TEST(refusal() == "(no error)");
   workplace.figure("f", {3, 1, 2.5});
-  BOOST_TEST(has(refusal(), "figure 'f'"));
+  BOOST_TEST(holds(refusal(), "figure 'f'"));
 }
 
 BOOST_AUTO_TEST_CASE(the_documents_list_of_files_names_script_style_and_data_with_their_digests) {
@@ -203,7 +200,7 @@ BOOST_AUTO_TEST_CASE(the_documents_list_of_files_names_script_style_and_data_wit
   for (const char* file :
        {"figures/style.gp", "figures/f/script.gp", "figures/f/f.gp", "figures/f/curve.csv"}) {
     const std::string digest = sys::sha256_of_file(workplace.generated() / file);
-    BOOST_TEST(has(files, std::string("\\LiterateFile{") + file + "}{" + digest + "}"), file);
+    BOOST_TEST(holds(files, std::string("\\LiterateFile{") + file + "}{" + digest + "}"), file);
   }
 }
 
@@ -217,12 +214,12 @@ BOOST_AUTO_TEST_CASE(an_error_of_gnuplot_has_script_line_message_and_place_of_re
   const std::string message = message_of<sys::ToolError>([&] { workplace.draw(); });
 
   BOOST_TEST(message.starts_with("figures/b.gp:2: gnuplot: unrecognized option"), message);
-  BOOST_TEST(has(message, "figure 'b' is registered at "));
+  BOOST_TEST(holds(message, "figure 'b' is registered at "));
   const fs::path kept = workplace.generated().string() + ".failed/figures/b/b.gp";
-  BOOST_TEST(has(message, "; what gnuplot read is kept in '" + kept.string() + "'"), message);
+  BOOST_TEST(holds(message, "; what gnuplot read is kept in '" + kept.string() + "'"));
   BOOST_TEST(fs::exists(kept));
   BOOST_TEST(fs::exists(kept.parent_path() / "script.gp"));
-  BOOST_TEST(has(message, "draw_test.cpp:"));
+  BOOST_TEST(holds(message, "draw_test.cpp:"));
 }
 
 BOOST_AUTO_TEST_CASE(what_gnuplot_read_is_kept_of_all_figures_that_fail_at_the_same_time) {
@@ -247,7 +244,7 @@ BOOST_AUTO_TEST_CASE(an_error_in_the_style_is_told_there) {
   Workplace workplace;
   workplace.script("style", "set border 3\nset nonsense\n");
 
-  BOOST_TEST(has(workplace.error_of<sys::ToolError>(curve_script), "figures/style.gp:2: "));
+  BOOST_TEST(holds(workplace.error_of<sys::ToolError>(curve_script), "figures/style.gp:2: "));
 }
 
 BOOST_AUTO_TEST_CASE(what_a_script_reads_must_be_registered) {
@@ -258,12 +255,12 @@ BOOST_AUTO_TEST_CASE(what_a_script_reads_must_be_registered) {
 
   const std::string undefined = said("plot loads using 1:2\n");
   BOOST_TEST(undefined.starts_with("figures/f.gp:2: 'loads' is neither defined nor registered"));
-  BOOST_TEST(has(undefined, "curve, half_width"));
-  BOOST_TEST(has(undefined, "draw_test.cpp:"));
-  BOOST_TEST(has(said("set xrange [0:half_widht]\nplot x\n"), "figures/f.gp:2: 'half_widht'"));
-  BOOST_TEST(has(said("plot curve using \"x\":\"w\", x\n"), "figures/f.gp:2: the data have no"));
-  BOOST_TEST(
-      has(said("plot sin(x), 'none.csv'\n"), "figures/f.gp:2: 'none.csv' is plotted from a file"));
+  BOOST_TEST(holds(undefined, "curve, half_width"));
+  BOOST_TEST(holds(undefined, "draw_test.cpp:"));
+  BOOST_TEST(holds(said("set xrange [0:half_widht]\nplot x\n"), "figures/f.gp:2: 'half_widht'"));
+  BOOST_TEST(holds(said("plot curve using \"x\":\"w\", x\n"), "figures/f.gp:2: the data have no"));
+  BOOST_TEST(holds(said("plot sin(x), 'none.csv'\n"),
+                   "figures/f.gp:2: 'none.csv' is plotted from a file"));
 }
 
 BOOST_AUTO_TEST_CASE(a_curve_that_gnuplot_only_warns_about_is_an_error) {
@@ -280,17 +277,17 @@ BOOST_AUTO_TEST_CASE(a_missing_script_or_style_is_bad_input_that_names_it) {
 
   const std::string message = message_of<sys::InputError>([&] { workplace.draw(); });
   BOOST_TEST(message.starts_with("there is no script 'figures/f.gp' for the figure registered at"));
-  BOOST_TEST(has(message, "draw_test.cpp:"));
+  BOOST_TEST(holds(message, "draw_test.cpp:"));
   fs::remove(workplace.file("figures/style.gp"));
-  BOOST_TEST(has(message_of<sys::InputError>([&] { workplace.draw(); }), "style.gp"));
+  BOOST_TEST(holds(message_of<sys::InputError>([&] { workplace.draw(); }), "style.gp"));
 }
 
 BOOST_AUTO_TEST_CASE(a_script_that_writes_another_file_is_bad_input) {
   Workplace workplace;
-  BOOST_TEST(has(workplace.error_of<sys::InputError>("plot x\nset output 'other.tex'\n"),
-                 "figures/f.gp:2: 'set output' has no place"));
+  BOOST_TEST(holds(workplace.error_of<sys::InputError>("plot x\nset output 'other.tex'\n"),
+                   "figures/f.gp:2: 'set output' has no place"));
   // Hidden from the look at its commands, but not from the look at its folder.
-  BOOST_TEST(has(
+  BOOST_TEST(holds(
       workplace.error_of<sys::InputError>("eval 'set pri' . 'nt \"other.txt\"'\nprint 1\nplot x\n"),
       "wrote a file of its own, 'other.txt'"));
 }

@@ -7,6 +7,7 @@
 #include <locale>
 #include <stdexcept>
 
+#include "holds.hpp"
 #include "literate/document/document.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
@@ -30,10 +31,6 @@ Figure curve() {
   return {.width_cm = 6, .height_cm = 4.5, .data = {{"curve", {{"x", x}, {"y", y}}}}};
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::string refusal_of(const Figure& figure) {
   return message_of<std::logic_error>([&] { require_drawable(figure); });
 }
@@ -49,7 +46,7 @@ BOOST_AUTO_TEST_CASE(data_files_hold_every_digit_in_any_locale) {
 
   BOOST_TEST(sys::read_file(scratch / "curve.csv") ==
              "x,y\n0,1e-300\n0.1,-2.5\n0.3333333333333333,nan\n");
-  BOOST_TEST(has(sys::read_file(scratch / "f.gp"), " : 4.5\n"));
+  BOOST_TEST(holds(sys::read_file(scratch / "f.gp"), " : 4.5\n"));
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_has_a_blank_line_after_each_row_but_the_last) {
@@ -75,47 +72,47 @@ BOOST_AUTO_TEST_CASE(scripts_find_data_numbers_and_texts_as_variables) {
   for (const char* line :
        {"curve = 'curve.csv'\n", "two = 2.0\n", "small = 1e-07\n", "none = NaN\n",
         "unit = '\\,in'\n", "title = 'Hertz'' pressure'\n", "load 'script.gp'\n"}) {
-    BOOST_TEST(has(prelude, line), line);
+    BOOST_TEST(holds(prelude, line));
   }
 }
 
 BOOST_AUTO_TEST_CASE(what_no_script_could_read_is_refused_by_name) {
   Figure figure = curve();
   figure.height_cm = 0;
-  BOOST_TEST(has(refusal_of(figure), "6 cm by 0 cm"));
+  BOOST_TEST(holds(refusal_of(figure), "6 cm by 0 cm"));
   figure = curve();
   figure.numbers["2nd"] = 1;
-  BOOST_TEST(has(refusal_of(figure), "'2nd'"));
+  BOOST_TEST(holds(refusal_of(figure), "'2nd'"));
   figure = curve();
   figure.texts["curve"] = "twice";
-  BOOST_TEST(has(refusal_of(figure), "'curve' is given twice"));
+  BOOST_TEST(holds(refusal_of(figure), "'curve' is given twice"));
   figure = curve();
   figure.numbers["far"] = std::numeric_limits<double>::infinity();
-  BOOST_TEST(has(refusal_of(figure), "'far' is inf: must be finite"));
+  BOOST_TEST(holds(refusal_of(figure), "'far' is inf: must be finite"));
   figure.numbers["far"] = std::log(-1.0);
-  BOOST_TEST(has(refusal_of(figure), "'far' is"));
+  BOOST_TEST(holds(refusal_of(figure), "'far' is"));
   figure = curve();
   figure.data["curve"].columns[1].second[1] = std::sqrt(-1.0);
-  BOOST_TEST(has(refusal_of(figure), "data 'curve': column 'y', point 2 is"));
+  BOOST_TEST(holds(refusal_of(figure), "data 'curve': column 'y', point 2 is"));
   figure.data["curve"].columns[1].second[1] = std::numeric_limits<double>::quiet_NaN();
-  BOOST_TEST(has(refusal_of(figure), "must be finite, or literate::gap where no point is"));
+  BOOST_TEST(holds(refusal_of(figure), "must be finite, or literate::gap where no point is"));
   figure = curve();
   figure.texts["title"] = "two\nlines";
-  BOOST_TEST(has(refusal_of(figure), "'title' has more than one line"));
+  BOOST_TEST(holds(refusal_of(figure), "'title' has more than one line"));
 }
 
 BOOST_AUTO_TEST_CASE(columns_must_be_there_be_equally_long_and_have_names_of_their_own) {
   Figure figure = curve();
   figure.data["none"] = {};
-  BOOST_TEST(has(refusal_of(figure), "'none' has no columns"));
+  BOOST_TEST(holds(refusal_of(figure), "'none' has no columns"));
   figure.data["none"] = {{"x", {}}};
-  BOOST_TEST(has(refusal_of(figure), "'none' has no points"));
+  BOOST_TEST(holds(refusal_of(figure), "'none' has no points"));
   figure.data = {{"long", {{"x", x}, {"y", {1}}}}};
-  BOOST_TEST(has(refusal_of(figure), "'x' has 3 points and 'y' has 1"));
+  BOOST_TEST(holds(refusal_of(figure), "'x' has 3 points and 'y' has 1"));
   figure.data = {{"equal", {{"x", x}, {"x", x}}}};
-  BOOST_TEST(has(refusal_of(figure), "'equal' has two columns 'x'"));
+  BOOST_TEST(holds(refusal_of(figure), "'equal' has two columns 'x'"));
   figure.data = {{"rows", {{{"x", x}}, 2}}};
-  BOOST_TEST(has(refusal_of(figure), "3 points do not make rows of 2"));
+  BOOST_TEST(holds(refusal_of(figure), "3 points do not make rows of 2"));
 }
 
 BOOST_AUTO_TEST_CASE(a_refusal_names_figure_and_place_of_registration) {
@@ -125,8 +122,8 @@ BOOST_AUTO_TEST_CASE(a_refusal_names_figure_and_place_of_registration) {
     document.figure("empty", {.width_cm = 6, .height_cm = 4, .data = {{"curve", {}}}});
   });
 
-  BOOST_TEST(has(message, "figure_test.cpp:"));
-  BOOST_TEST(has(message, "figure 'empty': data 'curve' has no columns"));
+  BOOST_TEST(holds(message, "figure_test.cpp:"));
+  BOOST_TEST(holds(message, "figure 'empty': data 'curve' has no columns"));
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_written_is_an_output_error) {

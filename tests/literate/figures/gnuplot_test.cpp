@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "holds.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"
@@ -47,7 +48,7 @@ BOOST_AUTO_TEST_CASE(data_are_plotted_by_their_names_and_not_from_files) {
         "plot f, 'x', g"}) {
     const std::string said = refusal_of("set grid\n" + command + "\n");
     BOOST_TEST(said.starts_with("figures/f.gp:2: "), command << ": " << said);
-    BOOST_TEST(said.find("is plotted from a file") != said.npos, said);
+    BOOST_TEST(holds(said, "is plotted from a file"));
   }
   for (const std::string command :
        {"plot periods using \"angle\":\"integral\" with lines title 'a, b', g(x) title \"c\"",
@@ -97,15 +98,14 @@ BOOST_AUTO_TEST_CASE(half_a_drawing_is_refused_although_gnuplot_said_nothing) {
     BOOST_TEST(refusal_of_drawing(half, tex).starts_with(
         "figures/f.gp: gnuplot ended without an error, but f.pdf is not whole"));
   }
-  BOOST_TEST(refusal_of_drawing(pdf, "\\begingroup\n").find("f.tex is not whole") !=
-             std::string::npos);
+  BOOST_TEST(holds(refusal_of_drawing(pdf, "\\begingroup\n"), "f.tex is not whole"));
 }
 
 BOOST_AUTO_TEST_CASE(a_gnuplot_that_fails_without_a_word_is_told_by_its_status_or_signal) {
   BOOST_TEST(refusal_of_drawing("", "", {3, ""}) ==
              "figures/f.gp: gnuplot ended with status 3 and said nothing (figure 'f' is registered "
              "at src/a.cpp:3)");
-  BOOST_TEST(refusal_of_drawing("", "", {137, ""}).find("signal 9 (Killed)") != std::string::npos);
+  BOOST_TEST(holds(refusal_of_drawing("", "", {137, ""}), "signal 9 (Killed)"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

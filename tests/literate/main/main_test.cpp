@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "holds.hpp"
 #include "literate/document/names.hpp"
 #include "numerics/estimate_algebra.hpp"
 #include "system/error.hpp"
@@ -226,9 +227,9 @@ BOOST_AUTO_TEST_CASE(a_computation_that_ends_the_program_by_exit_has_failed) {
 
   BOOST_TEST(WEXITSTATUS(status) == 1);
   const std::string said = sys::read_file(place.path("said"));
-  BOOST_TEST(said.find("the computation ended the program by exit(); the last thing registered was "
-                       "value 'sum'") != said.npos,
-             said);
+  BOOST_TEST(holds(said,
+                   "the computation ended the program by exit(); the last thing registered was "
+                   "value 'sum'"));
   BOOST_TEST(!fs::exists(place.path("generated/names.json")));
 }
 
@@ -244,9 +245,9 @@ BOOST_AUTO_TEST_CASE(a_crash_is_told_with_how_far_all_came) {
 
   BOOST_TEST(WTERMSIG(status) == SIGSEGV);
   const std::string said = sys::read_file(place.path("said"));
-  BOOST_TEST(said.find("the computation crashed: SIGSEGV; the last thing registered was value "
-                       "'sum' (tests/literate/main/main_test.cpp:") != said.npos,
-             said);
+  BOOST_TEST(holds(said,
+                   "the computation crashed: SIGSEGV; the last thing registered was value "
+                   "'sum' (tests/literate/main/main_test.cpp:"));
 }
 
 BOOST_AUTO_TEST_CASE(a_computation_that_does_not_end_is_stopped_when_its_time_is_over) {
@@ -333,8 +334,8 @@ BOOST_AUTO_TEST_CASE(typeset_tells_what_does_not_hold_with_every_name_that_is_no
   const Answer answer = place.stage("typeset", register_failed_check);
 
   BOOST_TEST(answer.exit_code == 2);
-  BOOST_TEST(answer.errors.find("paper/toy.tex:1:7: unknown value 'sun'") != std::string::npos);
-  BOOST_TEST(answer.errors.find("paper/toy.tex:1:21: unknown value 'moon'") != std::string::npos);
+  BOOST_TEST(holds(answer.errors, "paper/toy.tex:1:7: unknown value 'sun'"));
+  BOOST_TEST(holds(answer.errors, "paper/toy.tex:1:21: unknown value 'moon'"));
   BOOST_TEST(answer.errors.ends_with(said_of_check), answer.errors);
 }
 
@@ -385,9 +386,7 @@ BOOST_AUTO_TEST_CASE(check_names_an_input_that_git_ignores) {
 
   BOOST_TEST(with_all.exit_code == 0, with_all.errors);
   BOOST_TEST(answer.exit_code == 1);
-  BOOST_TEST(answer.errors.find("data.csv: git ignores this file, so that no commit has it") !=
-                 std::string::npos,
-             answer.errors);
+  BOOST_TEST(holds(answer.errors, "data.csv: git ignores this file, so that no commit has it"));
 }
 
 BOOST_AUTO_TEST_CASE(check_tells_what_it_cannot_know_without_git_and_a_record_of_other_results) {
@@ -405,12 +404,8 @@ BOOST_AUTO_TEST_CASE(check_tells_what_it_cannot_know_without_git_and_a_record_of
   const Answer of_another_case = place.stage("check", register_sum);
 
   BOOST_TEST(recorded.exit_code == 2);
-  BOOST_TEST(
-      recorded.errors.find("not known: it is no git repository with a commit") != std::string::npos,
-      recorded.errors);
-  BOOST_TEST(stale.errors.find("results.json is not of these results, value sum is another") !=
-                 std::string::npos,
-             stale.errors);
+  BOOST_TEST(holds(recorded.errors, "not known: it is no git repository with a commit"));
+  BOOST_TEST(holds(stale.errors, "results.json is not of these results, value sum is another"));
   BOOST_TEST(of_another_case.errors == "");
 }
 
@@ -437,7 +432,7 @@ BOOST_AUTO_TEST_CASE(settings_that_are_wrong_are_told_by_file_and_name) {
   BOOST_TEST(said(right + "latex=troff\n") ==
              "toy: " + file + ": the setting 'latex' is 'troff', not pdflatex or lualatex\n");
   fs::remove(file);
-  BOOST_TEST(place.compute(register_sum).errors.find(file) != std::string::npos);
+  BOOST_TEST(holds(place.compute(register_sum).errors, file));
 }
 
 BOOST_AUTO_TEST_CASE(the_version_names_the_paper_and_its_commit) {
@@ -463,12 +458,12 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_saved_while_it_is_computed_from_is_computed_
 
   BOOST_TEST(answer.exit_code == 0);
   BOOST_TEST(n_runs == 2);
-  BOOST_TEST(answer.errors.find("was saved while it was computed from") != std::string::npos);
+  BOOST_TEST(holds(answer.errors, "was saved while it was computed from"));
   const auto names = literate::read_names(place.path("generated/names.json"));
   BOOST_TEST(names.case_sha256 == sys::sha256_of_text("E = 31\n"));
   const std::string values = sys::read_file(place.path("generated/values.tex"));
-  BOOST_TEST(values.find("new") != std::string::npos);
-  BOOST_TEST(values.find("\\renewcommand*\\papercase{") != std::string::npos);
+  BOOST_TEST(holds(values, "new"));
+  BOOST_TEST(holds(values, "\\renewcommand*\\papercase{"));
 }
 
 BOOST_AUTO_TEST_CASE(a_case_that_never_rests_is_bad_input) {
@@ -480,8 +475,7 @@ BOOST_AUTO_TEST_CASE(a_case_that_never_rests_is_bad_input) {
   });
 
   BOOST_TEST(answer.exit_code == 2);
-  BOOST_TEST(answer.errors.find("was saved 5 times while it was computed from") !=
-             std::string::npos);
+  BOOST_TEST(holds(answer.errors, "was saved 5 times while it was computed from"));
 }
 
 BOOST_AUTO_TEST_CASE(the_record_names_the_case_and_the_program_and_is_there_only_when_all_is_done) {
@@ -489,9 +483,8 @@ BOOST_AUTO_TEST_CASE(the_record_names_the_case_and_the_program_and_is_there_only
 
   BOOST_TEST(place.compute(register_sum).exit_code == 0);
   const std::string record = sys::read_file(place.path("state/compute"));
-  BOOST_TEST(record.find(sys::sha256_of_text("") + "  " + place.path("case.toml")) !=
-             std::string::npos);
-  BOOST_TEST(record.find("literate_tests\n") != std::string::npos);
+  BOOST_TEST(holds(record, sys::sha256_of_text("") + "  " + place.path("case.toml")));
+  BOOST_TEST(holds(record, "literate_tests\n"));
   BOOST_TEST(record.ends_with("# done\n"));
 
   const Answer failed = place.compute([](literate::Document&, const literate::Inputs&) {

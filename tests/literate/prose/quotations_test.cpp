@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "holds.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
 #include "temporary_folder.hpp"
@@ -99,7 +100,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_quotation_is_an_error_with_its_place) {
            {"[steel\n", "report/quotations.toml:1:"},
            {"[\"a b\"]\n", "'a b' is no key"}}) {
     const std::string message = Place(toml).message();
-    BOOST_TEST((message.find(part) != std::string::npos), message);
+    BOOST_TEST(holds(message, part));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "holds.hpp"
 #include "literate/prose/references.hpp"
 #include "temporary_folder.hpp"
 
@@ -81,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_statement_in_a_branch_that_is_not_taken_needs_no_claim) {
   const Text text(all_three + "\\ifflag{printed}{\\statement{quinces}{None.}}{}\n");
 
   BOOST_TEST(text.errors() == std::vector<std::string>{}, per_element());
-  BOOST_TEST(statements_tex(text.statements(), names).find("quinces") == std::string::npos);
+  BOOST_TEST(lacks(statements_tex(text.statements(), names), "quinces"));
 }
 
 BOOST_AUTO_TEST_CASE(statements_of_others_and_own_ones_are_numbered_and_counted_apart) {
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(statements_of_others_and_own_ones_are_numbered_and_counted_
         "\\LiterateCount{cited}{all}{1}\n", "\\LiterateCount{cited}{confirmed}{1}\n",
         "\\LiterateCount{cited}{unexpected}{0}\n", "\\LiterateCount{own}{all}{2}\n",
         "\\LiterateCount{own}{refuted}{2}\n", "\\LiterateCount{own}{unexpected}{1}\n"}) {
-    BOOST_TEST((tex.find(line) != std::string::npos), line << "\n" << tex);
+    BOOST_TEST(holds(tex, line));
   }
 }
 

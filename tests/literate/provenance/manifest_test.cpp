@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "holds.hpp"
 #include "literate/document/document.hpp"
 #include "message_of.hpp"
 #include "system/error.hpp"
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_manifest_of_the_project_is_named) {
   const TemporaryFolder scratch;
   const auto file = scratch / "m.json";
 
-  BOOST_TEST(message_of_reading(file).find("cannot read") != std::string::npos);
+  BOOST_TEST(holds(message_of_reading(file), "cannot read"));
   sys::write_file_atomically(file, "{");
   BOOST_TEST(message_of_reading(file).ends_with("m.json' is not JSON"));
   sys::write_file_atomically(file, "[1]");

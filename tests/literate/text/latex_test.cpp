@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "holds.hpp"
 #include "literate/text/characters.hpp"
 
 BOOST_AUTO_TEST_SUITE(latex_test)
@@ -59,8 +60,7 @@ BOOST_AUTO_TEST_CASE(listings_know_every_character_that_text_knows) {
   const std::string setting = listings_characters();
   for (const char* character : {"ν", "≤", "−", "é", "Ž", "𝑝", "ₛ"}) {
     const std::string latex(latex_of(character));
-    BOOST_TEST(setting.find(std::string("{") + character + "}{{" + latex + "}}1") !=
-               std::string::npos);
+    BOOST_TEST(holds(setting, std::string("{") + character + "}{{" + latex + "}}1"));
   }
   BOOST_TEST(latex_of("語").empty());
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "holds.hpp"
 #include "literate/document/document.hpp"
 #include "literate/typesetting/typeset.hpp"
 #include "system/process.hpp"
@@ -40,8 +41,7 @@ std::string text_of(const std::string& preamble, const std::string& body,
 }
 
 void require_says(const std::string& text, const std::vector<std::string>& parts) {
-  for (const std::string& part : parts)
-    BOOST_TEST(text.find(part) != text.npos, part + " in " + text);
+  for (const std::string& part : parts) BOOST_TEST(holds(text, part));
 }
 
 const std::string column = "\\documentclass[journal]{IEEEtran}\n";
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(each_panel_has_the_mark_of_its_own_data) {
               "\\tab{left}\\caption{Three.}\\end{figure}\n\\attachdata");
   require_says(text, {"(a) Left. [left]", "(b) Right. [right]", "1: Two. ", "(a) Part. [one]",
                       "2: Three. [left]"});
-  BOOST_TEST(text.find("Two. [") == text.npos, text);
+  BOOST_TEST(lacks(text, "Two. ["));
 }
 
 BOOST_AUTO_TEST_CASE(of_subfloats_the_whole_has_the_marks) {
@@ -96,8 +96,8 @@ BOOST_AUTO_TEST_CASE(of_subfloats_the_whole_has_the_marks) {
        {column + "\\usepackage[caption=false]{subfig}\n", page + "\\usepackage{subfig}\n"}) {
     const std::string text = text_of(preamble, panels);
     require_says(text, {"Two. [left] [right]", "Next. [one]"});
-    BOOST_TEST(text.find("Left. [") == text.npos, text);
-    BOOST_TEST(text.find("Part. [") == text.npos, text);
+    BOOST_TEST(lacks(text, "Left. ["));
+    BOOST_TEST(lacks(text, "Part. ["));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "holds.hpp"
 #include "literate/document/document.hpp"
 #include "literate/figures/draw.hpp"
 #include "literate/page/html_text.hpp"
@@ -86,8 +87,9 @@ void require_typesets(const DocumentClass& chosen, const std::string& engine = "
           .output;
   // The sign of an ohm and the Greek letter are one sign to Unicode.
   const std::string words = boost::replace_all_copy(without_blanks(text), "\u2126", "\u03a9");
-  for (const char* wanted : {"drift−0.0047±0.0018,theresistance2×10−7Ω", "bold−0.0047±0.0018,2×10−7Ω"}) {
-    BOOST_TEST(words.find(wanted) != words.npos, wanted << " in " << text);
+  for (const char* wanted :
+       {"drift−0.0047±0.0018,theresistance2×10−7Ω", "bold−0.0047±0.0018,2×10−7Ω"}) {
+    BOOST_TEST(holds(words, wanted), wanted << " in " << text);
   }
 }
 

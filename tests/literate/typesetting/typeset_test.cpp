@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
 
+#include "holds.hpp"
 #include "literate/document/document.hpp"
 #include "literate/document/names.hpp"
 #include "literate/figures/draw.hpp"
@@ -100,10 +101,9 @@ BOOST_AUTO_TEST_CASE(restyled_values_reach_text_formulas_captions_and_bookmarks)
   typeset(paper.options);
 
   const std::string bookmarks = sys::read_file(paper.options.build_dir / "main.out");
-  BOOST_TEST(bookmarks.find("\\0001\\000.\\0006\\000e\\000-\\0006") != std::string::npos,
-             bookmarks);
+  BOOST_TEST(holds(bookmarks, "\\0001\\000.\\0006\\000e\\000-\\0006"));
   const std::string contents = sys::read_file(paper.options.build_dir / "main.toc");
-  BOOST_TEST(contents.find("\\val [digits=2]{load_1.a-b}") != std::string::npos, contents);
+  BOOST_TEST(holds(contents, "\\val [digits=2]{load_1.a-b}"));
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_unit_has_its_signs_in_text_and_in_formulas) {
   BOOST_TEST(text.output.find("µm", first + 1) != std::string::npos, text.output);
   // A power is raised, and a blank stands between two names.
   for (const char* part : {"µm km b", "µm2 c", "cm2 d", "cm2 e"}) {
-    BOOST_TEST(text.output.find(part) != std::string::npos, text.output);
+    BOOST_TEST(holds(text.output, part));
   }
   const bool has_ring = text.output.find("2 Å") != std::string::npos ||
                         text.output.find("2 A\u030A") != std::string::npos;
@@ -149,12 +149,11 @@ BOOST_AUTO_TEST_CASE(tables_break_over_pages_and_have_notes) {
   typeset(paper.options);
 
   const std::string log = sys::read_file(paper.options.build_dir / "main.log");
-  BOOST_TEST(log.find(" pages, ") != std::string::npos);
+  BOOST_TEST(holds(log, " pages, "));
   const sys::ProcessResult text =
       sys::run({.program = "pdftotext", .arguments = {paper.options.output_pdf.string(), "-"}});
-  BOOST_TEST(text.output.find("table long, pp. 1, 2, 3, 4:") != std::string::npos, text.output);
-  BOOST_TEST(Paper("\\tab[All.]{t}").error().find("table 't' does not break over pages") !=
-             std::string::npos);
+  BOOST_TEST(holds(text.output, "table long, pp. 1, 2, 3, 4:"));
+  BOOST_TEST(holds(Paper("\\tab[All.]{t}").error(), "table 't' does not break over pages"));
 }
 
 BOOST_AUTO_TEST_CASE(a_kept_preamble_changes_no_byte) {
@@ -211,16 +210,15 @@ BOOST_AUTO_TEST_CASE(the_document_tells_the_state_of_its_repository) {
 
   typeset(paper.options);
 
-  BOOST_TEST(sys::read_file(paper.options.build_dir / "main.log")
-                 .find("It is 0123456789ab changed of 2001.") != std::string::npos);
+  BOOST_TEST(holds(sys::read_file(paper.options.build_dir / "main.log"),
+                   "It is 0123456789ab changed of 2001."));
   BOOST_TEST(!keep_preamble(paper.options).is_new);
   sys::write_file_atomically(paper.options.repository_dir / "repository.tex",
                              "\\LiterateRepository{ba9876543210}{false}{2002}\n");
   BOOST_TEST(!keep_preamble(paper.options).is_new);  // a commit leaves the preamble as it is
   typeset(paper.options);
   BOOST_TEST(
-      sys::read_file(paper.options.build_dir / "main.log").find("It is ba9876543210 of 2002.") !=
-      std::string::npos);
+      holds(sys::read_file(paper.options.build_dir / "main.log"), "It is ba9876543210 of 2002."));
 }
 
 BOOST_AUTO_TEST_CASE(a_new_date_of_the_document_is_part_of_its_input) {
@@ -248,7 +246,7 @@ BOOST_AUTO_TEST_CASE(an_error_of_tex_has_file_and_line_and_leaves_the_old_pdf) {
 BOOST_AUTO_TEST_CASE(what_is_wrong_in_the_document_is_told_at_its_line) {
   const auto check = [](const std::string& body, const std::string& said) {
     const std::string error = Paper(body).error();
-    BOOST_TEST(error.find(said) != std::string::npos, error);
+    BOOST_TEST(holds(error, said));
   };
   const std::string file = "my report/main.tex:";
 
@@ -316,8 +314,8 @@ BOOST_AUTO_TEST_CASE(a_figure_is_drawn_at_each_width_that_the_document_wants) {
   BOOST_TEST(second.drawn == drawn, boost::test_tools::per_element());
   BOOST_TEST(sys::sha256_of_file(paper.options.output_pdf) == before);
   const std::string log = sys::read_file(paper.options.build_dir / "main.log");
-  BOOST_TEST(log.find("wide 144.54") != std::string::npos);
-  BOOST_TEST(log.find("high 115.4") != std::string::npos);  // 4/5 of it
+  BOOST_TEST(holds(log, "wide 144.54"));
+  BOOST_TEST(holds(log, "high 115.4"));  // 4/5 of it
 }
 
 BOOST_AUTO_TEST_CASE(a_width_that_is_no_longer_wanted_is_removed) {
@@ -404,10 +402,8 @@ BOOST_AUTO_TEST_CASE(two_attachments_of_one_name_are_refused) {
 
   const std::string error = paper.error();
 
-  BOOST_TEST(error.find("main.tex:7: ") != std::string::npos, error);
-  BOOST_TEST(error.find("'a-b/c.csv' and 'a/b-c.csv' would both be attached as 'a-b-c.csv'") !=
-                 std::string::npos,
-             error);
+  BOOST_TEST(holds(error, "main.tex:7: "));
+  BOOST_TEST(holds(error, "'a-b/c.csv' and 'a/b-c.csv' would both be attached as 'a-b-c.csv'"));
 }
 
 BOOST_AUTO_TEST_CASE(lualatex_typesets_the_same_document_with_the_same_bytes_each_time) {
@@ -461,7 +457,7 @@ BOOST_AUTO_TEST_CASE(page_numbers_are_right_however_fast_passes_and_saves_follow
     fs::last_write_time(paper.options.source_dir / "main.tex", stamp);
     typeset(paper.options);
     const std::string log = sys::read_file(paper.options.build_dir / "main.log");
-    BOOST_TEST(log.find(fmt::format("a is on {}.", i % 2 == 0 ? 2 : 1)) != log.npos);
+    BOOST_TEST(holds(log, fmt::format("a is on {}.", i % 2 == 0 ? 2 : 1)));
   }
 
   setenv("PATH", path.c_str(), 1);
@@ -490,7 +486,7 @@ BOOST_AUTO_TEST_CASE(an_engine_that_does_nothing_and_succeeds_is_not_believed) {
   const std::string message = paper.error();
   setenv("PATH", path.c_str(), 1);
 
-  BOOST_TEST(message.find("didn't generate the expected log file") != std::string::npos, message);
+  BOOST_TEST(holds(message, "didn't generate the expected log file"));
 }
 
 BOOST_AUTO_TEST_CASE(what_latex_left_is_begun_anew_if_a_run_was_interrupted_or_a_file_damaged) {
@@ -527,7 +523,7 @@ BOOST_AUTO_TEST_CASE(after_an_error_was_mended_the_document_is_that_of_a_first_r
   typeset(paper.options);
 
   paper.write("\\section{x}\\nonsense");
-  BOOST_TEST(paper.error().find("main.tex:6: Undefined control sequence") != std::string::npos);
+  BOOST_TEST(holds(paper.error(), "main.tex:6: Undefined control sequence"));
   paper.write(full_body);
   typeset(paper.options);
 
@@ -542,7 +538,7 @@ BOOST_AUTO_TEST_CASE(an_error_of_bibtex_is_told_at_its_line) {
 
   const std::string error = paper.error();
 
-  BOOST_TEST(error.find("my report/books.bib:3: BibTeX: I was expecting") != error.npos, error);
+  BOOST_TEST(holds(error, "my report/books.bib:3: BibTeX: I was expecting"));
 }
 
 BOOST_AUTO_TEST_CASE(parts_may_be_included_from_folders) {
@@ -586,7 +582,7 @@ BOOST_AUTO_TEST_CASE(an_overfull_box_is_told_at_the_line_of_its_table) {
 
   const std::string error = paper.error();
 
-  BOOST_TEST(error.find("my report/main.tex:10: in table 'wide': Overfull") != error.npos, error);
+  BOOST_TEST(holds(error, "my report/main.tex:10: in table 'wide': Overfull"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
