@@ -129,10 +129,6 @@ Value difference_of(const Value& computed, const Measured& difference) {
   return {difference, computed.is_percentage() ? format.in_percent() : format, computed.unit()};
 }
 
-}  // namespace
-
-namespace {
-
 /// One decimal below ten, and nothing that nobody would compare above a thousand.
 std::string rough(double ratio, const char* unit) {
   constexpr double most = 1000;

@@ -75,6 +75,28 @@ struct Marker {
   std::string name;
 };
 
+/// The text of a line that is a comment in one of the languages that papers are computed in.
+std::optional<std::string_view> comment_in(std::string_view line) {
+  using Signs = std::pair<std::string_view, std::string_view>;  // before and after the comment
+  constexpr std::array<Signs, 9> signs{{{"//", ""},
+                                        {"/*", "*/"},
+                                        {"#", ""},
+                                        {"%", ""},
+                                        {"--", ""},
+                                        {"!", ""},
+                                        {";", ""},
+                                        {"<!--", "-->"},
+                                        {"(*", "*)"}}};
+  std::string_view text = sys::stripped(line);
+  for (const auto& [before, after] : signs) {
+    if (!text.starts_with(before)) continue;
+    text.remove_prefix(before.size());
+    if (!after.empty() && text.ends_with(after)) text.remove_suffix(after.size());
+    return sys::stripped(text);
+  }
+  return {};
+}
+
 /// Walks through the lines of one file and collects its excerpts.
 class Finder {
  public:
@@ -102,11 +124,75 @@ class Finder {
     throw sys::SourceError(fmt::format("{}:{}: {}", file_, line, message));
   }
 
-  std::optional<Marker> marker_in(std::string_view line) const;
-  void begin(const std::string& name);
-  void end(const std::string& name);
-  void add(std::string_view line);
-  void require_printable(std::string_view line) const;
+  std::optional<Marker> marker_in(std::string_view line) const {
+    const auto comment = comment_in(line);
+    if (!comment) return {};
+    std::string_view rest = *comment;
+    for (const std::string_view verb : {"begin", "end"}) {
+      const std::string words = fmt::format("{} excerpt", verb);
+      if (!rest.starts_with(words)) continue;
+      rest.remove_prefix(words.size());
+      const std::string_view name = rest.starts_with(':') ? sys::stripped(rest.substr(1)) : "";
+      if (!is_file_name(name)) {
+        fail(line_, fmt::format("a marker reads '{}: name', the name of letters, digits, '-', '_'",
+                                words));
+      }
+      return Marker{verb == "begin", std::string(name)};
+    }
+    return {};
+  }
+
+  void begin(const std::string& name) {
+    if (open_) {
+      fail(line_, fmt::format("excerpt '{}' begins inside '{}' of line {}", name, open_->name,
+                              begin_line_));
+    }
+    const auto [known, is_new] = begin_lines_.try_emplace(name, line_);
+    if (!is_new) {
+      fail(line_,
+           fmt::format("excerpt '{}' is marked at {}:{} already", name, file_, known->second));
+    }
+    open_ = Excerpt{name, file_, 0, ""};
+    begin_line_ = line_;
+    text_end_ = 0;
+  }
+
+  void end(const std::string& name) {
+    if (!open_) fail(line_, fmt::format("excerpt '{}' ends but has no begin marker", name));
+    if (open_->name != name) {
+      fail(line_,
+           fmt::format("excerpt '{}' ends inside '{}' of line {}", name, open_->name, begin_line_));
+    }
+    if (open_->text.empty()) fail(begin_line_, fmt::format("excerpt '{}' is empty", name));
+    open_->text.resize(text_end_);
+    excerpts_.push_back(std::move(*open_));
+    open_.reset();
+  }
+
+  void add(std::string_view line) {
+    const bool is_blank = sys::stripped(line).empty();
+    if (is_blank && open_->text.empty()) return;
+    require_printable(line);
+    if (open_->text.empty()) open_->first_line = line_;
+    open_->text.append(line).append("\n");
+    if (!is_blank) text_end_ = open_->text.size();
+  }
+
+  void require_printable(std::string_view line) const {
+    while (!line.empty()) {
+      const std::string_view character = sys::first_character(line).bytes;
+      line.remove_prefix(character.size());
+      const auto byte = static_cast<unsigned char>(character.front());
+      if (character.size() > 1 && latex_of(character).empty()) {
+        fail(line_,
+             fmt::format("LaTeX has no mapping for '{}' in excerpt '{}'", character, open_->name));
+      }
+      if (character.size() == 1 && byte != '\t' && (byte < 0x20 || byte >= 0x7F)) {
+        fail(line_,
+             fmt::format("byte {:#04x} in excerpt '{}' is not UTF-8 text", byte, open_->name));
+      }
+    }
+  }
 
   std::string file_;
   int line_ = 0;
@@ -116,96 +202,6 @@ class Finder {
   std::map<std::string, int> begin_lines_;
   std::vector<Excerpt> excerpts_;
 };
-
-/// The text of a line that is a comment in one of the languages that papers are computed in.
-std::optional<std::string_view> comment_in(std::string_view line) {
-  using Signs = std::pair<std::string_view, std::string_view>;  // before and after the comment
-  constexpr std::array<Signs, 9> signs{{{"//", ""},
-                                        {"/*", "*/"},
-                                        {"#", ""},
-                                        {"%", ""},
-                                        {"--", ""},
-                                        {"!", ""},
-                                        {";", ""},
-                                        {"<!--", "-->"},
-                                        {"(*", "*)"}}};
-  std::string_view text = sys::stripped(line);
-  for (const auto& [before, after] : signs) {
-    if (!text.starts_with(before)) continue;
-    text.remove_prefix(before.size());
-    if (!after.empty() && text.ends_with(after)) text.remove_suffix(after.size());
-    return sys::stripped(text);
-  }
-  return {};
-}
-
-std::optional<Marker> Finder::marker_in(std::string_view line) const {
-  const auto comment = comment_in(line);
-  if (!comment) return {};
-  std::string_view rest = *comment;
-  for (const std::string_view verb : {"begin", "end"}) {
-    const std::string words = fmt::format("{} excerpt", verb);
-    if (!rest.starts_with(words)) continue;
-    rest.remove_prefix(words.size());
-    const std::string_view name = rest.starts_with(':') ? sys::stripped(rest.substr(1)) : "";
-    if (!is_file_name(name)) {
-      fail(line_,
-           fmt::format("a marker reads '{}: name', the name of letters, digits, '-', '_'", words));
-    }
-    return Marker{verb == "begin", std::string(name)};
-  }
-  return {};
-}
-
-void Finder::begin(const std::string& name) {
-  if (open_) {
-    fail(line_,
-         fmt::format("excerpt '{}' begins inside '{}' of line {}", name, open_->name, begin_line_));
-  }
-  const auto [known, is_new] = begin_lines_.try_emplace(name, line_);
-  if (!is_new) {
-    fail(line_, fmt::format("excerpt '{}' is marked at {}:{} already", name, file_, known->second));
-  }
-  open_ = Excerpt{name, file_, 0, ""};
-  begin_line_ = line_;
-  text_end_ = 0;
-}
-
-void Finder::end(const std::string& name) {
-  if (!open_) fail(line_, fmt::format("excerpt '{}' ends but has no begin marker", name));
-  if (open_->name != name) {
-    fail(line_,
-         fmt::format("excerpt '{}' ends inside '{}' of line {}", name, open_->name, begin_line_));
-  }
-  if (open_->text.empty()) fail(begin_line_, fmt::format("excerpt '{}' is empty", name));
-  open_->text.resize(text_end_);
-  excerpts_.push_back(std::move(*open_));
-  open_.reset();
-}
-
-void Finder::add(std::string_view line) {
-  const bool is_blank = sys::stripped(line).empty();
-  if (is_blank && open_->text.empty()) return;
-  require_printable(line);
-  if (open_->text.empty()) open_->first_line = line_;
-  open_->text.append(line).append("\n");
-  if (!is_blank) text_end_ = open_->text.size();
-}
-
-void Finder::require_printable(std::string_view line) const {
-  while (!line.empty()) {
-    const std::string_view character = sys::first_character(line).bytes;
-    line.remove_prefix(character.size());
-    const auto byte = static_cast<unsigned char>(character.front());
-    if (character.size() > 1 && latex_of(character).empty()) {
-      fail(line_,
-           fmt::format("LaTeX has no mapping for '{}' in excerpt '{}'", character, open_->name));
-    }
-    if (character.size() == 1 && byte != '\t' && (byte < 0x20 || byte >= 0x7F)) {
-      fail(line_, fmt::format("byte {:#04x} in excerpt '{}' is not UTF-8 text", byte, open_->name));
-    }
-  }
-}
 
 bool is_text(std::string_view bytes) {
   return bytes.find('\0') == std::string_view::npos;

@@ -23,43 +23,7 @@
 #include "system/text.hpp"
 
 namespace literate {
-namespace {
-
-/// A JSON file whose values know where they stand. Columns count bytes.
-class JsonFile {
- public:
-  /// Reads JSON without NaN and without a key twice in an object. Throws ImportError
-  /// «file:line:column: message».
-  explicit JsonFile(const std::filesystem::path& file);
-
-  const std::string& text() const { return text_; }
-  const Json::Value& root() const { return root_; }
-
-  /// The line of a value, counted from 1.
-  unsigned line(const Json::Value& value) const;
-
-  /// «file:line:column» of a value.
-  std::string at(const Json::Value& value) const;
-
-  /// A number as it is written in the file.
-  std::string_view written(const Json::Value& value) const;
-
-  /// Throws ImportError at a value.
-  [[noreturn]] void fail(const Json::Value& value, const std::string& message) const;
-
-  /// Throws ImportError unless `value` is an object with no other fields than these; `what` says
-  /// what it describes.
-  void require_fields(const Json::Value& value, const std::string& what,
-                      const std::vector<std::string>& allowed) const;
-
- private:
-  std::filesystem::path file_;
-  std::string text_;
-  Json::Value root_;
-};
-
-}  // namespace
-
+namespace fs = std::filesystem;
 namespace {
 
 struct Position {
@@ -75,7 +39,7 @@ Position position_in(const std::string& text, std::ptrdiff_t offset) {
 }
 
 /// What the library says of the first error, «* Line 3, Column 7» and a line with the message.
-ImportError syntax_error(const std::filesystem::path& file, const std::string& said) {
+ImportError syntax_error(const fs::path& file, const std::string& said) {
   const auto lines = sys::lines_of(said);
   Position at;
   if (lines.size() < 2 ||
@@ -86,52 +50,67 @@ ImportError syntax_error(const std::filesystem::path& file, const std::string& s
                                  sys::stripped(lines[1])));
 }
 
-}  // namespace
-
-JsonFile::JsonFile(const std::filesystem::path& file) : file_(file), text_(read_numbers(file)) {
-  Json::CharReaderBuilder strict;
-  Json::CharReaderBuilder::strictMode(&strict.settings_);
-  const std::unique_ptr<Json::CharReader> reader(strict.newCharReader());
-  std::string said;
-  try {
-    if (reader->parse(text_.data(), text_.data() + text_.size(), &root_, &said)) return;
-  } catch (const Json::Exception& error) {  // what is nested too deeply
-    said = error.what();
+/// A JSON file whose values know where they stand. Columns count bytes.
+class JsonFile {
+ public:
+  /// Reads JSON without NaN and without a key twice in an object. Throws ImportError
+  /// «file:line:column: message».
+  explicit JsonFile(const fs::path& file) : file_(file), text_(read_numbers(file)) {
+    Json::CharReaderBuilder strict;
+    Json::CharReaderBuilder::strictMode(&strict.settings_);
+    const std::unique_ptr<Json::CharReader> reader(strict.newCharReader());
+    std::string said;
+    try {
+      if (reader->parse(text_.data(), text_.data() + text_.size(), &root_, &said)) return;
+    } catch (const Json::Exception& error) {  // what is nested too deeply
+      said = error.what();
+    }
+    throw syntax_error(file, said);
   }
-  throw syntax_error(file, said);
-}
 
-unsigned JsonFile::line(const Json::Value& value) const {
-  return position_in(text_, value.getOffsetStart()).line;
-}
+  const std::string& text() const { return text_; }
+  const Json::Value& root() const { return root_; }
 
-std::string JsonFile::at(const Json::Value& value) const {
-  const Position position = position_in(text_, value.getOffsetStart());
-  return fmt::format("{}:{}:{}", file_.string(), position.line, position.column);
-}
-
-std::string_view JsonFile::written(const Json::Value& value) const {
-  const auto start = static_cast<std::size_t>(value.getOffsetStart());
-  const auto limit = static_cast<std::size_t>(value.getOffsetLimit());
-  return std::string_view(text_).substr(start, limit - start);
-}
-
-void JsonFile::fail(const Json::Value& value, const std::string& message) const {
-  throw ImportError(fmt::format("{}: {}", at(value), message));
-}
-
-void JsonFile::require_fields(const Json::Value& value, const std::string& what,
-                              const std::vector<std::string>& allowed) const {
-  if (!value.isObject()) fail(value, what + " must be an object");
-  for (const std::string& field : value.getMemberNames()) {
-    if (std::ranges::find(allowed, field) != allowed.end()) continue;
-    fail(value[field], fmt::format("{} has an unknown field '{}'; known are {}", what, field,
-                                   fmt::join(allowed, ", ")));
+  /// The line of a value, counted from 1.
+  unsigned line(const Json::Value& value) const {
+    return position_in(text_, value.getOffsetStart()).line;
   }
-}
 
-namespace fs = std::filesystem;
-namespace {
+  /// «file:line:column» of a value.
+  std::string at(const Json::Value& value) const {
+    const Position position = position_in(text_, value.getOffsetStart());
+    return fmt::format("{}:{}:{}", file_.string(), position.line, position.column);
+  }
+
+  /// A number as it is written in the file.
+  std::string_view written(const Json::Value& value) const {
+    const auto start = static_cast<std::size_t>(value.getOffsetStart());
+    const auto limit = static_cast<std::size_t>(value.getOffsetLimit());
+    return std::string_view(text_).substr(start, limit - start);
+  }
+
+  /// Throws ImportError at a value.
+  [[noreturn]] void fail(const Json::Value& value, const std::string& message) const {
+    throw ImportError(fmt::format("{}: {}", at(value), message));
+  }
+
+  /// Throws ImportError unless `value` is an object with no other fields than these; `what` says
+  /// what it describes.
+  void require_fields(const Json::Value& value, const std::string& what,
+                      const std::vector<std::string>& allowed) const {
+    if (!value.isObject()) fail(value, what + " must be an object");
+    for (const std::string& field : value.getMemberNames()) {
+      if (std::ranges::find(allowed, field) != allowed.end()) continue;
+      fail(value[field], fmt::format("{} has an unknown field '{}'; known are {}", what, field,
+                                     fmt::join(allowed, ", ")));
+    }
+  }
+
+ private:
+  fs::path file_;
+  std::string text_;
+  Json::Value root_;
+};
 
 std::string text_field(const JsonFile& file, const Json::Value& object, const std::string& what,
                        const std::string& field) {
