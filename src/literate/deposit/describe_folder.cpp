@@ -98,13 +98,12 @@ void write_paper(YAML::Emitter& out, const Citation& citation) {
   out << YAML::EndMap;
 }
 
-/// Which sources the outputs were made from.
-std::string source_of(const Manifest& manifest) {
+/// Of the sources that the outputs were made from; empty if it is not told or not known.
+std::string fact_of_sources(const Manifest& manifest, const std::string& name) {
   const auto sources = manifest.facts.find("sources");
   if (sources == manifest.facts.end()) return "";
-  const auto commit = sources->second.find("commit");
-  if (commit == sources->second.end()) return "";
-  return fmt::format("commit {} of {}", commit->second, manifest.project);
+  const auto fact = sources->second.find(name);
+  return fact == sources->second.end() || fact->second == "unknown" ? "" : fact->second;
 }
 
 }  // namespace
@@ -120,7 +119,10 @@ std::string codecheck_yml(const Citation& citation, const Manifest& manifest,
   write_text(out, "version", "https://codecheck.org.uk/spec/config/1.0/");
   write_manifest(out, files);
   write_paper(out, citation);
-  write_text(out, "source", source_of(manifest));
+  const std::string commit = fact_of_sources(manifest, "commit");
+  if (!commit.empty()) {
+    write_text(out, "source", fmt::format("commit {} of {}", commit, manifest.project));
+  }
   write_text(out, "repository", citation.repository);
   out << YAML::EndMap;
   return fmt::format("%YAML 1.1\n{}\n", out.c_str());
@@ -189,9 +191,8 @@ std::vector<json> outside_inputs(const Manifest& manifest,
                                  const std::vector<DepositedFile>& files) {
   std::vector<json> entities;
   for (const auto& [name, sha256] : manifest.inputs) {
-    const bool is_inside = std::ranges::any_of(
-        files, [&digest = sha256](const DepositedFile& file) { return file.sha256 == digest; });
-    if (is_inside) continue;
+    const auto same = std::ranges::find(files, sha256, &DepositedFile::sha256);
+    if (same != files.end()) continue;
     entities.push_back({{"@id", "#input/" + uri_path(name)},
                         {"@type", "CreativeWork"},
                         {"name", name},
@@ -214,13 +215,6 @@ std::vector<json> software_entities(const Manifest& manifest) {
     }
   }
   return entities;
-}
-
-std::string fact_of_sources(const Manifest& manifest, const std::string& name) {
-  const auto sources = manifest.facts.find("sources");
-  if (sources == manifest.facts.end()) return "";
-  const auto fact = sources->second.find(name);
-  return fact == sources->second.end() || fact->second == "unknown" ? "" : fact->second;
 }
 
 std::string date_of(const Citation& citation, const Manifest& manifest) {
