@@ -119,8 +119,8 @@ std::string changes_text(const std::vector<Change>& changes) {
 std::string changes_csv(const std::vector<Change>& changes) {
   std::string csv = sys::csv_line({"class", "what", "before", "after", "file", "line"});
   const auto add = [&](const Change& change, const std::string& file, const std::string& line) {
-    csv += sys::csv_line({sys::spreadsheet_field(name_of(change.kind)), change.what, change.before,
-                          change.after, file, line});
+    csv +=
+        sys::csv_line({name_of(change.kind), change.what, change.before, change.after, file, line});
   };
   for (const Change& change : changes) {
     if (change.printed_in.empty()) add(change, "", "");
