@@ -198,6 +198,20 @@ function(add_unit_tests folder)
   endif()
 endfunction()
 
+# add_script_test(test file [TARGET program] [COST seconds] [ARGS argument …]): a script in the place of a program; it gets the
+# repository and then these arguments, and is skipped by its exit code 77. The test's name begins with its label.
+function(add_script_test test file)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "TARGET;COST;ARGS")
+  set(interpreter bash)
+  if(file MATCHES "[.]py$")
+    set(interpreter python3 -B)
+  endif()
+  add_test(NAME ${test} COMMAND ${interpreter} "${CMAKE_CURRENT_SOURCE_DIR}/${file}" "${HALFSPACE_ROOT}" ${arg_ARGS})
+  set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77)
+  string(REGEX REPLACE "/.*" "" label "${test}")
+  label_test(${test} ${label} TARGET ${arg_TARGET} COST ${arg_COST})
+endfunction()
+
 # label_test(test label [TARGET program] [COST seconds]): who runs the CTest test. `unit`: `make test` and the
 # sanitizers; `everyday`: `make test`; `slow`: `make test-all` alone, which runs every test. TARGET is the program that
 # the test needs and that is compiled for it. Unit tests that need none have the label `script` as well: another build of the
