@@ -142,15 +142,6 @@ Rational rational(const sys::Decimal& decimal) {
   return Integer(decimal.digits) * power(10, decimal.place);
 }
 
-/// The shortest decimal number that reads back as `number`, without zeros at its end.
-sys::Decimal shortest(double number) {
-  sys::Decimal decimal = sys::parse_decimal(fmt::format("{}", number)).value();
-  for (; decimal.digits.size() > 1 && decimal.digits.back() == '0'; ++decimal.place) {
-    decimal.digits.pop_back();
-  }
-  return decimal;
-}
-
 /// The number > 0 rounded to so many digits.
 sys::Decimal rounded(const Rational& number, int n_digits) {
   const auto size = [](const Integer& integer) { return static_cast<int>(integer.str().size()); };
@@ -256,7 +247,7 @@ std::optional<Factor> factor_of(const std::string& unit) {
   const Unit parsed(ut_parse(system.get(), spelt.c_str(), UT_UTF8));
   if (!parsed) return std::nullopt;
   const Product product = product_of(parsed.get());
-  Factor factor{rational(shortest(product.scale))};
+  Factor factor{rational(sys::shortest(product.scale))};
   for (const auto& [symbol, exponent] : product.powers) {
     const Factor of_name = factor_of_name(symbol);
     factor.number *= power(of_name.number, exponent);
@@ -314,7 +305,7 @@ struct Conversion {
 
 /// Converts a number ≥ 0.
 Conversion conversion(double number, const std::string& from, const std::string& to) {
-  const Rational given = rational(shortest(number));
+  const Rational given = rational(sys::shortest(number));
   if (from == to) return {given, true};
   const std::lock_guard lock(udunits);
   require_multiple(from, to);
@@ -341,7 +332,7 @@ double printable(const Rational& number) {
   for (const int n_digits : {17, 16, 15}) {
     rounded_number = sys::number_of(rounded(number, n_digits));
     if (!std::isfinite(rounded_number)) break;
-    const sys::Decimal printed = shortest(rounded_number);
+    const sys::Decimal printed = sys::shortest(rounded_number);
     if (abs(rational(printed) - number) * 2 <= power(10, printed.place)) break;
   }
   return rounded_number;
@@ -400,7 +391,8 @@ double converted(double number, const std::string& from, const std::string& to) 
 bool converts_exactly(double number, const std::string& from, const std::string& to) {
   const Conversion meant = conversion(std::abs(number), from, to);
   const double printed = printable(meant.number);
-  return meant.is_exact && std::isfinite(printed) && rational(shortest(printed)) == meant.number;
+  return meant.is_exact && std::isfinite(printed) &&
+         rational(sys::shortest(printed)) == meant.number;
 }
 
 }  // namespace config

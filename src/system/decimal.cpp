@@ -44,6 +44,14 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
   return number;
 }
 
+Decimal shortest(double number) {
+  Decimal decimal = parse_decimal(fmt::format("{}", number)).value();
+  for (; decimal.digits.size() > 1 && decimal.digits.back() == '0'; ++decimal.place) {
+    decimal.digits.pop_back();
+  }
+  return decimal;
+}
+
 double number_of(const Decimal& number) {
   const std::string text =
       fmt::format("{}{}e{}", number.negative ? "-" : "", number.digits, number.place);

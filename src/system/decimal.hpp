@@ -33,6 +33,10 @@ struct Decimal {
 /// digits: "-1.50e3" is −150 · 10^1. None if the text is anything else.
 std::optional<Decimal> parse_decimal(std::string_view text);
 
+/// The fewest digits that read back as the same double, which is finite; none of them is a zero at
+/// the end.
+Decimal shortest(double number);
+
 /// The double nearest to a decimal number; infinite if that is beyond the range of a double.
 double number_of(const Decimal& number);
 

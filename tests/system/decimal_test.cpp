@@ -47,4 +47,15 @@ BOOST_AUTO_TEST_CASE(the_nearest_double_is_found_once_and_beyond_the_range_it_is
   BOOST_TEST(number_of({false, "1", -999}) == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(the_shortest_digits_of_a_double_end_with_no_zero) {
+  const auto text_of = [](double number) {
+    const auto [negative, digits, place] = sys::shortest(number);
+    return (negative ? "-" : "") + digits + "e" + std::to_string(place);
+  };
+  BOOST_TEST(text_of(-45500) == "-455e2");
+  BOOST_TEST(text_of(0.1) == "1e-1");
+  BOOST_TEST(text_of(1e22) == "1e22");
+  BOOST_TEST(text_of(-0.0) == "0e0");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

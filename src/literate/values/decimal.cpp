@@ -31,19 +31,12 @@ int size_of(const std::string& text) {
   return static_cast<int>(text.size());
 }
 
-/// Reads what std::to_chars wrote of the number's magnitude.
-Decimal with_sign_of(double value, std::string_view magnitude) {
-  Decimal number = sys::parse_decimal(magnitude).value();
-  number.negative = std::signbit(value) && number.digits != "0";
-  return number;
-}
-
 Decimal converted(double value, std::chars_format format, int precision) {
   Buffer buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
-                                 format, precision);
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
   if (end.ec != std::errc{}) throw std::invalid_argument("too many digits asked for");
-  return with_sign_of(value, {buffer.data(), end.ptr});
+  return sys::parse_decimal({buffer.data(), end.ptr}).value();
 }
 
 /// Rounds to a place left of the point, where std::to_chars has no fixed form.
@@ -94,11 +87,7 @@ Decimal rounded_up_to_digits(double value, int n_digits) {
 
 Decimal shortest(double value) {
   require_number(value);
-  if (value == 0) return {};
-  Buffer buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
-                                 std::chars_format::scientific);
-  return with_sign_of(value, {buffer.data(), end.ptr});
+  return sys::shortest(value);
 }
 
 namespace {
