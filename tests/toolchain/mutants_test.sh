@@ -5,10 +5,7 @@
 . "$(dirname "$0")/shell_test.sh"
 unset ONLY
 
-if ! command -v python3 >/dev/null; then
-  echo 'skipped: there is no python3, in which the script is written'
-  exit 77
-fi
+need python3
 export PYTHONDONTWRITEBYTECODE=1
 
 runs python3 "$source_dir/src/toolchain/mutants" --check

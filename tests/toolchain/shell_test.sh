@@ -25,6 +25,13 @@ claim() {
 # says TEXT: prints whether the last command's output holds TEXT.
 says() { case $said in *"$1"*) echo yes ;; *) echo no ;; esac; }
 
+# need TOOL…: skips the test, with one line that says why, where one of these is not installed.
+need() {
+  for tool; do
+    command -v "$tool" >/dev/null || { printf 'skipped: there is no %s\n' "$tool" && exit 77; }
+  done
+}
+
 # need_walls: skips the test, with one line that says why, where bubblewrap cannot work. Continuous integration must have it.
 need_walls() {
   if [ "${CI:-}" = true ]; then return; fi

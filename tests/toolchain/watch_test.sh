@@ -2,10 +2,7 @@
 # watch builds after each save, in whatever way the editor saves.
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "$0")/shell_test.sh"
-if ! command -v inotifywait >/dev/null || ! command -v setsid >/dev/null; then
-  echo 'skipped: there is no inotifywait, which tells of saved files'
-  exit 77
-fi
+need inotifywait setsid
 
 # A fake command records that it was called, and fails on demand.
 root="$scratch/check out"

@@ -3,12 +3,7 @@
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
 unset CLAIMS MANIFEST PDF SEED
-for tool in python3 pdfdetach qpdf; do
-  if ! command -v $tool >/dev/null; then
-    echo "skipped: there is no $tool"
-    exit 77
-  fi
-done
+need python3 pdfdetach qpdf
 cd "$scratch" || exit 1
 mkdir -p rod/src rod/out/generated/tables rod/out/state "rod/figures"
 cd rod || exit 1

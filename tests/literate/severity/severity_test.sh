@@ -3,10 +3,7 @@
 # shellcheck source=tests/toolchain/shell_test.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
 unset ONLY
-if ! command -v python3 >/dev/null; then
-  echo 'skipped: there is no python3, in which the script is written'
-  exit 77
-fi
+need python3
 export PYTHONDONTWRITEBYTECODE=1
 cd "$scratch" || exit 1
 mkdir -p rod/src rod/paper rod/other
