@@ -147,6 +147,12 @@ function(literate_list_of name kind files result)
   set(${result} "${list}" PARENT_SCOPE)
 endfunction()
 
+# What a script does with a paper, or tells of it, each time that it is asked for; behind its name what it needs. Name, scripts
+# and settings are those of literate_add_paper.
+function(literate_add_script script)
+  add_custom_target(${name}-${script} COMMAND bash "${scripts}/${script}" "${settings}" DEPENDS ${ARGN} USES_TERMINAL VERBATIM)
+endfunction()
+
 function(literate_add_paper)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;PROGRAM;DOCUMENT;MAIN;CASE;FIGURES;ROOT;ENGINE;FAULTS" "SOURCES;DATA")
   if(arg_UNPARSED_ARGUMENTS)
@@ -323,10 +329,6 @@ latex=${arg_ENGINE}
     USES_TERMINAL
     VERBATIM)
 
-  add_custom_target(${name}-figure
-    COMMAND bash "${scripts}/figure" "${settings}"
-    DEPENDS "${digest}" USES_TERMINAL VERBATIM)
-
   # The same sources as one page.
   file(GLOB page_parts CONFIGURE_DEPENDS LIST_DIRECTORIES false
     "${engine}/page/*.css" "${engine}/page/*.js" "${engine}/page/*.tex"
@@ -341,28 +343,17 @@ latex=${arg_ENGINE}
     USES_TERMINAL
     VERBATIM)
   add_custom_target(${name}-html DEPENDS "${output}/${name}.html")
-  add_custom_target(${name}-site
-    COMMAND bash "${scripts}/site" "${settings}"
-    DEPENDS "${state}/typeset" "${output}/${name}.html" USES_TERMINAL VERBATIM)
 
-  add_custom_target(${name}-check
-    COMMAND bash "${scripts}/check" "${settings}"
-    DEPENDS "${digest}" USES_TERMINAL VERBATIM)
-  add_custom_target(${name}-changes
-    COMMAND bash "${scripts}/changes" "${settings}"
-    DEPENDS "${digest}" "${repository}/repository.json" USES_TERMINAL VERBATIM)
-  foreach(stage IN ITEMS verify dist)
-    add_custom_target(${name}-${stage}
-      COMMAND bash "${scripts}/${stage}" "${settings}"
-      DEPENDS "${state}/typeset" USES_TERMINAL VERBATIM)
-  endforeach()
-  add_custom_target(${name}-reports
-    COMMAND bash "${scripts}/reports" "${settings}"
-    DEPENDS ${arg_PROGRAM} "${repository}/repository.json" USES_TERMINAL VERBATIM)
+  literate_add_script(figure "${digest}")
+  literate_add_script(site "${state}/typeset" "${output}/${name}.html")
+  literate_add_script(check "${digest}")
+  literate_add_script(changes "${digest}" "${repository}/repository.json")
+  literate_add_script(verify "${state}/typeset")
+  literate_add_script(dist "${state}/typeset")
+  literate_add_script(reports ${arg_PROGRAM} "${repository}/repository.json")
+  literate_add_script(watch)
+  literate_add_script(why)
   add_custom_target(${name}-severity COMMAND python3 "${scripts}/severity" "${settings}" USES_TERMINAL VERBATIM)
-  foreach(stage IN ITEMS watch why)
-    add_custom_target(${name}-${stage} COMMAND bash "${scripts}/${stage}" "${settings}" USES_TERMINAL VERBATIM)
-  endforeach()
 endfunction()
 
 # The target whose properties tell of each file of data what literate_run_script says of it.

@@ -73,8 +73,7 @@ parsed = re.search(r'cmake_parse_arguments\(PARSE_ARGV 0 arg "" "(.*?)" "(.*?)"\
 arguments = (parsed[1] + ";" + parsed[2]).split(";")
 same("argument", arguments, codes(" ".join(row[0] for row in manual.tables["The build: argument"])))
 targets = set(re.findall(r"add_custom_target\(\$\{name\}(-\w+)?", cmake))
-for stages in re.findall(r"foreach\(stage IN ITEMS (.*?)\)", cmake):
-    targets |= {"-" + stage for stage in stages.split()}
+targets |= {"-" + script for script in re.findall(r"^  literate_add_script\((\w+)", cmake, re.M)}
 targets -= {"-made"}  # a step of the others, not one that anybody asks for
 same("target", {"mypaper" + target for target in targets},
      codes(" ".join(row[0] for row in manual.tables["The build: target"])))
