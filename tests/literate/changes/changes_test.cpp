@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "holds.hpp"
@@ -13,6 +14,7 @@ using literate::Change;
 using literate::ChangeKind;
 using literate::changes_between;
 using literate::Manifest;
+using literate::ManifestNumber;
 using literate::Sentence;
 
 namespace {
@@ -54,6 +56,19 @@ void check_told(const Manifest& after, ChangeKind kind, const std::string& what,
   BOOST_TEST(changes[0].after == now);
 }
 
+// The same of a number, by its print, and of a text.
+void check_number(const std::string& name, const ManifestNumber& now, ChangeKind kind) {
+  Manifest after = state();
+  const std::string before = std::exchange(after.numbers[name], now).printed;
+  check_told(after, kind, name.starts_with("table ") ? name : "value " + name, before, now.printed);
+}
+void check_text(Manifest::Texts Manifest::*texts, const std::string& name, const std::string& now,
+                ChangeKind kind) {
+  Manifest after = state();
+  const std::string before = std::exchange((after.*texts)[name], now);
+  check_told(after, kind, name, before, now);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_state_does_not_differ_from_itself) {
@@ -74,37 +89,23 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   after.numbers.erase("count");
   check_told(after, ChangeKind::renamed, "value number", "count", "number");
 
-  after = state();
-  after.numbers["peak"].number = 10.25;
-  after.numbers["peak"].printed = "10.2 psi";
-  check_told(after, ChangeKind::beyond_error, "value peak", "10.0 psi", "10.2 psi");
-
-  after = state();
-  after.numbers["peak"].number = 10.15;
-  check_told(after, ChangeKind::within_error, "value peak", "10.0 psi", "10.0 psi");
-
-  after = state();
-  after.numbers["peak"].printed = "10.00 psi";
-  check_told(after, ChangeKind::other_digits, "value peak", "10.0 psi", "10.00 psi");
-
-  after = state();
-  after.numbers["count"].number = 7.2;
-  check_told(after, ChangeKind::other_digits, "value count", "7", "7");
-
-  after = state();
-  after.numbers["table a, row 1, column 2"].number = 4;
-  after.numbers["table a, row 1, column 2"].printed = "4";
-  check_told(after, ChangeKind::beyond_error, "table a, row 1, column 2", "3", "4");
-
-  after = state();
-  after.numbers["count"].number = 8;
-  after.numbers["count"].printed = "8";
-  check_told(after, ChangeKind::moved, "value count", "7", "8");
-
-  after = state();
-  after.numbers["fit"].standard = 0.9;
-  after.numbers["fit"].printed = "5.0(9)";
-  check_told(after, ChangeKind::other_error, "value fit", "5.0(5)", "5.0(9)");
+  const auto peak = [](double number, const char* printed, const char* unit) {
+    return ManifestNumber{.number = number, .abs_error = 0.1, .printed = printed, .unit = unit};
+  };
+  check_number("peak", peak(10.25, "10.2 psi", "psi"), ChangeKind::beyond_error);
+  check_number("peak", peak(10.15, "10.0 psi", "psi"), ChangeKind::within_error);
+  check_number("peak", peak(10, "10.00 psi", "psi"), ChangeKind::other_digits);
+  check_number("peak", peak(10, "10.0 bar", "bar"), ChangeKind::beyond_error);
+  check_number("peak", peak(10, "10.0 s", "s"), ChangeKind::other_unit);
+  check_number("peak", {.number = 68.9, .abs_error = 0.7, .printed = "68.9 kPa", .unit = "kPa"},
+               ChangeKind::other_unit);
+  check_number("count", {.number = 7.2, .abs_error = {}, .printed = "7"}, ChangeKind::other_digits);
+  check_number("count", {.number = 8, .abs_error = {}, .printed = "8"}, ChangeKind::moved);
+  check_number("fit", {.number = 5, .abs_error = 0, .printed = "5.0(9)", .standard = 0.9},
+               ChangeKind::other_error);
+  check_number("table a, row 1, column 2",
+               {.number = 4, .abs_error = 0, .printed = "4", .unit = "in"},
+               ChangeKind::beyond_error);
 
   // The bound to the lesser side alone is another.
   Manifest before = state();
@@ -139,13 +140,11 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   BOOST_TEST(is_seen("The peak is \\val{peak}."));
   BOOST_TEST(!is_seen("It is \\ifflag{is-wide}{wide}{\\val{peak}}."));
 
-  after = state();
-  after.texts["flag is-wide"] = "no";
-  check_told(after, ChangeKind::other_text, "flag is-wide", "yes", "no");
-
-  after = state();
-  after.texts["table a, row 1, column 1"] = "brass";
-  check_told(after, ChangeKind::other_text, "table a, row 1, column 1", "steel", "brass");
+  check_text(&Manifest::texts, "flag is-wide", "no", ChangeKind::other_text);
+  check_text(&Manifest::texts, "table a, row 1, column 1", "brass", ChangeKind::other_text);
+  check_text(&Manifest::verdicts, "claim one", "refuted", ChangeKind::other_verdict);
+  check_text(&Manifest::verdicts, "check sum", "failed", ChangeKind::other_verdict);
+  check_text(&Manifest::limits, "claim one: ratio", "at most 2 %", ChangeKind::other_limit);
 
   after = state();
   after.outputs["generated/figures/curve/data.csv"] = "other";
@@ -154,36 +153,10 @@ BOOST_AUTO_TEST_CASE(each_class_of_change_is_told_once_and_in_its_class) {
   check_told(after, ChangeKind::other_drawing, "figure curve", "", "");
 
   after = state();
-  after.numbers["peak"] = {.number = 68.9, .abs_error = 0.7, .printed = "68.9 kPa", .unit = "kPa"};
-  check_told(after, ChangeKind::other_unit, "value peak", "10.0 psi", "68.9 kPa");
-
-  after = state();
-  after.numbers["peak"].unit = "bar";
-  after.numbers["peak"].printed = "10.0 bar";
-  check_told(after, ChangeKind::beyond_error, "value peak", "10.0 psi", "10.0 bar");
-
-  after = state();
-  after.numbers["peak"].unit = "s";
-  after.numbers["peak"].printed = "10.0 s";
-  check_told(after, ChangeKind::other_unit, "value peak", "10.0 psi", "10.0 s");
-
-  after = state();
   after.numbers["table a, row 1, column 2"].number = 76.2;
   after.numbers["table a, row 1, column 2"].printed = "76.2";
   after.numbers["table a, row 1, column 2"].unit = "mm";
   check_told(after, ChangeKind::other_unit, "table a, row 1, column 2", "3 in", "76.2 mm");
-
-  after = state();
-  after.verdicts["claim one"] = "refuted";
-  check_told(after, ChangeKind::other_verdict, "claim one", "confirmed", "refuted");
-
-  after = state();
-  after.verdicts["check sum"] = "failed";
-  check_told(after, ChangeKind::other_verdict, "check sum", "passed", "failed");
-
-  after = state();
-  after.limits["claim one: ratio"] = "at most 2 %";
-  check_told(after, ChangeKind::other_limit, "claim one: ratio", "at most 1 %", "at most 2 %");
 
   after = state();
   after.verdicts["claim two"] = "confirmed";
@@ -207,9 +180,7 @@ BOOST_AUTO_TEST_CASE(a_listing_that_the_document_prints_and_that_is_another_is_t
 
 BOOST_AUTO_TEST_CASE(other_words_of_the_program_are_told) {
   for (const auto& [name, words] : state().words) {
-    Manifest after = state();
-    after.words[name] = "other words";
-    check_told(after, ChangeKind::other_text, name, words, "other words");
+    check_text(&Manifest::words, name, "other words", ChangeKind::other_text);
   }
 }
 
