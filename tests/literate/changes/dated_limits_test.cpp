@@ -37,8 +37,7 @@ Manifest without_claim() {
 struct History : MadeUpPaper {
   History(std::initializer_list<Manifest> records) {
     for (const Manifest& one : records) {
-      record(one);
-      commit();
+      commit(one);
     }
   }
   DatedLimits dated(const Manifest& now, const std::string& reason = "choice: a tenth") const {
@@ -136,13 +135,11 @@ BOOST_AUTO_TEST_CASE(a_case_with_other_comments_is_the_same_case) {
   };
   History history{};
   history.write("case.toml", plain);
-  history.record(of_case(one_percent, plain));
-  history.commit();
+  history.commit(of_case(one_percent, plain));
 
   history.write("case.toml", explained);
   BOOST_TEST(history.age(of_case(two_percent, explained)) == chosen_after);
-  history.record(of_case(two_percent, explained));
-  history.commit();
+  history.commit(of_case(two_percent, explained));
   BOOST_TEST(history.age(of_case(two_percent, explained)) == chosen_after);
 
   const std::string steeper = "angle = 91\n";
@@ -178,8 +175,7 @@ BOOST_AUTO_TEST_CASE(a_record_that_cannot_be_read_leaves_nothing_to_know) {
   History history{without_claim(), open};
   history.write("results.json", "{");
   history.commit();
-  history.record(one_percent);
-  history.commit();
+  history.commit(one_percent);
   BOOST_TEST(history.age(one_percent) == "");
 }
 
@@ -187,8 +183,7 @@ BOOST_AUTO_TEST_CASE(a_record_that_was_removed_meanwhile_is_passed_over) {
   History history{without_claim(), open};
   history.git({"rm", "-q", "results.json"});
   history.commit();
-  history.record(one_percent);
-  history.commit();
+  history.commit(one_percent);
   BOOST_TEST(history.age(one_percent) == older_than_verdict);
 }
 

@@ -33,6 +33,10 @@ class MadeUpPaper {
     git({"add", "-A"});
     git({"commit", "--allow-empty", "-qm", "more"});
   }
+  void commit(const Manifest& now) {
+    record(now);
+    commit();
+  }
   std::string git(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"-c", "user.name=t", "-c", "user.email=t@example.org",
                                          "-c", "commit.gpgsign=false"});

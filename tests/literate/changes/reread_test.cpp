@@ -40,12 +40,20 @@ class Paper : public MadeUpPaper {
   }
 };
 
+// Whether there is one line, with this part.
+boost::test_tools::assertion_result are_one_with(const std::vector<std::string>& lines,
+                                                 const std::string& part) {
+  if (lines.size() == 1) return holds(lines[0], part);
+  boost::test_tools::assertion_result none(false);
+  none.message() << lines.size() << " lines";
+  return none;
+}
+
 // One whose words were written beside a peak of 10 psi.
 struct Written : Paper {
   Written() {
     write("a.tex", first_words);
-    record(results(10));
-    commit();
+    commit(results(10));
   }
 };
 
@@ -56,17 +64,15 @@ BOOST_AUTO_TEST_CASE(a_value_that_moved_beyond_its_error_is_listed_with_its_sent
 
   const Reread found = paper.reread(results(12));
 
-  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0],
-                   "a.tex:1: read this sentence again: value peak is 12 psi, and was 10 psi"));
+  BOOST_TEST(are_one_with(
+      found.sentences, "a.tex:1: read this sentence again: value peak is 12 psi, and was 10 psi"));
   BOOST_TEST(found.unknown.empty());
 }
 
 BOOST_AUTO_TEST_CASE(each_sentence_of_a_line_is_listed) {
   Paper paper;
   paper.write("a.tex", "It holds \\claim{far}. So we say \\claim{far}.\n");
-  paper.record(results(10));
-  paper.commit();
+  paper.commit(results(10));
 
   BOOST_TEST(paper.reread(results(10, "refuted")).sentences.size() == 2U);
 }
@@ -77,74 +83,65 @@ BOOST_AUTO_TEST_CASE(what_the_record_beside_a_sentence_does_not_have_is_held_aga
   paper.commit();  // before its value is recorded
   Manifest later = results(10);
   later.numbers["width"] = {.number = 3, .abs_error = 0.1, .printed = "3 in"};
-  paper.record(later);
-  paper.commit();
+  paper.commit(later);
   later.numbers["width"] = {.number = 5, .abs_error = 0.1, .printed = "5 in"};
 
   const Reread found = paper.reread(later);
 
-  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0],
+  BOOST_TEST(
+      are_one_with(found.sentences,
                    "value width is 5 in, and was 3 in in results.json when it was last recorded"));
-  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
-  BOOST_TEST(holds(found.unknown[0], "1 sentence, such as " + paper.folder().filename().string() +
-                                         "/b.tex:1 of commit "));
+  BOOST_TEST(are_one_with(
+      found.unknown,
+      "1 sentence, such as " + paper.folder().filename().string() + "/b.tex:1 of commit "));
   BOOST_TEST(holds(found.unknown[0], "its results.json does not have all that they print"));
 }
 
 BOOST_AUTO_TEST_CASE(a_sentence_whose_lines_and_neighbours_changed_keeps_its_age) {
   const Written paper;
   const auto is_listed = [&] {
-    const Reread found = paper.reread(results(12));
-    return found.sentences.size() == 1U && holds(found.sentences[0], "was 10 psi");
+    return are_one_with(paper.reread(results(12)).sentences, "was 10 psi");
   };
   paper.write("a.tex", "Our peak\nis here. The peak\nis \\val{peak}.\n\nIt holds \\claim{far}.\n");
   BOOST_TEST(is_listed());
 
   Written committed;
   committed.write("a.tex", "Another one. The peak\nis \\val{peak}.\n\nIt holds \\claim{far}.\n");
-  committed.record(results(12));
-  committed.commit();
+  committed.commit(results(12));
   committed.write("a.tex", "The\npeak is \\val{peak}.\n\nIt holds \\claim{far}.\n");
   committed.commit();
 
   const Reread found = committed.reread(results(12));
-  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0], "was 10 psi"));
+  BOOST_TEST(are_one_with(found.sentences, "was 10 psi"));
 }
 
 BOOST_AUTO_TEST_CASE(words_that_are_older_than_the_first_record_are_held_against_it_and_named) {
   Paper paper;
   paper.write("a.tex", first_words);
   paper.commit();
-  paper.record(results(10));
-  paper.commit();
+  paper.commit(results(10));
 
   const Reread found = paper.reread(results(12));
 
-  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
   BOOST_TEST(
-      holds(found.sentences[0], "was 10 psi in results.json when it was first recorded, at "));
-  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
-  BOOST_TEST(holds(found.unknown[0], "they are no younger than the first record, that of commit "));
+      are_one_with(found.sentences, "was 10 psi in results.json when it was first recorded, at "));
+  BOOST_TEST(
+      are_one_with(found.unknown, "they are no younger than the first record, that of commit "));
 }
 
 BOOST_AUTO_TEST_CASE(such_words_keep_their_age_when_what_stands_beside_them_changes) {
   Paper paper;
   paper.write("a.tex", "Look here. " + first_words);
   paper.commit();
-  paper.record(results(10));
-  paper.commit();
+  paper.commit(results(10));
   const auto is_listed = [&] {
-    const Reread found = paper.reread(results(12));
-    return found.sentences.size() == 1U &&
-           holds(found.sentences[0], "was 10 psi in results.json when it was first recorded, at ");
+    return are_one_with(paper.reread(results(12)).sentences,
+                        "was 10 psi in results.json when it was first recorded, at ");
   };
 
   paper.write("a.tex", "Look there. " + first_words);
   BOOST_TEST(is_listed());
-  paper.record(results(12));
-  paper.commit();
+  paper.commit(results(12));
   BOOST_TEST(is_listed());
   paper.write("a.tex", "Look\nthere. The\npeak is \\val{peak}.\n\nIt holds \\claim{far}.\n");
   BOOST_TEST(is_listed());
@@ -156,18 +153,15 @@ BOOST_AUTO_TEST_CASE(a_record_of_another_case_than_its_commit_has_is_none) {
   paper.write("a.tex", first_words);
   Manifest of_another = results(10);
   of_another.inputs["case"] = sys::sha256_of_text("load = 1\n");
-  paper.record(of_another);
-  paper.commit();
+  paper.commit(of_another);
   const Reread other = paper.reread(results(12));
   BOOST_TEST(other.sentences.empty());
-  BOOST_TEST_REQUIRE(other.unknown.size() == 1U);
-  BOOST_TEST(holds(other.unknown[0], "its results.json is of another case"));
+  BOOST_TEST(are_one_with(other.unknown, "its results.json is of another case"));
 
   Paper same;
   same.write("case.toml", "load = 1\n");
   same.write("a.tex", first_words);
-  same.record(of_another);
-  same.commit();
+  same.commit(of_another);
   BOOST_TEST(same.reread(results(12)).sentences.size() == 1U);
 }
 
@@ -187,8 +181,7 @@ BOOST_AUTO_TEST_CASE(a_flag_that_turned_is_listed_with_all_sentences_of_its_bran
   };
   Paper paper;
   paper.write("a.tex", "\\ifflag{near}{It is near.\nIt is close.}{It is far.}\nIt is.\n");
-  paper.record(with_flag("yes"));
-  paper.commit();
+  paper.commit(with_flag("yes"));
 
   const Reread found = paper.reread(with_flag("no"));
 
@@ -201,17 +194,15 @@ BOOST_AUTO_TEST_CASE(a_flag_that_turned_is_listed_with_all_sentences_of_its_bran
 BOOST_AUTO_TEST_CASE(a_verdict_that_turned_is_listed) {
   const Reread found = Written().reread(results(10, "refuted"));
 
-  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0],
+  BOOST_TEST(
+      are_one_with(found.sentences,
                    "a.tex:3: read this sentence again: claim far is refuted, and was confirmed"));
 }
 
 BOOST_AUTO_TEST_CASE(a_value_that_came_back_is_not_listed) {
   Written paper;
-  paper.record(results(12));
-  paper.commit();
-  paper.record(results(10));
-  paper.commit();
+  paper.commit(results(12));
+  paper.commit(results(10));
 
   BOOST_TEST(paper.reread(results(10)).sentences.empty());
 }
@@ -237,8 +228,7 @@ BOOST_AUTO_TEST_CASE(another_indentation_and_another_file_are_no_other_words) {
 
   const Reread found = paper.reread(results(12));
 
-  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0], "b.tex:1: "));
+  BOOST_TEST(are_one_with(found.sentences, "b.tex:1: "));
 }
 
 BOOST_AUTO_TEST_CASE(a_value_with_another_name_was_read_by_who_gave_it) {
@@ -262,8 +252,7 @@ BOOST_AUTO_TEST_CASE(words_that_were_rebased_upon_newer_results_are_not_known) {
   paper.write("a.tex", "About ten: \\val{peak}.\n\nIt holds \\claim{far}.\n");
   paper.commit();
   paper.git({"switch", "-q", "main"});
-  paper.record(results(12));
-  paper.commit();
+  paper.commit(results(12));
   paper.git({"switch", "-q", "words"});
   paper.wait();
   paper.git({"rebase", "-q", "main"});
@@ -271,8 +260,7 @@ BOOST_AUTO_TEST_CASE(words_that_were_rebased_upon_newer_results_are_not_known) {
   const Reread found = paper.reread(results(12));
 
   BOOST_TEST(found.sentences.empty());
-  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
-  BOOST_TEST(holds(found.unknown[0], ": it was rewritten"));
+  BOOST_TEST(are_one_with(found.unknown, ": it was rewritten"));
 }
 
 BOOST_AUTO_TEST_CASE(words_that_were_rebased_upon_the_same_results_are_known) {
@@ -300,12 +288,11 @@ BOOST_AUTO_TEST_CASE(words_are_not_known_where_history_begins_with_them) {
 
   const Reread found = paper.reread(results(12));
 
-  BOOST_TEST_REQUIRE(found.unknown.size() == 1U);
-  BOOST_TEST(holds(found.unknown[0], "2 sentences, such as "));
+  BOOST_TEST(are_one_with(found.unknown, "2 sentences, such as "));
   BOOST_TEST(holds(found.unknown[0], "/a.tex:1: they are "));
   BOOST_TEST(holds(found.unknown[0], "they are no younger than the first record, that of commit "));
-  BOOST_TEST_REQUIRE(found.sentences.size() == 1U);
-  BOOST_TEST(holds(found.sentences[0], "was 10 psi in results.json when it was first recorded"));
+  BOOST_TEST(
+      are_one_with(found.sentences, "was 10 psi in results.json when it was first recorded"));
 }
 
 BOOST_AUTO_TEST_CASE(without_history_nothing_is_known) {
