@@ -175,11 +175,9 @@ void Archive::keep(const std::vector<std::string>& entries) {
 }
 
 std::string Archive::read(const std::string& entry) {
-  const auto n_such = std::ranges::count(entries_, entry);
-  if (n_such == 0) throw std::invalid_argument("is missing");
-  if (n_such > 1) throw std::invalid_argument("is in the archive more than once");
-  const auto at = std::ranges::find(entries_, entry) - entries_.begin();
-  const std::string& pattern = patterns_[static_cast<std::size_t>(at)];
+  const auto found = std::ranges::find(entries_, entry);
+  if (found == entries_.end()) throw std::invalid_argument("is missing");
+  const std::string& pattern = patterns_[static_cast<std::size_t>(found - entries_.begin())];
   if (std::ranges::count(patterns_, pattern) > 1) {
     throw std::invalid_argument("is in the archive more than once");
   }
@@ -193,7 +191,7 @@ std::string Archive::read(const std::string& entry) {
   }
   const std::string text =
       beginning_of(work_ / "archive.out", static_cast<std::size_t>(limits_.file_kb) * 1024);
-  if (text.empty()) throw std::invalid_argument("is empty, or not a file");
+  if (text.empty()) throw std::invalid_argument("is empty, a link, or no file");
   return text;
 }
 

@@ -65,6 +65,7 @@ Graded grade_submission(const Assignment& assignment, const GradingTask& task,
                                         .toolkit = task.toolkit,
                                         .files = graded.submission.files,
                                         .scratch = scratch.path() / "own tests",
+                                        .seconds_so_far = [&run] { return run.seconds(); },
                                         .isolation = task.isolation},
                                        graded.missed);
   graded.results = try_checks(assignment, checks, built, task.variant, run, draw);

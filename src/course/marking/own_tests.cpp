@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <sstream>
@@ -51,13 +52,22 @@ std::string text_of(const std::vector<std::string>& lines) {
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
+/// Whether all questions begin with the same word.
+bool are_about_one_task(const std::vector<std::string>& questions) {
+  const auto task_of = [](const std::string& line) { return line.substr(0, line.find(' ')); };
+  return std::ranges::all_of(questions, [&](const std::string& question) {
+    return task_of(question) == task_of(questions.front());
+  });
+}
+
 /// Runs the program `folder`/tests.
 class TestsRun {
  public:
-  TestsRun(const Assignment& assignment, fs::path folder, Isolation isolation)
+  TestsRun(const Assignment& assignment, double seconds_left, fs::path folder, Isolation isolation)
       : limits_(assignment.limits),
         seconds_for_all_(std::max(
             1, limits_.submission_seconds / static_cast<int>(assignment.exercises.size() + 1))),
+        seconds_left_(seconds_left),
         folder_(std::move(folder)),
         sandbox_(isolation, folder_) {}
 
@@ -77,13 +87,18 @@ class TestsRun {
                                       const std::vector<std::string>& questions);
   std::vector<std::string> run(const fs::path& program, const std::vector<std::string>& arguments,
                                const std::string& text, JobEnd& end);
-  bool took_too_long() const { return seconds_ > seconds_for_all_; }
+  double seconds_of_limit() const { return std::min<double>(seconds_for_all_, seconds_left_); }
+  bool took_too_long() const { return seconds_ > seconds_of_limit(); }
   std::string too_long() const {
-    return fmt::format("took longer than {} s in all", seconds_for_all_);
+    return seconds_left_ < seconds_for_all_
+               ? fmt::format("took longer than what all answers had left of {} s",
+                             limits_.submission_seconds)
+               : fmt::format("took longer than {} s in all", seconds_for_all_);
   }
 
   Limits limits_;
   int seconds_for_all_;
+  double seconds_left_;  ///< of those that the whole submission has
   fs::path folder_;
   Sandbox sandbox_;
   double seconds_ = 0;
@@ -92,7 +107,9 @@ class TestsRun {
 std::vector<std::string> TestsRun::run(const fs::path& program,
                                        const std::vector<std::string>& arguments,
                                        const std::string& text, JobEnd& end) {
-  end = run_on_text(sandbox_, limits_, program, arguments, text, limits_.run_seconds);
+  const int left = std::max(1, static_cast<int>(std::ceil(seconds_of_limit() - seconds_)));
+  end =
+      run_on_text(sandbox_, limits_, program, arguments, text, std::min(left, limits_.run_seconds));
   seconds_ += end.seconds;
   const auto max_bytes = static_cast<std::size_t>(limits_.output_kb) * 1024;
   return whole_lines(beginning_of(folder_ / "output", max_bytes));
@@ -133,6 +150,7 @@ Verdict TestsRun::verdict_on(const fs::path& program, Talk& talk) {
     talk.answers = answers_of(program, talk.questions);
     auto [asked, verdict] = run_tests(talk);
     if (asked == talk.questions) return verdict;
+    if (!are_about_one_task(asked)) return {"asked about several tasks"};
     talk.questions = std::move(asked);
   }
   return {took_too_long() ? too_long()
@@ -149,16 +167,21 @@ std::string shown_line(const std::string& text, int number) {
   return fmt::format("line {}, «{}»", number, shown_name(line));
 }
 
-/// Compiles the tests to `folder`/tests. Returns the message of compiler or linker, empty if it
-/// worked.
-std::string compile(const OwnTestsTask& task, const Exercise& exercise, const fs::path& folder) {
+/// Compiles the tests to `folder`/tests, and takes its time off what is left. Returns the message
+/// of compiler or linker, empty if it worked.
+std::string compile(const OwnTestsTask& task, const Exercise& exercise, const fs::path& folder,
+                    double& seconds_left) {
   fs::create_directories(folder);
-  Compiler compiler(task.assignment, task.toolkit, folder, task.isolation);
+  Assignment assignment = task.assignment;
+  assignment.limits.submission_seconds = static_cast<int>(std::ceil(seconds_left));
+  Compiler compiler(assignment, task.toolkit, folder, task.isolation);
   compiler.write_project(task.assignment, {{exercise.tests, task.files.at(exercise.tests)}});
   std::string error = compiler.compile(exercise.tests, folder / "tests.o");
-  if (!error.empty()) return error;
-  compiler.use_object(compiler.toolkit().replay_object());
-  error = compiler.link({{folder / "tests.o", "/objects/tests.o"}}, folder / "tests");
+  if (error.empty()) {
+    compiler.use_object(compiler.toolkit().replay_object());
+    error = compiler.link({{folder / "tests.o", "/objects/tests.o"}}, folder / "tests");
+  }
+  seconds_left -= compiler.seconds();
   if (error.empty()) make_executable(folder / "tests");
   return error;
 }
@@ -179,10 +202,12 @@ Outcome outcome_of(const OwnTestsTask& task, const Exercise& exercise,
   const auto file = task.files.find(exercise.tests);
   if (file == task.files.end()) return {0, exercise.tests + " was not taken"};
   const fs::path folder = fs::absolute(task.scratch) / exercise.id;
-  const std::string error = compile(task, exercise, folder);
+  double seconds_left = task.assignment.limits.submission_seconds - task.seconds_so_far();
+  if (seconds_left <= 0) return {0, "all answers took the time that there is for the tests, too"};
+  const std::string error = compile(task, exercise, folder, seconds_left);
   if (!error.empty()) return {0, fmt::format("{} is not compiled: {}", exercise.tests, error)};
 
-  TestsRun run(task.assignment, folder, task.isolation);
+  TestsRun run(task.assignment, seconds_left, folder, task.isolation);
   const fs::path programs = open_toolkit(task.assignment, task.toolkit).programs_of(exercise.id);
   Talk right;
   const Verdict verdict = run.verdict_on(programs / "right", right);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct OwnTestsTask {
   std::filesystem::path toolkit;
   const Files& files;             ///< of the submission
   std::filesystem::path scratch;  ///< is made
+  /// What compiling and all answers took so far, as JobEnd::seconds; nothing if it does not count.
+  std::function<double()> seconds_so_far = [] { return 0.; };
   Isolation isolation = Isolation::sandbox;
 };
 
@@ -30,8 +33,9 @@ struct OwnTestsTask {
 /// The tests run in the sandbox and apart from the program that they try, of which they get numbers
 /// only (course/assignment/replay.hpp): what they say of it follows from what it answers. They are
 /// run again until they ask what they asked before, with the answers to that; all programs begin
-/// with the questions of the right one. All this may take one exercise's share of
-/// Limits::submission_seconds.
+/// with the questions of the right one. All their questions are about one
+/// task, since the right program's answers to others would tell them what is right. All this may
+/// take one exercise's share of Limits::submission_seconds, and no more than is left of these.
 ///
 /// When the checks are tried, a line for each wrong program that is not caught, for the instructor,
 /// is added to `missed`.

@@ -52,6 +52,9 @@ class ProgramRun {
   /// Throws ProgramFailure if there is no answer, ToolError if the sandbox cannot be started.
   Numbers answer(const std::string& task, const Numbers& inputs);
 
+  /// Of compiling and all runs so far, as JobEnd::seconds.
+  double seconds() const { return seconds_; }
+
   /// Whether any question of this task was asked.
   bool was_asked(const std::string& task) const;
 
@@ -78,7 +81,7 @@ class ProgramRun {
   /// The last quick question of a program's task.
   std::map<std::pair<std::filesystem::path, std::string>, Numbers> last_;
   std::map<std::string, std::string> given_up_;  ///< tasks that took too long, and the message
-  double seconds_;                               ///< of compiling and all runs so far
+  double seconds_;
   std::map<std::filesystem::path, double> seconds_of_;  ///< by program
 };
 

@@ -233,6 +233,10 @@ Submission taken_from(HandedIn handed_in, const std::vector<std::string>& wanted
   submission.has_report = stands_in(entries, place + report);
   handed_in.keep(below(place, wanted));
   for (const std::string& file : wanted) {
+    // `tar -r` appends a file again, and which one is meant, a person has to ask.
+    if (std::ranges::count(entries, place + file) > 1) {
+      throw std::invalid_argument(fmt::format("the archive holds {} more than once", file));
+    }
     try {
       const std::string text = handed_in.read(place + file);
       const std::string fault = fault_of(text);
@@ -271,7 +275,7 @@ std::string fault_of(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == text.npos) return "is empty";
   const auto null = text.find('\0');
   if (null != text.npos) {
-    return fmt::format("is no text: byte {} is zero", null + 1);
+    return fmt::format("is no text in UTF-8: byte {} is zero", null + 1);
   }
   return "";
 }

@@ -169,6 +169,12 @@ Likeness likeness_of(const Assignment& assignment, const std::vector<Written>& a
                                  own.size() / 1024, most_kb));
         continue;
       }
+      if (own.find("R\"") != own.npos) {
+        likeness.problems.push_back(fmt::format(
+            "{} of {} is to be read by a person: sim_c++ takes a raw string, R\"(…)\", for others, "
+            "which may hide what follows",
+            exercise.file, written.unit));
+      }
       sys::write_file_atomically(folder / fmt::format("{}.cpp", units.size()), own);
       units.push_back(written.unit);
     }

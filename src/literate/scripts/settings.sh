@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # Sourced with the file that literate_add_paper wrote for a paper: a line «name=value» for each variable that its
-# stages and scripts read; of two lines with one name the last counts. They are the name of the paper's targets, its project, the folders root, build, document, figures,
+# stages and scripts read. They are the name of the paper's targets, its project, the folders root, build, document, figures,
 # output, repository (its state) and engine, the LaTeX that typesets it, the files program, literate and case, the
 # document's main file, and with colons between the folders of sources, from the root on, the data that are imported, what their
 # scripts read and what runs these, the records of what was read and made for it before the stages; the list of the program's objects; and the list of planted faults.
@@ -59,7 +59,12 @@ fail() {
 here_git() { git -c "safe.directory=$root" "$@"; }
 
 # settings_with NAME=VALUE…: prints the settings with these in place of their own.
-settings_with() { cat -- "$settings" && printf '%s\n' "$@"; }
+settings_with() {
+  local setting names=()
+  for setting; do names+=(-e "^${setting%%=*}="); done
+  grep -v "${names[@]}" -- "$settings"
+  printf '%s\n' "$@"
+}
 
 # shown FILE: its name from the root on, if it lies below.
 shown() { printf '%s\n' "${1#"$root"/}"; }

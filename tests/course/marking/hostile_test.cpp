@@ -153,7 +153,7 @@ const std::map<std::string, std::string> not_graded = {
     {"archive_is_none", "the archive cannot be read: Error opening archive: Unrecognized"},
     {"archive_of_odd_names", "there is 'src/squ?are.cpp', but src/square.cpp is looked for"},
     {"archive_of_two", "the submission holds files in two places, 'a/' and 'b/'"},
-    {"binary_file", "src/square.cpp is no text: byte 9 is zero"},
+    {"binary_file", "src/square.cpp is no text in UTF-8: byte 9 is zero"},
     {"device", "src/square.cpp is a device, not a file"},
     {"empty_file", "src/square.cpp is empty"},
     {"empty_folder", "the submission is empty, or cannot be read"},

@@ -87,6 +87,11 @@ class Import(unittest.TestCase):
         with zipfile.ZipFile(self.folder / "autumn/alice@example.org.zip") as archive:
             self.assertEqual(archive.read("src/square.cpp"), b"int one;")
 
+    def test_a_participant_whose_name_imitates_an_entry_gets_their_own_work(self):
+        self.zipped([("M 101 assignsubmission file  M_102_assignsubmission_file_/two.zip", inner(text="int two;"))])
+        self.assertEqual(self.run_import(WORKSHEET), 0, self.ran.stderr)
+        self.assertEqual(self.files(), ["adams2@example.org.zip"])
+
     def test_moodle_without_folders_and_a_folder_around_all_are_read_the_same(self):
         self.zipped([("all/Alice Adams_102_assignsubmission_file_x_101_assignsubmission_file_toy.zip", inner())])
         self.assertEqual(self.run_import(WORKSHEET), 0, self.ran.stderr)

@@ -4,6 +4,8 @@
 #include "course/marking/own_tests.hpp"
 #include "message_of.hpp"
 
+#include <fmt/core.h>
+
 #include <boost/test/unit_test.hpp>
 #include <map>
 
@@ -64,7 +66,7 @@ struct Tried {
 };
 
 Tried tried(const std::string& name, Isolation isolation = Isolation::sandbox,
-            const Assignment& toy = assignment()) {
+            const Assignment& toy = assignment(), double seconds_so_far = 0) {
   const ScratchFolder scratch;
   const Files files = with_tests(name);
   Tried tried;
@@ -73,6 +75,7 @@ Tried tried(const std::string& name, Isolation isolation = Isolation::sandbox,
                                         .toolkit = toolkit(),
                                         .files = files,
                                         .scratch = scratch.path() / "own tests",
+                                        .seconds_so_far = [=] { return seconds_so_far; },
                                         .isolation = isolation},
                                        tried.missed);
   const Outcome outcome = checks.at("square-tests")({}, {});
@@ -145,12 +148,25 @@ BOOST_AUTO_TEST_CASE(all_runs_of_tests_together_have_one_limit) {
              sleepers.message);
 }
 
+BOOST_AUTO_TEST_CASE(tests_have_no_more_time_than_compiling_and_answers_left) {
+  const Assignment toy = assignment();
+  const int all = toy.limits.submission_seconds;
+
+  BOOST_TEST(tried("sleeps", Isolation::sandbox, toy, all - 0.5)
+                 .message.starts_with(fmt::format(
+                     "your tests took longer than what all answers had left of {} s", all)));
+  BOOST_TEST(tried("honest", Isolation::sandbox, toy, all + 0.5).message ==
+             "all answers took the time that there is for the tests, too");
+}
+
 BOOST_AUTO_TEST_CASE(tests_gain_nothing_but_by_answers) {
   check_tried("says_that_it_ended", 0, "your tests catch 0 of 4 wrong programs");
   check_tried("forks", 0, "your tests catch 0 of 4 wrong programs");
   check_tried("asks_by_chance", 0,
               "your tests asked more than 300 questions one after the other, each of which depends "
               "on the answer before when they tried the");
+  check_tried("asks_another_task", 0,
+              "your tests asked about several tasks when they tried the right program");
   check_tried("looks_for_the_program", 0, "your tests catch 0 of 4 wrong programs");
   // A busy machine may let it reject the right program the first time.
   BOOST_TEST(tried("goes_by_the_clock").points == 0);

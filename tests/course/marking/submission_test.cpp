@@ -247,6 +247,18 @@ BOOST_AUTO_TEST_CASE(a_locked_archive_waits_with_a_report_in_it_too) {
              "waits: src/square.cpp cannot be unpacked: the archive is damaged or locked");
 }
 
+BOOST_AUTO_TEST_CASE(a_tar_to_which_a_file_was_appended_again_waits) {
+  const TemporaryFolder folder;
+  folder.write("src/square.cpp", "int a;\n");
+  for (const char* how : {"-cf", "-rf"}) {
+    sys::run(
+        {.program = "tar", .arguments = {how, "a.tar", "src"}, .working_directory = folder.path()});
+  }
+
+  BOOST_TEST(problem_of(folder.path() / "a.tar") ==
+             "waits: the archive holds src/square.cpp more than once");
+}
+
 BOOST_AUTO_TEST_CASE(a_file_of_a_zip_that_is_damaged_is_not_taken) {
   const TemporaryFolder folder;
   std::string bytes = sys::read_file(zip_of(folder, ""));

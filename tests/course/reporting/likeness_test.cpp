@@ -127,6 +127,15 @@ BOOST_AUTO_TEST_CASE(a_text_that_keeps_sim_busy_hinders_no_other_from_being_comp
   BOOST_TEST(likeness({table + first, table + other}).problems.empty());
 }
 
+// sim_c++ would take the copy behind it for a comment.
+BOOST_AUTO_TEST_CASE(a_raw_string_which_sim_does_not_know_is_told) {
+  const Likeness found = likeness({first, "const char* note = R\"(\n/*\n)\";\n" + copied, copied});
+
+  BOOST_TEST(found.pairs.size() == 1U);
+  BOOST_REQUIRE(found.problems.size() == 1U);
+  BOOST_TEST(found.problems[0].starts_with("src/square.cpp of bob is to be read by a person"));
+}
+
 BOOST_AUTO_TEST_CASE(lines_are_known_whatever_their_blanks) {
   const auto known = known_lines({{{"a.cpp", "int a = 1;\r\n\treturn a;\n"}}});
 

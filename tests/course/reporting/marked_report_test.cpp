@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(a_report_that_is_no_file_of_text_is_told_and_not_typeset) {
   };
   says("is empty");
   sys::write_file_atomically(report, std::string("a\0b", 3));
-  says("is no text: byte 2 is zero");
+  says("is no text in UTF-8: byte 2 is zero");
   sys::write_file_atomically(report, std::string(65 * 1024, 'x'));
   says("is larger than 64 kB");
   fs::remove(report);
@@ -349,7 +349,7 @@ BOOST_AUTO_TEST_CASE(files_that_a_program_leaves_are_read_as_a_submission_is) {
   const Files link = leaves(
       "unlink(\"/tmp/generated/numbers.tex\"); "
       "symlink(\"/etc/passwd\", \"/tmp/generated/numbers.tex\")");
-  BOOST_TEST(holds(link.at("findings.txt"), "generated/numbers.tex is empty, or not a file"),
+  BOOST_TEST(holds(link.at("findings.txt"), "generated/numbers.tex is empty, a link, or no file"),
              link.at("findings.txt"));
   BOOST_TEST(!link.contains("numbers.tex"));
 
