@@ -26,6 +26,7 @@ def write_page(folder):
     facts = json.dumps(json.loads((HERE / "fixture.json").read_text(encoding="utf-8"))).replace("<", "\\u003c")
     html = (HERE / "fixture.html").read_text(encoding="utf-8")
     html = html.replace("<!-- much text -->", 40 * "The amplitude decides, and nothing else does. ")
+    html = html.replace("<!-- many terms -->", 20 * "<mi>k</mi><mo>+</mo>")
     html = html.replace("<!-- term_1 to term_30 -->", "".join(
         f'<span class="lit-line" data-line="{10 + i}">  const <span class="kw">double</span> term_{i} = {i} * angle;</span>\n'
         for i in range(1, 31)))

@@ -81,6 +81,9 @@ def check_ways(claim, browser, page):
         if media == "screen":
             claim("nothing is wider than the window", browser.evaluate(
                 "document.scrollingElement.scrollWidth > innerWidth ? [document.scrollingElement.scrollWidth] : []"))
+            claim("every formula begins where it is seen or can be scrolled to", browser.evaluate(
+                "[...document.querySelectorAll('.lit-equation > math')].map(e => [e.parentNode.id, e.getBoundingClientRect().left"
+                " - e.parentNode.getBoundingClientRect().left + e.parentNode.scrollLeft]).filter(([, left]) => left < -1)"))
             claim("light and dark are what the reader's system says", browser.evaluate(
                 "(() => { const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number);"
                 f" const isDark = r + g + b < 384; return isDark !== {json.dumps(scheme == 'dark')}; }})()"))
