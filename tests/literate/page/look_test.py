@@ -64,6 +64,10 @@ def check_content(browser, page):
     text = card_of(browser, "[data-key=period]")
     claim("a value's card has its digits, error and key",
           missing(text, "2.3812345 s", "at most 0.00001 s", "period", "src/pendulum.cpp:20"))
+    browser.point_at("h1")
+    claim("a value that nobody points at has dots below it", browser.evaluate(
+        "(s => s.textDecorationLine + ' ' + s.textDecorationStyle)(getComputedStyle(document.querySelector('[data-key=period] a')))")
+        != "underline dotted")
     browser.point_at("a.lit-ref[href='#S1.E1']")
     browser.wait_for("document.querySelector('.lit-card math')")
     claim("a reference to a formula shows the formula", browser.evaluate("!document.querySelector('.lit-card math')"))
