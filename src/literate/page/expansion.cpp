@@ -420,11 +420,13 @@ void Expander::listing(std::string code, const std::string& language, int first_
 
 std::string Expander::use_id(const std::string& kind, const std::string& name) {
   std::vector<Use>& uses = uses_[{kind, name}];
-  uses.push_back({fmt::format("use-{}-{}-{}", kind, name, uses.size() + 1), section_});
+  // Nothing within a formula can be linked to.
+  uses.push_back(
+      {is_math_ ? "" : fmt::format("use-{}-{}-{}", kind, name, uses.size() + 1), section_});
   return uses.back().id;
 }
 
-// «used in § 2, § 3», a link to the first use in each section.
+// «used in § 2, § 3», a link to the first use in each section unless it stands in a formula.
 std::string Expander::uses(const std::string& kind, const std::string& name) const {
   const auto found = uses_.find({kind, name});
   if (found == uses_.end()) return "<span class=\"lit-uses\">not used</span>";
@@ -432,8 +434,11 @@ std::string Expander::uses(const std::string& kind, const std::string& name) con
   for (const Use& use : found->second) {
     if (!html.empty() && use.section == last) continue;
     last = use.section;
-    html += fmt::format("{}<a class=\"lit-ref\" href=\"#{}\">{}</a>", html.empty() ? "" : ", ",
-                        escape_html(use.id), last.empty() ? "the text" : "§\u00a0" + last);
+    if (!html.empty()) html += ", ";
+    const std::string place = last.empty() ? "the text" : "§\u00a0" + last;
+    html += use.id.empty() ? place
+                           : fmt::format("<a class=\"lit-ref\" href=\"#{}\">{}</a>",
+                                         escape_html(use.id), place);
   }
   return "<span class=\"lit-uses\">used in " + html + "</span>";
 }

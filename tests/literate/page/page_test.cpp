@@ -350,6 +350,14 @@ BOOST_AUTO_TEST_CASE(bare_digits_are_no_print_of_their_value_as_in_the_index_of_
       "used in <a class=\"lit-ref\" href=\"#use-val-mass-1\">the text</a>"));
 }
 
+// A link into a formula would lead nowhere.
+BOOST_AUTO_TEST_CASE(a_value_in_a_formula_is_used_there_without_a_link) {
+  const std::string html = page_of("$m = \\val{mass}$\\valueindex", "\\relax\n").html;
+
+  BOOST_TEST(holds(html, "used in the text<"));
+  BOOST_TEST(!holds(html, "#use-val-mass"), html);
+}
+
 BOOST_AUTO_TEST_CASE(natbib_sorts_and_compresses_where_its_options_say_so) {
   for (const auto& [options, cited] : {std::pair{"numbers", "[3, 1, 2]"},
                                        {"numbers,sort", "[1, 2, 3]"},
