@@ -205,8 +205,7 @@ std::vector<std::string> Table::keys() const {
 }
 
 bool Table::is_text(const std::string& key, const std::string& text) const {
-  const toml::node* node = node_->table->get(key);
-  return node != nullptr && node->value_exact<std::string>() == text;
+  return has(key) && node_->get(*this, key).value_exact<std::string>() == text;
 }
 
 double Table::number(const std::string& key) const {

@@ -164,6 +164,25 @@ BOOST_AUTO_TEST_CASE(a_key_that_nobody_asked_for_is_an_error) {
   check_error("a = 1\n[t]\nb = 3\nc = 4\n", read, "4:1: t.c: unknown key");
 }
 
+BOOST_AUTO_TEST_CASE(who_asks_for_a_text_has_asked_for_the_key) {
+  const auto read = [](const Table& t) {
+    const double mode = t.is_text("mode", "auto") ? 0 : t.number("mode");
+    t.is_text("absent", "auto");
+    t.reject_unknown_keys();
+    return mode;
+  };
+  const TemporaryFolder folder;
+  const auto path = folder.write("case.toml", "mode = \"auto\"\n");
+  BOOST_TEST(read(Table::parse_file(path)) == 0);
+  check_error(
+      "mod = \"auto\"\n",
+      [](const Table& t) {
+        t.is_text("mode", "auto");
+        t.reject_unknown_keys();
+      },
+      "1:1: mod: unknown key, did you mean 'mode'?");
+}
+
 BOOST_AUTO_TEST_CASE(a_misspelt_key_is_told_with_the_nearest_one) {
   check_error(
       "lenght = 1\n", [](const Table& t) { t.number("length"); },
