@@ -24,6 +24,7 @@ install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" "${HALFSPACE_ROOT}/s
 # The same folders as in the sources, so that scripts and CMake find each other in either.
 set(share "share/${versioned}")
 install(DIRECTORY scripts template DESTINATION "${share}")
+install(PROGRAMS scripts/case scripts/cases DESTINATION "${share}/scripts") # which people run by their names
 install(DIRECTORY page DESTINATION "${share}" FILES_MATCHING PATTERN "*.css" PATTERN "*.js" PATTERN "*.tex" PATTERN "*.lua")
 install(FILES README.md DESTINATION "${share}")
 install(FILES document/literate.sty DESTINATION "${share}/document")

@@ -4,6 +4,11 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../../toolchain/shell_test.sh"
 cases=$source_dir/src/literate/scripts/cases
 cd "$scratch" || exit 1
+named=$(grep -o 'scripts/[a-z]* ' "$source_dir/src/literate/README.md" | sort -u)
+for script in $named; do
+  runs test -x "$source_dir/src/literate/$script"
+  claim "the manual's $script can be run" "$status" -eq 0
+done
 
 # a_case NAME EXIT_CODE PRINTED VERDICT: names longer than what a string keeps in itself.
 a_case() {
@@ -21,7 +26,7 @@ a_case two 1 '2.5 mm' refuted
 printf 'length = {value = 1, unit = "m"}\nload = 3\n' >one/case.toml
 printf 'length = {value = 2, unit = "m"}\nload = 3\n' >two/case.toml
 
-runs python3 -B "$cases" one two --output cases.csv
+runs "$cases" one two --output cases.csv
 claim 'cases are compared without being told what' "$status" -eq 0
 name=deflection-of-the-free-end
 claim 'each case is a row, with what varies, all numbers, printed, unrounded and with their errors, and all claims' "$(cat cases.csv)" = \

@@ -295,6 +295,21 @@ runs env 'CASES=cases/angle?30.toml' ninja -C build rod-reports
 claim 'of a case with two verdicts that are not the expected ones both are told' \
   "$status $(grep -c '^angle 30 failed with 1: rod: .*: claim .*, not ' <<<"$said") $(grep -c '^angle 30 failed' <<<"$said")" = '1 2 2'
 
+# The engine's scripts by themselves, as the manual says to run them, of either engine
+by_script() {
+  engine=$(sed -n 's/^engine=//p' build/rod.settings)
+  runs "$engine/scripts/case" build/rod.settings "$1" 'one case'
+  claim "scripts/case of $engine makes a case" "$status$(cat 'one case/exit_code')" = 00 -a -s 'one case/rod.pdf'
+  runs "$engine/scripts/cases" 'one case' --output one.csv --keys relative-period
+  claim "scripts/cases of $engine reads it" "$status$(grep -c '^one case,0,1.' one.csv)" = 01
+  rm -rf 'one case' one.csv
+}
+by_script 'cases/angle 80.toml'
+cd "$scratch/added paper" || exit 1
+by_script case.toml
+claim 'the engine of a checkout is its own' "$engine" = "$source_dir/src/literate"
+cd "$scratch/moved paper" || exit 1
+
 echo 'At \val{anglee} or so.' >>paper/note.tex
 runs ninja -C build rod
 claim 'an unknown name stops the paper' "$status" -ne 0
