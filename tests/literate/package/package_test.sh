@@ -81,6 +81,10 @@ runs ninja -C build rod-dist
 claim 'it is packed, and typesets elsewhere' "$(says 'typeset elsewhere to the same text')" = yes
 runs ninja -C build rod-why
 claim 'there is nothing to do' "$(says 'nothing to do')" = yes
+runs make severity
+claim 'each of its faults turns a claim, and each claim is turned' \
+  "$status$(says 'faults turn 2 of 2 claims; 0 more do not compile')$(says 'turns nothing')$(says '(program)')" = 0yesnono
+rm paper/severity.csv
 runs ninja -C build rod-verify
 claim 'it is made again elsewhere with the same bytes' "$(says 'the same bytes: ')" = yes
 cp build/rod/manifest.json ../theirs.json # in the checkout it would be a file that git does not know
