@@ -115,11 +115,11 @@ LinearLeastSquares fit_linear(const MatrixXd& matrix, const std::vector<Measured
     fit.coefficients.push_back(std::move(coefficient));
   }
   const VectorXd fitted = matrix * values;
-  const bool is_weighted = observed.front().standard() > 0;
+  if (observed.front().standard() > 0) fit.chi_squared = 0;
   for (Index i = 0; i < matrix.rows(); ++i) {
     const double residual = y[i] - fitted[i];
     fit.residuals.push_back(residual);
-    if (is_weighted) fit.chi_squared += std::pow(residual * weights[i], 2);
+    if (fit.chi_squared) *fit.chi_squared += std::pow(residual * weights[i], 2);
   }
   return fit;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,8 +17,8 @@ struct LinearLeastSquares {
   std::vector<Measured> coefficients;
   std::vector<double> residuals;  ///< observed − fitted, one an observation
   /// χ² = Σ (residual/u)². It is to be compared with degrees_of_freedom if the observations are
-  /// independent; 0 where they have no standard uncertainty.
-  double chi_squared = 0;
+  /// independent; none where they have no standard uncertainty.
+  std::optional<double> chi_squared;
   int degrees_of_freedom = 0;  ///< observations less coefficients
 };
 
@@ -29,6 +30,10 @@ struct LinearLeastSquares {
 /// Least Squares Problems, 1996, 1.1.4), and a bound on y leaves cⱼ the range Σᵢ |A⁺ⱼᵢ| boundᵢ. A⁺
 /// comes from the singular values of the weighted matrix. Accuracy: rounding times the condition
 /// number of that matrix, which the bounds of the coefficients include.
+///
+/// What the observations scatter beyond their own uncertainties is in no coefficient: without
+/// standard uncertainties these have bounds alone, and whoever wants more estimates the uncertainty
+/// from the residuals and fits again (numerics::mean_of does).
 ///
 /// A has a row for each observation and a column for each coefficient. Throws InvalidQuantity for
 /// fewer rows than columns, no column, another number of observations than rows, numbers that are
