@@ -308,7 +308,7 @@ by_script() {
   claim "scripts/cases of $engine reads it" "$status$(grep -c '^one case,0,1.' one.csv)" = 01
   rm -rf 'one case' one.csv
 }
-by_script 'cases/angle 80.toml'
+by_script 'cases/angle 120.toml'
 cd "$scratch/added paper" || exit 1
 by_script case.toml
 claim 'the engine of a checkout is its own' "$engine" = "$source_dir/src/literate"
