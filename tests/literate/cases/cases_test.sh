@@ -73,4 +73,14 @@ claim 'and nothing is written' ! -e other.csv
 runs python3 -B "$cases" one three --output other.csv
 claim 'a folder that is none of a case is named, with 2' "$status $(says 'three/exit_code')" = '2 yes'
 
+# `case` alone: what it needs is looked for before anything is written.
+case=$source_dir/src/literate/scripts/case
+runs "$case"
+claim 'case without arguments says what it takes' "$status $(says 'case: it takes three arguments, the settings of a paper, a parameter file and a folder')" = '2 yes'
+runs "$case" none.settings one/case.toml new
+claim 'settings that are not there are named, with 2' "$status $said" = "2 case: there is no file 'none.settings'"
+runs "$case" one/case.toml none.toml new
+claim 'so is a parameter file' "$status $said" = "2 case: there is no file 'none.toml'"
+claim 'and no folder is made' ! -e new
+
 finish
