@@ -63,16 +63,16 @@ class Value {
   std::string printed() const;
   std::string latex() const;
 
-  /// The same value with n significant digits.
-  Value with_digits(int n_digits) const;
-  /// The same value as uncertain() prints it.
-  Value with_uncertainty() const;
+  /// The same number in a different format. Of values that are not texts.
+  Value formatted(const Format& format) const;
 
   /// How many significant digits are earned; 0 for a text.
   int n_earned_digits() const;
 
  private:
   Value() = default;
+  Value(double number, const std::optional<Number>& known, const Format& format,
+        std::string_view unit);
 
   double number_ = 0;
   std::optional<Number> known_ = {};
