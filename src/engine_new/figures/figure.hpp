@@ -11,7 +11,7 @@
 
 namespace literate {
 
-/// A point that is not there: a gap in a curve.
+/// A point that is not there: a gap in a curve. It is a NaN that no computation makes by accident.
 inline const double gap = std::nan("1");
 
 /// One block of data: columns of equal length under their names.
