@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "literate/claims/found.hpp"
 #include "literate/claims/limit.hpp"
 #include "literate/text/place.hpp"
 #include "literate/values/value.hpp"
@@ -25,12 +26,6 @@ std::string_view name_of(Verdict verdict);
 
 /// The verdict of that name. Throws std::invalid_argument for any other text.
 Verdict verdict_named(std::string_view name);
-
-/// A phrase as plain text, for messages, and as LaTeX.
-struct Phrase {
-  std::string plain;
-  std::string latex;
-};
 
 /// How far a criterion is from a different outcome.
 struct Margin {
@@ -99,10 +94,10 @@ class Criterion {
   std::string text() const;
 
  private:
-  struct Tested;
-  Criterion(std::string name, Limit limit) : name_(std::move(name)), limit_(std::move(limit)) {}
-  static Criterion decided(std::string name, const Tested& tested, const Limit& limit,
-                           const Place& place);
+  Criterion(std::string name, const Limit& limit, const Place& place);
+  static Criterion one_sided(std::string name, const Value& quantity, const Limit& limit, Side side,
+                             const Place& place);
+  void decide(const Value& tested, Side side, const Place& place);
 
   std::string name_;
   Limit limit_;
