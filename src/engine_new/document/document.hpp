@@ -94,6 +94,10 @@ class Document {
 
  private:
   void remember(const std::string& kind, const std::string& name, const Place& place);
+  /// Runs `make` and reports what it refuses with place, kind and name.
+  template <typename Make>
+  static auto checked(const std::string& kind, const std::string& name, const Place& place,
+                      Make&& make);
 
   std::map<std::string, Value> values_;
   std::map<std::string, bool> flags_;
