@@ -18,6 +18,7 @@ namespace {
 
 using numerics::Estimate;
 using numerics::rounding::add_up;
+using numerics::rounding::error_of_sum;
 using numerics::rounding::multiply_up;
 
 constexpr std::array<std::string_view, 4> names_of_verdicts{"holds", "holds in part", "fails",
@@ -102,24 +103,28 @@ Number difference(const Value& computed, const Value& stated) {
   return {std::abs(apart.value), apart.abs_error, add_up(c.standard, s.standard)};
 }
 
-/// |c/s − 1| with what is not known of it: by first order in the numerator, and in the denominator
-/// by what s may be at least.
+/// |c/s − 1| with what is not known of it: c'/s' − c/s is (δ − ε c/s)/s' for c' = c + δ, s' = s +
+/// ε.
 Number relative_difference(const Value& computed, const Value& stated) {
   const Number c = known(computed), s = known(stated);
   if (!(std::abs(s.value) > s.bound)) {
     throw std::invalid_argument(
         fmt::format("{} may be zero, so nothing is relative to it", stated.printed()));
   }
-  const double ratio = std::abs(decimal_difference(c.value, s.value) / s.value);
-  if (c.is_exact() && s.is_exact()) return {ratio, 0};
+  if (c.is_exact() && s.is_exact()) {
+    return {std::abs(decimal_difference(c.value, s.value) / s.value), 0};
+  }
+  const double apart = c.value - s.value;
+  const double ratio = std::abs(apart / s.value);
   const double least = std::abs(s.value) - s.bound;
   const double slope = std::abs(c.value / s.value);
-  // Each of the operations here rounds by half an ε.
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double of_difference = std::abs(error_of_sum(c.value, -s.value, apart));
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const auto share = [&](double of_c, double of_s) {
-    return (1 + rounding) * (of_c + slope * of_s) / least;
+    return (1 + 4 * epsilon) * (of_c + slope * of_s) / least;  // four roundings
   };
-  return {ratio, share(c.bound, s.bound) + rounding * (slope + 1), share(c.standard, s.standard)};
+  return {ratio, share(c.bound + of_difference, s.bound) + epsilon * ratio,
+          share(c.standard, s.standard)};
 }
 
 }  // namespace
