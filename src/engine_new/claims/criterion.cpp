@@ -65,13 +65,14 @@ Number known(const Value& quantity) {
 double error_of(const Value& quantity, const Limit& limit) {
   const Number number = known(quantity);
   if (number.standard == 0) return number.bound;
-  if (!limit.n_counted()) {
+  const auto& n_counted = limit.n_counted();
+  if (!n_counted) {
     throw std::invalid_argument(
         fmt::format("{} has a standard uncertainty of {}: say how many of them the limit counts, "
                     "as in Limit(...).counting(2)",
                     quantity.printed(), round_trip(number.standard)));
   }
-  return add_up(number.bound, multiply_up(*limit.n_counted(), number.standard));
+  return add_up(number.bound, multiply_up(*n_counted, number.standard));
 }
 
 /// A limit, or an error, in the unit of the quantity that it belongs to.
@@ -149,8 +150,8 @@ std::string Margin::text() const {
   return errors ? fmt::format("{}; {}", times, rough(*errors, "errors")) : times;
 }
 
-Criterion::Criterion(std::string name, const Limit& limit, const Place& place)
-    : name_(std::move(name)), limit_(limit) {
+Criterion::Criterion(std::string name, Limit limit, const Place& place)
+    : name_(std::move(name)), limit_(std::move(limit)) {
   at(place, name_, [&] {
     if (name_.empty()) throw std::invalid_argument("a criterion names what it tests");
     name_ = author_latex(name_);

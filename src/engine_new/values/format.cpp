@@ -159,7 +159,7 @@ void require_count(std::string_view what, int count, int least, int most) {
 }
 
 void require_printable(const Format& format, double value, const std::optional<Number>& number) {
-  constexpr int most_digits = 17, most_decimals = 100;
+  constexpr int most_significant = 17, most_decimals = 100;
   if (!std::isfinite(value)) {
     throw std::invalid_argument(fmt::format("{} is not finite", round_trip(value)));
   }
@@ -171,7 +171,7 @@ void require_printable(const Format& format, double value, const std::optional<N
   if (notation == Notation::fixed) {
     require_count("decimals", format.digits(), 0, most_decimals);
   } else if (has_digits(notation)) {
-    require_count("significant digits", format.digits(), 1, most_digits);
+    require_count("significant digits", format.digits(), 1, most_significant);
   }
   if (!format.rounds_up()) return;
   if (!has_digits(notation)) {

@@ -68,7 +68,7 @@ Criterion with(double number, double bound = 1e-9) {
 const Criterion holding = with(0.5), failing = with(1.5), undecided = with(1, 0.2);
 
 template <typename Make>
-std::string refused(Make&& make) {
+std::string refusal_of(Make&& make) {
   return message_of<literate::Error>(make);
 }
 
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(a_limit_is_printed_as_it_is_tested) {
   BOOST_TEST(limit(1.0 / 3) == 0.333);
   BOOST_TEST(limit(1.0 / 3, 5) == 0.33333);
   const Value between(Estimate{0.3331, 1e-9}, fixed(4));
-  const std::string message = refused([&] {
+  const std::string message = refusal_of([&] {
     Criterion::at_most("x", between, {1.0 / 3, LimitKind::theory, "a third"});
   });
   BOOST_TEST(holds(message,
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_decided_is_refused_with_the_line_of_code) {
   const Value number(Estimate{1.5, 0.1}, fixed(1), "m");
   const Value scattered({1.5, 0, 0.1}, uncertain(), "m");
   const auto at_most = [](const Value& value, const Limit& wanted) {
-    return refused([&] { Criterion::at_most("x", value, wanted); });
+    return refusal_of([&] { Criterion::at_most("x", value, wanted); });
   };
   BOOST_TEST(holds(at_most(Value(1.5, fixed(1)), limit), "criterion_test.cpp:"));
   BOOST_TEST(
@@ -160,24 +160,24 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_decided_is_refused_with_the_line_of_code) {
   BOOST_TEST(holds(at_most(number, {std::nan(""), LimitKind::data, "x"}), "is not finite"));
   BOOST_TEST(holds(at_most(number, {{1, -1}, LimitKind::data, "x"}), "below zero"));
   BOOST_TEST(holds(at_most(number, limit.counting(0)), "counting(0)"));
-  BOOST_TEST(holds(refused([&] { Criterion::at_most("", number, limit); }),
+  BOOST_TEST(holds(refusal_of([&] { Criterion::at_most("", number, limit); }),
                    "a criterion names what it tests"));
   const auto agrees = [&](const Value& stated, const Limit& wanted) {
-    return refused([&] { Criterion::agrees("x", number, stated, wanted); });
+    return refusal_of([&] { Criterion::agrees("x", number, stated, wanted); });
   };
   BOOST_TEST(holds(agrees(Value(1, exact(), "in"), limit),
                    "1.5 m has m and 1 in has in: give both in the same unit"));
   BOOST_TEST(holds(agrees(number, {-1, LimitKind::data, "x"}),
                    "the limit of a difference is 0 or more, not -1"));
   BOOST_TEST(holds(
-      refused([&] {
+      refusal_of([&] {
         Criterion::agrees_relatively("x", number, Value(Estimate{0.1, 0.2}, fixed(1), "m"), limit);
       }),
       "may be zero, so nothing is relative to it"));
-  BOOST_TEST(holds(refused([] { Criterion::in_each("x", "points", {}); }), "no case to try"));
+  BOOST_TEST(holds(refusal_of([] { Criterion::in_each("x", "points", {}); }), "no case to try"));
   const Criterion other =
       Criterion::at_most("x", Value(2, integer()), {3, LimitKind::data, "three"});
-  BOOST_TEST(holds(refused([&] {
+  BOOST_TEST(holds(refusal_of([&] {
                      Criterion::in_each("x", "points", {holding, other});
                    }),
                    "the cases have different limits, ≤ 1 (one) and ≤ 3 (three)"));
