@@ -12,6 +12,7 @@
 
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
+#include "literate/values/decimal.hpp"
 
 namespace literate {
 namespace {

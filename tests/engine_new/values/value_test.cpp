@@ -8,6 +8,7 @@
 #include <string>
 
 #include "holds.hpp"
+#include "literate/values/rounding.hpp"
 #include "message_of.hpp"
 #include "random_inputs.hpp"
 
