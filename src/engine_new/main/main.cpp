@@ -72,15 +72,17 @@ Document computed(const Compute& compute, const fs::path& case_file) {
 }  // namespace
 
 int run(const std::function<sys::ExitCode()>& program) {
+  sys::ExitCode exit_code = sys::ExitCode::tool_failed;
   try {
     return static_cast<int>(program());
   } catch (const sys::Error& error) {
     fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(error.exit_code());
+    // 1 means that the folder is complete, which it is not.
+    if (error.exit_code() != sys::ExitCode::failed) exit_code = error.exit_code();
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(sys::ExitCode::failed);
   }
+  return static_cast<int>(exit_code);
 }
 
 sys::ExitCode write_and_report(const Document& document, const fs::path& folder,

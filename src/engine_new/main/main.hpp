@@ -17,9 +17,9 @@ using Compute = std::function<void(Document& document, const std::filesystem::pa
 ///
 /// `PROGRAM compute CASE FOLDER` computes and writes the folder (literate/document/folder.hpp).
 /// Returns the exit code for the shell: 0; 1 if a check failed or a claim has a different verdict
-/// than expected, each with a line on standard error (the folder is written all the same), and for
-/// a computation that failed; 2 for bad input, and then nothing is written. On a terminal a line
-/// shows the seconds, and the counts of Document::progress.
+/// than expected, each with a line on standard error (the folder is complete all the same); 2 for
+/// bad input and 3 for a computation that stopped, and then nothing is written. On a terminal a
+/// line shows the seconds, and the counts of Document::progress.
 int main(int argc, char** argv, const Compute& compute);
 
 }  // namespace literate

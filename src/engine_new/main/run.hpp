@@ -11,8 +11,8 @@
 
 namespace literate {
 
-/// Runs a program. An exception becomes a line on standard error, and the exit code that the error
-/// has, or 1.
+/// Runs a program. An exception becomes a line on standard error and the exit code 2 for bad input,
+/// or 3 for anything else.
 int run(const std::function<sys::ExitCode()>& program);
 
 /// Writes the folder, and a line on standard error for each check that failed and each claim with a

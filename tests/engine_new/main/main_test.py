@@ -84,6 +84,12 @@ class Program(Folder):
         self.refuses(self.compute(self.case.replace('"m/s2"', '"N"')), "case.toml:", "gravity")
         self.refuses(self.run_program(PENDULUM, "compute", self.path / "none.toml", self.output), "none.toml")
 
+    def test_a_computation_that_stops_ends_with_3_and_writes_nothing(self):
+        ended = self.compute(self.case.replace("90", "-1"))
+        self.assertEqual((ended.returncode, self.output.exists()), (3, False))
+        place = r"tests/\w+/pendulum/pendulum.cpp:\d+"
+        self.assertRegex(ended.stderr, rf"^the computation failed: no swing \(after value 'gravity' \({place}\)\)\n$")
+
     def test_usage(self):
         for arguments in [(), ("draw",), ("compute", "case.toml")]:
             ended = self.run_program(PENDULUM, *arguments)

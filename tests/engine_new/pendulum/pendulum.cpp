@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "config/table.hpp"
@@ -122,11 +123,12 @@ void register_claims(literate::Document& document, int angle) {
 
 void compute(literate::Document& document, const std::filesystem::path& case_file) {
   const Parameters parameters = read_case(case_file);
-  const Estimate relative = relative_period(square_of_cosine(parameters.angle));
   const double small = 2 * std::numbers::pi * std::sqrt(parameters.length / parameters.gravity);
   document.value("angle", Value(parameters.angle, integer(), "degree"));
   document.value("length", Value(parameters.length, exact(), "m"));
   document.value("gravity", Value(parameters.gravity, exact(), "m/s2"));
+  if (parameters.angle < 0) throw std::runtime_error("no swing");
+  const Estimate relative = relative_period(square_of_cosine(parameters.angle));
   document.value("relative-period", Value(relative, significant(7)));
   document.value("period", Value(small * relative, significant(4), "s"));
   document.value("measured", Value({2.37, 0.002, 0.014}, uncertain(), "s"));
