@@ -17,11 +17,6 @@
 namespace literate {
 namespace {
 
-using numerics::Estimate;
-using numerics::rounding::add_up;
-using numerics::rounding::error_of_sum;
-using numerics::rounding::multiply_up;
-
 constexpr std::array<std::string_view, 4> names_of_verdicts{"holds", "holds in part", "fails",
                                                             "undecided"};
 
@@ -101,8 +96,9 @@ std::string rough(double ratio, const char* unit) {
 Number difference(const Value& computed, const Value& stated) {
   const Number c = known(computed), s = known(stated);
   if (c.is_exact() && s.is_exact()) return {std::abs(decimal_difference(c.value, s.value)), 0};
-  const Estimate apart = Estimate{c.value, c.bound} - Estimate{s.value, s.bound};
-  return {std::abs(apart.value), apart.abs_error, add_up(c.standard, s.standard)};
+  const double rounding = std::abs(error_of_sum(c.value, -s.value));
+  return {std::abs(c.value - s.value), add_up(add_up(c.bound, s.bound), rounding),
+          add_up(c.standard, s.standard)};
 }
 
 /// |c/s − 1| with what is not known of it: c'/s' − c/s is (δ − ε c/s)/s' for c' = c + δ, s' = s +
@@ -120,7 +116,7 @@ Number relative_difference(const Value& computed, const Value& stated) {
   const double ratio = std::abs(apart / s.value);
   const double least = std::abs(s.value) - s.bound;
   const double slope = std::abs(c.value / s.value);
-  const double of_difference = std::abs(error_of_sum(c.value, -s.value, apart));
+  const double of_difference = std::abs(error_of_sum(c.value, -s.value));
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const auto share = [&](double of_c, double of_s) {
     return (1 + 4 * epsilon) * (of_c + slope * of_s) / least;  // four roundings

@@ -102,6 +102,29 @@ double decimal_difference(double a, double b) {
   return is_resolved ? number_of(rounded_to_place(difference, place)) : difference;
 }
 
+double error_of_sum(double a, double b) {
+  const double sum = a + b;
+  const double from_b = sum - a;
+  return (a - (sum - from_b)) + (b - from_b);
+}
+
+namespace {
+
+double next_up(double x) {
+  return std::nextafter(x, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+double add_up(double a, double b) {
+  return error_of_sum(a, b) > 0 ? next_up(a + b) : a + b;
+}
+
+double multiply_up(double a, double b) {
+  const double product = a * b;
+  return std::fma(a, b, -product) > 0 ? next_up(product) : product;
+}
+
 std::string plain(const Decimal& number) {
   std::string text = number.digits;
   if (number.place > 0 && !is_zero(number)) {

@@ -31,6 +31,13 @@ int leading_place(const Decimal& number);
 /// a − b of the two decimal numbers that print as these doubles: 2.6 − 2.5 is 0.1.
 double decimal_difference(double a, double b);
 
+/// a + b − (a + b) as it is rounded, exactly (Knuth's TwoSum).
+double error_of_sum(double a, double b);
+
+/// a + b and a·b, no less than they are, and exact where these are doubles.
+double add_up(double a, double b);
+double multiply_up(double a, double b);
+
 /// Writes without an exponent: -0.0123, 45500.
 std::string plain(const Decimal& number);
 

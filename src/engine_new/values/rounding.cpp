@@ -12,8 +12,6 @@ namespace literate {
 
 namespace {
 
-using numerics::rounding::add_up;
-
 constexpr int n_digits_of_error = 2;
 
 /// An error as it counts wherever digits depend on it: to twelve significant digits. As a double

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake --install: libraries in lib/literate, headers in include/literate, programs in bin, and what papers are made with in
+# share/literate, in the same layout as here, so that LaTeX, CMake and the tools find each other in either.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(headers "${CMAKE_INSTALL_INCLUDEDIR}/literate")
+set(share share/literate)
+
+set(libraries errors system estimate config ${engine})
+foreach(library IN LISTS libraries)
+  target_include_directories(${library} INTERFACE "$<INSTALL_INTERFACE:${headers}>")
+endforeach()
+set_target_properties(${engine} PROPERTIES EXPORT_NAME literate)
+install(TARGETS ${libraries} EXPORT literate ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}/literate")
+install(TARGETS literate-results RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+foreach(folder IN ITEMS system config)
+  install(DIRECTORY "${HALFSPACE_ROOT}/src/${folder}/" DESTINATION "${headers}/${folder}" FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/" DESTINATION "${headers}/literate" FILES_MATCHING PATTERN "*.hpp"
+  PATTERN template EXCLUDE PATTERN tools EXCLUDE PATTERN python EXCLUDE PATTERN cmake EXCLUDE)
+install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${headers}/numerics")
+
+install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")
+install(FILES cmake/literateDependencies.cmake DESTINATION "${share}/cmake")
+install(FILES document/results.schema.json results/document.schema.json DESTINATION "${share}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
+  VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES "${PROJECT_BINARY_DIR}/literateConfigVersion.cmake" DESTINATION "${share}/cmake")
+# What is not compiled: the LaTeX package, the CMake functions, the tools and the template.
+foreach(file IN ITEMS literate.sty cmake/literateConfig.cmake cmake/LiteratePaper.cmake)
+  cmake_path(GET file PARENT_PATH folder)
+  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
+    install(FILES ${file} DESTINATION "${share}/${folder}")
+  endif()
+endforeach()
+foreach(folder IN ITEMS tools python template)
+  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}")
+    install(DIRECTORY ${folder} DESTINATION "${share}" USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+  endif()
+endforeach()
+install(CODE "file(CREATE_LINK ../${share}/tools/literate \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/literate\" SYMBOLIC)")
