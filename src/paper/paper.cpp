@@ -33,7 +33,7 @@ const std::vector<Section>& sections() {
       {"cylinders", &compute_cylinders},       {"octave", &compute_octave},
       {"contact_m", &compute_contact_m},       {"elements", &compute_elements},
       {"methods", &compute_methods},           {"profiles", &compute_profiles},
-      {"regions", &compute_regions},           {"friction", &compute_friction},         {"spheres", &compute_spheres},
+      {"regions", &compute_regions},         {"spheres", &compute_spheres},
       {"provenance", &compute_provenance}};
   return list;
 }

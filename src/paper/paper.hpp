@@ -51,7 +51,6 @@ void compute_elements(Document& document, const Case& from);
 void compute_methods(Document& document, const Case& from);
 void compute_profiles(Document& document, const Case& from);
 void compute_regions(Document& document, const Case& from);
-void compute_friction(Document& document, const Case& from);
 void compute_spheres(Document& document, const Case& from);
 void compute_provenance(Document& document, const Case& from);
 

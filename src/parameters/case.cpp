@@ -38,14 +38,6 @@ constexpr double widest_block = 2000;
 constexpr double least_roughness = 1e-6;
 constexpr double roughest = 0.1;
 
-// Of sliding cylinders. Above 0.378 the greatest shear is on the surface, where the report does not
-// seek it; less than the least would not be seen in its tables.
-constexpr double least_friction = 0.01;
-constexpr double greatest_friction = 0.35;
-
-// Materials in use are within it: diamond on rubber.
-constexpr double greatest_young_ratio = 1e6;
-
 // Waves on the cylinders: of fewer or more, of lower or higher ones the loads that the report tries
 // do not show how regions form and join.
 constexpr double fewest_waves = 2;
@@ -151,35 +143,6 @@ CylinderCase read_body(const config::Table& table, const config::UnitSystem& uni
           table.at("radius", [&] { return line_contact::Radius::of_cylinder("radius", radius); })};
 }
 
-double read_poisson(const config::Table& table, const std::string& key) {
-  const double poisson = table.number(key);
-  return table.at(key, [&] { return elasticity::Material(1, poisson).poisson(); });
-}
-
-SlidingPair read_sliding_pair(const config::Table& table) {
-  const config::PrintedNumber ratio = table.printed_number("young_ratio");
-  if (!(ratio.value() >= 1 / greatest_young_ratio && ratio.value() <= greatest_young_ratio)) {
-    table.fail("young_ratio", fmt::format("{}: must be from {} to {}", ratio.text(),
-                                          1 / greatest_young_ratio, greatest_young_ratio));
-  }
-  return {table.text("bodies"), ratio, read_poisson(table, "poisson1"),
-          read_poisson(table, "poisson2")};
-}
-
-FrictionCase read_friction(const config::Table& table) {
-  FrictionCase friction{number_in(table, "light", least_friction, greatest_friction),
-                        number_in(table, "coefficient", least_friction, greatest_friction),
-                        {}};
-  if (!(friction.light < friction.coefficient)) {
-    table.fail("light", fmt::format("{}: must be less than contact.friction.coefficient, {}",
-                                    friction.light, friction.coefficient));
-  }
-  for (const config::Table& pair : table.tables("pairs")) {
-    friction.pairs.push_back(read_sliding_pair(pair));
-  }
-  return friction;
-}
-
 WavesCase read_waves(const config::Table& table) {
   return {number_in(table, "in_half_width", fewest_waves, most_waves),
           number_in(table, "flattening_share", least_flattening, most_flattening),
@@ -215,11 +178,9 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
                            "contact.load, nodes, body1 and body2 make",
                            datum, units.length, end));
   }
-  std::optional<FrictionCase> friction;
-  if (table.has("friction")) friction = read_friction(table.table("friction"));
   std::optional<WavesCase> waves;
   if (table.has("waves")) waves = read_waves(table.table("waves"));
-  return {body1, body2, cylinders, line_load, datum, n_nodes, friction, waves};
+  return {body1, body2, cylinders, line_load, datum, n_nodes, waves};
 }
 
 PointContactCase read_point_contact(const config::Table& table, const ContactCase& contact,

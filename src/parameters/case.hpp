@@ -36,21 +36,6 @@ struct CylinderCase {
   line_contact::Radius radius;
 };
 
-/// Two materials that slide on one another, as the report's table of pairs has them.
-struct SlidingPair {
-  std::string bodies;                 ///< their names
-  config::PrintedNumber young_ratio;  ///< E₁/E₂, as it is written
-  double poisson1;
-  double poisson2;
-};
-
-/// How the cylinders slide, for the parts of the report that go beyond the paper.
-struct FrictionCase {
-  double light;        ///< μ of a greased contact
-  double coefficient;  ///< μ, greater than `light`
-  std::vector<SlidingPair> pairs;
-};
-
 /// Waves machined into the cylinders, with the crest of one in the middle.
 struct WavesCase {
   double in_half_width;     ///< waves in Hertz's half-width, a/λ
@@ -66,7 +51,6 @@ struct ContactCase {
   double line_load;
   double datum;  ///< where the points lie whose approach is stated
   long n_nodes;
-  std::optional<FrictionCase> friction = std::nullopt;
   std::optional<WavesCase> waves = std::nullopt;
 };
 

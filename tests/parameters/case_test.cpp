@@ -57,15 +57,6 @@ BOOST_AUTO_TEST_CASE(the_papers_case_is_what_the_paper_says) {
   BOOST_TEST(c.half_space.points.size() == 11U);
   BOOST_TEST(c.half_space.points[2] == 0.01);
   BOOST_TEST(c.contact.line_load == 2500);
-  BOOST_TEST_REQUIRE(c.contact.friction.has_value());
-  BOOST_TEST(c.contact.friction->light == 0.1);
-  BOOST_TEST(c.contact.friction->coefficient == 0.3);
-  BOOST_TEST_REQUIRE(c.contact.friction->pairs.size() == 6U);
-  BOOST_TEST(c.contact.friction->pairs[1].bodies == "brass on steel");
-  BOOST_TEST(c.contact.friction->pairs[1].young_ratio.value() == 0.52);
-  BOOST_TEST(c.contact.friction->pairs[1].young_ratio.place() == -2);
-  BOOST_TEST(c.contact.friction->pairs[1].poisson1 == 0.34);
-  BOOST_TEST(c.contact.friction->pairs[1].poisson2 == 0.29);
   BOOST_TEST_REQUIRE(c.contact.waves.has_value());
   BOOST_TEST(c.contact.waves->in_half_width == 3);
   BOOST_TEST(c.contact.waves->flattening_share == 0.8);
@@ -147,17 +138,7 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
   check_refused("value = 10, unit", "value = inf, unit", "half_space.datum.value");
 }
 
-BOOST_AUTO_TEST_CASE(friction_and_waves_have_ranges) {
-  check_refused("light = 0.1", "light = 0.3",
-                "contact.friction.light: 0.3: must be less than contact.friction.coefficient, 0.3");
-  check_refused("coefficient = 0.3", "coefficient = 0.36",
-                "contact.friction.coefficient: 0.36: must be from 0.01 to 0.35");
-  check_refused("light = 0.1", "light = 0", "contact.friction.light: 0: must be from 0.01");
-  check_refused("young_ratio = \"0.52\"", "young_ratio = \"0\"",
-                "contact.friction.pairs.young_ratio: 0: must be from 1e-06 to 1000000");
-  check_refused("young_ratio = \"0.52\"", "young_ratio = 0.52", "pairs.young_ratio");
-  check_refused("poisson1 = 0.22", "poisson1 = 0.6", "contact.friction.pairs.poisson1");
-  check_refused("bodies = \"brass on steel\"", "body = \"brass on steel\"", "pairs.bodies");
+BOOST_AUTO_TEST_CASE(waves_have_ranges) {
   check_refused("in_half_width = 3", "in_half_width = 5",
                 "contact.waves.in_half_width: 5: must be from 2 to 4");
   check_refused("flattening_share = 0.8", "flattening_share = 1",
@@ -166,14 +147,13 @@ BOOST_AUTO_TEST_CASE(friction_and_waves_have_ranges) {
                 "contact.waves.points: 500: must be from 501 to 100001");
 }
 
-BOOST_AUTO_TEST_CASE(a_case_may_do_without_friction_and_waves) {
+BOOST_AUTO_TEST_CASE(a_case_may_do_without_waves) {
   const std::string text = papers_text();
-  const auto begin = text.find("[contact.friction]");
+  const auto begin = text.find("[contact.waves]");
   const auto end = text.find("[point_contact]");
   BOOST_REQUIRE(begin < end);
   const TemporaryFolder folder;
   const auto file = folder.write("case.toml", text.substr(0, begin) + text.substr(end));
-  BOOST_TEST(!read_case(file).contact.friction.has_value());
   BOOST_TEST(!read_case(file).contact.waves.has_value());
 }
 
