@@ -32,8 +32,7 @@ const std::vector<Section>& sections() {
       {"finite_block", &compute_finite_block}, {"tangential", &compute_tangential},
       {"cylinders", &compute_cylinders},       {"octave", &compute_octave},
       {"contact_m", &compute_contact_m},       {"elements", &compute_elements},
-      {"methods", &compute_methods},           {"profiles", &compute_profiles},
-      {"regions", &compute_regions},         {"spheres", &compute_spheres},
+      {"methods", &compute_methods},         {"spheres", &compute_spheres},
       {"provenance", &compute_provenance}};
   return list;
 }

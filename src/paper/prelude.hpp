@@ -39,6 +39,5 @@ using parameters::BlockCase;
 using parameters::ContactCase;
 using parameters::HalfSpaceCase;
 using parameters::PointContactCase;
-using parameters::WavesCase;
 
 }  // namespace paper

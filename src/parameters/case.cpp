@@ -38,15 +38,6 @@ constexpr double widest_block = 2000;
 constexpr double least_roughness = 1e-6;
 constexpr double roughest = 0.1;
 
-// Waves on the cylinders: of fewer or more, of lower or higher ones the loads that the report tries
-// do not show how regions form and join.
-constexpr double fewest_waves = 2;
-constexpr double most_waves = 4;
-constexpr double least_flattening = 0.7;
-constexpr double most_flattening = 0.9;
-constexpr long fewest_wave_points = 501;
-constexpr long most_wave_points = 100'001;
-
 double in_range(const config::Table& table, const std::string& key, config::Dimension dimension,
                 const config::UnitSystem& units) {
   const double value = table.quantity(key, dimension, units);
@@ -143,12 +134,6 @@ CylinderCase read_body(const config::Table& table, const config::UnitSystem& uni
           table.at("radius", [&] { return line_contact::Radius::of_cylinder("radius", radius); })};
 }
 
-WavesCase read_waves(const config::Table& table) {
-  return {number_in(table, "in_half_width", fewest_waves, most_waves),
-          number_in(table, "flattening_share", least_flattening, most_flattening),
-          integer_in(table, "points", fewest_wave_points, most_wave_points)};
-}
-
 ContactCase read_contact(const config::Table& table, const config::UnitSystem& units) {
   const CylinderCase body1 = read_body(table.table("body1"), units);
   const CylinderCase body2 = read_body(table.table("body2"), units);
@@ -178,9 +163,7 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
                            "contact.load, nodes, body1 and body2 make",
                            datum, units.length, end));
   }
-  std::optional<WavesCase> waves;
-  if (table.has("waves")) waves = read_waves(table.table("waves"));
-  return {body1, body2, cylinders, line_load, datum, n_nodes, waves};
+  return {body1, body2, cylinders, line_load, datum, n_nodes};
 }
 
 PointContactCase read_point_contact(const config::Table& table, const ContactCase& contact,

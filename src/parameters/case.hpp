@@ -36,13 +36,6 @@ struct CylinderCase {
   line_contact::Radius radius;
 };
 
-/// Waves machined into the cylinders, with the crest of one in the middle.
-struct WavesCase {
-  double in_half_width;     ///< waves in Hertz's half-width, a/λ
-  double flattening_share;  ///< the mean pressure that presses endless waves flat, over p₀
-  long n_points;            ///< of the profile, across four half-widths
-};
-
 /// Two cylinders pressed together.
 struct ContactCase {
   CylinderCase body1;
@@ -51,7 +44,6 @@ struct ContactCase {
   double line_load;
   double datum;  ///< where the points lie whose approach is stated
   long n_nodes;
-  std::optional<WavesCase> waves = std::nullopt;
 };
 
 /// The bodies of ContactCase once more, with the radii as those of spheres and of crossed

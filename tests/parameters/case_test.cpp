@@ -57,10 +57,6 @@ BOOST_AUTO_TEST_CASE(the_papers_case_is_what_the_paper_says) {
   BOOST_TEST(c.half_space.points.size() == 11U);
   BOOST_TEST(c.half_space.points[2] == 0.01);
   BOOST_TEST(c.contact.line_load == 2500);
-  BOOST_TEST_REQUIRE(c.contact.waves.has_value());
-  BOOST_TEST(c.contact.waves->in_half_width == 3);
-  BOOST_TEST(c.contact.waves->flattening_share == 0.8);
-  BOOST_TEST(c.contact.waves->n_points == 2001);
   BOOST_TEST_REQUIRE(c.point_contact.has_value());
   BOOST_TEST(c.point_contact->load == 100);
   BOOST_TEST(std::abs(c.point_contact->roughness.rms / (0.07 * 3.022181e-4) - 1) < 1e-6);
@@ -136,25 +132,6 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
                 "load.peak_pressure");
   check_refused("first = {value = 0,", "first = {value = -1e60,", "points.first");
   check_refused("value = 10, unit", "value = inf, unit", "half_space.datum.value");
-}
-
-BOOST_AUTO_TEST_CASE(waves_have_ranges) {
-  check_refused("in_half_width = 3", "in_half_width = 5",
-                "contact.waves.in_half_width: 5: must be from 2 to 4");
-  check_refused("flattening_share = 0.8", "flattening_share = 1",
-                "contact.waves.flattening_share: 1: must be from 0.7 to 0.9");
-  check_refused("points = 2001", "points = 500",
-                "contact.waves.points: 500: must be from 501 to 100001");
-}
-
-BOOST_AUTO_TEST_CASE(a_case_may_do_without_waves) {
-  const std::string text = papers_text();
-  const auto begin = text.find("[contact.waves]");
-  const auto end = text.find("[point_contact]");
-  BOOST_REQUIRE(begin < end);
-  const TemporaryFolder folder;
-  const auto file = folder.write("case.toml", text.substr(0, begin) + text.substr(end));
-  BOOST_TEST(!read_case(file).contact.waves.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(a_point_contact_has_ranges_too) {
