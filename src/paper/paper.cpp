@@ -31,8 +31,8 @@ const std::vector<Section>& sections() {
       {"results", &compute_results},           {"error_analysis", &compute_error_analysis},
       {"finite_block", &compute_finite_block}, {"tangential", &compute_tangential},
       {"cylinders", &compute_cylinders},       {"octave", &compute_octave},
-      {"contact_m", &compute_contact_m},       {"elements", &compute_elements},         {"spheres", &compute_spheres},
-      {"provenance", &compute_provenance}};
+      {"contact_m", &compute_contact_m},       {"elements", &compute_elements},
+      {"spheres", &compute_spheres},           {"provenance", &compute_provenance}};
   return list;
 }
 

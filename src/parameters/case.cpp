@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "config/table.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/problem.hpp"
-#include "point_contact/closed_forms/spheres.hpp"
 #include "system/require.hpp"
 
 namespace parameters {
@@ -32,11 +30,6 @@ constexpr double least_curvature = 1e-9;
 // Half-widths of the load across the block. A finer load makes elements so thin that the stiffness
 // is ill-conditioned.
 constexpr double widest_block = 2000;
-
-// The root mean square height of a roughness, over the approach of the smooth spheres. More would
-// spread the contact far beyond that of Hertz; less would not be seen.
-constexpr double least_roughness = 1e-6;
-constexpr double roughest = 0.1;
 
 double in_range(const config::Table& table, const std::string& key, config::Dimension dimension,
                 const config::UnitSystem& units) {
@@ -63,23 +56,6 @@ long integer_in(const config::Table& table, const std::string& key, long fewest,
     table.fail(key, fmt::format("{}: must be from {} to {}", value, fewest, most));
   }
   return value;
-}
-
-double number_in(const config::Table& table, const std::string& key, double least_allowed,
-                 double greatest_allowed) {
-  const double value = table.number(key);
-  if (!(value >= least_allowed && value <= greatest_allowed)) {
-    table.fail(key,
-               fmt::format("{}: must be from {} to {}", value, least_allowed, greatest_allowed));
-  }
-  return value;
-}
-
-point_contact::Roughness read_roughness(const config::Table& table, double approach) {
-  return {.rms = approach * number_in(table, "rms_over_approach", least_roughness, roughest),
-          .n_waves = static_cast<int>(integer_in(table, "waves", 1, point_contact::max_waves)),
-          .hurst = number_in(table, "hurst", 0, 1),
-          .seed = static_cast<std::uint64_t>(integer_in(table, "seed", 0, 1'000'000'000))};
 }
 
 elasticity::Material read_material(const config::Table& table, const config::UnitSystem& units) {
@@ -166,14 +142,6 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
   return {body1, body2, cylinders, line_load, datum, n_nodes};
 }
 
-PointContactCase read_point_contact(const config::Table& table, const ContactCase& contact,
-                                    const config::UnitSystem& units) {
-  const double load = positive(table, "load", config::Dimension::force, units);
-  const point_contact::Hertz hertz(contact.cylinders.contact_modulus(),
-                                   contact.cylinders.relative_curvature(), load);
-  return {.load = load, .roughness = read_roughness(table.table("roughness"), hertz.approach())};
-}
-
 block::Support read_sides(const config::Table& table) {
   const std::string sides = table.text("sides");
   if (sides == "clamped") return block::Support::clamped;
@@ -232,7 +200,8 @@ Case read_case(const std::filesystem::path& file) {
   const ContactCase contact = read_contact(root.table("contact"), units);
   std::optional<PointContactCase> point_contact;
   if (root.has("point_contact")) {
-    point_contact = read_point_contact(root.table("point_contact"), contact, units);
+    const config::Table table = root.table("point_contact");
+    point_contact = {positive(table, "load", config::Dimension::force, units)};
   }
   std::optional<BlockCase> block;
   if (root.has("block")) block = read_block(root.table("block"), half_space, units);

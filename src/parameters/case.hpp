@@ -14,7 +14,6 @@
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "line_contact/cylinders.hpp"
-#include "point_contact/bodies/profile.hpp"
 
 namespace parameters {
 
@@ -46,11 +45,9 @@ struct ContactCase {
   long n_nodes;
 };
 
-/// The bodies of ContactCase once more, with the radii as those of spheres and of crossed
-/// cylinders, and what a rough sphere has on its surface.
+/// The bodies of ContactCase once more, with the radii as those of spheres.
 struct PointContactCase {
   double load;  ///< P, a force
-  point_contact::Roughness roughness;
 };
 
 /// The finite block that the paper analysed with finite elements.
