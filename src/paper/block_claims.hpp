@@ -64,5 +64,4 @@ void infer_load(Document& document, const HalfSpaceCase& half_space, block::Supp
 void claim_shear(Document& document, const BlockStudy& study, const PrintedData& printed_data,
                  const UnitSystem& units, const std::vector<const Contestant*>& meets);
 
-
 }  // namespace paper

@@ -7,10 +7,9 @@
 
 namespace paper {
 
-void compute(Document& document, const parameters::Case& from_file,
-             const std::optional<Listings>& listings, const literate::Paper& paper) {
+void compute(Document& document, const parameters::Case& from_file, const literate::Paper& paper) {
   require_reportable(from_file);
-  const Case from{from_file, read_printed(from_file), listings, paper};
+  const Case from{from_file, read_printed(from_file), paper};
   document.flag("printed", from.printed_data.has_value());
   document.flag("point-contact", from.point_contact.has_value());
   document.flag("block", from.block.has_value());
@@ -30,9 +29,9 @@ const std::vector<Section>& sections() {
       {"formulation", &compute_formulation},   {"quadrature", &compute_quadrature},
       {"results", &compute_results},           {"error_analysis", &compute_error_analysis},
       {"finite_block", &compute_finite_block}, {"tangential", &compute_tangential},
-      {"cylinders", &compute_cylinders},       {"octave", &compute_octave},
-      {"contact_m", &compute_contact_m},       {"elements", &compute_elements},
-      {"spheres", &compute_spheres},           {"provenance", &compute_provenance}};
+      {"cylinders", &compute_cylinders},       {"contact_m", &compute_contact_m},
+      {"elements", &compute_elements},         {"spheres", &compute_spheres},
+      {"provenance", &compute_provenance}};
   return list;
 }
 

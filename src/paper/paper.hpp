@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "literate/document/document.hpp"
-#include "literate/excerpts/excerpt.hpp"
 #include "literate/main/paper.hpp"
 #include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
@@ -15,16 +13,9 @@
 
 namespace paper {
 
-/// The sources, a checkout, and the excerpts of them that the report may show.
-struct Listings {
-  std::filesystem::path source;
-  std::vector<literate::Excerpt> excerpts;
-};
-
 /// All that a section computes from: the case, and what else the report knows.
 struct Case : parameters::Case {
   std::optional<PrintedData> printed_data;  ///< what the paper prints
-  std::optional<Listings> listings;
   literate::Paper paper;
 };
 
@@ -45,7 +36,6 @@ void compute_error_analysis(Document& document, const Case& from);
 void compute_finite_block(Document& document, const Case& from);
 void compute_tangential(Document& document, const Case& from);
 void compute_cylinders(Document& document, const Case& from);
-void compute_octave(Document& document, const Case& from);
 void compute_contact_m(Document& document, const Case& from);
 void compute_elements(Document& document, const Case& from);
 void compute_spheres(Document& document, const Case& from);
@@ -61,11 +51,10 @@ void require_reportable(const parameters::Case& c);
 ///
 /// What concerns the paper's own numbers exists only if the case has printed data (flag `printed`),
 /// what concerns the finite block only if the case has one (flag `block`; `block.fitted` with
-/// both), and how much the listings show only with `listings`. `paper` tells the
+/// both). `paper` tells the
 /// version and compiler that the report states. Throws config::Error for a case that is not
 /// reportable, for printed data that are not right, and what the computations throw.
 void compute(literate::Document& document, const parameters::Case& from_file,
-             const std::optional<Listings>& listings = std::nullopt,
              const literate::Paper& paper = {});
 
 }  // namespace paper

@@ -11,7 +11,6 @@ int main(int argc, char** argv) {
   paper.libraries = toolchain::libraries();
   return literate::main(
       argc, argv, paper, [](literate::Document& document, const literate::Inputs& inputs) {
-        paper::compute(document, parameters::read_case(inputs.case_file),
-                       paper::Listings{inputs.source, inputs.excerpts}, literate::this_paper());
+        paper::compute(document, parameters::read_case(inputs.case_file), literate::this_paper());
       });
 }

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "literate/document/names.hpp"
-#include "literate/excerpts/excerpt.hpp"
 #include "literate/prose/references.hpp"
 #include "system/csv.hpp"
 #include "system/decimal.hpp"
@@ -26,8 +25,6 @@ const std::string source_dir = HALFSPACE_SOURCE_DIR;
 const std::string papers_text = sys::read_file(source_dir + "/report/ruggiero2001.toml");
 const std::string steel_text = sys::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
 
-const auto excerpts = literate::find_excerpts(source_dir, {"src", "report/octave"});
-
 // The paper's case without the finite body, which takes most of the time.
 std::string without_block() {
   const auto begin = papers_text.find("\n[block]");
@@ -39,8 +36,7 @@ std::string without_block() {
 Document computed(const std::string& case_text) {
   const TemporaryFolder folder;
   Document document;
-  paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)),
-                 paper::Listings{source_dir, excerpts});
+  paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)));
   return document;
 }
 
@@ -66,7 +62,7 @@ std::set<std::string> failures(const Document& document) {
 std::vector<std::string> unknown_names(const Document& document) {
   const TemporaryFolder folder;
   const auto file =
-      folder.write("names.json", literate::names_json(document.registered(), excerpts, {}));
+      folder.write("names.json", literate::names_json(document.registered(), {}, {}));
   return literate::check_references(source_dir + "/report", literate::read_names(file)).errors;
 }
 
