@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words that every section of this report is written in: what the engine registers and how it
-// prints, numbers with their errors, and the parts of a case.
+// The names that every section of this report uses: what the engine registers and prints, numbers
+// with their errors, and the parts of a case.
 #pragma once
+
+#include <string>
+#include <utility>
 
 #include "config/printed_number.hpp"
 #include "config/units.hpp"
@@ -34,10 +37,22 @@ using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
-using numerics::Measured;
 using parameters::BlockCase;
 using parameters::ContactCase;
 using parameters::HalfSpaceCase;
 using parameters::PointContactCase;
+
+// How the engine of today spells what the next one spells `Number` and `Limit{number, kind,
+// reason}`.
+using Number = numerics::Measured;
+inline Number number_with(double value, double standard) {
+  return {value, standard, "fit"};
+}
+inline Limit limit(Estimate number, LimitKind kind, std::string reason) {
+  return {kind == LimitKind::theory ? LimitKind::choice : kind, number, std::move(reason)};
+}
+inline Limit limit(double number, LimitKind kind, std::string reason) {
+  return {kind == LimitKind::theory ? LimitKind::choice : kind, number, std::move(reason)};
+}
 
 }  // namespace paper

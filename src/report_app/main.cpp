@@ -2,6 +2,8 @@
 // The program that makes the report: the engine's stages, with what this report computes.
 #include "literate/main/main.hpp"
 
+#include <iostream>
+
 #include "paper/paper.hpp"
 #include "parameters/case.hpp"
 #include "toolchain/libraries.hpp"
@@ -11,6 +13,7 @@ int main(int argc, char** argv) {
   paper.libraries = toolchain::libraries();
   return literate::main(
       argc, argv, paper, [](literate::Document& document, const literate::Inputs& inputs) {
-        paper::compute(document, parameters::read_case(inputs.case_file), literate::this_paper());
+        const std::string log = paper::compute(document, parameters::read_case(inputs.case_file));
+        if (!log.empty()) std::cerr << "halfspace: " << log << '\n';
       });
 }
