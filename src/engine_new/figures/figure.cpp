@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/figures/figure.hpp"
+
+#include <fmt/core.h>
+#include <gnuplot-iostream.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <locale>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include "literate/text/latex.hpp"
+#include "literate/values/decimal.hpp"
+#include "system/error.hpp"
+#include "system/files.hpp"
+#include "system/text.hpp"
+
+namespace literate {
+namespace {
+
+void require_identifier(const std::string& name) {
+  const bool is_identifier =
+      !name.empty() && !sys::is_digit(name.front()) &&
+      std::ranges::all_of(name, [](char c) { return sys::is_alphanumeric(c) || c == '_'; });
+  if (is_identifier) return;
+  throw std::invalid_argument(fmt::format(
+      "'{}' is no name of a variable of gnuplot: letters, digits and '_', no digit first", name));
+}
+
+// Only the bits of a NaN distinguish a gap from the NaN of a computation.
+bool is_gap(double number) {
+  return std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(gap);
+}
+
+void require_columns(const std::string& block, const FigureData& data) {
+  const auto refuse = [&block](const std::string& why) {
+    throw std::invalid_argument(fmt::format("data '{}' {}", block, why));
+  };
+  if (data.columns.empty()) refuse("has no columns");
+  const auto& [first_name, first] = data.columns.front();
+  if (first.empty()) refuse("has no points");
+  std::set<std::string> names;
+  for (const auto& [name, numbers] : data.columns) {
+    require_identifier(name);
+    if (!names.insert(name).second) refuse(fmt::format("has two columns '{}'", name));
+    if (numbers.size() != first.size()) {
+      refuse(fmt::format("has {} points in column '{}' and {} in '{}'", first.size(), first_name,
+                         numbers.size(), name));
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (std::isfinite(numbers[i]) || is_gap(numbers[i])) continue;
+      refuse(fmt::format("has {} as point {} of column '{}': must be finite, or literate::gap",
+                         numbers[i], i + 1, name));
+    }
+  }
+  if (data.row_length != 0 && first.size() % data.row_length != 0) {
+    refuse(
+        fmt::format("has {} points, which do not make rows of {}", first.size(), data.row_length));
+  }
+}
+
+/// What `write` sends to gnuplot, as a text.
+template <typename Write>
+std::string sent(Write&& write) {
+  const sys::Descriptor memory(::memfd_create("figure", MFD_CLOEXEC));
+  std::FILE* const file = ::fdopen(::dup(memory.number()), "w");  // the stream closes it
+  if (file == nullptr) throw sys::OutputError("there is no memory for the data of a figure");
+  {
+    gnuplotio::Gnuplot script(file);
+    script.imbue(std::locale::classic());
+    write(script);
+  }
+  return sys::read_file(fmt::format("/proc/self/fd/{}", memory.number()));
+}
+
+// gnuplot takes a number without point and exponent for an integer, of which 1/2 is 0.
+std::string floating_point(double number) {
+  const std::string text = round_trip(number);
+  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
+}
+
+// A script may set a decimal sign of its own, by which gnuplot would also read the data: 1.25 as 1.
+// A whole number with an exponent, 125e-2, has no decimal sign.
+std::string without_sign(double number) {
+  if (std::isnan(number)) return "NaN";
+  constexpr int most_plain = 5;
+  const Decimal digits = shortest(number);
+  if (digits.place >= 0 && leading_place(digits) <= most_plain) return plain(digits);
+  return fmt::format("{}{}e{}", digits.negative ? "-" : "", digits.digits, digits.place);
+}
+
+// In gnuplot's single quotes a quote is doubled and nothing else is special.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
+
+}  // namespace
+
+void require_drawable(const Figure& figure) {
+  const bool has_size = figure.width_cm > 0 && figure.height_cm > 0 &&
+                        std::isfinite(figure.width_cm) && std::isfinite(figure.height_cm);
+  if (!has_size) {
+    throw std::invalid_argument(fmt::format("its size is {} cm by {} cm: both must be positive",
+                                            figure.width_cm, figure.height_cm));
+  }
+  std::set<std::string> names = {"width_cm", "height_cm"};
+  const auto require_name = [&names](const std::string& name) {
+    require_identifier(name);
+    if (names.insert(name).second) return;
+    throw std::invalid_argument(fmt::format("the name '{}' is given twice", name));
+  };
+  for (const auto& [block, data] : figure.data) {
+    require_name(block);
+    require_columns(block, data);
+  }
+  for (const auto& [name, number] : figure.numbers) {
+    require_name(name);
+    if (std::isfinite(number)) continue;
+    throw std::invalid_argument(fmt::format("the number '{}' is {}", name, number));
+  }
+  for (const auto& [name, text] : figure.texts) {
+    require_name(name);
+    require_utf8(text);
+    if (text.find('\n') == text.npos) continue;
+    throw std::invalid_argument(fmt::format("the text '{}' has more than one line", name));
+  }
+}
+
+std::string figure_prelude(const std::string& name, const Figure& figure) {
+  return sent([&](std::ostream& script) {
+    script << "# What the program says about figure " << name << "; its script follows.\n"
+           << "set encoding utf8\nset decimalsign '.'\nset datafile separator comma\n"
+           << "width_cm = " << floating_point(figure.width_cm) << "\n"
+           << "height_cm = " << floating_point(figure.height_cm) << "\n"
+           << "set terminal cairolatex pdf size width_cm cm, height_cm cm\n"
+           << "set output '" << name << ".tex'\n";
+    for (const auto& [block, data] : figure.data) script << block << " = '" << block << ".csv'\n";
+    for (const auto& [key, number] : figure.numbers) {
+      script << key << " = " << floating_point(number) << "\n";
+    }
+    for (const auto& [key, text] : figure.texts) script << key << " = " << quoted(text) << "\n";
+  });
+}
+
+std::string figure_csv(const FigureData& data) {
+  return sent([&](std::ostream& file) {
+    const auto write_row = [&](auto&& cell) {
+      const char* separator = "";
+      for (const FigureData::Column& column : data.columns) {
+        file << std::exchange(separator, ",") << cell(column);
+      }
+      file << '\n';
+    };
+    write_row([](const FigureData::Column& column) { return column.first; });
+    const std::size_t n_points = data.columns.front().second.size();
+    for (std::size_t i = 0; i < n_points; ++i) {
+      if (i > 0 && data.row_length > 0 && i % data.row_length == 0) file << '\n';
+      write_row([i](const FigureData::Column& column) { return without_sign(column.second[i]); });
+    }
+  });
+}
+
+}  // namespace literate

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/text/latex.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "system/text.hpp"
+
+namespace literate {
+namespace {
+
+/// LaTeX for a character that is a command, or that is missing in the fonts of some encodings.
+std::string_view command_of(char c) {
+  switch (c) {
+    case '\\':
+      return "\\textbackslash{}";
+    case '~':
+      return "\\textasciitilde{}";
+    case '^':
+      return "\\textasciicircum{}";
+    case '<':
+      return "\\textless{}";
+    case '>':
+      return "\\textgreater{}";
+    case '|':
+      return "\\textbar{}";
+    case '"':
+      return "\\char34{}";
+    case '`':
+      return "\\textasciigrave{}";
+    default:
+      return {};
+  }
+}
+
+/// Fonts print a different sign for two of these in a row: --, '', ,, and so on.
+constexpr std::string_view joined = "-',";
+constexpr std::string_view escaped_by_backslash = "%#&_${}";
+
+}  // namespace
+
+std::string latex_escaped(std::string_view text) {
+  std::string escaped;
+  char former = ' ';
+  for (const char c : text) {
+    if (c == former && joined.find(c) != joined.npos) escaped += "{}";
+    const std::string_view command = command_of(c);
+    if (!command.empty()) {
+      escaped += command;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      escaped += ' ';
+    } else {
+      if (escaped_by_backslash.find(c) != escaped_by_backslash.npos) escaped += '\\';
+      escaped += c;
+    }
+    former = c;
+  }
+  return escaped;
+}
+
+std::string author_latex(std::string_view latex) {
+  require_utf8(latex);
+  std::string result;
+  int depth = 0;
+  bool is_escaped = false;  // by a backslash before it
+  for (const char c : latex) {
+    if (c == '%' && !is_escaped) result += '\\';
+    if (!is_escaped && c == '{') ++depth;
+    if (!is_escaped && c == '}' && --depth < 0) break;
+    is_escaped = c == '\\' && !is_escaped;
+    result += c == '\n' ? ' ' : c;
+  }
+  if (depth != 0)
+    throw std::invalid_argument(fmt::format("the braces of '{}' do not match", latex));
+  // A backslash at the end would take what the engine writes behind it.
+  if (is_escaped) throw std::invalid_argument(fmt::format("'{}' ends with a backslash", latex));
+  return result;
+}
+
+void require_utf8(std::string_view text) {
+  for (std::string_view rest = text; !rest.empty();) {
+    const sys::Utf8Character character = sys::first_character(rest);
+    if (!character.code_point) {
+      const std::string_view before = text.substr(0, text.size() - rest.size());
+      throw std::invalid_argument(fmt::format("the text '{}…' is not UTF-8", before));
+    }
+    rest.remove_prefix(character.bytes.size());
+  }
+}
+
+}  // namespace literate

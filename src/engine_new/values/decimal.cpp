@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/values/decimal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace literate {
+namespace {
+
+// A double has at most 309 digits before the point and 1074 after it.
+constexpr int n_exact_decimals = 1074;
+using Buffer = std::array<char, 1500>;
+
+std::string_view written(Buffer& buffer, double value, std::chars_format format, int precision) {
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
+  return {buffer.data(), end.ptr};
+}
+
+Decimal converted(double value, std::chars_format format, int precision) {
+  Buffer buffer;
+  Decimal decimal = sys::parse_decimal(written(buffer, value, format, precision)).value();
+  if (is_zero(decimal)) decimal.negative = false;
+  return decimal;
+}
+
+/// The next number with the same last place, away from zero.
+void increment(Decimal& number) {
+  auto digit = number.digits.rbegin();
+  for (; digit != number.digits.rend() && *digit == '9'; ++digit) *digit = '0';
+  if (digit == number.digits.rend()) {
+    number.digits.insert(0, 1, '1');
+  } else {
+    ++*digit;
+  }
+}
+
+/// Rounds to a place left of the point, for which std::to_chars has no form.
+Decimal rounded_left_of_point(double value, int place) {
+  Buffer buffer;
+  const std::string_view exact =
+      written(buffer, std::abs(value), std::chars_format::fixed, n_exact_decimals);
+  const auto n_cut = static_cast<std::size_t>(place);
+  std::string digits(exact.substr(0, exact.find('.')));
+  if (digits.size() <= n_cut) digits.insert(0, n_cut - digits.size() + 1, '0');
+  const std::string cut =
+      digits.substr(digits.size() - n_cut) + std::string(exact.substr(exact.find('.') + 1));
+  digits.resize(digits.size() - n_cut);
+
+  Decimal number{.negative = value < 0, .digits = digits, .place = place};
+  const std::string half = "5" + std::string(cut.size() - 1, '0');
+  const bool is_odd = (digits.back() - '0') % 2 == 1;
+  if (cut > half || (cut == half && is_odd)) increment(number);
+  if (is_zero(number)) number.negative = false;
+  return number;
+}
+
+}  // namespace
+
+Decimal rounded_to_place(double value, int place) {
+  return place > 0 ? rounded_left_of_point(value, place)
+                   : converted(value, std::chars_format::fixed, -place);
+}
+
+Decimal rounded_to_digits(double value, int n_digits) {
+  if (value == 0) return {};
+  return converted(value, std::chars_format::scientific, n_digits - 1);
+}
+
+Decimal rounded_up_to_place(double value, int place) {
+  Decimal number = rounded_to_place(value, place);
+  if (number_of(number) < value) increment(number);
+  return number;
+}
+
+Decimal rounded_up_to_digits(double value, int n_digits) {
+  const Decimal up = rounded_up_to_place(value, rounded_to_digits(value, n_digits).place);
+  // Rounding 9.3 up to 10 gives a digit too many.
+  const bool is_longer = up.digits.size() > static_cast<std::size_t>(n_digits);
+  return is_longer ? rounded_to_digits(number_of(up), n_digits) : up;
+}
+
+bool is_zero(const Decimal& number) {
+  return number.digits == "0";
+}
+
+int leading_place(const Decimal& number) {
+  return number.place + static_cast<int>(number.digits.size()) - 1;
+}
+
+double decimal_difference(double a, double b) {
+  // Rounded to the last place of both, the difference of the doubles is that of the decimals, as
+  // long as the doubles resolve this place; where they do not, it stays as it is.
+  const int place = std::min(shortest(a).place, shortest(b).place);
+  const double difference = a - b;
+  const double largest = std::max(std::abs(a), std::abs(b));
+  const bool is_resolved =
+      std::pow(10, place) > 4 * std::numeric_limits<double>::epsilon() * largest;
+  return is_resolved ? number_of(rounded_to_place(difference, place)) : difference;
+}
+
+std::string plain(const Decimal& number) {
+  std::string text = number.digits;
+  if (number.place > 0 && !is_zero(number)) {
+    text.append(static_cast<std::size_t>(number.place), '0');
+  } else if (number.place < 0) {
+    const int n_missing = 1 - number.place - static_cast<int>(text.size());
+    if (n_missing > 0) text.insert(0, static_cast<std::size_t>(n_missing), '0');
+    text.insert(text.end() + number.place, '.');
+  }
+  return number.negative ? "-" + text : text;
+}
+
+std::string round_trip(double value) {
+  Buffer buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end.ptr};
+}
+
+}  // namespace literate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "system/decimal.hpp"
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "error bounds and digits need IEEE arithmetic: compile without -ffast-math and -Ofast"
+#endif
+
+namespace literate {
+
+/// All functions here that make a decimal number round the exact binary value, ties to even, as
+/// std::to_chars does. None depends on the locale, and all take finite numbers only.
+using sys::Decimal;
+using sys::number_of;
+using sys::shortest;
+
+/// Rounds to a multiple of 10^place: (9.996, −2) is 10.00 and (1250, 2) is 12·10².
+Decimal rounded_to_place(double value, int place);
+
+/// Rounds to `n_digits` ≥ 1 significant digits. Zero is a plain 0.
+Decimal rounded_to_digits(double value, int n_digits);
+
+/// Round as those do, but up: to the least such number that is not below `value` ≥ 0.
+Decimal rounded_up_to_place(double value, int place);
+Decimal rounded_up_to_digits(double value, int n_digits);
+
+bool is_zero(const Decimal& number);
+
+/// The power of ten of the first digit; of zero, that of its last place.
+int leading_place(const Decimal& number);
+
+/// a − b of the two decimal numbers that print as these doubles: 2.6 − 2.5 is 0.1.
+double decimal_difference(double a, double b);
+
+/// Writes without an exponent: -0.0123, 45500.
+std::string plain(const Decimal& number);
+
+/// The shortest text that reads back as the same double: 0.1, 1e-05.
+std::string round_trip(double value);
+
+}  // namespace literate
