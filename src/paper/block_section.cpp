@@ -43,7 +43,7 @@ void compute_block(Document& document, const Case& from) {
       "block-discretisation",
       {Criterion::at_most("largest change over the displacement in the middle",
                           Value(error, scientific(1).rounded_up()).as_is(),
-                          limit(2e-4, LimitKind::choice, "far less than what is read from them"))},
+                          Limit(2e-4, LimitKind::choice, "far less than what is read from them"))},
       "refinement changes the displacements of the block by little; a higher "
       "block.order or block.refine leaves less");
 
@@ -52,12 +52,9 @@ void compute_block(Document& document, const Case& from) {
   document.value("block.level-varies-by",
                  Value(abs(study.level(study.under_triangle(), end) - level), scientific(2), unit));
   document.value("block.equivalent-datum", Value(equivalent_datum(h, level), significant(2), unit));
-  if (from.printed_data) {
-    describe_run(document, from, study);
-  } else {
-    document.value("block.sides", Value::text(name_of(b.sides)));
-    document.value("block.level", Value(level, scientific(4), unit));
-  }
+  document.value("block.sides", Value::text(name_of(b.sides)));
+  document.value("block.level", Value(level, scientific(4), unit));
+  if (from.printed_data) describe_run(document, from, study);
 }
 
 }  // namespace paper

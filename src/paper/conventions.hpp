@@ -11,20 +11,25 @@ namespace paper {
 
 /// What one would not see in a plot: a hundredth of what it shows.
 inline Limit less_than_a_plot_shows() {
-  return limit(1e-2, LimitKind::choice, "less than a plot shows");
+  return Limit(1e-2, LimitKind::choice, "less than a plot shows");
 }
 
 /// What the paper calls nearly identical, or negligible, of curves that a plot compares.
 inline Limit nearly_identical() {
-  return limit(3e-2, LimitKind::choice, "about what can be read off the axes of a plot");
+  return Limit(3e-2, LimitKind::choice, "about what can be read off the axes of a plot");
 }
 
 /// Whether a fitted order of convergence is the expected one.
 inline Criterion is_of_order(std::string what, const Number& order, double expected) {
   return Criterion::agrees(
       std::move(what), Value(order, uncertain()), Value(expected, exact()),
-      limit(0.25, LimitKind::choice, "nearer to the order stated than to any other multiple of 1/2")
+      Limit(0.25, LimitKind::choice, "nearer to the order stated than to any other multiple of 1/2")
           .counting(2));
+}
+
+/// A number for a table cell that prints the digits of its column, whatever its error.
+inline Estimate as_it_is(double number) {
+  return {number, 0};
 }
 
 /// A printed number: half a unit of its last place.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "elasticity/surface_quadrature.hpp"
@@ -26,9 +27,9 @@ void claim_datum(Document& document, const HalfSpaceCase& c, const PrintedData& 
   const Estimate shift = abs(displacement - nearer.normal_displacement(end));
   document.claim(
       "insensitive-to-c",
-      {.route = "eq. (2) by quadrature less the printed FEA z at the last point, for the datum "
+      {.route = "eq.~(2) by quadrature less the printed FEA $z$ at the last point, for the datum "
                 "given and for one at half of its distance",
-       .expected = Verdict::refuted,
+       .expected = Verdict::fails,
        .criteria = {Criterion::at_most("change of the error over the error",
                                        Value(shift / difference, percent(0)),
                                        less_than_a_plot_shows())}});
@@ -66,18 +67,18 @@ void compare_resultants(Document& document, const HalfSpaceCase& c, const UnitSy
       pairs.push_back(Criterion::agrees_relatively(
           "load", Value(stated * ratio, significant(3), units.line_load),
           Value(with, significant(3), units.line_load),
-          limit(
-              2e-2, LimitKind::choice,
-              "the shapes of the two loads may change the ratio by (a/x)^2/6, and the mesh of the "
-              "run is not known")));
+          Limit(2e-2, LimitKind::choice,
+                "the shapes of the two loads may change the ratio by $(a/x)^2/6$, and the mesh of "
+                "the "
+                "run is not known")));
     }
     return Criterion::in_each("load that follows from the slopes", "pairs of points", pairs);
   };
   document.claim(
       "same-load",
-      {.route = "the slope of the printed FEA z over that of the analytical column at "
-                "the outermost points, times the stated load, for the same E and Poisson's ratio",
-       .expected = Verdict::refuted,
+      {.route = "the slope of the printed FEA $z$ over that of the analytical column at "
+                "the outermost points, times the stated load, for the same $E$ and $\\nu$",
+       .expected = Verdict::fails,
        .criteria = {each_agrees(Estimate{stated, 0})}});
   document.check("slopes-give-the-resultant", {each_agrees(resultant)},
                  "the slopes far from the load give the resultant that the run prints");
@@ -99,7 +100,8 @@ void describe_error(Document& document, const HalfSpaceCase& c, const UnitSystem
   document.value("error.last-share", Value(as_estimate(printed.error.back()) / fea, percent(0)));
   document.value("error.datum-that-closes-it",
                  Value(closing, significant(2), units.length).as_is());
-  document.value("error.doubling-over-last", Value(shift_of_doubling(c) / difference, percent(0)));
+  document.value("error.doubling-over-last",
+                 Value(std::numbers::ln2 * displacement_scale(c) / difference, percent(0)));
 }
 
 }  // namespace

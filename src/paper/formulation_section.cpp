@@ -29,7 +29,7 @@ Figure elements() {
     height.insert(height.end(), {0, pressure.back(), 0, literate::gap});
   }
   return {.width_cm = 7,
-          .height_cm = 4,
+          .height_cm = 3.7,
           .data = {{"nodes", {{"x", x}, {"pressure", pressure}}},
                    {"triangles", {{"x", triangle_x}, {"height", height}}}},
           .numbers = {{"x_j", shown}, {"p_j", pressure_at(shown)}}};
@@ -59,7 +59,7 @@ Figure gradients(const HalfSpaceCase& half_space) {
                                     : concentrated.normal_gradient(xi * a).value / unit);
   }
   return {.width_cm = 8,
-          .height_cm = 4.8,
+          .height_cm = 4.4,
           .data = {{"loads",
                     {{"x", x},
                      {"concentrated", under_force},

@@ -55,8 +55,8 @@ FittedLoad LoadFitting::finished(const FallingPressure& pressure) const {
   return {.pressure = pressure,
           .numbers = {},
           .covariance = {},
-          .peak = 0,
-          .half_width = pressure.half_width(),
+          .peak = number_with(0, 0),
+          .half_width = number_with(pressure.half_width(), 0),
           .residuals = residuals,
           .shares = residuals.cwiseQuotient(convergences)};
 }

@@ -11,7 +11,6 @@
 #include "line_contact/cylinders.hpp"
 #include "literate/document/document.hpp"
 #include "numerics/estimate_algebra.hpp"
-#include "numerics/measured.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -30,6 +29,7 @@ using literate::fixed;
 using literate::integer;
 using literate::Limit;
 using literate::LimitKind;
+using literate::Number;
 using literate::percent;
 using literate::scientific;
 using literate::significant;
@@ -42,17 +42,9 @@ using parameters::ContactCase;
 using parameters::HalfSpaceCase;
 using parameters::PointContactCase;
 
-// How the engine of today spells what the next one spells `Number` and `Limit{number, kind,
-// reason}`.
-using Number = numerics::Measured;
+/// A number with a standard uncertainty and no bound.
 inline Number number_with(double value, double standard) {
-  return {value, standard, "fit"};
-}
-inline Limit limit(Estimate number, LimitKind kind, std::string reason) {
-  return {kind == LimitKind::theory ? LimitKind::choice : kind, number, std::move(reason)};
-}
-inline Limit limit(double number, LimitKind kind, std::string reason) {
-  return {kind == LimitKind::theory ? LimitKind::choice : kind, number, std::move(reason)};
+  return {value, 0, standard};
 }
 
 }  // namespace paper

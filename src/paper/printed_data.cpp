@@ -145,6 +145,7 @@ std::string difference_from_paper(const parameters::Case& c, const PrintedData& 
       differs("half_space.datum", h.datum, t.datum, u.length),
       differs_in_points(h.points, printed.figure5.x),
       differs_in_block(c, printed.appendix2),
+      c.point_contact ? "" : "there is no [point_contact]",
       differs("contact.load", k.line_load, m.load, u.line_load),
       differs("contact.datum", k.datum, m.datum, u.length),
       differs("contact.body1.radius", 1 / curvature(k.body1), m.radius1, u.length),

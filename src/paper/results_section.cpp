@@ -42,7 +42,7 @@ Criterion rounds_to_print(const PrintedNumber& printed, Estimate computed) {
   const Estimate distance = abs(computed - printed.value()) / printed.last_place();
   return Criterion::at_most(
       "distance", Value(distance, significant(2)),
-      limit(0.5, LimitKind::data, "the computed value rounds to every printed digit"));
+      Limit(0.5, LimitKind::data, "the computed value rounds to every printed digit"));
 }
 
 // The program's output and the analytical column against eq. (3), where the program evaluates it.
@@ -57,8 +57,8 @@ void claim_program(Document& document, const HalfSpaceCase& c, const UnitSystem&
   }
   document.claim(
       "tri-dist-is-equation-3",
-      {.route = "eq. (3) at the abscissae that the listing assigns, against every printed digit",
-       .expected = Verdict::confirmed,
+      {.route = "eq.~(3) at the abscissae that the listing assigns, against every printed digit",
+       .expected = Verdict::holds,
        .criteria = {
            Criterion::in_each("difference from the program's output, in units of its last place",
                               "points", output),
@@ -81,14 +81,14 @@ void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& un
   const auto agrees = [&](const char* what, Estimate load) {
     return Criterion::agrees_relatively(
         what, Value(load, significant(4), units.line_load), Value(stated, exact(), units.line_load),
-        limit(1e-2, LimitKind::choice, "the two readings differ by much more"));
+        Limit(1e-2, LimitKind::choice, "the two readings differ by much more"));
   };
   const Estimate load = c.load.line_load() * in_output;
   document.claim(
       "load-in-words",
-      {.route = "the program: its first displacement over that of eq. (3); the run: its summary; a "
+      {.route = "the program: its first displacement over that of eq.~(3); the run: its summary; a "
                 "pressure on unit thickness is a force per length of edge",
-       .expected = Verdict::partly,
+       .expected = Verdict::holds_in_part,
        .criteria = {
            agrees("the program's peak pressure, on unit thickness",
                   c.load.peak_pressure() * in_output),
@@ -120,7 +120,7 @@ void compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSyste
     const double off =
         std::abs(difference - printed.error[i].value()) / printed.analytical[i].last_place();
     return Criterion::at_most("difference", Value(off, significant(2)).as_is(),
-                              limit(1, LimitKind::data,
+                              Limit(1, LimitKind::data,
                                     "each of the two columns is known to half a unit of its last "
                                     "place"));
   };
@@ -136,8 +136,8 @@ void compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSyste
   }
   document.table(table);
   document.claim("error-of-z",
-                 {.route = "the difference of the printed columns, analytical less FEA z",
-                  .expected = Verdict::refuted,
+                 {.route = "the difference of the printed columns, analytical less FEA $z$",
+                  .expected = Verdict::fails,
                   .criteria = {Criterion::in_each(
                       "that difference less the printed error, in units of the columns' last place",
                       "points", of_z)}});
@@ -163,10 +163,8 @@ void check_measures(Document& document, const PrintedData& printed) {
 
 void compute_results(Document& document, const Case& from) {
   const HalfSpaceCase& c = from.half_space;
-  if (!from.printed_data) {
-    show_displacement(document, c, from.units);
-    return;
-  }
+  show_displacement(document, c, from.units);
+  if (!from.printed_data) return;
   const PrintedData& printed = *from.printed_data;
   claim_program(document, c, from.units, printed);
   claim_load(document, c, from.units, printed);
