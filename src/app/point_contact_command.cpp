@@ -22,12 +22,11 @@ struct PointContactCommandOptions {
   explicit PointContactCommandOptions(CLI::App& command) : contact(command) {
     add_text(command, "--field", field_file, "FILE",
              "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap");
-    add_text(command, "--vtu", vtu_file, "FILE", "Write the same for ParaView");
     output.add_to(command);
   }
 
   PointContactOptions contact;
-  std::string field_file, vtu_file;
+  std::string field_file;
   Output output;
 };
 
@@ -264,7 +263,6 @@ ExitCode run(const PointContactCommandOptions& options) {
   const auto from_file = case_of(options.contact.case_file());
   const config::UnitSystem units = options.output.units(from_file);
   require_folder_of("--field", options.field_file);
-  require_folder_of("--vtu", options.vtu_file);
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
   Result result{
@@ -280,12 +278,6 @@ ExitCode run(const PointContactCommandOptions& options) {
   require_finite(result);
   if (!options.field_file.empty()) {
     sys::write_file_atomically(options.field_file, csv_text(result.tables.front()));
-  }
-  if (!options.vtu_file.empty()) {
-    sys::write_file_atomically(
-        options.vtu_file,
-        numerics::vtu(point_contact::node_grid(
-            solved.solution, solved.friction ? solved.friction->shear : Eigen::VectorXd())));
   }
   return options.output.print(result);
 }
