@@ -30,12 +30,6 @@ struct PointContactCommandOptions {
   Output output;
 };
 
-// The tangential approach of bodies of revolution in closed form, if there is friction.
-std::optional<point_contact::CattaneoMindlin> mindlin_of(const PointContactInput& input) {
-  if (!input.hertz || !input.tangential) return std::nullopt;
-  return point_contact::CattaneoMindlin(*input.hertz, *input.friction, *input.tangential);
-}
-
 std::vector<Quantity> quantities_of(const PointContactInput& input,
                                     const SolvedPointContact& solved,
                                     const config::UnitSystem& units) {
@@ -54,37 +48,7 @@ std::vector<Quantity> quantities_of(const PointContactInput& input,
     quantities[3].exact = exact->approach;
     quantities[4].exact = exact->load;
   }
-  if (!solved.friction) return quantities;
-  quantities.push_back({"", "tangential load", solved.friction->tangential_load, units.force});
-  if (solved.tangential_displacement) {
-    quantities.push_back(
-        {"", "tangential approach", *solved.tangential_displacement, units.length});
-    if (const auto mindlin = mindlin_of(input)) {
-      quantities.back().exact = mindlin->displacement(
-          point_contact::tangential_compliance(input.material1, input.material2));
-    }
-  }
   return quantities;
-}
-
-ordered_json friction_json(const PointContactInput& input, const SolvedPointContact& solved) {
-  const point_contact::Friction& friction = *solved.friction;
-  ordered_json json = {
-      {"coefficient", *input.friction},
-      {"tangential_load", friction.tangential_load},
-      {"state", state_of(input)},
-      {"nodes_sticking", friction.n_sticking},
-      {"stick_area",
-       static_cast<double>(friction.n_sticking) * solved.solution.grid.lattice.cell_area()},
-      {"dundurs_beta", elasticity::dundurs_beta(input.material1, input.material2)}};
-  if (solved.tangential_displacement) json["displacement"] = *solved.tangential_displacement;
-  if (const auto mindlin = mindlin_of(input)) {
-    const double compliance =
-        point_contact::tangential_compliance(input.material1, input.material2);
-    json["cattaneo_mindlin"] = {{"stick_radius", mindlin->stick_radius()},
-                                {"displacement", mindlin->displacement(compliance)}};
-  }
-  return json;
 }
 
 ordered_json details_of(const PointContactInput& input, const SolvedPointContact& solved) {
@@ -117,7 +81,6 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
                                        {"nodes", region.n_nodes}});
   }
   if (input.curvatures) json["angle"] = input.curvatures->angle * 180 / std::numbers::pi;
-  if (solved.friction) json["friction"] = friction_json(input, solved);
   return json;
 }
 
@@ -143,9 +106,6 @@ Table nodes_of(const SolvedPointContact& solved, bool with_places) {
                           {.key = "pressure", .numbers = to_vector(s.pressure)},
                           {.key = "gap", .numbers = to_vector(s.gap), .may_be_infinite = true}},
               .in_json = InJson::no};
-  if (solved.friction) {
-    table.columns.push_back({.key = "shear", .numbers = to_vector(solved.friction->shear)});
-  }
   return table;
 }
 
@@ -177,11 +137,6 @@ std::string notes_of(const PointContactInput& input, const SolvedPointContact& s
   if (input.curvatures && !input.is_of_revolution) {
     text = fmt::format("the contact is longest at {:.6g} degrees from the x axis of body 1\n",
                        input.curvatures->angle * 180 / std::numbers::pi);
-  }
-  if (solved.friction) {
-    const auto n_sticking = solved.friction->n_sticking;
-    text += friction_text(input,
-                          input.tangential ? fmt::format(", {} nodes stick", n_sticking) : "", "");
   }
   text += regions_text(point_contact::regions(s), [&](const point_contact::Region& region) {
     return fmt::format("{:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes", region.load, units.force,
