@@ -42,9 +42,7 @@ ContactOptions::ContactOptions(CLI::App& command)
       domain_(command, "--domain",
               "Total width that the nodes fill [under a load: a little more than the contact]"),
       tolerance_(command, "--tolerance",
-                 "Error of the pressure allowed to fft, relative to the peak [1e-10]"),
-      friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
-      tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
+                 "Error of the pressure allowed to fft, relative to the peak [1e-10]") {
   add_choice(command, "--element", element_, names_of(elements),
              "What stands at a node for the pressure around it");
   add_choice(command, "--method", method_, {"matrix-inversion", "variational", "fft"},
@@ -123,17 +121,13 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
                      .line_load = {},
                      .approach = approach_.number(),
                      .datum = datum,
-                     .friction = friction_.number(),
-                     .tangential = tangential_.number(),
                      .closed_form = {},
                      .hertz = {}};
-  require_consistent(input, load_);
+  refuse_if(input.approach && load_.number(), "--load and --approach: give one of them");
   refuse_if(input.approach && !datum, "--datum is missing: --approach is relative to it");
   if (!input.approach) {
     input.line_load = sys::require_positive("load", load_.number_or(given_load));
   }
-  refuse_if(input.friction && grid_ == "one-sided",
-            "--friction needs --grid symmetric: its shear has no mirror image");
   constexpr long quickly_inverted = 1000;
   if (method_.empty()) input.method = *n_nodes <= quickly_inverted ? "matrix-inversion" : "fft";
   refuse_if(input.method != "fft" && tolerance_.number(),

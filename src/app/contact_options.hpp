@@ -11,7 +11,6 @@
 #include "app/choices.hpp"
 #include "command_line/options.hpp"
 #include "line_contact/cylinders.hpp"
-#include "line_contact/friction.hpp"
 #include "line_contact/problem.hpp"
 #include "line_contact/profile.hpp"
 #include "line_contact/solution.hpp"
@@ -63,8 +62,6 @@ struct ContactInput {
   std::optional<double> line_load;   ///< either this
   std::optional<double> approach;    ///< or this is given
   std::optional<double> datum;       ///< always with `approach`
-  std::optional<double> friction;    ///< μ
-  std::optional<double> tangential;  ///< Q; without it the bodies slide
   std::optional<ClosedForm> closed_form;
   std::optional<line_contact::Hertz> hertz;  ///< for cylinders under a load
   double least_radius = 0;                   ///< of the two cylinders; 0 for other profiles
@@ -94,7 +91,7 @@ class ContactOptions {
   Body body1_, body2_;
   NumberOption load_, approach_, datum_;
   ChoiceOption profile_;
-  NumberOption nodes_, domain_, tolerance_, friction_, tangential_;
+  NumberOption nodes_, domain_, tolerance_;
   std::string element_ = "triangular";
   std::string method_;
   std::string grid_ = "symmetric";
@@ -105,8 +102,6 @@ class ContactOptions {
 struct SolvedContact {
   line_contact::Solution solution;
   std::optional<double> approach;  ///< where a datum is given
-  std::optional<line_contact::Friction> friction;
-  std::optional<line_contact::Slopes> slopes;  ///< with friction
   double seconds;
 };
 

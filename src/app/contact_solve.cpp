@@ -84,22 +84,9 @@ SolvedContact solve(const ContactInput& input) {
                                        : line_contact::solve_for_approach(
                                              input.problem, *input.approach, *input.datum, method),
                        .approach = {},
-                       .friction = {},
-                       .slopes = {},
                        .seconds = 0};
   require_resolved(solved.solution);
   if (input.datum) solved.approach = solved.solution.approach(*input.datum);
-  if (input.friction && input.tangential) {
-    solved.friction = line_contact::partial_slip(input.problem, solved.solution, *input.friction,
-                                                 *input.tangential, method);
-  } else if (input.friction) {
-    solved.friction = line_contact::sliding(solved.solution, *input.friction);
-  }
-  if (solved.friction) {
-    const double beta = elasticity::dundurs_beta(input.material1, input.material2);
-    solved.slopes =
-        line_contact::surface_slopes(input.problem, solved.solution, solved.friction->shear, beta);
-  }
   solved.seconds = stopwatch.seconds();
   return solved;
 }

@@ -31,36 +31,10 @@ double beyond_logarithm(Element element, double k) {
   return 0;
 }
 
-// T′(k) − 1/k for k ≥ far: the derivative of the series.
-double gradient_beyond_reciprocal(Element element, double k) {
-  const double e = 1 / (k * k);
-  switch (element) {
-    case Element::triangular:
-      return e / k * (1. / 6 + e * (1. / 15 + e * (1. / 28 + e * (1. / 45 + e / 66))));
-    case Element::uniform:
-      return e / k * (1. / 12 + e * (1. / 80 + e * (1. / 448 + e * (1. / 2304 + e / 11264))));
-    case Element::point:
-      break;
-  }
-  return 0;
-}
-
 // (k+1) ln|k+1| − 2k ln|k| + (k−1) ln|k−1|, beyond k = 1 by terms that hardly cancel.
 double triangular_gradient(double k) {
   if (k <= 1) return times_log(k + 1) - 2 * times_log(k) + times_log(k - 1);
   return k * std::log1p(-1 / (k * k)) + std::log((k + 1) / (k - 1));
-}
-
-double near_gradient(Element element, double k) {
-  switch (element) {
-    case Element::triangular:
-      return triangular_gradient(k);
-    case Element::uniform:
-      return std::log((k + 0.5) / std::abs(k - 0.5));
-    case Element::point:
-      break;
-  }
-  return k == 0 ? 0 : 1 / k;
 }
 
 double uniform_coefficient(double k) {
@@ -108,14 +82,6 @@ double influence_difference(Element element, Eigen::Index k) {
   }
   return std::log1p(1 / here) +
          (beyond_logarithm(element, here + 1) - beyond_logarithm(element, here));
-}
-
-double influence_gradient(Element element, Eigen::Index k) {
-  const auto distance = static_cast<double>(std::abs(k));
-  const double gradient = distance < far
-                              ? near_gradient(element, distance)
-                              : 1 / distance + gradient_beyond_reciprocal(element, distance);
-  return k < 0 ? -gradient : gradient;
 }
 
 }  // namespace line_contact

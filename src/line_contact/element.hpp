@@ -31,9 +31,4 @@ double influence_coefficient(Element element, double k);
 /// each digit of k.
 double influence_difference(Element element, Eigen::Index k);
 
-/// T′(k) for whole k, odd: the slope k spacings away, ∂(u_z1 + u_z2)/∂x = −(2/(πE*)) Σ_j T′(k_j)
-/// p_j. 0 at k = 0 by symmetry, also for a point, whose own slope is infinite. Absolute accuracy
-/// 1e-15.
-double influence_gradient(Element element, Eigen::Index k);
-
 }  // namespace line_contact

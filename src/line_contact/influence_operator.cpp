@@ -134,16 +134,4 @@ VectorXd rises_over_grid(Element element, const VectorXd& phi, Index first, Inde
   return convolution(fill, phi, first, n_nodes - 1);
 }
 
-VectorXd gradients_over_grid(Element element, const VectorXd& phi) {
-  const auto fill = [element](std::span<double> signal) {
-    signal[0] = 0;
-    const std::size_t half = signal.size() / 2;
-    for (std::size_t k = 1; k <= half; ++k) {
-      signal[k] = influence_gradient(element, static_cast<Index>(k));
-      signal[signal.size() - k] = -signal[k];
-    }
-  };
-  return convolution(fill, phi, 0, phi.size());
-}
-
 }  // namespace line_contact

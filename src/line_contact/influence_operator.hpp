@@ -44,7 +44,4 @@ class InfluenceOperator {
 Eigen::VectorXd rises_over_grid(Element element, const Eigen::VectorXd& phi, Eigen::Index first,
                                 Eigen::Index n_nodes);
 
-/// Σ_j T′(i−j) φ_j at all nodes of a grid with a φ for each.
-Eigen::VectorXd gradients_over_grid(Element element, const Eigen::VectorXd& phi);
-
 }  // namespace line_contact

@@ -18,10 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using line_contact::Element;
-using line_contact::gradients_over_grid;
 using line_contact::influence_coefficient;
 using line_contact::influence_difference;
-using line_contact::influence_gradient;
 using line_contact::InfluenceOperator;
 using line_contact::name_of;
 using line_contact::rises_over_grid;
@@ -247,23 +245,6 @@ BOOST_AUTO_TEST_CASE(rises_over_a_grid_are_dense_products_wherever_the_window_li
         BOOST_TEST((rises - exact).cwiseAbs().maxCoeff() <
                    tolerance::rounding * std::sqrt(static_cast<double>(window.n_nodes)) *
                        phi.norm());
-      }
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(gradients_over_a_grid_are_dense_products) {
-  for (const Element element : elements) {
-    for (const Index n : {1, 2, 5, 31, 64, 100, 385}) {
-      const VectorXd phi = random_values(n);
-      const VectorXd gradients = gradients_over_grid(element, phi);
-
-      BOOST_TEST_CONTEXT(name_of(element) << ", n = " << n) {
-        BOOST_TEST(gradients.size() == n);
-        const VectorXd exact =
-            dense_product([=](Index k) { return influence_gradient(element, k); }, phi, 0, n);
-        BOOST_TEST((gradients - exact).cwiseAbs().maxCoeff() <
-                   tolerance::rounding * std::sqrt(static_cast<double>(n)) * phi.norm());
       }
     }
   }
