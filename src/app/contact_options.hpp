@@ -59,9 +59,8 @@ struct ContactInput {
   std::string profile;               ///< as given
   std::string method;                ///< matrix-inversion, variational or fft
   double tolerance;                  ///< of fft
-  std::optional<double> line_load;   ///< either this
-  std::optional<double> approach;    ///< or this is given
-  std::optional<double> datum;       ///< always with `approach`
+  std::optional<double> line_load;
+  std::optional<double> datum;
   std::optional<ClosedForm> closed_form;
   std::optional<line_contact::Hertz> hertz;  ///< for cylinders under a load
   double least_radius = 0;                   ///< of the two cylinders; 0 for other profiles
@@ -89,12 +88,11 @@ class ContactOptions {
   void set_grid(ContactInput& input, Eigen::Index n_nodes) const;
 
   Body body1_, body2_;
-  NumberOption load_, approach_, datum_;
+  NumberOption load_, datum_;
   ChoiceOption profile_;
   NumberOption nodes_, domain_, tolerance_;
   std::string element_ = "triangular";
   std::string method_;
-  std::string grid_ = "symmetric";
   std::string case_file_;
 };
 

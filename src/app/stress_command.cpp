@@ -10,7 +10,7 @@
 #include "app/contact_options.hpp"
 #include "app/csv_files.hpp"
 #include "line_contact/cylinders.hpp"
-#include "line_contact/element_field.hpp"
+#include "line_contact/solution.hpp"
 
 namespace app {
 namespace {
@@ -57,11 +57,10 @@ std::vector<Point> points_of(const StressCommandOptions& options) {
 }
 
 void compute(std::vector<Point>& points, const ContactInput& input, const SolvedContact& solved) {
-  const auto traction = line_contact::traction_on(solved.solution, {});
   std::optional<line_contact::McEwen> mcewen;
   if (input.hertz) mcewen.emplace(*input.hertz);
   for (Point& point : points) {
-    point.stress = traction.stress(point.x, point.z);
+    point.stress = line_contact::stress_beneath(solved.solution, point.x, point.z);
     if (mcewen) point.mcewen = mcewen->stress(point.x, point.z);
   }
 }

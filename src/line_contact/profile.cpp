@@ -37,7 +37,6 @@ Profile Profile::tabulated(const std::vector<double>& x, const std::vector<doubl
   gsl_spline_init(spline.get(), x.data(), gap.data(), x.size());
   const auto height = [spline](double at) { return gsl_spline_eval(spline.get(), at, nullptr); };
   Profile profile(height, [height](double from, double to) { return height(to) - height(from); });
-  profile.is_symmetric_ = false;
   profile.begin_ = x.front();
   profile.end_ = x.back();
   return profile;

@@ -20,9 +20,6 @@ class Profile {
   /// grid the subtraction of two gaps would leave few digits.
   double rise(double from, double to) const { return rise_(from, to); }
 
-  /// Whether h(−x) = h(x).
-  bool is_symmetric() const { return is_symmetric_; }
-
   /// Where the profile is given: (begin, end), infinite for a formula.
   double begin() const { return begin_; }
   double end() const { return end_; }
@@ -41,7 +38,6 @@ class Profile {
 
   Gap gap_;
   Rise rise_;
-  bool is_symmetric_ = true;
   double begin_ = -std::numeric_limits<double>::infinity();
   double end_ = std::numeric_limits<double>::infinity();
 };

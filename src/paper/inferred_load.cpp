@@ -65,7 +65,7 @@ Estimate share_with_resultant(const BlockStudy& study, const PrintedData& printe
                               block::Support sides) {
   const double sum = printed_sum_of(printed_data, a);
   const double peak = peak_given(study.fit_on(sides), sum).value();
-  const elasticity::Load load = elasticity::linear_fall(peak, (sum - peak) / peak, a);
+  const elasticity::Load load = elasticity::LinearFall(peak, (sum - peak) / peak, a);
   return unfitted(study, "", load, peak, sides).misfit.largest_share;
 }
 

@@ -85,15 +85,15 @@ std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& ha
   const double a = half_space.load.half_width();
   const block::SupportedBlock& own = study.on(sides);
   const Supports own_supports = block::with_sides(sides);
-  const RefinedSolution uniform = own.solve(elasticity::linear_fall(1, 1, a));
+  const RefinedSolution uniform = own.solve(elasticity::LinearFall(1, 1, a));
   struct Shape {
     std::string name;
     elasticity::Load load;
   };
   const Shape shapes[] = {
-      {"triangle", elasticity::linear_fall(1, 0, a)},
-      {"narrower triangle", elasticity::linear_fall(1, 0, narrower * a)},
-      {"step", elasticity::linear_fall(1, 1, a / 2)},
+      {"triangle", elasticity::LinearFall(1, 0, a)},
+      {"narrower triangle", elasticity::LinearFall(1, 0, narrower * a)},
+      {"step", elasticity::LinearFall(1, 1, a / 2)},
       {"parabola",
        elasticity::distributed_load([a](double x) { return 1 - x * x / (a * a); }, {}, {-a, a})},
       {"root", elasticity::distributed_load(
@@ -114,8 +114,8 @@ std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& ha
     if (supports == own_supports) return;
     const block::SupportedBlock block = study.on(supports);
     contestants.push_back(fitted(study, "uniform + triangle", supports,
-                                 {block.solve(elasticity::linear_fall(1, 1, a)),
-                                  block.solve(elasticity::linear_fall(1, 0, a))}));
+                                 {block.solve(elasticity::LinearFall(1, 1, a)),
+                                  block.solve(elasticity::LinearFall(1, 0, a))}));
   };
   for (const Support other : {Support::clamped, Support::roller, Support::free}) {
     add(block::with_sides(other));
@@ -127,7 +127,7 @@ std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& ha
 }
 
 elasticity::Load round_load(const HalfSpaceCase& half_space) {
-  return elasticity::linear_fall(half_space.load.peak_pressure(), round_edge_share,
+  return elasticity::LinearFall(half_space.load.peak_pressure(), round_edge_share,
                                  half_space.load.half_width());
 }
 
