@@ -22,20 +22,13 @@ struct PointContactCommandOptions {
   explicit PointContactCommandOptions(CLI::App& command) : contact(command) {
     add_text(command, "--field", field_file, "FILE",
              "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap");
-    add_text(command, "--vtu", vtu_file, "FILE", "Write the same for ParaView");
     output.add_to(command);
   }
 
   PointContactOptions contact;
-  std::string field_file, vtu_file;
+  std::string field_file;
   Output output;
 };
-
-// The tangential approach of bodies of revolution in closed form, if there is friction.
-std::optional<point_contact::CattaneoMindlin> mindlin_of(const PointContactInput& input) {
-  if (!input.hertz || !input.tangential) return std::nullopt;
-  return point_contact::CattaneoMindlin(*input.hertz, *input.friction, *input.tangential);
-}
 
 std::vector<Quantity> quantities_of(const PointContactInput& input,
                                     const SolvedPointContact& solved,
@@ -55,37 +48,7 @@ std::vector<Quantity> quantities_of(const PointContactInput& input,
     quantities[3].exact = exact->approach;
     quantities[4].exact = exact->load;
   }
-  if (!solved.friction) return quantities;
-  quantities.push_back({"", "tangential load", solved.friction->tangential_load, units.force});
-  if (solved.tangential_displacement) {
-    quantities.push_back(
-        {"", "tangential approach", *solved.tangential_displacement, units.length});
-    if (const auto mindlin = mindlin_of(input)) {
-      quantities.back().exact = mindlin->displacement(
-          point_contact::tangential_compliance(input.material1, input.material2));
-    }
-  }
   return quantities;
-}
-
-ordered_json friction_json(const PointContactInput& input, const SolvedPointContact& solved) {
-  const point_contact::Friction& friction = *solved.friction;
-  ordered_json json = {
-      {"coefficient", *input.friction},
-      {"tangential_load", friction.tangential_load},
-      {"state", state_of(input)},
-      {"nodes_sticking", friction.n_sticking},
-      {"stick_area",
-       static_cast<double>(friction.n_sticking) * solved.solution.grid.lattice.cell_area()},
-      {"dundurs_beta", elasticity::dundurs_beta(input.material1, input.material2)}};
-  if (solved.tangential_displacement) json["displacement"] = *solved.tangential_displacement;
-  if (const auto mindlin = mindlin_of(input)) {
-    const double compliance =
-        point_contact::tangential_compliance(input.material1, input.material2);
-    json["cattaneo_mindlin"] = {{"stick_radius", mindlin->stick_radius()},
-                                {"displacement", mindlin->displacement(compliance)}};
-  }
-  return json;
 }
 
 ordered_json details_of(const PointContactInput& input, const SolvedPointContact& solved) {
@@ -118,7 +81,6 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
                                        {"nodes", region.n_nodes}});
   }
   if (input.curvatures) json["angle"] = input.curvatures->angle * 180 / std::numbers::pi;
-  if (solved.friction) json["friction"] = friction_json(input, solved);
   return json;
 }
 
@@ -144,9 +106,6 @@ Table nodes_of(const SolvedPointContact& solved, bool with_places) {
                           {.key = "pressure", .numbers = to_vector(s.pressure)},
                           {.key = "gap", .numbers = to_vector(s.gap), .may_be_infinite = true}},
               .in_json = InJson::no};
-  if (solved.friction) {
-    table.columns.push_back({.key = "shear", .numbers = to_vector(solved.friction->shear)});
-  }
   return table;
 }
 
@@ -178,11 +137,6 @@ std::string notes_of(const PointContactInput& input, const SolvedPointContact& s
   if (input.curvatures && !input.is_of_revolution) {
     text = fmt::format("the contact is longest at {:.6g} degrees from the x axis of body 1\n",
                        input.curvatures->angle * 180 / std::numbers::pi);
-  }
-  if (solved.friction) {
-    const auto n_sticking = solved.friction->n_sticking;
-    text += friction_text(input,
-                          input.tangential ? fmt::format(", {} nodes stick", n_sticking) : "", "");
   }
   text += regions_text(point_contact::regions(s), [&](const point_contact::Region& region) {
     return fmt::format("{:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes", region.load, units.force,
@@ -264,7 +218,6 @@ ExitCode run(const PointContactCommandOptions& options) {
   const auto from_file = case_of(options.contact.case_file());
   const config::UnitSystem units = options.output.units(from_file);
   require_folder_of("--field", options.field_file);
-  require_folder_of("--vtu", options.vtu_file);
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
   Result result{
@@ -280,12 +233,6 @@ ExitCode run(const PointContactCommandOptions& options) {
   require_finite(result);
   if (!options.field_file.empty()) {
     sys::write_file_atomically(options.field_file, csv_text(result.tables.front()));
-  }
-  if (!options.vtu_file.empty()) {
-    sys::write_file_atomically(
-        options.vtu_file,
-        numerics::vtu(point_contact::node_grid(
-            solved.solution, solved.friction ? solved.friction->shear : Eigen::VectorXd())));
   }
   return options.output.print(result);
 }

@@ -53,9 +53,7 @@ PointContactOptions::PointContactOptions(CLI::App& command)
       domain_y_(command, "--domain-y", "Its height, if it is to be no square"),
       tolerance_(command, "--tolerance",
                  "Error of the pressure allowed, relative to the peak [1e-8]"),
-      threads_(command, "--threads", "Number of threads; changes no digit of the result [1]"),
-      friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
-      tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
+      threads_(command, "--threads", "Number of threads; changes no digit of the result [1]") {
   add_choice(command, "--grid", grid_, {"hexagonal", "square"},
              "Nodes as corners of equilateral triangles or of squares");
   add_choice(command, "--element", element_, names_of(elements),
@@ -191,12 +189,10 @@ PointContactInput PointContactOptions::read(
       .accuracy = {},
       .load = load_.number(),
       .approach = approach_.number(),
-      .friction = friction_.number(),
-      .tangential = tangential_.number(),
       .closed_form = {},
       .curvatures = {},
       .hertz = {}};
-  require_consistent(input, load_);
+  refuse_if(input.approach && load_.number(), "--load and --approach: give one of them");
   refuse_if(!input.approach && !input.load, "--load is missing: give it, or --approach");
   if (input.load) sys::require_positive("load", *input.load);
   refuse_if(input.approach && method_ != "fft", "--approach needs --method fft");
@@ -205,8 +201,6 @@ PointContactInput PointContactOptions::read(
             "--tolerance has no meaning for --method matrix-inversion");
   if (!depths_.empty()) input.depths = parse_numbers("--depths", depths_);
   for (const double depth : input.depths) sys::require_positive("depth", depth);
-  refuse_if(!depths_.empty() && input.friction,
-            "--depths and --friction: the stresses are those of the pressure alone");
   input.is_second_body = body_ == "2";
   refuse_if(input.is_second_body && depths_.empty(), "--body needs --depths");
   input.accuracy.tolerance = tolerance_.number().value_or(input.accuracy.tolerance);

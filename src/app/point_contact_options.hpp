@@ -16,7 +16,6 @@
 #include "point_contact/bodies/profile.hpp"
 #include "point_contact/closed_forms/spheres.hpp"
 #include "point_contact/solver/methods.hpp"
-#include "point_contact/solver/partial_slip.hpp"
 #include "point_contact/solver/problem.hpp"
 #include "system/require.hpp"
 
@@ -83,8 +82,6 @@ struct PointContactInput {
   point_contact::Accuracy accuracy;
   std::optional<double> load;        ///< either this
   std::optional<double> approach;    ///< or this is given
-  std::optional<double> friction;    ///< μ
-  std::optional<double> tangential;  ///< Q; without it the bodies slide
   std::optional<PointClosedForm> closed_form;
   std::optional<point_contact::RelativeCurvatures> curvatures;  ///< of curved bodies
   std::optional<point_contact::Hertz> hertz;  ///< of spheres, whatever else is given
@@ -122,7 +119,7 @@ class PointContactOptions {
   CurvedBody body1_, body2_;
   NumberOption load_, approach_;
   ChoiceOption profile_;
-  NumberOption nodes_, domain_, domain_y_, tolerance_, threads_, friction_, tangential_;
+  NumberOption nodes_, domain_, domain_y_, tolerance_, threads_;
   std::string grid_ = "hexagonal";
   std::string element_ = "pyramid";
   std::string method_ = "fft";
@@ -143,8 +140,6 @@ struct StressBeneath {
 /// A solved point contact and what it took.
 struct SolvedPointContact {
   point_contact::Solution solution;
-  std::optional<point_contact::Friction> friction;
-  std::optional<double> tangential_displacement;  ///< of bodies of revolution, under partial slip
   double seconds;
   std::vector<StressBeneath> stresses = {};  ///< by the pressure alone, in the body that is named
 };

@@ -73,19 +73,8 @@ point_contact::Vector2 half_widths_of(const PointContactInput& input,
 SolvedPointContact solve(const PointContactInput& input) {
   const Stopwatch stopwatch;
   SolvedPointContact solved{
-      .solution = frictionless(input), .friction = {}, .tangential_displacement = {}, .seconds = 0};
+      .solution = frictionless(input), .seconds = 0};
   require_resolved(solved.solution);
-  if (input.friction && input.tangential) {
-    solved.friction = point_contact::partial_slip(input.problem, solved.solution, *input.friction,
-                                                  *input.tangential, input.accuracy);
-    if (input.is_of_revolution) {
-      solved.tangential_displacement = point_contact::tangential_displacement(
-          input.problem, solved.solution, *solved.friction, *input.friction,
-          point_contact::tangential_compliance(input.material1, input.material2));
-    }
-  } else if (input.friction) {
-    solved.friction = point_contact::sliding(solved.solution, *input.friction);
-  }
   solved.seconds = stopwatch.seconds();
   solved.stresses = stresses_beneath(input, solved.solution);
   return solved;
