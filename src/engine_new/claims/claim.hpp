@@ -14,9 +14,9 @@ Verdict verdict_of(const std::vector<Criterion>& criteria);
 
 /// How the computation checks a statement, whose sentence is in the prose.
 struct Claim {
-  std::string route;                      ///< how it was computed, independently of it (LaTeX)
+  std::string route = {};                 ///< how it was computed, independently of it (LaTeX)
   Verdict expected = Verdict::undecided;  ///< the verdict that the prose gives
-  std::vector<Criterion> criteria;        ///< what decides
+  std::vector<Criterion> criteria = {};   ///< what decides
 
   Verdict verdict() const { return verdict_of(criteria); }
 };

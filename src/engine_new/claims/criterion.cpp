@@ -12,12 +12,14 @@
 
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
+#include "literate/values/decimal.hpp"
 
 namespace literate {
 namespace {
 
 using numerics::Estimate;
 using numerics::rounding::add_up;
+using numerics::rounding::error_of_sum;
 using numerics::rounding::multiply_up;
 
 constexpr std::array<std::string_view, 4> names_of_verdicts{"holds", "holds in part", "fails",
@@ -64,13 +66,14 @@ Number known(const Value& quantity) {
 double error_of(const Value& quantity, const Limit& limit) {
   const Number number = known(quantity);
   if (number.standard == 0) return number.bound;
-  if (!limit.n_counted()) {
+  const auto& n_counted = limit.n_counted();
+  if (!n_counted) {
     throw std::invalid_argument(
         fmt::format("{} has a standard uncertainty of {}: say how many of them the limit counts, "
                     "as in Limit(...).counting(2)",
                     quantity.printed(), round_trip(number.standard)));
   }
-  return add_up(number.bound, multiply_up(*limit.n_counted(), number.standard));
+  return add_up(number.bound, multiply_up(*n_counted, number.standard));
 }
 
 /// A limit, or an error, in the unit of the quantity that it belongs to.
@@ -102,24 +105,28 @@ Number difference(const Value& computed, const Value& stated) {
   return {std::abs(apart.value), apart.abs_error, add_up(c.standard, s.standard)};
 }
 
-/// |c/s − 1| with what is not known of it: by first order in the numerator, and in the denominator
-/// by what s may be at least.
+/// |c/s − 1| with what is not known of it: c'/s' − c/s is (δ − ε c/s)/s' for c' = c + δ, s' = s +
+/// ε.
 Number relative_difference(const Value& computed, const Value& stated) {
   const Number c = known(computed), s = known(stated);
   if (!(std::abs(s.value) > s.bound)) {
     throw std::invalid_argument(
         fmt::format("{} may be zero, so nothing is relative to it", stated.printed()));
   }
-  const double ratio = std::abs(decimal_difference(c.value, s.value) / s.value);
-  if (c.is_exact() && s.is_exact()) return {ratio, 0};
+  if (c.is_exact() && s.is_exact()) {
+    return {std::abs(decimal_difference(c.value, s.value) / s.value), 0};
+  }
+  const double apart = c.value - s.value;
+  const double ratio = std::abs(apart / s.value);
   const double least = std::abs(s.value) - s.bound;
   const double slope = std::abs(c.value / s.value);
-  // Each of the operations here rounds by half an ε.
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double of_difference = std::abs(error_of_sum(c.value, -s.value, apart));
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const auto share = [&](double of_c, double of_s) {
-    return (1 + rounding) * (of_c + slope * of_s) / least;
+    return (1 + 4 * epsilon) * (of_c + slope * of_s) / least;  // four roundings
   };
-  return {ratio, share(c.bound, s.bound) + rounding * (slope + 1), share(c.standard, s.standard)};
+  return {ratio, share(c.bound + of_difference, s.bound) + epsilon * ratio,
+          share(c.standard, s.standard)};
 }
 
 }  // namespace
@@ -144,8 +151,8 @@ std::string Margin::text() const {
   return errors ? fmt::format("{}; {}", times, rough(*errors, "errors")) : times;
 }
 
-Criterion::Criterion(std::string name, const Limit& limit, const Place& place)
-    : name_(std::move(name)), limit_(limit) {
+Criterion::Criterion(std::string name, Limit limit, const Place& place)
+    : name_(std::move(name)), limit_(std::move(limit)) {
   at(place, name_, [&] {
     if (name_.empty()) throw std::invalid_argument("a criterion names what it tests");
     name_ = author_latex(name_);

@@ -94,7 +94,7 @@ class Criterion {
   std::string text() const;
 
  private:
-  Criterion(std::string name, const Limit& limit, const Place& place);
+  Criterion(std::string name, Limit limit, const Place& place);
   static Criterion one_sided(std::string name, const Value& quantity, const Limit& limit, Side side,
                              const Place& place);
   void decide(const Value& tested, Side side, const Place& place);

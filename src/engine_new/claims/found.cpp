@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "literate/values/rounding.hpp"
+
 namespace literate {
 namespace {
 

@@ -14,12 +14,12 @@
 namespace literate {
 namespace {
 
-constexpr int most_digits = 17;
+constexpr int most_limit_digits = 17;
 
 /// The number as it is printed and tested.
 double printed(double number, int n_digits) {
   if (!std::isfinite(number)) return number;
-  if (n_digits > 0 && n_digits <= most_digits) {
+  if (n_digits > 0 && n_digits <= most_limit_digits) {
     return number_of(rounded_to_digits(number, n_digits));
   }
   // What follows twelve digits is the rounding of the arithmetic: 0.003 for 3 · 0.001.
@@ -56,8 +56,8 @@ void Limit::require_valid() const {
   if (!(std::isfinite(bound_) && bound_ >= 0)) {
     refuse(fmt::format("the error {} of the limit is not finite or below zero", bound_));
   }
-  if (n_digits_ < 0 || n_digits_ > most_digits) {
-    refuse(fmt::format("{} digits of a limit: there are 1 to {}", n_digits_, most_digits));
+  if (n_digits_ < 0 || n_digits_ > most_limit_digits) {
+    refuse(fmt::format("{} digits of a limit: there are 1 to {}", n_digits_, most_limit_digits));
   }
   if (n_counted_ && !(std::isfinite(*n_counted_) && *n_counted_ > 0)) {
     refuse(fmt::format("counting({}): must be finite and positive", *n_counted_));

@@ -57,6 +57,7 @@ std::map<std::string, std::string> files_of(const Document& document,
 void write_folder(const Document& document, const fs::path& folder, const std::string& case_name) {
   const std::map<std::string, std::string> files = files_of(document, case_name);
   std::vector<std::string> names;
+  names.reserve(files.size());
   for (const auto& [name, text] : files) names.push_back(name);
   const std::string results = results_json(document, case_name, names);
 

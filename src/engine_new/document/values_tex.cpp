@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "literate/text/latex.hpp"
+#include "literate/values/decimal.hpp"
 #include "system/csv.hpp"
 
 namespace literate {

@@ -15,7 +15,7 @@ namespace {
 
 Place place_of(const StrictJson& json) {
   const auto place = json.find("place");
-  return Place(place ? place->text() : json.file());
+  return Place(place ? place->text() : std::filesystem::path(json.file()).filename().string());
 }
 
 Format format_of(const StrictJson& json) {
@@ -158,18 +158,19 @@ Criterion criterion_of(const StrictJson& json, const Place& place) {
     json.require_keys({"name", "test", "cases", "each"});
     return Criterion::in_each(name, json["cases"].text(), criteria_of(json["each"], place), place);
   }
-  const Value quantity = value_of(json["quantity"]);
-  const Limit limit = limit_of(json["limit"]);
   if (test == "at_most" || test == "at_least") {
     json.require_keys({"name", "test", "quantity", "limit"});
+    const Value quantity = value_of(json["quantity"]);
+    const Limit limit = limit_of(json["limit"]);
     return test == "at_most" ? Criterion::at_most(name, quantity, limit, place)
                              : Criterion::at_least(name, quantity, limit, place);
   }
-  json.require_keys({"name", "test", "quantity", "stated", "limit"});
-  const Value stated = value_of(json["stated"]);
-  if (test == "agrees") return Criterion::agrees(name, quantity, stated, limit, place);
-  if (test == "agrees_relatively") {
-    return Criterion::agrees_relatively(name, quantity, stated, limit, place);
+  if (test == "agrees" || test == "agrees_relatively") {
+    json.require_keys({"name", "test", "quantity", "stated", "limit"});
+    const Value quantity = value_of(json["quantity"]), stated = value_of(json["stated"]);
+    const Limit limit = limit_of(json["limit"]);
+    return test == "agrees" ? Criterion::agrees(name, quantity, stated, limit, place)
+                            : Criterion::agrees_relatively(name, quantity, stated, limit, place);
   }
   json["test"].fail(fmt::format(
       "'{}' is no test: at_most, at_least, agrees, agrees_relatively or in_each", test));

@@ -7,6 +7,7 @@
 
 #include "literate/tables/cell.hpp"
 #include "literate/tables/column.hpp"
+#include "literate/values/rounding.hpp"
 
 namespace literate {
 

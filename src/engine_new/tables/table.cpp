@@ -10,6 +10,7 @@
 
 #include "literate/tables/printed_column.hpp"
 #include "literate/text/latex.hpp"
+#include "literate/values/decimal.hpp"
 #include "system/csv.hpp"
 #include "system/nearest_name.hpp"
 #include "system/text.hpp"

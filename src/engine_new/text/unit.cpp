@@ -101,7 +101,9 @@ class Reader {
         takes(")");
         is_divided = false;
       } else if (!takes(" ") && !takes(".") && !takes("*") && !takes("·") && !takes("-")) {
-        if (Factor one = factor(is_divided); one.name != "1") factors.push_back(std::move(one));
+        Factor one = factor(is_divided);
+        const bool is_one = one.name == "1" && one.power.empty();
+        if (!is_one) factors.push_back(std::move(one));
         is_divided = false;
       }
     }

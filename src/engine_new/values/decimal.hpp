@@ -5,10 +5,6 @@
 
 #include "system/decimal.hpp"
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "error bounds and digits need IEEE arithmetic: compile without -ffast-math and -Ofast"
-#endif
-
 namespace literate {
 
 /// All functions here that make a decimal number round the exact binary value, ties to even, as

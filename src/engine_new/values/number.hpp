@@ -3,6 +3,10 @@
 
 #include "numerics/estimate.hpp"
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "error bounds and digits need IEEE arithmetic: compile without -ffast-math and -Ofast"
+#endif
+
 namespace literate {
 
 /// A number with what is not known of it, all in one unit.

@@ -7,6 +7,7 @@
 
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
+#include "literate/values/rounding.hpp"
 
 namespace literate {
 namespace {

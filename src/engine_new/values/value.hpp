@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "literate/values/format.hpp"
+#include "literate/values/number.hpp"
 
 namespace literate {
 

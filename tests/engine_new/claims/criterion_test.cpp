@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "literate/claims/criterion.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "holds.hpp"
+#include "literate/claims/claim.hpp"
+#include "message_of.hpp"
+#include "system/csv.hpp"
+#include "system/decimal.hpp"
+#include "system/files.hpp"
+
+using literate::Criterion;
+using literate::exact;
+using literate::fixed;
+using literate::Format;
+using literate::integer;
+using literate::Limit;
+using literate::LimitKind;
+using literate::Number;
+using literate::percent;
+using literate::significant;
+using literate::uncertain;
+using literate::Value;
+using literate::Verdict;
+using numerics::Estimate;
+
+namespace {
+
+std::optional<double> number_in(const std::string& text) {
+  return sys::parsed<double>(text);
+}
+
+/// A quantity from its fields: as it is where it has no error.
+Value quantity_of(const std::string& number, const std::string& bound, const std::string& standard,
+                  const Format& format, const std::string& unit) {
+  const double value = number_in(number).value();
+  if (bound.empty() && standard.empty()) return Value(value, format, unit).as_is();
+  return {Number(value, number_in(bound).value_or(0), number_in(standard).value_or(0)), format,
+          unit};
+}
+
+Criterion criterion_of(const sys::CsvRow& row) {
+  const auto field = [&](std::size_t i) { return row.at(i).text; };
+  const Format format = Format::parse(field(4));
+  const Value quantity = quantity_of(field(1), field(2), field(3), format, field(5));
+  Limit limit({number_in(field(9)).value(), number_in(field(10)).value_or(0)}, LimitKind::choice,
+              "the table");
+  if (!field(11).empty()) limit = limit.counting(number_in(field(11)).value());
+  if (field(0) == "at_most") return Criterion::at_most("x", quantity, limit);
+  if (field(0) == "at_least") return Criterion::at_least("x", quantity, limit);
+  const bool is_exact = number_in(field(7)) == 0 && field(8).empty();
+  const Value stated =
+      quantity_of(field(6), field(7), field(8), is_exact ? exact() : significant(5), field(5));
+  return field(0) == "agrees" ? Criterion::agrees("x", quantity, stated, limit)
+                              : Criterion::agrees_relatively("x", quantity, stated, limit);
+}
+
+/// A criterion of each verdict, with one limit.
+Criterion with(double number, double bound = 1e-9) {
+  return Criterion::at_most("x", Value(Estimate{number, bound}, fixed(1)),
+                            {1, LimitKind::data, "one"});
+}
+const Criterion holding = with(0.5), failing = with(1.5), undecided = with(1, 0.2);
+
+template <typename Make>
+std::string refusal_of(Make&& make) {
+  return message_of<literate::Error>(make);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(criterion_test)
+
+BOOST_AUTO_TEST_CASE(criteria_have_the_verdicts_of_the_table_and_print_what_was_tested) {
+  const std::string file = ENGINE_TESTS "/claims/verdicts.csv";
+  auto rows = sys::parse_csv(sys::read_file(file), file);
+  rows.erase(rows.begin());
+  BOOST_TEST(rows.size() > 30);
+  for (const sys::CsvRow& row : rows) {
+    BOOST_TEST_CONTEXT(row[0].place) {
+      const Criterion criterion = criterion_of(row);
+      BOOST_TEST(name_of(criterion.verdict()) == row[12].text);
+      BOOST_TEST(criterion.found().plain == row[13].text);
+      BOOST_TEST(criterion.limit_phrase().plain == row[14].text);
+      BOOST_TEST(criterion.missing().empty() == (criterion.verdict() != Verdict::undecided));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_several_cases_all_some_or_none_hold) {
+  const auto in_each = [](const std::vector<Criterion>& each) {
+    return Criterion::in_each("largest", "points", each).text();
+  };
+  BOOST_TEST(in_each({holding, holding}) == "largest: 2 of 2 points; worst: 0.5 (≤ 1): holds");
+  BOOST_TEST(in_each({holding, failing}) ==
+             "largest: 1 of 2 points; worst: 1.5 (≤ 1): holds in part");
+  BOOST_TEST(in_each({with(2.5), failing}) == "largest: 0 of 2 points; nearest: 1.5 (≤ 1): fails");
+  BOOST_TEST(in_each({holding, failing, undecided}) ==
+             "largest: 1 of 3 points; worst: 1.5 (≤ 1): holds in part");
+  BOOST_TEST(in_each({holding, undecided}) ==
+             "largest: 1 of 2 points; worst: 1.00 ± 0.20 (≤ 1): undecided, 1 of 2 points is "
+             "undecided");
+}
+
+BOOST_AUTO_TEST_CASE(a_claim_holds_as_far_as_its_criteria_do) {
+  BOOST_TEST((literate::verdict_of({holding, holding}) == Verdict::holds));
+  BOOST_TEST((literate::verdict_of({holding, failing}) == Verdict::holds_in_part));
+  BOOST_TEST((literate::verdict_of({failing, failing}) == Verdict::fails));
+  BOOST_TEST((literate::verdict_of({holding, failing, undecided}) == Verdict::undecided));
+  for (const char* name : {"holds", "holds in part", "fails", "undecided"}) {
+    BOOST_TEST(name_of(literate::verdict_named(name)) == name);
+  }
+  BOOST_CHECK_THROW(literate::verdict_named("confirmed"), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(margins_tell_how_far_a_criterion_is_from_turning) {
+  BOOST_TEST(with(0.25, 0.05).margin().text() == "4.0 times; 15 errors");
+  BOOST_TEST(with(3, 1e-9).margin().text() == "3.0 times; over 1000 errors");
+  const Limit zero(0, LimitKind::data, "none");
+  BOOST_TEST(Criterion::at_most("x", Value(0, integer()), zero).margin().text() == "exact");
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_is_printed_as_it_is_tested) {
+  const auto limit = [](double number, int n_digits = 0) {
+    return Limit(number, LimitKind::theory, "x", n_digits).number();
+  };
+  BOOST_TEST(limit(3 * 0.001) == 0.003);
+  BOOST_TEST(limit(123456) == 123456);
+  BOOST_TEST(limit(1.0 / 3) == 0.333);
+  BOOST_TEST(limit(1.0 / 3, 5) == 0.33333);
+  const Value between(Estimate{0.3331, 1e-9}, fixed(4));
+  const std::string message = refusal_of([&] {
+    Criterion::at_most("x", between, {1.0 / 3, LimitKind::theory, "a third"});
+  });
+  BOOST_TEST(holds(message,
+                   "0.3331 holds against the limit 0.3333333333333333 and fails against "
+                   "0.333, as it is printed: give the limit more digits"));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_decided_is_refused_with_the_line_of_code) {
+  const Limit limit(1, LimitKind::data, "one");
+  const Value number(Estimate{1.5, 0.1}, fixed(1), "m");
+  const Value scattered({1.5, 0, 0.1}, uncertain(), "m");
+  const auto at_most = [](const Value& value, const Limit& wanted) {
+    return refusal_of([&] { Criterion::at_most("x", value, wanted); });
+  };
+  BOOST_TEST(holds(at_most(Value(1.5, fixed(1)), limit), "criterion_test.cpp:"));
+  BOOST_TEST(
+      holds(at_most(Value(1.5, fixed(1)), limit), ": criterion 'x': 1.5 comes without its error"));
+  BOOST_TEST(holds(at_most(Value::text("x"), limit), "it tests a number, not a text"));
+  BOOST_TEST(holds(at_most(Value(std::nan(""), exact()), limit), "nan is not finite"));
+  BOOST_TEST(holds(at_most(scattered, limit),
+                   "1.50(10) m has a standard uncertainty of 0.1: say how many of them"));
+  BOOST_TEST(holds(at_most(number, {1, LimitKind::data, ""}), "a limit needs a reason"));
+  BOOST_TEST(holds(at_most(number, {std::nan(""), LimitKind::data, "x"}), "is not finite"));
+  BOOST_TEST(holds(at_most(number, {{1, -1}, LimitKind::data, "x"}), "below zero"));
+  BOOST_TEST(holds(at_most(number, limit.counting(0)), "counting(0)"));
+  BOOST_TEST(holds(refusal_of([&] { Criterion::at_most("", number, limit); }),
+                   "a criterion names what it tests"));
+  const auto agrees = [&](const Value& stated, const Limit& wanted) {
+    return refusal_of([&] { Criterion::agrees("x", number, stated, wanted); });
+  };
+  BOOST_TEST(holds(agrees(Value(1, exact(), "in"), limit),
+                   "1.5 m has m and 1 in has in: give both in the same unit"));
+  BOOST_TEST(holds(agrees(number, {-1, LimitKind::data, "x"}),
+                   "the limit of a difference is 0 or more, not -1"));
+  BOOST_TEST(holds(
+      refusal_of([&] {
+        Criterion::agrees_relatively("x", number, Value(Estimate{0.1, 0.2}, fixed(1), "m"), limit);
+      }),
+      "may be zero, so nothing is relative to it"));
+  BOOST_TEST(holds(refusal_of([] { Criterion::in_each("x", "points", {}); }), "no case to try"));
+  const Criterion other =
+      Criterion::at_most("x", Value(2, integer()), {3, LimitKind::data, "three"});
+  BOOST_TEST(holds(refusal_of([&] {
+                     Criterion::in_each("x", "points", {holding, other});
+                   }),
+                   "the cases have different limits, ≤ 1 (one) and ≤ 3 (three)"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
