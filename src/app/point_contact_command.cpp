@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -56,7 +55,6 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
   ordered_json json = {{"contact_area", s.contact_area()},
                        {"profile", input.profile},
                        {"element", point_contact::name_of(s.element)},
-                       {"grid", input.grid},
                        {"method", input.method},
                        {"nodes", s.grid.n1},
                        {"rows", s.grid.n2},
@@ -80,7 +78,6 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
                                        {"area", region.area},
                                        {"nodes", region.n_nodes}});
   }
-  if (input.curvatures) json["angle"] = input.curvatures->angle * 180 / std::numbers::pi;
   return json;
 }
 
@@ -109,42 +106,17 @@ Table nodes_of(const SolvedPointContact& solved, bool with_places) {
   return table;
 }
 
-Table stresses_of(const std::vector<StressBeneath>& stresses, const config::UnitSystem& units) {
-  const std::string unit = "[" + units.stress + "]";
-  Table table{.columns = {}, .in_json = InJson::rows, .name = "stresses"};
-  const auto add = [&](const char* key, std::vector<std::string> heads, const auto& of_depth) {
-    table.columns.push_back(column_of(stresses, key, std::move(heads),
-                                      table.columns.empty() ? 12 : 14, "{:.6g}", of_depth));
-  };
-  using At = StressBeneath;
-  add("z", {"depth", "[" + units.length + "]"}, [](const At& at) { return at.z; });
-  add("stress_xx", {"stress xx", unit}, [](const At& at) { return at.stress(0, 0); });
-  add("stress_yy", {"stress yy", unit}, [](const At& at) { return at.stress(1, 1); });
-  add("stress_zz", {"stress zz", unit}, [](const At& at) { return at.stress(2, 2); });
-  add("max_shear", {"max shear", unit}, [](const At& at) { return at.max_shear; });
-  add("von_mises", {"von Mises", unit}, [](const At& at) { return at.von_mises; });
-  if (stresses.front().huber_max_shear) {
-    add("huber_max_shear", {"Huber", "max shear"},
-        [](const At& at) { return *at.huber_max_shear; });
-  }
-  return table;
-}
-
 std::string notes_of(const PointContactInput& input, const SolvedPointContact& solved,
                      const config::UnitSystem& units) {
   const point_contact::Solution& s = solved.solution;
   std::string text;
-  if (input.curvatures && !input.is_of_revolution) {
-    text = fmt::format("the contact is longest at {:.6g} degrees from the x axis of body 1\n",
-                       input.curvatures->angle * 180 / std::numbers::pi);
-  }
   text += regions_text(point_contact::regions(s), [&](const point_contact::Region& region) {
     return fmt::format("{:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes", region.load, units.force,
                        region.centre.x(), region.centre.y(), units.length, region.n_nodes);
   });
-  text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} grid, {} elements",
-                      s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.lattice.first.norm(),
-                      units.length, input.method, input.grid, point_contact::name_of(s.element));
+  text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} elements",
+                      s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.spacing, units.length,
+                      input.method, point_contact::name_of(s.element));
   text += fmt::format("\n{:.3g} s, {} products and {} preconditionings on these nodes\n",
                       solved.seconds, s.work.products, s.work.preconditionings);
   return text + residuals_text(s.residuals, units, units.force);
@@ -153,13 +125,13 @@ std::string notes_of(const PointContactInput& input, const SolvedPointContact& s
 // The pressure at any point: that of the nearest node, 0 outside the grid.
 double pressure_at(const point_contact::Solution& solution, const Vector2& at) {
   const point_contact::Grid& grid = solution.grid;
-  const auto middle = [](Eigen::Index n) { return static_cast<double>(n - 1) / 2; };
-  const Vector2 from_centre = at - grid.centre;
-  const auto j = static_cast<Eigen::Index>(
-      std::llround(from_centre.y() / grid.between_rows().y() + middle(grid.n2)));
+  const auto nearest = [&](double from_middle, Eigen::Index n) {
+    return static_cast<Eigen::Index>(
+        std::llround(from_middle / grid.spacing + static_cast<double>(n - 1) / 2));
+  };
+  const Eigen::Index j = nearest(at.y(), grid.n2);
   if (j < 0 || j >= grid.n2) return 0;
-  const auto i = static_cast<Eigen::Index>(
-      std::llround(from_centre.x() / grid.lattice.first.x() + middle(grid.n1) - grid.shift(j)));
+  const Eigen::Index i = nearest(at.x(), grid.n1);
   return i < 0 || i >= grid.n1 ? 0 : solution.pressure[grid.index(i, j)];
 }
 
@@ -203,7 +175,7 @@ literate::Figure point_contact_figure(const PointContactInput& input,
     };
     figure.data[axis == 0 ? "along_x" : "along_y"] =
         along(61, [&](double at) { return pressure_at(s, at * Vector2::Unit(axis)); });
-    if (!input.curvatures || !input.closed_form) continue;
+    if (!input.is_curved || !input.closed_form) continue;
     const PointClosedForm& exact = *input.closed_form;
     const double width = axis == 0 ? exact.half_width_x : exact.half_width_y;
     figure.data[axis == 0 ? "closed_x" : "closed_y"] = along(401, [&](double at) {
@@ -220,7 +192,7 @@ ExitCode run(const PointContactCommandOptions& options) {
   require_folder_of("--field", options.field_file);
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
-  Result result{
+  const Result result{
       .quantities = quantities_of(input, solved, units),
       .closed_form = input.closed_form ? input.closed_form->name : "",
       .details = details_of(input, solved),
@@ -229,7 +201,6 @@ ExitCode run(const PointContactCommandOptions& options) {
       .warnings = validity_warnings(input, solved),
       .script = "point-contact",
       .figure = [&] { return point_contact_figure(input, solved, units); }};
-  if (!solved.stresses.empty()) result.tables.push_back(stresses_of(solved.stresses, units));
   require_finite(result);
   if (!options.field_file.empty()) {
     sys::write_file_atomically(options.field_file, csv_text(result.tables.front()));
