@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/interior_stress.hpp"
+#include "elasticity/stress_beneath.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/element.hpp"
-#include "line_contact/element_field.hpp"
+#include "line_contact/solution.hpp"
 #include "line_contact/solver.hpp"
+#include "numerics/fit.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"
 
@@ -40,22 +41,8 @@ Scattered mean_of(const std::vector<double>& values) {
 
 // The r of errors that go with elements^−r.
 Scattered order_of(const std::vector<double>& elements, const std::vector<double>& errors) {
-  const auto n = static_cast<double>(elements.size());
-  double mean_x = 0, mean_y = 0, xx = 0, xy = 0, rest = 0;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    mean_x += std::log(elements[i]) / n;
-    mean_y += std::log(errors[i]) / n;
-  }
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const double x = std::log(elements[i]) - mean_x;
-    xx += x * x;
-    xy += x * (std::log(errors[i]) - mean_y);
-  }
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const double x = std::log(elements[i]) - mean_x;
-    rest += std::pow(std::log(errors[i]) - mean_y - xy / xx * x, 2);
-  }
-  return {-xy / xx, std::sqrt(rest / (n - 2) / xx)};
+  const numerics::PowerLaw law = numerics::fit_power(elements, errors);
+  return {law.order, law.order_standard};
 }
 
 Solution solve(const ContactCase& c, const Grid& grid, Element element) {
@@ -213,7 +200,16 @@ struct BetweenErrors {
 
 // The stress beneath the elements of a solution, uniform ones as strips.
 elasticity::Stress stress_at(const Solution& solution, double x, double z) {
-  return line_contact::stress_beneath(solution, x, z);
+  if (solution.element == Element::triangular) return line_contact::stress_beneath(solution, x, z);
+  const Grid& grid = solution.grid;
+  elasticity::Stress sum;
+  for (Eigen::Index i = 0; i < grid.n_nodes; ++i) {
+    const double p = solution.pressure[i];
+    if (p == 0) continue;
+    const std::array ends{grid.x(i) - grid.spacing / 2, grid.x(i) + grid.spacing / 2};
+    sum += elasticity::stress_beneath(ends, std::array{p, p}, x, z);
+  }
+  return sum;
 }
 
 // By the midpoint rule with so many points to an element, on one side, of which the other is the
@@ -231,7 +227,7 @@ BetweenErrors mean_errors(const ContactCase& c, const Hertz& hertz, const Soluti
     for (int k = 0; k < n_points; ++k) {
       const double x = grid.x(i) + (k + 0.5) / n_points * grid.spacing;
       if (x > inner_part * hertz.half_width()) continue;
-      const double slope = line_contact::surface_slope(solution, c.cylinders.contact_modulus(), x);
+      const double slope = line_contact::surface_slope(solution, x);
       sum.slope += std::abs(slope + curvature * x) / (curvature * hertz.half_width());
       sum.shear +=
           std::abs(stress_at(solution, x, z).max_shear() - mcewen.stress(x, z).max_shear()) /

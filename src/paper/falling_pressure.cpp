@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/interior_stress.hpp"
 #include "elasticity/load_shapes.hpp"
+#include "elasticity/stress_beneath.hpp"
 #include "elasticity/triangular_load.hpp"
 
 namespace paper {
@@ -87,8 +87,9 @@ double FallingPressure::largest_shear() const {
   }
   nodes.insert(nodes.end(), nodes_.begin(), nodes_.end());
   values.insert(values.end(), values_.begin(), values_.end());
-  const elasticity::PiecewiseLinearTraction traction(nodes, values);
-  const auto shear = [&](double x, double z) { return std::abs(traction.stress(x, z).xz); };
+  const auto shear = [&](double x, double z) {
+    return std::abs(elasticity::stress_beneath(nodes, values, x, z).xz);
+  };
 
   // It lies beneath the end of the strip, at most a half-width deep.
   constexpr int n = 5;         // steps to either side
@@ -100,8 +101,10 @@ double FallingPressure::largest_shear() const {
       for (int j = -n; j <= n; ++j) {
         const double x = centre_x + i * step;
         const double z = centre_z + j * step;
-        if (z <= 0 || shear(x, z) <= best) continue;
-        best = shear(x, z);
+        if (z <= 0) continue;
+        const double here = shear(x, z);
+        if (here <= best) continue;
+        best = here;
         best_x = x;
         best_z = z;
       }

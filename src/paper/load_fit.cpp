@@ -3,10 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "numerics/fit.hpp"
 #include "paper/conventions.hpp"
 
 namespace paper {
@@ -67,15 +68,15 @@ FittedLoad LoadFitting::unfitted(const FallingPressure& pressure) const {
 
 FittedLoad LoadFitting::fit(const Shape& shape, bool alone, double half_width, Width width) const {
   const Eigen::Map<const VectorXd> convergences(convergences_.data(), std::ssize(convergences_));
-  const VectorXd weights = convergences.cwiseInverse();
   const auto columns = [&](double a) {
-    MatrixXd m(weights.size(), alone ? 1 : 2);
+    MatrixXd m(convergences.size(), alone ? 1 : 2);
     if (!alone) m.col(0) = ratios({one, 1, 1, a});
     m.rightCols(1) = ratios({shape.f, 1, 0, a});
     return m;
   };
+  const VectorXd ones = VectorXd::Ones(convergences.size());
   const auto solve = [&](const MatrixXd& m) -> VectorXd {
-    return (weights.asDiagonal() * m).colPivHouseholderQr().solve(weights);
+    return numerics::fit(m, ones, convergences).coefficients;
   };
 
   double a = half_width;
@@ -84,7 +85,7 @@ FittedLoad LoadFitting::fit(const Shape& shape, bool alone, double half_width, W
   if (width == Width::fitted) {
     constexpr int most_rounds = 50;
     const auto with_width = [&](double step) {  // of the half-width, for its derivative
-      MatrixXd m(weights.size(), design.cols() + 1);
+      MatrixXd m(convergences.size(), design.cols() + 1);
       const VectorXd derivative =
           (columns(a * (1 + step)) - columns(a * (1 - step))) * numbers / (2 * step * a);
       m << design, derivative;
@@ -104,8 +105,7 @@ FittedLoad LoadFitting::fit(const Shape& shape, bool alone, double half_width, W
 
   const double end = alone ? 0 : numbers[0];
   FittedLoad fitted = finished({shape.f, numbers.sum(), end, a});
-  const MatrixXd weighted = weights.asDiagonal() * design;
-  fitted.covariance = (weighted.transpose() * weighted).inverse();
+  fitted.covariance = numerics::fit(design, ones, convergences).covariance;
   VectorXd of_peak = VectorXd::Ones(design.cols());
   fitted.numbers = numbers;
   if (width == Width::fitted) {

@@ -110,7 +110,7 @@ Spheres solve_spheres(const ContactCase& c, const PointContactCase& p) {
       point_contact::Profile::paraboloid(curvature), modulus,
       point_contact::square_grid(2 * hertz.radius() / share, n_nodes),
       point_contact::Element::pyramid};
-  return {hertz, point_contact::solve_for_load(problem, p.load, {.tolerance = 1e-11})};
+  return {hertz, point_contact::solve_for_load(problem, p.load, 1e-11)};
 }
 
 SphereErrors errors_of(const Spheres& spheres) {
@@ -120,7 +120,7 @@ SphereErrors errors_of(const Spheres& spheres) {
   return {off(solution.peak_pressure(), hertz.peak_pressure()),
           off(std::sqrt(semi_axes[0] * semi_axes[1]), hertz.radius()),
           off(solution.approach, hertz.approach()),
-          std::pow(solution.grid.spacing() / hertz.radius(), 2)};
+          std::pow(solution.grid.spacing / hertz.radius(), 2)};
 }
 
 void compute_spheres(Document& document, const Case& from) {
@@ -137,7 +137,7 @@ void compute_spheres(Document& document, const Case& from) {
   value("spheres.radius", hertz.radius(), significant(4), units.length);
   value("spheres.peak", hertz.peak_pressure(), significant(4), units.stress);
   value("spheres.of-radius", hertz.radius() / least_radius(c), percent(1));
-  value("spheres.elements", hertz.radius() / solution.grid.spacing(), fixed(1));
+  value("spheres.elements", hertz.radius() / solution.grid.spacing, fixed(1));
   value("spheres.residual", solution.residuals.gap / hertz.approach(), scientific(1).rounded_up());
   document.value("spheres.nodes", Value(n_nodes, integer()));
   document.value("spheres.in-contact", Value(solution.n_in_contact(), integer()));

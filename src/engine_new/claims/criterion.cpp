@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/claims/criterion.hpp"
+#include "literate/values/rounding_upwards.hpp"
 
 #include <fmt/core.h>
 
@@ -18,9 +19,9 @@ namespace literate {
 namespace {
 
 using numerics::Estimate;
-using numerics::rounding::add_up;
-using numerics::rounding::error_of_sum;
-using numerics::rounding::multiply_up;
+using rounding::add_up;
+using rounding::error_of_sum;
+using rounding::multiply_up;
 
 constexpr std::array<std::string_view, 4> names_of_verdicts{"holds", "holds in part", "fails",
                                                             "undecided"};

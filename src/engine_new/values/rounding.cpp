@@ -8,11 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "literate/values/rounding_upwards.hpp"
+
 namespace literate {
 
 namespace {
 
-using numerics::rounding::add_up;
+using rounding::add_up;
 
 constexpr int n_digits_of_error = 2;
 
