@@ -3,17 +3,14 @@
 
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/load_choices.hpp"
 #include "block/analysis.hpp"
-#include "block/exports.hpp"
 #include "block/rectangle.hpp"
 #include "command_line/stage.hpp"
-#include "system/files.hpp"
 #include "system/require.hpp"
 
 namespace app {
@@ -34,15 +31,12 @@ struct BlockOptions {
                       "Case file; flags override what it says");
     add_choice(command, "--sides", sides, {"", "clamped", "roller", "free"},
                "How left and right are held (default: the case's)");
-    add_text(command, "--ccx", ccx_file, "FILE", "Write the model as a CalculiX deck");
-    add_text(command, "--vtu", vtu_file, "FILE",
-             "Write mesh, displacements, stresses for ParaView");
     output.add_to(command);
   }
 
   NumberOption width, height, order, refine;
   ChoiceOption load;
-  std::string case_file, sides, ccx_file, vtu_file;
+  std::string case_file, sides;
   Output output;
 };
 
@@ -75,21 +69,6 @@ Problem problem_of(const BlockOptions& options) {
                               .load;
   const block::Supports supports = block::with_sides(sides_of(options.sides, c.block->sides));
   return {std::move(c), rectangle, discretization, std::move(load), supports};
-}
-
-void write_files(const BlockOptions& options, const Problem& problem,
-                 const block::Analysis& analysis, const block::RefinedSolution& solution) {
-  const parameters::HalfSpaceCase& h = problem.from_file.half_space;
-  if (!options.ccx_file.empty()) {
-    std::ostringstream deck;
-    block::write_calculix_deck(deck, block::calculix_mesh(analysis.fine()->mesh(), h.points),
-                               h.material, problem.supports, problem.load, h.points);
-    sys::write_file_atomically(options.ccx_file, deck.str());
-  }
-  if (!options.vtu_file.empty()) {
-    sys::write_file_atomically(options.vtu_file,
-                               numerics::vtu(block::sampled_grid(solution.fine())));
-  }
 }
 
 using Measures = std::vector<block::MeasureEstimate>;
@@ -164,8 +143,6 @@ literate::Figure block_figure(const block::Solution& solution, const config::Uni
 ExitCode run(const BlockOptions& options) {
   const Problem problem = problem_of(options);
   const config::UnitSystem units = options.output.units(problem.from_file);
-  require_folder_of("--ccx", options.ccx_file);
-  require_folder_of("--vtu", options.vtu_file);
   const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,
                                  {problem.load}, problem.discretization);
   const block::SupportedBlock supported = analysis.on(problem.supports);
@@ -182,8 +159,6 @@ ExitCode run(const BlockOptions& options) {
                       .notes = notes_of(supported, seconds),
                       .script = "block",
                       .figure = [&] { return block_figure(solution.fine(), units); }};
-  require_finite(result);
-  write_files(options, problem, analysis, solution);
   return options.output.print(result);
 }
 

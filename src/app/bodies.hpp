@@ -62,31 +62,6 @@ auto element_named(const std::string& name, const Elements& elements) {
   return *std::ranges::find(elements, name, [](auto element) { return name_of(element); });
 }
 
-/// Throws sys::InputError for flags of a contact that want or exclude one another.
-template <class Input>
-void require_consistent(const Input& input, const NumberOption& load) {
-  refuse_if(input.approach && load.number(), "--load and --approach: give one of them");
-  refuse_if(input.tangential && !input.friction, "--tangential-load needs --friction");
-}
-
-/// «sliding» or «partial slip».
-template <class Input>
-const char* state_of(const Input& input) {
-  return input.tangential ? "partial slip" : "sliding";
-}
-
-/// A line on friction: `more` stands behind the coefficient, and `but` before what unlike
-/// materials neglect.
-template <class Input>
-std::string friction_text(const Input& input, const std::string& more, const std::string& but) {
-  std::string text = fmt::format("{}, friction {}{}", state_of(input), *input.friction, more);
-  const double beta = elasticity::dundurs_beta(input.material1, input.material2);
-  if (input.tangential && beta != 0) {
-    text += fmt::format("; {}for like materials, and here Dundurs' beta is {:.3g}", but, beta);
-  }
-  return text + '\n';
-}
-
 /// A line a region in contact, the first ten of them, if there is more than one.
 template <class Region, class OfRegion>
 std::string regions_text(const std::vector<Region>& regions, const OfRegion& of_region) {

@@ -33,10 +33,6 @@ std::vector<Quantity> quantities_of(const ContactInput& input, const SolvedConta
   if (solved.approach) {
     quantities.push_back({"approach", "approach", *solved.approach, units.length});
   }
-  if (solved.friction) {
-    quantities.push_back(
-        {"", "tangential load", solved.friction->tangential_load, units.line_load});
-  }
   return quantities;
 }
 
@@ -62,13 +58,6 @@ nlohmann::ordered_json details_of(const ContactInput& input, const SolvedContact
                                        {"load", region.load},
                                        {"nodes", region.n_nodes}});
   }
-  if (solved.friction) {
-    json["friction"] = {
-        {"coefficient", *input.friction},
-        {"tangential_load", solved.friction->tangential_load},
-        {"state", state_of(input)},
-        {"dundurs_beta", elasticity::dundurs_beta(input.material1, input.material2)}};
-  }
   return json;
 }
 
@@ -86,18 +75,13 @@ Table nodes_of(const ContactInput& input, const SolvedContact& solved, bool is_c
     table.columns.back().may_be_infinite = true;
   }
   add("gap", s.gap);
-  if (solved.friction) {
-    add("shear", solved.friction->shear);
-    add("slope_of_pressure", solved.slopes->of_pressure);
-    add("slope_of_shear", solved.slopes->of_shear);
-  }
   return table;
 }
 
 std::string notes_of(const ContactInput& input, const SolvedContact& solved,
                      const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
-  std::string text = solved.friction ? friction_text(input, "", "exact ") : "";
+  std::string text;
   text += regions_text(s.regions(), [&](const line_contact::Region& region) {
     return fmt::format("from {:.6g} to {:.6g} {}, {:.6g} {}", region.begin, region.end,
                        units.length, region.load, units.line_load);
@@ -111,7 +95,7 @@ std::string notes_of(const ContactInput& input, const SolvedContact& solved,
   return text + "\n" + residuals_text(s.residuals, units, units.line_load);
 }
 
-// The pressure at the nodes about the contact, the closed form and the shear, if there are any.
+// The pressure at the nodes about the contact, and the closed form, if there is one.
 literate::Figure contact_figure(const ContactInput& input, const SolvedContact& solved,
                                 const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
@@ -119,19 +103,17 @@ literate::Figure contact_figure(const ContactInput& input, const SolvedContact& 
   const double margin = 0.15 * (regions.back().end - regions.front().begin);
   const double begin = regions.front().begin - margin;
   const double end = regions.back().end + margin;
-  std::vector<double> x, pressure, shear;
+  std::vector<double> x, pressure;
   for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
     if (s.grid.x(i) < begin || s.grid.x(i) > end) continue;
     x.push_back(s.grid.x(i));
     pressure.push_back(s.pressure[i]);
-    if (solved.friction) shear.push_back(solved.friction->shear[i]);
   }
   literate::Figure figure{
       .width_cm = 14,
       .height_cm = 9,
       .data = {{"nodes", {{"x", x}, {"pressure", pressure}}}},
       .texts = {{"axis", "x"}, {"length_unit", units.length}, {"stress_unit", units.stress}}};
-  if (solved.friction) figure.data["shear"] = {{"x", x}, {"shear", shear}};
   if (input.closed_form) {
     figure.data["closed"] = curve("x", "pressure", 401, begin, end, [&](double at) {
       const double exact = input.closed_form->pressure(at);

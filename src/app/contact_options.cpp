@@ -32,8 +32,6 @@ ContactOptions::ContactOptions(CLI::App& command)
     : body1_(command, "1"),
       body2_(command, "2"),
       load_(command, "--load", "Load P per unit length"),
-      approach_(command, "--approach",
-                "Approach of the bodies instead of the load; needs --datum and --domain"),
       datum_(command, "--datum", "Where the points lie whose approach is meant"),
       profile_(command, "--profile", "cylinder",
                "Shape of the gap; file: a CSV file with the columns x,gap",
@@ -42,15 +40,11 @@ ContactOptions::ContactOptions(CLI::App& command)
       domain_(command, "--domain",
               "Total width that the nodes fill [under a load: a little more than the contact]"),
       tolerance_(command, "--tolerance",
-                 "Error of the pressure allowed to fft, relative to the peak [1e-10]"),
-      friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
-      tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
+                 "Error of the pressure allowed to fft, relative to the peak [1e-10]") {
   add_choice(command, "--element", element_, names_of(elements),
              "What stands at a node for the pressure around it");
   add_choice(command, "--method", method_, {"matrix-inversion", "variational", "fft"},
              "How to solve [matrix-inversion up to 1000 nodes, then fft]");
-  add_choice(command, "--grid", grid_, {"symmetric", "one-sided"},
-             "Nodes on both sides, or on x >= 0 with mirror images");
   add_text(command, "--case", case_file_, "FILE", "Case file; flags override what it says");
 }
 
@@ -79,21 +73,17 @@ void ContactOptions::set_profile(ContactInput& input, const GivenBodies& given) 
 void ContactOptions::set_grid(ContactInput& input, Eigen::Index n_nodes) const {
   line_contact::Grid& grid = input.problem.grid;
   const line_contact::Profile& profile = input.problem.profile;
-  const bool is_one_sided = grid_ == "one-sided";
   std::optional<double> width = domain_.number();
   double centre = 0;
   if (std::isfinite(profile.begin())) {
     centre = (profile.begin() + profile.end()) / 2;
     if (!width) width = profile.end() - profile.begin();
   } else if (!width && input.closed_form) {
-    const line_contact::Grid around = line_contact::grid_around(
-        input.closed_form->half_width, is_one_sided ? 2 * n_nodes - 1 : n_nodes);
-    grid = is_one_sided ? line_contact::Grid{n_nodes, around.spacing, 0, true} : around;
+    grid = line_contact::grid_around(input.closed_form->half_width, n_nodes);
     return;
   }
-  if (!width) throw sys::InputError("--domain is missing: with --approach the width must be given");
-  grid = is_one_sided ? line_contact::one_sided_grid(*width, n_nodes)
-                      : line_contact::grid_of_width(*width, n_nodes, centre);
+  if (!width) throw sys::InputError("--domain is missing");
+  grid = line_contact::grid_of_width(*width, n_nodes, centre);
 }
 
 ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_file) const {
@@ -121,24 +111,14 @@ ContactInput ContactOptions::read(const std::optional<parameters::Case>& from_fi
                      .method = method_,
                      .tolerance = tolerance_.number_or(line_contact::default_tolerance),
                      .line_load = {},
-                     .approach = approach_.number(),
                      .datum = datum,
-                     .friction = friction_.number(),
-                     .tangential = tangential_.number(),
                      .closed_form = {},
                      .hertz = {}};
-  require_consistent(input, load_);
-  refuse_if(input.approach && !datum, "--datum is missing: --approach is relative to it");
-  if (!input.approach) {
-    input.line_load = sys::require_positive("load", load_.number_or(given_load));
-  }
-  refuse_if(input.friction && grid_ == "one-sided",
-            "--friction needs --grid symmetric: its shear has no mirror image");
+  input.line_load = sys::require_positive("load", load_.number_or(given_load));
   constexpr long quickly_inverted = 1000;
   if (method_.empty()) input.method = *n_nodes <= quickly_inverted ? "matrix-inversion" : "fft";
   refuse_if(input.method != "fft" && tolerance_.number(),
             "--tolerance has no meaning for --method " + input.method);
-  line_contact::require_tolerance(input.tolerance);
   set_profile(input, given);
   set_grid(input, *n_nodes);
   return input;

@@ -11,7 +11,6 @@
 #include "app/choices.hpp"
 #include "command_line/options.hpp"
 #include "line_contact/cylinders.hpp"
-#include "line_contact/friction.hpp"
 #include "line_contact/problem.hpp"
 #include "line_contact/profile.hpp"
 #include "line_contact/solution.hpp"
@@ -60,11 +59,8 @@ struct ContactInput {
   std::string profile;               ///< as given
   std::string method;                ///< matrix-inversion, variational or fft
   double tolerance;                  ///< of fft
-  std::optional<double> line_load;   ///< either this
-  std::optional<double> approach;    ///< or this is given
-  std::optional<double> datum;       ///< always with `approach`
-  std::optional<double> friction;    ///< μ
-  std::optional<double> tangential;  ///< Q; without it the bodies slide
+  std::optional<double> line_load;
+  std::optional<double> datum;
   std::optional<ClosedForm> closed_form;
   std::optional<line_contact::Hertz> hertz;  ///< for cylinders under a load
   double least_radius = 0;                   ///< of the two cylinders; 0 for other profiles
@@ -92,12 +88,11 @@ class ContactOptions {
   void set_grid(ContactInput& input, Eigen::Index n_nodes) const;
 
   Body body1_, body2_;
-  NumberOption load_, approach_, datum_;
+  NumberOption load_, datum_;
   ChoiceOption profile_;
-  NumberOption nodes_, domain_, tolerance_, friction_, tangential_;
+  NumberOption nodes_, domain_, tolerance_;
   std::string element_ = "triangular";
   std::string method_;
-  std::string grid_ = "symmetric";
   std::string case_file_;
 };
 
@@ -105,8 +100,6 @@ class ContactOptions {
 struct SolvedContact {
   line_contact::Solution solution;
   std::optional<double> approach;  ///< where a datum is given
-  std::optional<line_contact::Friction> friction;
-  std::optional<line_contact::Slopes> slopes;  ///< with friction
   double seconds;
 };
 

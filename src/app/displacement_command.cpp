@@ -134,9 +134,9 @@ ExitCode run(const DisplacementOptions& options) {
   if (from_file) datum = from_file->half_space.datum;
   const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
   const LoadChoice& choice = load_choices()[options.shape.row()];
-  const elasticity::KnownLoad known = choice.make(
+  const KnownLoad known = choice.make(
       options.shape, numbers_of(options.shape, from_file ? numbers_of(from_file->half_space.load)
-                                                         : elasticity::LoadNumbers()));
+                                                         : LoadNumbers()));
   const bool has_force = !known.load.forces.empty();
   const bool is_tangential = options.component == "tangential";
   refuse_if(is_tangential && has_force,
@@ -147,8 +147,8 @@ ExitCode run(const DisplacementOptions& options) {
   const auto n_evaluations = std::make_shared<long>(0);
   const elasticity::SurfaceQuadrature quadrature(material, counted(known.load, n_evaluations),
                                                  zero_at);
-  const elasticity::ClosedSurface closed =
-      known.surface ? known.surface(material, zero_at) : elasticity::ClosedSurface();
+  const ClosedSurface closed =
+      known.surface ? known.surface(material, zero_at) : ClosedSurface();
   SurfaceFunction gradient{[&](double x) { return quadrature.normal_gradient(x); },
                            closed.normal_gradient};
   SurfaceFunction displacement{[&](double x) { return quadrature.normal_displacement(x); },

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -22,20 +21,13 @@ struct PointContactCommandOptions {
   explicit PointContactCommandOptions(CLI::App& command) : contact(command) {
     add_text(command, "--field", field_file, "FILE",
              "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap");
-    add_text(command, "--vtu", vtu_file, "FILE", "Write the same for ParaView");
     output.add_to(command);
   }
 
   PointContactOptions contact;
-  std::string field_file, vtu_file;
+  std::string field_file;
   Output output;
 };
-
-// The tangential approach of bodies of revolution in closed form, if there is friction.
-std::optional<point_contact::CattaneoMindlin> mindlin_of(const PointContactInput& input) {
-  if (!input.hertz || !input.tangential) return std::nullopt;
-  return point_contact::CattaneoMindlin(*input.hertz, *input.friction, *input.tangential);
-}
 
 std::vector<Quantity> quantities_of(const PointContactInput& input,
                                     const SolvedPointContact& solved,
@@ -55,37 +47,7 @@ std::vector<Quantity> quantities_of(const PointContactInput& input,
     quantities[3].exact = exact->approach;
     quantities[4].exact = exact->load;
   }
-  if (!solved.friction) return quantities;
-  quantities.push_back({"", "tangential load", solved.friction->tangential_load, units.force});
-  if (solved.tangential_displacement) {
-    quantities.push_back(
-        {"", "tangential approach", *solved.tangential_displacement, units.length});
-    if (const auto mindlin = mindlin_of(input)) {
-      quantities.back().exact = mindlin->displacement(
-          point_contact::tangential_compliance(input.material1, input.material2));
-    }
-  }
   return quantities;
-}
-
-ordered_json friction_json(const PointContactInput& input, const SolvedPointContact& solved) {
-  const point_contact::Friction& friction = *solved.friction;
-  ordered_json json = {
-      {"coefficient", *input.friction},
-      {"tangential_load", friction.tangential_load},
-      {"state", state_of(input)},
-      {"nodes_sticking", friction.n_sticking},
-      {"stick_area",
-       static_cast<double>(friction.n_sticking) * solved.solution.grid.lattice.cell_area()},
-      {"dundurs_beta", elasticity::dundurs_beta(input.material1, input.material2)}};
-  if (solved.tangential_displacement) json["displacement"] = *solved.tangential_displacement;
-  if (const auto mindlin = mindlin_of(input)) {
-    const double compliance =
-        point_contact::tangential_compliance(input.material1, input.material2);
-    json["cattaneo_mindlin"] = {{"stick_radius", mindlin->stick_radius()},
-                                {"displacement", mindlin->displacement(compliance)}};
-  }
-  return json;
 }
 
 ordered_json details_of(const PointContactInput& input, const SolvedPointContact& solved) {
@@ -93,7 +55,6 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
   ordered_json json = {{"contact_area", s.contact_area()},
                        {"profile", input.profile},
                        {"element", point_contact::name_of(s.element)},
-                       {"grid", input.grid},
                        {"method", input.method},
                        {"nodes", s.grid.n1},
                        {"rows", s.grid.n2},
@@ -117,8 +78,6 @@ ordered_json details_of(const PointContactInput& input, const SolvedPointContact
                                        {"area", region.area},
                                        {"nodes", region.n_nodes}});
   }
-  if (input.curvatures) json["angle"] = input.curvatures->angle * 180 / std::numbers::pi;
-  if (solved.friction) json["friction"] = friction_json(input, solved);
   return json;
 }
 
@@ -144,30 +103,6 @@ Table nodes_of(const SolvedPointContact& solved, bool with_places) {
                           {.key = "pressure", .numbers = to_vector(s.pressure)},
                           {.key = "gap", .numbers = to_vector(s.gap), .may_be_infinite = true}},
               .in_json = InJson::no};
-  if (solved.friction) {
-    table.columns.push_back({.key = "shear", .numbers = to_vector(solved.friction->shear)});
-  }
-  return table;
-}
-
-Table stresses_of(const std::vector<StressBeneath>& stresses, const config::UnitSystem& units) {
-  const std::string unit = "[" + units.stress + "]";
-  Table table{.columns = {}, .in_json = InJson::rows, .name = "stresses"};
-  const auto add = [&](const char* key, std::vector<std::string> heads, const auto& of_depth) {
-    table.columns.push_back(column_of(stresses, key, std::move(heads),
-                                      table.columns.empty() ? 12 : 14, "{:.6g}", of_depth));
-  };
-  using At = StressBeneath;
-  add("z", {"depth", "[" + units.length + "]"}, [](const At& at) { return at.z; });
-  add("stress_xx", {"stress xx", unit}, [](const At& at) { return at.stress(0, 0); });
-  add("stress_yy", {"stress yy", unit}, [](const At& at) { return at.stress(1, 1); });
-  add("stress_zz", {"stress zz", unit}, [](const At& at) { return at.stress(2, 2); });
-  add("max_shear", {"max shear", unit}, [](const At& at) { return at.max_shear; });
-  add("von_mises", {"von Mises", unit}, [](const At& at) { return at.von_mises; });
-  if (stresses.front().huber_max_shear) {
-    add("huber_max_shear", {"Huber", "max shear"},
-        [](const At& at) { return *at.huber_max_shear; });
-  }
   return table;
 }
 
@@ -175,22 +110,13 @@ std::string notes_of(const PointContactInput& input, const SolvedPointContact& s
                      const config::UnitSystem& units) {
   const point_contact::Solution& s = solved.solution;
   std::string text;
-  if (input.curvatures && !input.is_of_revolution) {
-    text = fmt::format("the contact is longest at {:.6g} degrees from the x axis of body 1\n",
-                       input.curvatures->angle * 180 / std::numbers::pi);
-  }
-  if (solved.friction) {
-    const auto n_sticking = solved.friction->n_sticking;
-    text += friction_text(input,
-                          input.tangential ? fmt::format(", {} nodes stick", n_sticking) : "", "");
-  }
   text += regions_text(point_contact::regions(s), [&](const point_contact::Region& region) {
     return fmt::format("{:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes", region.load, units.force,
                        region.centre.x(), region.centre.y(), units.length, region.n_nodes);
   });
-  text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} grid, {} elements",
-                      s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.lattice.first.norm(),
-                      units.length, input.method, input.grid, point_contact::name_of(s.element));
+  text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} elements",
+                      s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.spacing, units.length,
+                      input.method, point_contact::name_of(s.element));
   text += fmt::format("\n{:.3g} s, {} products and {} preconditionings on these nodes\n",
                       solved.seconds, s.work.products, s.work.preconditionings);
   return text + residuals_text(s.residuals, units, units.force);
@@ -199,13 +125,13 @@ std::string notes_of(const PointContactInput& input, const SolvedPointContact& s
 // The pressure at any point: that of the nearest node, 0 outside the grid.
 double pressure_at(const point_contact::Solution& solution, const Vector2& at) {
   const point_contact::Grid& grid = solution.grid;
-  const auto middle = [](Eigen::Index n) { return static_cast<double>(n - 1) / 2; };
-  const Vector2 from_centre = at - grid.centre;
-  const auto j = static_cast<Eigen::Index>(
-      std::llround(from_centre.y() / grid.between_rows().y() + middle(grid.n2)));
+  const auto nearest = [&](double from_middle, Eigen::Index n) {
+    return static_cast<Eigen::Index>(
+        std::llround(from_middle / grid.spacing + static_cast<double>(n - 1) / 2));
+  };
+  const Eigen::Index j = nearest(at.y(), grid.n2);
   if (j < 0 || j >= grid.n2) return 0;
-  const auto i = static_cast<Eigen::Index>(
-      std::llround(from_centre.x() / grid.lattice.first.x() + middle(grid.n1) - grid.shift(j)));
+  const Eigen::Index i = nearest(at.x(), grid.n1);
   return i < 0 || i >= grid.n1 ? 0 : solution.pressure[grid.index(i, j)];
 }
 
@@ -249,7 +175,7 @@ literate::Figure point_contact_figure(const PointContactInput& input,
     };
     figure.data[axis == 0 ? "along_x" : "along_y"] =
         along(61, [&](double at) { return pressure_at(s, at * Vector2::Unit(axis)); });
-    if (!input.curvatures || !input.closed_form) continue;
+    if (!input.is_curved || !input.closed_form) continue;
     const PointClosedForm& exact = *input.closed_form;
     const double width = axis == 0 ? exact.half_width_x : exact.half_width_y;
     figure.data[axis == 0 ? "closed_x" : "closed_y"] = along(401, [&](double at) {
@@ -264,10 +190,9 @@ ExitCode run(const PointContactCommandOptions& options) {
   const auto from_file = case_of(options.contact.case_file());
   const config::UnitSystem units = options.output.units(from_file);
   require_folder_of("--field", options.field_file);
-  require_folder_of("--vtu", options.vtu_file);
   const PointContactInput input = options.contact.read(from_file);
   const SolvedPointContact solved = solve(input);
-  Result result{
+  const Result result{
       .quantities = quantities_of(input, solved, units),
       .closed_form = input.closed_form ? input.closed_form->name : "",
       .details = details_of(input, solved),
@@ -276,16 +201,9 @@ ExitCode run(const PointContactCommandOptions& options) {
       .warnings = validity_warnings(input, solved),
       .script = "point-contact",
       .figure = [&] { return point_contact_figure(input, solved, units); }};
-  if (!solved.stresses.empty()) result.tables.push_back(stresses_of(solved.stresses, units));
   require_finite(result);
   if (!options.field_file.empty()) {
     sys::write_file_atomically(options.field_file, csv_text(result.tables.front()));
-  }
-  if (!options.vtu_file.empty()) {
-    sys::write_file_atomically(
-        options.vtu_file,
-        numerics::vtu(point_contact::node_grid(
-            solved.solution, solved.friction ? solved.friction->shear : Eigen::VectorXd())));
   }
   return options.output.print(result);
 }

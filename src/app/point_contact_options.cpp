@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -22,11 +21,7 @@ using parameters::CylinderCase;
 using point_contact::Element;
 using point_contact::Profile;
 
-constexpr std::array elements{Element::pyramid, Element::bilinear, Element::uniform,
-                              Element::point};
-
-// Threads beyond this are not used.
-constexpr long most_threads = 64;
+constexpr std::array elements{Element::pyramid, Element::uniform};
 
 }  // namespace
 
@@ -42,7 +37,6 @@ PointContactOptions::PointContactOptions(CLI::App& command)
     : body1_(command, "1"),
       body2_(command, "2"),
       load_(command, "--load", "Load P, a force"),
-      approach_(command, "--approach", "Approach of distant points instead of the load"),
       profile_(command, "--profile", "sphere",
                "Shape of the gap. sphere: spheres, ellipsoids, crossed cylinders, by their radii; "
                "file: a CSV grid of gaps, a line for each y; heights: of heights above the surface",
@@ -50,26 +44,17 @@ PointContactOptions::PointContactOptions(CLI::App& command)
       nodes_(command, "--nodes", "Number of nodes along a side of the domain [256]"),
       domain_(command, "--domain",
               "Width W of the square that the nodes fill [the contact's and a ninth more]"),
-      domain_y_(command, "--domain-y", "Its height, if it is to be no square"),
       tolerance_(command, "--tolerance",
-                 "Error of the pressure allowed, relative to the peak [1e-8]"),
-      threads_(command, "--threads", "Number of threads; changes no digit of the result [1]"),
-      friction_(command, "--friction", "Coefficient of friction: the bodies slide along x"),
-      tangential_(command, "--tangential-load", "Tangential load Q < friction * P: partial slip") {
-  add_choice(command, "--grid", grid_, {"hexagonal", "square"},
-             "Nodes as corners of equilateral triangles or of squares");
+                 "Error of the pressure allowed, relative to the peak [1e-8]") {
   add_choice(command, "--element", element_, names_of(elements),
              "What stands at a node for the pressure around it");
-  add_choice(command, "--method", method_, {"fft", "variational", "matrix-inversion"},
-             "How to solve; the last two are references for small grids");
-  add_text(command, "--depths", depths_, "LIST",
-           "Depths beneath the middle of the domain to tell the stresses at, as 0.01,0.02");
-  add_choice(command, "--body", body_, {"1", "2"}, "In which of the two bodies");
+  add_choice(command, "--method", method_, {"fft", "variational"},
+             "How to solve; the last is a reference");
   add_text(command, "--case", case_file_, "FILE",
            "Case file; its materials and radii, which flags override");
 }
 
-point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
+std::pair<double, double> PointContactOptions::CurvedBody::curvatures(
     const std::optional<CylinderCase>& given) const {
   const bool has_two = !radius_x.text().empty() || !radius_y.text().empty();
   if (has_two && !radius.text().empty()) {
@@ -88,40 +73,20 @@ point_contact::PrincipalCurvatures PointContactOptions::CurvedBody::curvatures(
 
 void PointContactOptions::set_curved_bodies(PointContactInput& input,
                                             const GivenBodies& given) const {
-  const auto body1 = body1_.curvatures(given.body1);
-  const auto body2 = body2_.curvatures(given.body2);
-  const double angle = profile_.given("--angle").value_or(0) * std::numbers::pi / 180;
-  auto relative = point_contact::relative_curvatures(body1, body2, angle);
-  // Axes that are turned by rounding alone are those of body 1.
-  constexpr double rounding = 1e-14;
-  if (std::abs(relative.angle) < rounding) relative.angle = 0;
-  input.curvatures = relative;
-  input.problem.profile = Profile::elliptic_paraboloid(relative.x, relative.y);
-  // Curvatures that differ by rounding alone are those of spheres.
-  input.is_of_revolution = relative.y - relative.x <= rounding * relative.y;
+  const auto [x1, y1] = body1_.curvatures(given.body1);
+  const auto [x2, y2] = body2_.curvatures(given.body2);
+  const double along_x = x1 + x2, along_y = y1 + y2;
+  input.is_curved = true;
+  input.problem.profile = Profile::elliptic_paraboloid(along_x, along_y);
+  input.is_of_revolution = along_x == along_y;
   double greatest = 0;
-  for (const double curvature : {body1.first, body1.second, body2.first, body2.second}) {
-    greatest = std::max(greatest, std::abs(curvature));
-  }
+  for (const double curvature : {x1, y1, x2, y2}) greatest = std::max(greatest, std::abs(curvature));
   input.least_radius = 1 / greatest;
-
-  const Pressing pressing{input.problem.contact_modulus, input.load, input.approach};
-  constexpr double hertzs_power = 2.0 / 3;
-  if (input.is_of_revolution) {
-    const auto [load, hertz] = pressed(pressing, hertzs_power, [&](double p) {
-      return point_contact::Hertz(pressing.contact_modulus, relative.y, p);
-    });
-    input.hertz = hertz;
-    input.closed_form = {
-        "hertz", hertz.radius(), hertz.radius(), hertz.peak_pressure(), hertz.approach(), load};
-    return;
-  }
-  const auto [load, hertz] = pressed(pressing, hertzs_power, [&](double p) {
-    return point_contact::HertzElliptic(pressing.contact_modulus, relative.x, relative.y, p);
-  });
+  const point_contact::HertzElliptic hertz(input.problem.contact_modulus, along_x, along_y,
+                                           input.load);
   input.closed_form = {
       "hertz", hertz.semi_axis_x(), hertz.semi_axis_y(), hertz.peak_pressure(), hertz.approach(),
-      load};
+      input.load};
 }
 
 void PointContactOptions::set_profile(PointContactInput& input, const GivenBodies& given) const {
@@ -134,29 +99,17 @@ void PointContactOptions::set_profile(PointContactInput& input, const GivenBodie
     }
   }
   ChosenBody chosen =
-      choice.choose(profile_, {input.problem.contact_modulus, input.load, input.approach});
+      choice.choose(profile_, {input.problem.contact_modulus, input.load});
   input.is_of_revolution = choice.is_of_revolution;
   input.problem.profile = std::move(chosen.profile);
   input.closed_form = std::move(chosen.closed_form);
 }
 
-long PointContactOptions::n_nodes() const {
+void PointContactOptions::set_grid(PointContactInput& input) const {
   constexpr long usual = 256;
   const long n = nodes_.integer().value_or(usual);
-  refuse_if(n < point_contact::min_nodes,
-            fmt::format("--nodes = {}: must be {} or more", n, point_contact::min_nodes));
-  constexpr long too_many = 1'000'000'000;  // whose rows need no exact count
-  point_contact::require_memory(n, grid_ == "hexagonal" && n < too_many ? n + n / 6 : n);
-  return n;
-}
-
-void PointContactOptions::set_grid(PointContactInput& input) const {
-  const long n = n_nodes();
   std::optional<double> width = domain_.number();
-  std::optional<double> height = domain_y_.number();
-  if (width) sys::require_positive("domain", *width);
-  if (height) sys::require_positive("domain-y", *height);
-  refuse_if(!width && height, "--domain-y needs --domain");
+  double height = width.value_or(0);
   const auto& half_sides = input.problem.profile.half_sides();
   if (!width && std::isfinite(half_sides.x())) {
     width = 2 * half_sides.x();
@@ -166,13 +119,8 @@ void PointContactOptions::set_grid(PointContactInput& input) const {
     width = 2 * room * input.closed_form->half_width_x;
     height = 2 * room * input.closed_form->half_width_y;
   }
-  if (!width) {
-    throw sys::InputError("--domain is missing: this body has no closed form to take it from");
-  }
-  const double stretch = height.value_or(*width) / *width;
-  input.problem.grid = grid_ == "hexagonal"
-                           ? point_contact::hexagonal_grid(*width, n, stretch)
-                           : point_contact::rectangular_grid(*width, stretch * *width, n);
+  if (!width) throw sys::InputError("--domain is missing");
+  input.problem.grid = point_contact::rectangular_grid(*width, height, n);
 }
 
 PointContactInput PointContactOptions::read(
@@ -186,35 +134,10 @@ PointContactInput PointContactOptions::read(
       .material2 = material2,
       .problem = {Profile::paraboloid(1), modulus, {}, element_named(element_, elements)},
       .profile = profile_.text(),
-      .grid = grid_,
       .method = method_,
-      .accuracy = {},
-      .load = load_.number(),
-      .approach = approach_.number(),
-      .friction = friction_.number(),
-      .tangential = tangential_.number(),
-      .closed_form = {},
-      .curvatures = {},
-      .hertz = {}};
-  require_consistent(input, load_);
-  refuse_if(!input.approach && !input.load, "--load is missing: give it, or --approach");
-  if (input.load) sys::require_positive("load", *input.load);
-  refuse_if(input.approach && method_ != "fft", "--approach needs --method fft");
-  refuse_if(element_ == "bilinear" && grid_ != "square", "--element bilinear needs --grid square");
-  refuse_if(method_ == "matrix-inversion" && tolerance_.number(),
-            "--tolerance has no meaning for --method matrix-inversion");
-  if (!depths_.empty()) input.depths = parse_numbers("--depths", depths_);
-  for (const double depth : input.depths) sys::require_positive("depth", depth);
-  refuse_if(!depths_.empty() && input.friction,
-            "--depths and --friction: the stresses are those of the pressure alone");
-  input.is_second_body = body_ == "2";
-  refuse_if(input.is_second_body && depths_.empty(), "--body needs --depths");
-  input.accuracy.tolerance = tolerance_.number().value_or(input.accuracy.tolerance);
-  point_contact::require_tolerance(input.accuracy.tolerance);
-  const long n_threads = threads_.integer().value_or(1);
-  refuse_if(n_threads < 1 || n_threads > most_threads,
-            fmt::format("--threads = {}: must be from 1 to {}", n_threads, most_threads));
-  input.accuracy.n_threads = static_cast<int>(n_threads);
+      .tolerance = tolerance_.number().value_or(point_contact::default_tolerance),
+      .load = sys::require_positive("load", load_.number_or({})),
+      .closed_form = {}};
   set_profile(input, given);
   set_grid(input);
   return input;

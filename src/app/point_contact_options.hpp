@@ -16,7 +16,6 @@
 #include "point_contact/bodies/profile.hpp"
 #include "point_contact/closed_forms/spheres.hpp"
 #include "point_contact/solver/methods.hpp"
-#include "point_contact/solver/partial_slip.hpp"
 #include "point_contact/solver/problem.hpp"
 #include "system/require.hpp"
 
@@ -32,29 +31,11 @@ struct PointClosedForm {
   double load;
 };
 
-/// What presses the bodies together: the one that is asked for, and their modulus E*.
+/// What presses the bodies together.
 struct Pressing {
   double contact_modulus;
-  std::optional<double> load;
-  std::optional<double> approach;
+  double load;
 };
-
-/// The load that is given, or the one that makes the given approach, which grows with a power of
-/// the load, and the contact in closed form that it makes: `under` has that of one load. Throws
-/// InvalidQuantity for an approach that is not positive.
-template <class Under>
-auto pressed(const Pressing& pressing, double power, const Under& under) {
-  double load = pressing.load.value_or(0);
-  if (!pressing.load) {
-    const double approach = pressing.approach.value();
-    if (!(approach > 0)) {
-      throw sys::InvalidQuantity("approach", approach, "greater than 0, or there is no contact");
-    }
-    const double scale = pressing.contact_modulus;  // a load of the right order of magnitude
-    load = scale * std::pow(approach / under(scale).approach(), 1 / power);
-  }
-  return std::pair(load, under(load));
-}
 
 /// A gap, and the closed form of its contact.
 struct ChosenBody {
@@ -78,18 +59,11 @@ struct PointContactInput {
   elasticity::Material material2;
   point_contact::Problem problem;
   std::string profile;  ///< as given
-  std::string grid;     ///< hexagonal or square
-  std::string method;   ///< fft, variational or matrix-inversion
-  point_contact::Accuracy accuracy;
-  std::optional<double> load;        ///< either this
-  std::optional<double> approach;    ///< or this is given
-  std::optional<double> friction;    ///< μ
-  std::optional<double> tangential;  ///< Q; without it the bodies slide
+  std::string method;   ///< fft or variational
+  double tolerance;
+  double load;
   std::optional<PointClosedForm> closed_form;
-  std::optional<point_contact::RelativeCurvatures> curvatures;  ///< of curved bodies
-  std::optional<point_contact::Hertz> hertz;  ///< of spheres, whatever else is given
-  std::vector<double> depths = {};  ///< beneath the middle of the domain, for the stresses
-  bool is_second_body = false;      ///< whose stresses
+  bool is_curved = false;           ///< curved bodies, whose semi-axes the pressure gives
   bool is_of_revolution = false;    ///< the gap depends on the distance alone
   double least_radius = 0;  ///< of the bodies' principal radii of curvature; 0 if none is known
 };
@@ -108,7 +82,7 @@ class PointContactOptions {
  private:
   struct CurvedBody {
     CurvedBody(CLI::App& command, const std::string& number);
-    point_contact::PrincipalCurvatures curvatures(
+    std::pair<double, double> curvatures(
         const std::optional<parameters::CylinderCase>& given) const;
     MaterialOption material;
     NumberOption radius, radius_x, radius_y;
@@ -117,36 +91,20 @@ class PointContactOptions {
   void set_profile(PointContactInput& input, const GivenBodies& given) const;
   void set_curved_bodies(PointContactInput& input, const GivenBodies& given) const;
   void set_grid(PointContactInput& input) const;
-  long n_nodes() const;
 
   CurvedBody body1_, body2_;
-  NumberOption load_, approach_;
+  NumberOption load_;
   ChoiceOption profile_;
-  NumberOption nodes_, domain_, domain_y_, tolerance_, threads_, friction_, tangential_;
-  std::string grid_ = "hexagonal";
+  NumberOption nodes_, domain_, tolerance_;
   std::string element_ = "pyramid";
   std::string method_ = "fft";
-  std::string depths_;
-  std::string body_ = "1";
   std::string case_file_;
-};
-
-/// The stress at a depth beneath the middle of the domain, tension positive.
-struct StressBeneath {
-  double z;
-  Eigen::Matrix3d stress;
-  double max_shear;  ///< half of what the extreme principal stresses differ by
-  double von_mises;
-  std::optional<double> huber_max_shear;  ///< of spheres in closed form
 };
 
 /// A solved point contact and what it took.
 struct SolvedPointContact {
   point_contact::Solution solution;
-  std::optional<point_contact::Friction> friction;
-  std::optional<double> tangential_displacement;  ///< of bodies of revolution, under partial slip
   double seconds;
-  std::vector<StressBeneath> stresses = {};  ///< by the pressure alone, in the body that is named
 };
 
 /// Solves it. Throws sys::InputError for a contact of too few nodes besides what the methods throw,

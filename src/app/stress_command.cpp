@@ -10,7 +10,7 @@
 #include "app/contact_options.hpp"
 #include "app/csv_files.hpp"
 #include "line_contact/cylinders.hpp"
-#include "line_contact/element_field.hpp"
+#include "line_contact/solution.hpp"
 
 namespace app {
 namespace {
@@ -56,14 +56,11 @@ std::vector<Point> points_of(const StressCommandOptions& options) {
   return points;
 }
 
-void compute(std::vector<Point>& points, const ContactInput& input, const SolvedContact& solved,
-             bool is_second) {
-  const Eigen::VectorXd shear = solved.friction ? solved.friction->shear : Eigen::VectorXd();
-  const auto traction = line_contact::traction_on(solved.solution, is_second ? -shear : shear);
+void compute(std::vector<Point>& points, const ContactInput& input, const SolvedContact& solved) {
   std::optional<line_contact::McEwen> mcewen;
-  if (input.hertz && !solved.friction) mcewen.emplace(*input.hertz);
+  if (input.hertz) mcewen.emplace(*input.hertz);
   for (Point& point : points) {
-    point.stress = traction.stress(point.x, point.z);
+    point.stress = line_contact::stress_beneath(solved.solution, point.x, point.z);
     if (mcewen) point.mcewen = mcewen->stress(point.x, point.z);
   }
 }
@@ -135,7 +132,7 @@ ExitCode run(const StressCommandOptions& options) {
   const ContactInput input = options.contact.read(from_file);
   const bool is_second = options.body == "2";
   const SolvedContact solved = solve(input);
-  compute(points, input, solved, is_second);
+  compute(points, input, solved);
   const double poisson = (is_second ? input.material2 : input.material1).poisson();
   return options.output.print({.tables = {table_of(points, poisson, units)},
                                .warnings = validity_warnings(input, solved),
