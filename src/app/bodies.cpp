@@ -1,58 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bodies.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/units.hpp"
+#include "system/error.hpp"
 
 namespace app {
 
-GivenBodies::GivenBodies(const std::optional<parameters::Case>& from_file) {
-  if (!from_file) return;
-  body1 = from_file->contact.body1;
-  body2 = from_file->contact.body2;
+elasticity::Material material_of(const MaterialFlags& own, const MaterialFlags& of_both,
+                                 const MaterialOfCase& from_case, const std::string& unit,
+                                 std::vector<std::string>& notes) {
+  const Flag& young = own.young.is_given() ? own.young : of_both.young;
+  const Flag& poisson = own.poisson.is_given() ? own.poisson : of_both.poisson;
+  if (!young.is_given() && !poisson.is_given()) {
+    if (from_case) return *from_case;
+    const elasticity::Material steel(config::converted(210, "GPa", unit), 0.3);
+    const std::string note =
+        fmt::format("steel is assumed: E = {} {}, nu = {} (--young and --poisson change it)",
+                    rounded(steel.young()), unit, steel.poisson());
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+    return steel;
+  }
+  for (const Flag* flag : {&young, &poisson}) {
+    if (!from_case && !flag->is_given()) throw sys::InputError(flag->name() + " is missing");
+  }
+  const auto e = young.positive(unit);
+  const auto nu = poisson.quantity("1");
+  if (nu && !(*nu > -1 && *nu < 0.5)) poisson.refuse("must be between -1 and 0.5, both excluded");
+  return {e ? *e : from_case->young(), nu ? *nu : from_case->poisson()};
 }
 
-MaterialOption::MaterialOption(CLI::App& command, const std::string& number)
-    : young(command, "--young" + number,
-            "Young's modulus " + (number.empty() ? "E" : "of body " + number)),
-      poisson(
-          command, "--poisson" + number,
-          "Poisson's ratio" + (number.empty() ? ", between -1 and 0.5" : " of body " + number)) {}
-
-elasticity::Material MaterialOption::or_else(
-    const std::optional<elasticity::Material>& given) const {
-  if (!given) return {young.number_or({}), poisson.number_or({})};
-  return {young.number_or(given->young()), poisson.number_or(given->poisson())};
-}
-
-elasticity::Material MaterialOption::or_else(
-    const std::optional<parameters::CylinderCase>& given) const {
-  return or_else(given ? std::optional(given->material) : std::nullopt);
-}
-
-std::optional<line_contact::Radius> radius_of(const NumberOption& radius) {
-  if (radius.text() == "plane") return line_contact::Radius::of_plane();
-  const auto length = radius.number();
+std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit) {
+  if (flag.text() == "plane") return line_contact::Radius::of_plane();
+  const auto length = flag.quantity(unit);
   if (!length) return std::nullopt;
-  return line_contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length);
-}
-
-line_contact::Radius radius_or(const NumberOption& radius,
-                               const std::optional<parameters::CylinderCase>& given) {
-  if (const auto own = radius_of(radius)) return *own;
-  if (given) return given->radius;
-  throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
-}
-
-std::vector<double> to_vector(const Eigen::VectorXd& numbers) {
-  return {numbers.data(), numbers.data() + numbers.size()};
+  if (*length == 0) flag.refuse("must be other than 0; 'plane' is a plane");
+  return line_contact::Radius::of_cylinder("radius", *length);
 }
 
 std::vector<std::string> half_space_warnings(double half_width, double least_radius) {
-  if (!(least_radius > 0 && half_width > small_ratio * least_radius)) return {};
+  constexpr double small = 0.1;
+  if (!(least_radius > 0 && half_width > small * least_radius)) return {};
   return {fmt::format(
-      "the contact's half-width is {:.2g} of the least radius: half-spaces stand for bodies whose "
-      "contact is less than {} of it",
-      half_width / least_radius, small_ratio)};
+      "the contact's half-width is {:.2g} of the least radius; half-spaces represent the bodies "
+      "well if it is less than {}",
+      half_width / least_radius, small)};
 }
 
 }  // namespace app

@@ -1,118 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands of bodies pressed together share.
+// The bodies that are loaded or pressed together: their materials, their radii, and what is said of
+// any contact between them.
 #pragma once
 
-#include <fmt/core.h>
-
-#include <Eigen/Core>
-#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "command_line/options.hpp"
-#include "config/units.hpp"
+#include "app/flags.hpp"
 #include "elasticity/material.hpp"
 #include "line_contact/cylinders.hpp"
-#include "parameters/case.hpp"
 
 namespace app {
-using namespace command_line;
 
-/// The two bodies of a case, or nothing of either.
-struct GivenBodies {
-  explicit GivenBodies(const std::optional<parameters::Case>& from_file);
-  std::optional<parameters::CylinderCase> body1, body2;
+using MaterialOfCase = std::optional<elasticity::Material>;
+
+/// The flags --young and --poisson.
+struct MaterialFlags {
+  CLI::App& command;
+  std::string number = "";     ///< 1 or 2 for one of two bodies
+  std::string which = "";      ///< body that is, in the help
+  std::string otherwise = "";  ///< what holds without them, in the help
+  Flag young{command, "--young" + number, "STRESS", "Bodies",
+             "Young's modulus" + which + otherwise};
+  Flag poisson{command, "--poisson" + number, "NUMBER", "Bodies", "Poisson's ratio" + which};
 };
 
-/// The flags of a body's material, --young1 and --poisson1; without a number of the only one's.
-struct MaterialOption {
-  MaterialOption(CLI::App& command, const std::string& number);
-  elasticity::Material or_else(const std::optional<elasticity::Material>& given) const;
-  elasticity::Material or_else(const std::optional<parameters::CylinderCase>& given) const;
-  NumberOption young, poisson;
-};
+/// The material that the flags give, or else the case, or else steel. Where both bodies have flags
+/// in common, `of_both` has them, and those of the body override them. Throws sys::InputError for
+/// values out of range, and where one of the two numbers is missing. Steel adds a note.
+elasticity::Material material_of(const MaterialFlags& own, const MaterialFlags& of_both,
+                                 const MaterialOfCase& from_case, const std::string& unit,
+                                 std::vector<std::string>& notes);
 
-/// The radius that a flag gives, if any: a length other than 0, negative for a hollow, or "plane".
-std::optional<line_contact::Radius> radius_of(const NumberOption& radius);
+/// The radius that a flag gives: a length other than 0, negative for a hollow, or "plane".
+std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit);
 
-/// The same, or else the radius of the case's body; throws sys::InputError where there is neither.
-line_contact::Radius radius_or(const NumberOption& radius,
-                               const std::optional<parameters::CylinderCase>& given);
-
-/// What is left out where half-spaces stand for bodies is of the order of the square of a ratio:
-/// from a tenth on it is some per cent, and the user is warned.
-inline constexpr double small_ratio = 0.1;
-
-/// A sentence if the contact's half-width is not small beside the bodies' least radius of
-/// curvature, 0 where none is known; none if it is.
+/// A sentence if the contact's half-width is not small beside the least radius of curvature, 0
+/// where none is known: what half-spaces leave out is of the order of the square of this ratio.
 std::vector<std::string> half_space_warnings(double half_width, double least_radius);
 
-/// The names of elements, as a flag takes them.
-template <class Elements>
-std::vector<std::string> names_of(const Elements& elements) {
-  std::vector<std::string> names;
-  for (const auto element : elements) names.emplace_back(name_of(element));
-  return names;
-}
-
-/// The element of this name.
-template <class Elements>
-auto element_named(const std::string& name, const Elements& elements) {
-  return *std::ranges::find(elements, name, [](auto element) { return name_of(element); });
-}
-
-/// Throws sys::InputError for flags of a contact that want or exclude one another.
-template <class Input>
-void require_consistent(const Input& input, const NumberOption& load) {
-  refuse_if(input.approach && load.number(), "--load and --approach: give one of them");
-  refuse_if(input.tangential && !input.friction, "--tangential-load needs --friction");
-}
-
-/// «sliding» or «partial slip».
-template <class Input>
-const char* state_of(const Input& input) {
-  return input.tangential ? "partial slip" : "sliding";
-}
-
-/// A line on friction: `more` stands behind the coefficient, and `but` before what unlike
-/// materials neglect.
-template <class Input>
-std::string friction_text(const Input& input, const std::string& more, const std::string& but) {
-  std::string text = fmt::format("{}, friction {}{}", state_of(input), *input.friction, more);
-  const double beta = elasticity::dundurs_beta(input.material1, input.material2);
-  if (input.tangential && beta != 0) {
-    text += fmt::format("; {}for like materials, and here Dundurs' beta is {:.3g}", but, beta);
+/// Returns solve(). If a quantity is out of range that one of the flags gave, the message names the
+/// flag and has its text.
+template <class Solve>
+auto naming(const std::vector<const Flag*>& flags, const Solve& solve) {
+  try {
+    return solve();
+  } catch (const sys::InvalidQuantity& error) {
+    for (const Flag* flag : flags) {
+      if (flag->is_given() && flag->name() == "--" + error.quantity()) {
+        flag->refuse("must be " + error.allowed());
+      }
+    }
+    throw;
   }
-  return text + '\n';
 }
 
-/// A line a region in contact, the first ten of them, if there is more than one.
+/// Adds a line for each region in contact if there are several, the first ten of them.
 template <class Region, class OfRegion>
-std::string regions_text(const std::vector<Region>& regions, const OfRegion& of_region) {
-  if (regions.size() < 2) return "";
+void add_regions(std::vector<std::string>& notes, const std::vector<Region>& regions,
+                 const OfRegion& of_region) {
   constexpr std::size_t most_shown = 10;
-  std::string text = fmt::format("{} regions in contact\n", regions.size());
-  for (std::size_t i = 0; i < std::min(regions.size(), most_shown); ++i) {
-    text += "  " + of_region(regions[i]) + "\n";
+  if (regions.size() < 2) return;
+  notes.push_back(std::to_string(regions.size()) + " regions in contact");
+  for (std::size_t i = 0; i < regions.size() && i < most_shown; ++i) {
+    notes.push_back("  " + of_region(regions[i]));
   }
-  if (regions.size() > most_shown) {
-    text += fmt::format("  and {} more\n", regions.size() - most_shown);
-  }
-  return text;
-}
-
-/// The numbers at the nodes, for a column.
-std::vector<double> to_vector(const Eigen::VectorXd& numbers);
-
-/// A line with the residuals of a solution.
-template <class Residuals>
-std::string residuals_text(const Residuals& residuals, const config::UnitSystem& units,
-                           const std::string& unit_of_load) {
-  return fmt::format(
-      "residuals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} {}\n",
-      residuals.gap, units.length, residuals.separation, units.length, residuals.pressure,
-      units.stress, residuals.load, unit_of_load);
+  if (regions.size() > most_shown) notes.push_back("  and others, each with less");
 }
 
 }  // namespace app

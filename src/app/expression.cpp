@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/load_choices.hpp"
+#include "app/loads.hpp"
 
 #include <fmt/core.h>
 #include <muParser.h>
@@ -10,13 +10,12 @@
 #include <memory>
 #include <numbers>
 
-#include "command_line/options.hpp"
 #include "system/error.hpp"
 
 namespace app {
 namespace {
 
-// muParser's message without what ours says besides: position, formula and its own full stop.
+// muParser's reason alone: without the position, the formula and the full stop.
 std::string reason_of(const mu::ParserError& error) {
   std::string reason = error.GetMsg();
   for (const char* ending : {" found at position", " at position", " at expression position"}) {
@@ -30,13 +29,12 @@ std::string reason_of(const mu::ParserError& error) {
   return reason;
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& formula,
-                         const mu::ParserError& error) {
-  // Where it does not know the place it is the end of the formula that something is missing at.
+[[noreturn]] void refuse(const std::string& formula, const mu::ParserError& error) {
+  // Where muParser does not know the place, something is missing at the end of the formula.
   const bool is_known = error.GetPos() >= 0 && error.GetPos() < static_cast<int>(formula.size());
   const std::size_t column = is_known ? static_cast<std::size_t>(error.GetPos()) : formula.size();
   throw sys::InputError(
-      fmt::format("{} \"{}\", column {}: {}", what, formula, column + 1, reason_of(error)));
+      fmt::format("expression \"{}\", column {}: {}", formula, column + 1, reason_of(error)));
 }
 
 // The parser keeps the address of x, so both live together and stay where they are.
@@ -47,7 +45,7 @@ struct Formula {
 
 }  // namespace
 
-std::function<double(double)> parse_expression(const std::string& what, const std::string& formula,
+std::function<double(double)> parse_expression(const std::string& formula,
                                                const std::map<std::string, double>& constants) {
   const auto parsed = std::make_shared<Formula>();
   try {
@@ -57,23 +55,23 @@ std::function<double(double)> parse_expression(const std::string& what, const st
     parsed->parser.SetExpr(formula);
     parsed->parser.Eval();  // compiles it
   } catch (const mu::ParserError& error) {
-    refuse(what, formula, error);
+    refuse(formula, error);
   }
   if (parsed->parser.GetNumResults() != 1) {
-    throw sys::InputError(fmt::format("{} \"{}\": holds {} formulas, one is wanted", what, formula,
+    throw sys::InputError(fmt::format("expression \"{}\": {} formulas, but one is needed", formula,
                                       parsed->parser.GetNumResults()));
   }
-  return [what, formula, parsed](double x) {
+  return [formula, parsed](double x) {
     double value = std::numeric_limits<double>::quiet_NaN();
     try {
       parsed->x = x;
       value = parsed->parser.Eval();
     } catch (const mu::ParserError& error) {
-      refuse(what, formula, error);
+      refuse(formula, error);
     }
     if (std::isfinite(value)) return value;
-    throw sys::InputError(fmt::format("{} \"{}\": has no finite value at x = {}", what, formula,
-                                      command_line::shortest(x)));
+    throw sys::InputError(
+        fmt::format("expression \"{}\" has no finite value at x = {}", formula, x));
   };
 }
 

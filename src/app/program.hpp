@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program around its commands: what the command line names is run, what is wrong is one line.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command_line/exit_codes.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+using command_line::ExitCode;
+
+/// A command line for the end of a help, and what it does.
+struct Example {
+  std::string does;
+  std::string command;
+};
+
+/// What the help says of a command besides its flags.
+struct CommandText {
+  std::string name;
+  std::string description;  ///< the first sentence stands in the list of commands
+  std::vector<Example> examples;
+};
+
+/// Adds a command: `set_up` adds its flags and returns what runs when it is chosen.
+void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
+                 const std::function<std::function<ExitCode()>(CLI::App&)>& set_up);
+
+/// The same for a command whose flags are an Options.
+template <class Options>
+void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
+                 ExitCode (*run)(const Options&)) {
+  add_command(program, text, exit_code, [run](CLI::App& command) {
+    return
+        [run, options = std::shared_ptr<Options>(new Options{command})] { return run(*options); };
+  });
+}
+
+/// Each adds a command, which stores its answer in `exit_code`.
+void add_displacement_command(CLI::App& program, ExitCode& exit_code);
+void add_contact_command(CLI::App& program, ExitCode& exit_code);
+void add_point_contact_command(CLI::App& program, ExitCode& exit_code);
+void add_stress_command(CLI::App& program, ExitCode& exit_code);
+void add_block_command(CLI::App& program, ExitCode& exit_code);
+
+/// The program with all of its commands.
+std::unique_ptr<CLI::App> make_program(ExitCode& exit_code);
+
+/// Runs the command that the words name and returns the exit code for the shell. A wrong command
+/// line and output that cannot be written are bad input.
+int run_program(int argc, char** argv);
+
+/// The help of the program or of one of its commands, 80 columns wide.
+std::string help_of(const CLI::App& command, const std::string& full_name);
+
+}  // namespace app
