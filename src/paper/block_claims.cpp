@@ -2,10 +2,11 @@
 #include "paper/block_claims.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/interior_stress.hpp"
+#include "elasticity/stress_beneath.hpp"
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/prelude.hpp"
@@ -220,9 +221,9 @@ double largest_tension_beside_ends(const block::LinearFit& fit, double a) {
       const double angle = i * std::numbers::pi / 36;
       const double x = a + radius * a * std::cos(angle);
       const double z = radius * a * std::sin(angle);
-      elasticity::Stress stress = elasticity::stress_under({-a, 0, edge, peak}, x, z);
-      stress += elasticity::stress_under({0, a, peak, edge}, x, z);
-      largest = std::max(largest, stress.principal().greatest);
+      const auto stress = elasticity::stress_beneath(std::array{-a, 0.0, a},
+                                                     std::array{edge, peak, edge}, x, z);
+      largest = std::max(largest, (stress.xx + stress.zz) / 2 + stress.max_shear());
     }
   }
   return largest / peak;

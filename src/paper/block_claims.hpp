@@ -64,10 +64,5 @@ void infer_load(Document& document, const HalfSpaceCase& half_space, block::Supp
 void claim_shear(Document& document, const BlockStudy& study, const PrintedData& printed_data,
                  const UnitSystem& units, const std::vector<const Contestant*>& meets);
 
-/// What a mesh as coarse as that of the run makes of the largest stresses under the load of round
-/// numbers, beside the converged ones.
-void register_coarse_mesh(Document& document, const HalfSpaceCase& half_space, block::Support sides,
-                          const PrintedData& printed_data, const BlockStudy& study,
-                          const Contestant& round);
 
 }  // namespace paper

@@ -19,7 +19,7 @@ block::Analysis analysis_of(const HalfSpaceCase& half_space, const BlockCase& bl
   const double a = half_space.load.half_width();
   return {block_case.rectangle,
           half_space.material,
-          {elasticity::linear_fall(1, 0, a)},
+          {elasticity::LinearFall(1, 0, a)},
           block_case.discretization};
 }
 
@@ -78,8 +78,8 @@ BlockStudy::BlockStudy(const HalfSpaceCase& half_space, const BlockCase& block_c
   fit_ = fit_on(sides);
   const double a = half_space_.load.half_width();
   const block::Fit coarse =
-      block::fit_coarse_loads({on(sides).solve(elasticity::linear_fall(1, 0, a)),
-                               on(sides).solve(elasticity::linear_fall(1, 1, a))},
+      block::fit_coarse_loads({on(sides).solve(elasticity::LinearFall(1, 0, a)),
+                               on(sides).solve(elasticity::LinearFall(1, 1, a))},
                               observed_);
   under_fit_.emplace(fit_->fit.solution.fine(), coarse.solution.fine());
   misfit_error_ = largest_difference(fit_->fit.residuals, coarse.residuals);

@@ -2,11 +2,13 @@
 #include "paper/convergence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
+#include "elasticity/stress_beneath.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/element_field.hpp"
 #include "line_contact/solver.hpp"
 #include "paper/bounds.hpp"
 #include "paper/prelude.hpp"
@@ -15,6 +17,26 @@ namespace paper {
 namespace {
 
 constexpr double span = 0.9;  // of the half-width
+
+// The stress beneath the elements of any kind; under forces it is Flamant's (Johnson 2.23).
+elasticity::Stress stress_of_elements(const line_contact::Solution& solution, double x, double z) {
+  using line_contact::Element;
+  if (solution.element == Element::triangular) return stress_beneath(solution, x, z);
+  const double c = solution.grid.spacing;
+  elasticity::Stress sum;
+  for (Eigen::Index j = 0; j < solution.grid.n_nodes; ++j) {
+    const double p = solution.pressure[j];
+    if (p == 0) continue;
+    const double t = x - solution.grid.x(j);
+    if (solution.element == Element::uniform) {
+      sum += elasticity::stress_beneath(std::array{-c / 2, c / 2}, std::array{p, p}, t, z);
+    } else {
+      const double factor = -2 * c * p * z / (std::numbers::pi * std::pow(t * t + z * z, 2));
+      sum += {factor * t * t, factor * z * z, factor * t * z};
+    }
+  }
+  return sum;
+}
 
 // The means by the midpoint rule with so many points to an element. At the ends of uniform elements
 // the slope is infinite like a logarithm, which has an integral; no point lies there.
@@ -31,8 +53,8 @@ ElementQuality mean_errors(const ContactCase& c, const Hertz& hertz,
       const double x = grid.x(i) + (k + 0.5) / n_points * grid.spacing;
       const double z = grid.spacing / 2;
       if (std::abs(x) > span * a) continue;
-      const double slope = line_contact::surface_slope(solution, c.cylinders.contact_modulus(), x);
-      const double shear = line_contact::stress_beneath(solution, x, z).max_shear();
+      const double slope = line_contact::surface_slope(solution, x);
+      const double shear = stress_of_elements(solution, x, z).max_shear();
       slope_sum += std::abs((slope + curvature * x) / (curvature * a));
       shear_sum += std::abs(shear - mcewen.stress(x, z).max_shear()) / hertz.peak_pressure();
       ++n_sampled;

@@ -146,8 +146,8 @@ void claim_cylinders(Document& document, const ContactCase& c,
 // any.
 void verify_by_hertz(Document& document, const ContactCase& c,
                      const std::optional<PointContactCase>& point_contact, const EdgeSweep& sweep) {
-  const auto against_hertz = [](const std::string& what, Estimate error, double square) {
-    return Criterion::at_most(what, Value(error, scientific(2)), of_second_order(square));
+  const auto against_hertz = [](const std::string& what, double error, double square) {
+    return Criterion::at_most(what, Value(error, scientific(2)).as_is(), of_second_order(square));
   };
   const auto at_worst = [&](const std::string& what, Estimate error) {
     return Criterion::at_most(what, Value(error, scientific(2).rounded_up()),
@@ -156,7 +156,7 @@ void verify_by_hertz(Document& document, const ContactCase& c,
   std::vector<Criterion> criteria{at_worst("cylinders, peak: largest relative error", sweep.peak),
                                   at_worst("cylinders, half-width", sweep.half_width)};
   if (point_contact) {
-    const SphereErrors spheres = sphere_errors(c, *point_contact);
+    const SphereErrors spheres = errors_of(solve_spheres(c, *point_contact));
     criteria.push_back(against_hertz("spheres, peak", spheres.peak, spheres.square));
     criteria.push_back(against_hertz("spheres, radius", spheres.radius, spheres.square));
     criteria.push_back(against_hertz("spheres, approach", spheres.approach, spheres.square));
@@ -192,13 +192,16 @@ void tabulate_hertz(Document& document, const ContactCase& c, const UnitSystem& 
   table.add_row({"", "half-width", closed(a, 5, units.length), sweep.first_half_width,
                  at_most(sweep.half_width)});
   if (point_contact) {
-    const point_contact::Hertz spheres = two_spheres(c, *point_contact).hertz();
-    const SphereErrors errors = sphere_errors(c, *point_contact);
+    const Spheres solved = solve_spheres(c, *point_contact);
+    const point_contact::Hertz& spheres = solved.hertz;
+    const SphereErrors errors = errors_of(solved);
+    const auto error = [](double number) { return Value(number, scientific(2)).as_is(); };
     table.add_row({"spheres", "peak pressure", closed(spheres.peak_pressure(), 4, units.stress),
-                   errors.peak, "–"});
-    table.add_row({"", "radius", closed(spheres.radius(), 4, units.length), errors.radius, "–"});
-    table.add_row(
-        {"", "approach", closed(spheres.approach(), 4, units.length), errors.approach, "–"});
+                   Cell::latex(error(errors.peak).latex()), "–"});
+    table.add_row({"", "radius", closed(spheres.radius(), 4, units.length),
+                   Cell::latex(error(errors.radius).latex()), "–"});
+    table.add_row({"", "approach", closed(spheres.approach(), 4, units.length),
+                   Cell::latex(error(errors.approach).latex()), "–"});
     table.note("A dash: the spheres are solved on one lattice.");
   }
   document.table(std::move(table));

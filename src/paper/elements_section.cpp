@@ -12,7 +12,6 @@
 #include "paper/bounds.hpp"
 #include "paper/conventions.hpp"
 #include "paper/convergence.hpp"
-#include "paper/edge_study.hpp"
 #include "paper/paper.hpp"
 
 namespace paper {
@@ -296,7 +295,6 @@ void compute_elements(Document& document, const Case& from) {
   const Study triangular = study_of(c, hertz, Element::triangular);
   const Study uniform = study_of(c, hertz, Element::uniform);
   register_orders(document, triangular, uniform);
-  study_edge(document, c, hertz);
 }
 
 }  // namespace paper

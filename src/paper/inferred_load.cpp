@@ -65,7 +65,7 @@ Estimate share_with_resultant(const BlockStudy& study, const PrintedData& printe
                               block::Support sides) {
   const double sum = printed_sum_of(printed_data, a);
   const double peak = peak_given(study.fit_on(sides), sum).value();
-  const elasticity::Load load = elasticity::linear_fall(peak, (sum - peak) / peak, a);
+  const elasticity::Load load = elasticity::LinearFall(peak, (sum - peak) / peak, a);
   return unfitted(study, "", load, peak, sides).misfit.largest_share;
 }
 
@@ -213,13 +213,10 @@ constexpr const char* inferred = "uniform + triangle";
 // What is added to the uniform pressure, with t = |x|/a; empty for a load of another kind.
 std::string added_shape(const std::string& load) {
   static const std::map<std::string, const char*> formulas = {{"triangle", "$1-t$ (inferred load)"},
-                                                              {"cosine", "$(1+\\cos\\pi t)/2$"},
                                                               {"narrower triangle", "$1-t/0.9$"},
                                                               {"step", "1 for $t<0.5$"},
-                                                              {"root", "$1-t^{1/2}$"},
-                                                              {"ellipse", "$(1-t^2)^{1/2}$"},
                                                               {"parabola", "$1-t^2$"},
-                                                              {"quartic", "$1-t^4$"}};
+                                                              {"root", "$1-t^{1/2}$"}};
   if (!load.starts_with(on_uniform)) return "";
   const std::string shape = load.substr(std::string(on_uniform).size());
   return fmt::format("\\quad {}, {}", shape, formulas.at(shape));
@@ -263,32 +260,6 @@ void tabulate(Document& document, const PrintedData& printed_data, const UnitSys
   }
   table.note("A dash: not compared; these loads have only one fitted number.");
   document.table(table);
-}
-
-// The peak of every load with its standard uncertainty, one below the other, beside the stress.
-Figure peaks_figure(const PrintedData& printed_data, const UnitSystem& units,
-                    const std::vector<Contestant>& contestants) {
-  const Measured stress = largest_stress(printed_data);
-  std::vector<double> rows, peaks, standards, shares;
-  Figure figure{.width_cm = 15,
-                .height_cm = 6.3,
-                .data = {},
-                .numbers = {{"stress", stress.value()}, {"stress_error", stress.standard()}},
-                .texts = {{"unit", units.stress}}};
-  const block::Supports own = contestants.front().supports;
-  for (const Contestant& c : contestants) {
-    if (c.n_free == 1) continue;
-    rows.push_back(static_cast<double>(rows.size()));
-    peaks.push_back(c.peak.value());
-    standards.push_back(c.peak.standard());
-    shares.push_back(c.misfit.largest_share.value);
-    figure.texts[fmt::format("row_{}", rows.size())] =
-        (c.supports == own ? "" : "linear; ") + label_of(c, own);
-  }
-  figure.numbers["n_rows"] = static_cast<double>(rows.size());
-  figure.data["loads"] = {
-      {"row", rows}, {"peak", peaks}, {"standard", standards}, {"share", shares}};
-  return figure;
 }
 
 // What the displacements leave open, and what the largest stress adds.
@@ -348,26 +319,14 @@ void infer_load(Document& document, const HalfSpaceCase& half_space, block::Supp
   register_quality(document, units, printed_data, study,
                    *std::ranges::find(contestants, inferred, &Contestant::shape));
   register_round(document, units, printed_data, study, round);
-  register_coarse_mesh(document, half_space, sides, printed_data, study, round);
   const auto after_own = std::ranges::find_if(
       contestants, [&](const Contestant& c) { return c.supports != contestants.front().supports; });
   contestants.insert(after_own, round);
   tabulate(document, printed_data, units, contestants);
-  document.figure("load-peaks", peaks_figure(printed_data, units, contestants));
   claim_shape(document, printed_data, units, contestants);
 
   constexpr double of_convergence = 1;
-  const ExponentFit fit = fit_exponent(study, a, sides, of_convergence);
-  const Contestant of_least = fitted_power_fall(study, fit.least.value, a, sides);
-  const Contestant of_most = fitted_power_fall(study, fit.most.value, a, sides);
-  document.value("fit.exponent", Value(fit.best, fixed(2)));
-  document.value("fit.exponent.least", Value(fit.least, fixed(2)));
-  document.value("fit.exponent.most", Value(fit.most, fixed(2)));
-  document.value("fit.exponent.least-peak", Value(of_least.peak, uncertain(), units.stress));
-  document.flag("fit.exponent.ends-tried", fit.least.value <= least_exponent);
-
-  // The powers at the ends of their range meet the displacements by its definition.
-  std::vector<const Contestant*> meets{&of_least, &of_most};
+  std::vector<const Contestant*> meets;
   for (const Contestant& c : contestants) {
     const bool is_met = c.misfit.largest_share.value <= of_convergence;
     if (is_met && c.supports == round.supports) meets.push_back(&c);

@@ -35,31 +35,6 @@ struct Contestant {
 std::vector<Contestant> contest(const BlockStudy& study, const HalfSpaceCase& half_space,
                                 block::Support sides);
 
-/// p = p_e + (p_0 − p_e)(1 − |x/a|ᵐ) with the exponent m fitted besides p_0 and p_e.
-///
-/// `best` makes the sum of squares least, of residuals over their uncertainties. With each m from
-/// `least` to `most` the p_0 and p_e that fit best meet every displacement to `allowed` of its
-/// uncertainty, or relatively if none has one; both are `best` if not even that does. Each number
-/// is wrong by its distance from the coarser mesh.
-struct ExponentFit {
-  Estimate best, least, most;
-  Estimate misfit;  ///< the largest at `best`, relative
-};
-
-/// The exponents that are tried.
-constexpr double least_exponent = 0.1;
-constexpr double most_exponent = 4;
-
-/// Fits the exponent on the block with these sides. The displacements under 1 − |x/a|ᵐ are smooth
-/// in m: they are computed for some m and interpolated by a polynomial. Throws as
-/// SupportedBlock::solve does.
-ExponentFit fit_exponent(const BlockStudy& study, double half_width, block::Support sides,
-                         double allowed);
-
-/// The load 1 − |x/a|ᵐ on a uniform pressure, both fitted.
-Contestant fitted_power_fall(const BlockStudy& study, double exponent, double half_width,
-                             block::Support sides);
-
 /// The load of round numbers: the stated peak in the middle falls linearly to this share of it.
 constexpr double round_edge_share = 0.6;
 elasticity::Load round_load(const HalfSpaceCase& half_space);

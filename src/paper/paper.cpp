@@ -32,10 +32,7 @@ const std::vector<Section>& sections() {
       {"finite_block", &compute_finite_block}, {"tangential", &compute_tangential},
       {"cylinders", &compute_cylinders},       {"octave", &compute_octave},
       {"contact_m", &compute_contact_m},       {"elements", &compute_elements},
-      {"methods", &compute_methods},           {"profiles", &compute_profiles},
-      {"regions", &compute_regions},           {"friction", &compute_friction},
-      {"stresses", &compute_stresses},         {"spheres", &compute_spheres},
-      {"provenance", &compute_provenance}};
+      {"spheres", &compute_spheres},           {"provenance", &compute_provenance}};
   return list;
 }
 

@@ -48,11 +48,6 @@ void compute_cylinders(Document& document, const Case& from);
 void compute_octave(Document& document, const Case& from);
 void compute_contact_m(Document& document, const Case& from);
 void compute_elements(Document& document, const Case& from);
-void compute_methods(Document& document, const Case& from);
-void compute_profiles(Document& document, const Case& from);
-void compute_regions(Document& document, const Case& from);
-void compute_friction(Document& document, const Case& from);
-void compute_stresses(Document& document, const Case& from);
 void compute_spheres(Document& document, const Case& from);
 void compute_provenance(Document& document, const Case& from);
 

@@ -37,9 +37,7 @@ using numerics::Estimate;
 using numerics::Measured;
 using parameters::BlockCase;
 using parameters::ContactCase;
-using parameters::FrictionCase;
 using parameters::HalfSpaceCase;
 using parameters::PointContactCase;
-using parameters::WavesCase;
 
 }  // namespace paper

@@ -107,8 +107,6 @@ void require_reportable(const parameters::Case& c) {
   const config::Table root = config::Table::parse_file(c.file);
   require_title(root, c.title);
   require_integer(root.table("contact"), "nodes", c.contact.n_nodes, fewest_nodes, most_nodes);
-  // They go beyond the paper: other commands do without them, the report does not.
-  for (const char* key : {"friction", "waves"}) root.table("contact").table(key);
   const double half_width = c.half_space.load.half_width();
   if (c.half_space.datum < half_width) {
     root.table("half_space")

@@ -71,7 +71,7 @@ DAMAGED = [
     "build/report/latex/statements.tex", "build/report/latex/preamble/preamble.fmt",
     "build/report/latex/preamble/preamble.sha256", "build/report/generated/names.json",
     "build/report/generated/values.tex", "build/report/generated/literate.sty",
-    "build/report/generated/tables/graded.tex", "build/report/generated/figures/style.gp",
+    "build/report/generated/tables/hertz.tex", "build/report/generated/figures/style.gp",
     f"{FIGURE}/surface-gradient.pdf", f"{FIGURE}/surface-gradient.tex", f"{FIGURE}/surface-gradient.gp",
     f"{FIGURE}/script.gp", f"{FIGURE}/files.tex", f"{FIGURE}/drawn.sha256",
     "build/release/halfspace-report", "build/release/report.linked", "build/release/report.compiled", "build/release/report.settings",

@@ -11,7 +11,6 @@
 
 #include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/graded_contact.hpp"
 #include "line_contact/solver.hpp"
 
 BOOST_AUTO_TEST_SUITE(bounds_test)

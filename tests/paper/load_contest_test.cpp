@@ -32,7 +32,7 @@ paper::BlockStudy study_of(const parameters::Case& c, double exponent) {
   const paper::BlockStudy unloaded(c.half_space, *c.block, {});
   const block::SupportedBlock& block = unloaded.on(c.block->sides);
   const auto under =
-      block::RefinedSolution::combination({block.solve(elasticity::linear_fall(1, 1, a)),
+      block::RefinedSolution::combination({block.solve(elasticity::LinearFall(1, 1, a)),
                                            block.solve(elasticity::power_fall(1, exponent, a))},
                                           {600, 400});
   std::vector<block::SurfaceDisplacement> observed;
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_load_as_it_is_misses_by_as_much_as_it_is_too_small) {
   const paper::BlockStudy study = study_of(c, 1);
   const double a = c.half_space.load.half_width();
   const auto misfit_of = [&](double peak) {
-    const elasticity::Load load = elasticity::linear_fall(peak, 0.6, a);
+    const elasticity::Load load = elasticity::LinearFall(peak, 0.6, a);
     return paper::unfitted(study, "as it is", load, peak, c.block->sides).misfit;
   };
 
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(a_misfit_is_told_in_the_uncertainty_of_its_displacement) {
     observed[i].u_z = {u_z, relative * u_z, "displacement/" + std::to_string(i)};
   }
   const paper::BlockStudy study(c.half_space, *c.block, observed);
-  const elasticity::Load load = elasticity::linear_fall(990, 0.6, c.half_space.load.half_width());
+  const elasticity::Load load = elasticity::LinearFall(990, 0.6, c.half_space.load.half_width());
 
   const auto misfit = paper::unfitted(study, "as it is", load, 990, c.block->sides).misfit;
 

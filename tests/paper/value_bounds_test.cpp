@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "line_contact/graded_contact.hpp"
 #include "literate/document/document.hpp"
 #include "literate/values/decimal.hpp"
 #include "paper/paper.hpp"
@@ -240,19 +239,6 @@ BOOST_AUTO_TEST_CASE(a_finer_block_changes_no_number_by_more_than_its_bound) {
   const Document finer = computed(with(papers_text, "order = 7", "order = 9"));
   check_within(papers(), finer, same_units, false);
   check_cells_within(papers(), finer, same_units, false);
-}
-
-BOOST_AUTO_TEST_CASE(the_approach_of_the_cylinders_holds_that_of_a_grid_that_ends_on_the_edges) {
-  for (const auto& [document, text] : {std::pair{&papers(), papers_text}, {&steel(), steel_text}}) {
-    const parameters::ContactCase c = contact_of(text);
-    const double end = 2 * *document->values().at("cylinders.hertz.half-width").number();
-    const auto solution = line_contact::solve_on_graded_grid(
-        c.cylinders.profile(), c.cylinders.contact_modulus(), c.line_load, 200, {-end, end});
-    constexpr double of_graded_grid = 1e-9;  // relative, measured for the half-width
-    const Value& approach = document->values().at("cylinders.approach");
-    BOOST_TEST(std::abs(*approach.number() - solution.approach(c.datum)) <=
-               approach.uncertainty()->bound + of_graded_grid * *approach.number());
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

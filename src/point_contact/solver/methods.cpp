@@ -98,9 +98,8 @@ MatrixXd influence_matrix(const Problem& problem) {
   return matrix;
 }
 
-// Where there is no body the distance may be infinite, but the methods compute with it.
 Equations equations_of(const VectorXd& gaps, double total) {
-  return {gaps.cwiseMin(largest_length), (gaps.array() < largest_length).cast<double>(), total};
+  return {gaps, total};
 }
 
 Solution solution_of(const Problem& problem, double load, const VectorXd& gaps,

@@ -6,7 +6,6 @@
 
 #include "contact/solution.hpp"
 #include "elasticity/material.hpp"
-#include "numerics/unstructured_grid.hpp"
 #include "point_contact/elements/interior.hpp"
 #include "point_contact/solver/problem.hpp"
 
@@ -70,11 +69,6 @@ struct Region {
 /// The regions in contact, those that carry most first. Neighbours of a node are the six at
 /// ±first, ±second and ±(second − first), the corners of a pyramid's hexagon.
 std::vector<Region> regions(const Solution& solution);
-
-/// A solution as ParaView can show it: the nodes at z = 0; triangles between them for pyramids and
-/// staggered rows, else quadrilaterals; fields `pressure` and `gap`, and `shear` if there is one at
-/// every node.
-numerics::UnstructuredGrid node_grid(const Solution& solution, const Eigen::VectorXd& shear = {});
 
 /// The displacements and stresses in the body beneath, of this material, at a depth z > 0 or
 /// InvalidQuantity is thrown: the sum of interior_field() over what the elements' pressure is made
