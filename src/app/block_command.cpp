@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/bodies.hpp"
+#include "app/commands.hpp"
 #include "app/loads.hpp"
 #include "app/output.hpp"
-#include "app/program.hpp"
 #include "block/analysis.hpp"
 #include "block/measures.hpp"
 #include "block/rectangle.hpp"
@@ -22,7 +22,7 @@ using parameters::HalfSpaceCase;
 struct BlockOptions {
   CLI::App& command;
   LoadFlags load{command, "--shape,--load", Shapes::without_input};
-  MaterialFlags material{command, "", "", " [210 GPa and 0.3, steel]"};
+  MaterialFlags material{command};
   Flag width{command, "--width", "LENGTH", "Block", "Width; the load is in the middle of the top"};
   Flag height{command, "--height", "LENGTH", "Block", "Height"};
   Flag sides{command, "--sides", "clamped|roller|free", "Block",
@@ -45,9 +45,8 @@ std::string unit_of(const std::string& measure, const config::UnitSystem& units)
 // The value with as many digits as its error leaves.
 std::string earned(const numerics::Estimate& estimate) {
   constexpr int most = 10;
-  if (estimate.value == 0) return "0";
   const int digits = earned_digits(estimate.abs_error / std::abs(estimate.value), most);
-  return fmt::format("{:.{}e}", estimate.value, digits - 1);
+  return fmt::format("{:.{}g}", estimate.value, digits);
 }
 
 void add_measures(Result& result, const std::vector<block::MeasureEstimate>& measures,
@@ -62,7 +61,7 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
     values.numbers.push_back(estimate.value + 0.0);
     values.cells.push_back(earned(estimate));
     errors.numbers.push_back(estimate.abs_error);
-    errors.cells.push_back(fmt::format("{:.1e}", estimate.abs_error));
+    errors.cells.push_back(fmt::format("{:.2g}", estimate.abs_error));
     of_units.cells.push_back(unit);
     result.details["measures"][name] = {
         {"value", values.numbers.back()}, {"abs_error", estimate.abs_error}, {"unit", unit}};
@@ -78,9 +77,8 @@ ExitCode run(const BlockOptions& options) {
   if (given.file) half_space = given.file->half_space();
   if (given.file) from_case = given.file->block();
   Result result{.table_in_json = InJson::nothing};
-  const elasticity::Material material =
-      material_of(options.material, options.material, of_case(half_space, &HalfSpaceCase::material),
-                  units.stress, result.notes);
+  const Material material = read_material(
+      options.material, of_case(half_space, &HalfSpaceCase::material), units.stress, result.notes);
   const ChosenLoad load = options.load.read(of_case(half_space, &HalfSpaceCase::load), units);
   const auto rectangle_of_case = of_case(from_case, &BlockCase::rectangle);
   const auto size_of_case = [&](double (block::Rectangle::*size)() const) {
@@ -106,7 +104,7 @@ ExitCode run(const BlockOptions& options) {
   const block::Analysis analysis(rectangle, material, {load.load}, discretization);
   const block::SupportedBlock supported = analysis.on(block::with_sides(sides));
   const block::RefinedSolution solution = supported.solve(load.load);
-  const auto measures = solution.measures(points);
+  const auto measures = solution.measures({.surface_points = points});
   result.details = {{"order", discretization.order},
                     {"elements", analysis.fine()->mesh().n_elements()},
                     {"unknowns", supported.fine().n_unknowns()},

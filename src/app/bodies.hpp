@@ -1,38 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bodies that are loaded or pressed together: their materials, their radii, and what is said of
-// any contact between them.
+// The bodies that are loaded or pressed together: their materials and their radii.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/flags.hpp"
 #include "elasticity/material.hpp"
 #include "line_contact/cylinders.hpp"
+#include "parameters/case.hpp"
+#include "system/require.hpp"
 
 namespace app {
 
-using MaterialOfCase = std::optional<elasticity::Material>;
+using elasticity::Material;
 
-/// The flags --young and --poisson.
+/// The flags --young and --poisson, of one body or of both.
 struct MaterialFlags {
   CLI::App& command;
-  std::string number = "";     ///< 1 or 2 for one of two bodies
-  std::string which = "";      ///< body that is, in the help
-  std::string otherwise = "";  ///< what holds without them, in the help
+  std::string number = "";  ///< behind the flags' names
+  std::string which = "";   ///< body it is, in the help
+  std::string otherwise = " [210 GPa and 0.3, steel, or the case's]";
   Flag young{command, "--young" + number, "STRESS", "Bodies",
              "Young's modulus" + which + otherwise};
   Flag poisson{command, "--poisson" + number, "NUMBER", "Bodies", "Poisson's ratio" + which};
+
+  /// The flags override the case, and those of one body override those of both. None without
+  /// either. Throws sys::InputError for a value out of range, and where one of the two is missing.
+  std::optional<Material> read(const std::optional<Material>& from_case, const std::string& unit,
+                               const MaterialFlags* of_both = nullptr) const;
 };
 
-/// The material that the flags give, or else the case, or else steel. Where both bodies have flags
-/// in common, `of_both` has them, and those of the body override them. Throws sys::InputError for
-/// values out of range, and where one of the two numbers is missing. Steel adds a note.
-elasticity::Material material_of(const MaterialFlags& own, const MaterialFlags& of_both,
-                                 const MaterialOfCase& from_case, const std::string& unit,
-                                 std::vector<std::string>& notes);
+/// The same for a body that is of steel where nothing is said, which adds a note.
+Material read_material(const MaterialFlags& flags, const std::optional<Material>& from_case,
+                       const std::string& unit, std::vector<std::string>& notes);
+
+/// The materials of two bodies.
+struct PairOfMaterials {
+  CLI::App& command;
+  MaterialFlags both{command, "", " of both bodies"};
+  MaterialFlags body1{command, "1", " of body 1 alone", ""};
+  MaterialFlags body2{command, "2", " of body 2 alone", ""};
+
+  std::pair<Material, Material> read(const std::optional<parameters::ContactCase>& from_case,
+                                     const std::string& unit,
+                                     std::vector<std::string>& notes) const;
+};
 
 /// The radius that a flag gives: a length other than 0, negative for a hollow, or "plane".
 std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit);
@@ -55,19 +70,6 @@ auto naming(const std::vector<const Flag*>& flags, const Solve& solve) {
     }
     throw;
   }
-}
-
-/// Adds a line for each region in contact if there are several, the first ten of them.
-template <class Region, class OfRegion>
-void add_regions(std::vector<std::string>& notes, const std::vector<Region>& regions,
-                 const OfRegion& of_region) {
-  constexpr std::size_t most_shown = 10;
-  if (regions.size() < 2) return;
-  notes.push_back(std::to_string(regions.size()) + " regions in contact");
-  for (std::size_t i = 0; i < regions.size() && i < most_shown; ++i) {
-    notes.push_back("  " + of_region(regions[i]));
-  }
-  if (regions.size() > most_shown) notes.push_back("  and others, each with less");
 }
 
 }  // namespace app

@@ -18,7 +18,7 @@ namespace app {
 
 /// A contact, as command line and case describe it, and its solution.
 struct SolvedContact {
-  elasticity::Material material1, material2;
+  Material material1, material2;
   line_contact::Solution solution;
   std::string method;
   std::optional<double> datum;
@@ -40,15 +40,13 @@ struct ContactFlags {
   Flag radius1{command, "--radius1", "LENGTH", "Bodies",
                "Radius of body 1, a cylinder; 'plane' for a plane, negative for a hollow"};
   Flag radius2{command, "--radius2", "LENGTH", "Bodies", "Radius of body 2 [plane]"};
-  MaterialFlags both{command, "", " of both bodies", " [210 GPa and 0.3, steel]"};
-  MaterialFlags body1{command, "1", " of body 1 alone"};
-  MaterialFlags body2{command, "2", " of body 2 alone"};
+  PairOfMaterials materials{command};
   Flag profile{command, "--profile", "cylinder|file:PATH", "Bodies",
                "Gap between the bodies before they are loaded: that of cylinders, or measured: a "
                "CSV file with the columns x,gap [cylinder]"};
   Flag nodes{command, "--nodes", "COUNT", "Solution", "Number of nodes [401, or the case's]"};
   Flag domain{command, "--domain", "LENGTH", "Solution",
-              "Width that the nodes fill [the contact and a fifth more, or the file's]"};
+              "Width that the nodes fill [the contact and a tenth more, or the file's]"};
   Flag element{command, "--element", "triangular|uniform|point", "Solution",
                "Pressure about a node: a triangle, a strip or a force [triangular]"};
   Flag method{command, "--method", "matrix-inversion|variational|fft", "Solution",
@@ -62,11 +60,6 @@ struct ContactFlags {
   /// Solves the contact; flags override the case. Throws sys::InputError for what is missing,
   /// wrong, or has no meaning for the profile, and what the methods throw.
   SolvedContact solve(const Given& given) const;
-
- private:
-  line_contact::Grid grid_of(const line_contact::Profile& profile,
-                             const std::optional<line_contact::Hertz>& hertz, long n_nodes,
-                             const config::UnitSystem& units) const;
 };
 
 }  // namespace app

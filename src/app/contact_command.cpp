@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/commands.hpp"
 #include "app/contact.hpp"
-#include "app/program.hpp"
-#include "contact/resolution.hpp"
+#include "contact/limits.hpp"
 #include "line_contact/element.hpp"
 
 namespace app {
@@ -26,6 +26,11 @@ std::vector<Quantity> quantities_of(const SolvedContact& solved, const config::U
       {"load", "load", units.line_load, s.line_load()}};
   if (solved.datum) {
     quantities.push_back({"approach", "approach", units.length, s.approach(*solved.datum)});
+  }
+  constexpr int most = 7;
+  for (Quantity& quantity : quantities) {
+    if (quantity.key == "load") continue;
+    quantity.digits = earned_digits(contact::relative_error(s.resolution()), most);
   }
   if (!solved.hertz) return quantities;
   quantities[0].exact = solved.hertz->half_width();
@@ -59,12 +64,13 @@ Json details_of(const ContactFlags& flags, const SolvedContact& solved) {
   return details;
 }
 
-Table nodes_of(const SolvedContact& solved) {
+// JSON leaves Hertz's pressure to two numbers.
+Table nodes_of(const SolvedContact& solved, bool is_csv) {
   const line_contact::Solution& s = solved.solution;
   const Eigen::VectorXd x = s.grid.nodes();
   Table table = {{.key = "x", .numbers = to_vector(x)},
                  {.key = "pressure", .numbers = to_vector(s.pressure)}};
-  if (solved.hertz) {
+  if (solved.hertz && is_csv) {
     const auto hertz = x.unaryExpr([&](double at) { return solved.hertz->pressure(at); });
     table.push_back({.key = "hertz_pressure", .numbers = to_vector(hertz)});
   }
@@ -75,10 +81,8 @@ Table nodes_of(const SolvedContact& solved) {
 void add_notes(std::vector<std::string>& notes, const SolvedContact& solved,
                const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
-  add_regions(notes, s.regions(), [&](const line_contact::Region& region) {
-    return fmt::format("from {:.6g} to {:.6g} {}, {:.6g} {}", region.begin, region.end,
-                       units.length, region.load, units.line_load);
-  });
+  const auto regions = s.regions();
+  if (regions.size() > 1) notes.push_back(fmt::format("{} regions in contact", regions.size()));
   if (solved.datum) {
     notes.push_back(
         fmt::format("approach of points at x = {} {}", rounded(*solved.datum), units.length));
@@ -114,10 +118,9 @@ ExitCode run(const ContactOptions& options) {
   const config::UnitSystem& units = given.units;
   const SolvedContact solved = options.contact.solve(given);
   Result result{.quantities = quantities_of(solved, units),
-                .rel_error = contact::discretisation_error(solved.solution.nodes_across()),
                 .is_hertz = solved.hertz.has_value(),
                 .details = details_of(options.contact, solved),
-                .table = nodes_of(solved),
+                .table = nodes_of(solved, options.output.is_csv()),
                 .units = {{"half_width", units.length},
                           {"peak_pressure", units.stress},
                           {"load", units.line_load},
@@ -147,7 +150,8 @@ void add_contact_command(CLI::App& program, ExitCode& exit_code) {
          "halfspace contact --units in-lbf --radius1 1 --radius2 -1.1 --load 2500 \\\n"
          "      --young1 30e6 --poisson1 0.3 --young2 16e6 --poisson2 0.34 --datum 1"},
         {"A measured profile on a million nodes, all pressures as CSV:",
-         "halfspace contact --profile file:gap.csv --load 50N/mm --nodes 1e6 --format csv"}}},
+         "halfspace contact --profile file:gap.csv --load 50N/mm --nodes 1e6 \\\n"
+         "      --format csv"}}},
       exit_code, run);
 }
 

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "app/bodies.hpp"
+#include "app/commands.hpp"
 #include "app/loads.hpp"
 #include "app/output.hpp"
-#include "app/program.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "system/error.hpp"
 
@@ -21,7 +21,7 @@ using HalfSpace = std::optional<parameters::HalfSpaceCase>;
 struct DisplacementOptions {
   CLI::App& command;
   LoadFlags load{command, "--shape", Shapes::any};
-  MaterialFlags material{command, "", "", " [210 GPa and 0.3, steel]"};
+  MaterialFlags material{command};
   Flag x{
       command, "--x", "LENGTH", "Points",
       "Points on the surface: a list 0,0.5,2 or a range BEGIN:END:STEP [21 points over twice the "
@@ -83,14 +83,6 @@ Numbers numbers_of(const Function& function, const std::vector<double>& points) 
   return numbers;
 }
 
-double greatest(const std::vector<double>& numbers) {
-  double greatest = 0;
-  for (const double number : numbers) {
-    if (std::isfinite(number)) greatest = std::max(greatest, std::abs(number));
-  }
-  return greatest;
-}
-
 // Whether quadrature and closed form agree within the error and four roundings.
 bool agrees(const Numbers& numbers, std::size_t i) {
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
@@ -100,23 +92,20 @@ bool agrees(const Numbers& numbers, std::size_t i) {
 }
 
 void add_columns(Table& table, const Function& function, const Numbers& numbers) {
-  constexpr int most = 9;
-  const int digits =
-      earned_digits(greatest(numbers.abs_error) / greatest(numbers.quadrature), most);
+  constexpr int most = 9, of_error = 2;
+  const double largest = greatest(numbers.quadrature), error = greatest(numbers.abs_error);
+  const int digits = earned_digits(error / largest, most);
   const auto add = [&](const char* name, const char* head, const std::vector<double>& column) {
     table.push_back(aligned_column(function.key + name, {function.symbol, head}, function.unit,
-                                   column, digits));
+                                   column, largest, digits));
     table.back().may_be_infinite = true;
   };
   add("_quadrature", "quadrature", numbers.quadrature);
-  if (function.closed_form) {
-    table.push_back({.key = function.key + "_abs_error", .numbers = numbers.abs_error});
-    add("_closed_form", "closed form", numbers.closed_form);
-  } else {
-    constexpr int digits_of_error = 2;
-    table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
-                                   numbers.abs_error, digits_of_error));
-  }
+  table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
+                                 numbers.abs_error, error, of_error));
+  if (!function.closed_form) return;
+  table.back().heads.clear();  // people read the closed form in its place
+  add("_closed_form", "closed form", numbers.closed_form);
 }
 
 void add_notes(Result& result, const ChosenLoad& load, const Numbers& gradient,
@@ -141,9 +130,9 @@ ExitCode run(const DisplacementOptions& options) {
   HalfSpace from_case;
   if (given.file) from_case = given.file->half_space();
   Result result{.table_in_json = InJson::rows};
-  const elasticity::Material material = material_of(
-      options.material, options.material, of_case(from_case, &parameters::HalfSpaceCase::material),
-      units.stress, result.notes);
+  const Material material =
+      read_material(options.material, of_case(from_case, &parameters::HalfSpaceCase::material),
+                    units.stress, result.notes);
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), units);
   const bool is_tangential =

@@ -146,13 +146,22 @@ std::optional<long> Flag::count(long least, long most) const {
 
 std::vector<double> read(const std::vector<Needed>& all) {
   std::vector<double> numbers;
-  std::vector<std::string> missing;
+  std::vector<const Flag*> needed_flags;
   for (const Needed& needed : all) {
     const auto given = needed.flag.positive(needed.unit);
-    if (!given && !needed.from_case) missing.push_back(needed.flag.name());
+    if (!needed.from_case) needed_flags.push_back(&needed.flag);
     numbers.push_back(given ? *given : needed.from_case.value_or(0));
   }
-  if (missing.empty()) return numbers;
+  require_given(needed_flags);
+  return numbers;
+}
+
+void require_given(const std::vector<const Flag*>& flags) {
+  std::vector<std::string> missing;
+  for (const Flag* flag : flags) {
+    if (!flag->is_given()) missing.push_back(flag->name());
+  }
+  if (missing.empty()) return;
   throw sys::InputError(listed(missing, "and") + (missing.size() == 1 ? " is" : " are") +
                         " missing");
 }

@@ -77,6 +77,9 @@ struct Needed {
 /// These quantities, all greater than 0. Throws sys::InputError naming all that are missing.
 std::vector<double> read(const std::vector<Needed>& all);
 
+/// Throws sys::InputError naming all of the flags that are missing.
+void require_given(const std::vector<const Flag*>& flags);
+
 /// Throws sys::InputError "--radius1 has no meaning for --profile file:gap.csv" if one of the flags
 /// was given.
 void refuse_given(const std::vector<const Flag*>& flags, const std::string& choice);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,14 +55,5 @@ struct LoadFlags {
   Flag shape, peak_pressure, half_width;
   std::optional<Flag> line_load;  ///< if a concentrated force is among the shapes
 };
-
-/// The function of x that a formula spells, such as p0*(1-(x/a)^4): muParser's operators and
-/// functions (sin, sqrt, abs, exp, ln, min, …), pi, and these constants. The function throws
-/// sys::InputError naming x where the formula has no finite value.
-///
-/// Throws sys::InputError naming the column of the formula where it is wrong. The decimal sign is a
-/// point in every locale.
-std::function<double(double)> parse_expression(const std::string& formula,
-                                               const std::map<std::string, double>& constants);
 
 }  // namespace app

@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all commands share: the case and the system of units that numbers are in, and how to print.
+// What all commands share: the case and the units that numbers are read in, and how the result is
+// printed and drawn.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/flags.hpp"
-#include "app/plot.hpp"
 #include "app/result.hpp"
 #include "command_line/exit_codes.hpp"
 #include "config/units.hpp"
 #include "parameters/case.hpp"
 
 namespace app {
+
+/// A curve of a picture. Both columns have the same length; NaN breaks the curve.
+struct Curve {
+  std::string title;
+  bool is_line;  ///< else a point at each pair
+  std::vector<double> x, y;
+};
+
+/// Curves and the labels of the axes, with their units.
+struct Picture {
+  std::string x_label, y_label;
+  std::vector<Curve> curves;
+};
+
+/// A line through the values of a function at 401 places from begin to end.
+Curve line(const std::string& title, double begin, double end,
+           const std::function<double(double)>& value);
 
 /// What the numbers of a command line are read with.
 struct Given {
@@ -45,9 +63,5 @@ class Output {
 
 /// Throws sys::InputError naming the flag unless the folder of its file exists.
 void require_folder_of(const Flag& flag);
-
-/// A line through the values of a function at 401 places from begin to end.
-Curve line(const std::string& title, double begin, double end,
-           const std::function<double(double)>& value);
 
 }  // namespace app

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "app/bodies.hpp"
+#include "app/commands.hpp"
 #include "app/csv_files.hpp"
 #include "app/output.hpp"
-#include "app/program.hpp"
 #include "command_line/stage.hpp"
-#include "contact/resolution.hpp"
+#include "contact/limits.hpp"
 #include "point_contact/bodies/profile.hpp"
 #include "point_contact/closed_forms/hertz_elliptic.hpp"
 #include "point_contact/solver/methods.hpp"
@@ -43,9 +43,7 @@ struct PointContactOptions {
   RadiusFlags radius1{command, "1",
                       "Radius of body 1, a sphere; 'plane' for a plane, negative for a hollow"};
   RadiusFlags radius2{command, "2", "Radius of body 2 [plane]"};
-  MaterialFlags both{command, "", " of both bodies", " [210 GPa and 0.3, steel]"};
-  MaterialFlags body1{command, "1", " of body 1 alone"};
-  MaterialFlags body2{command, "2", " of body 2 alone"};
+  PairOfMaterials materials{command};
   Flag profile{command, "--profile", "sphere|file:PATH|heights:PATH", "Bodies",
                "Gap between the bodies before they are loaded: by their radii, or measured: a CSV "
                "grid of gaps, or of heights of a surface, one line for each y [sphere]"};
@@ -222,10 +220,8 @@ Table nodes_of(const point_contact::Solution& s) {
 
 void add_notes(std::vector<std::string>& notes, const PointContactOptions& options,
                const point_contact::Solution& s, const UnitSystem& units) {
-  add_regions(notes, point_contact::regions(s), [&](const point_contact::Region& region) {
-    return fmt::format("{:.6g} {} about ({:.4g}, {:.4g}) {}, {} nodes", region.load, units.force,
-                       region.centre.x(), region.centre.y(), units.length, region.n_nodes);
-  });
+  const auto regions = point_contact::regions(s);
+  if (regions.size() > 1) notes.push_back(fmt::format("{} regions in contact", regions.size()));
   notes.push_back(fmt::format("{} of {} x {} nodes in contact, {:.4g} {} apart; {} elements, {}",
                               s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.spacing, units.length,
                               point_contact::name_of(s.element), options.method.text_or("fft")));
@@ -260,20 +256,14 @@ ExitCode run(const PointContactOptions& options) {
   if (options.field.is_given()) require_folder_of(options.field);
   std::optional<ContactCase> from_case;
   if (given.file) from_case = given.file->contact();
-  const auto material_of_case = [&](parameters::CylinderCase ContactCase::*body) {
-    return of_case(of_case(from_case, body), &parameters::CylinderCase::material);
-  };
   Result result{.table_in_json = InJson::nothing,
                 .units = {{"half_widths", units.length},
                           {"peak_pressure", units.stress},
                           {"approach", units.length},
                           {"load", units.force},
                           {"contact_area", units.length + "^2"}}};
-  const double modulus = elasticity::contact_modulus(
-      material_of(options.body1, options.both, material_of_case(&ContactCase::body1), units.stress,
-                  result.notes),
-      material_of(options.body2, options.both, material_of_case(&ContactCase::body2), units.stress,
-                  result.notes));
+  const auto [material1, material2] = options.materials.read(from_case, units.stress, result.notes);
+  const double modulus = elasticity::contact_modulus(material1, material2);
   const double load = read({{options.load, units.force}})[0];
   const Bodies bodies = bodies_of(options, from_case, modulus, load, units);
   const point_contact::Problem problem{
@@ -292,11 +282,11 @@ ExitCode run(const PointContactOptions& options) {
       });
   const double seconds = stopwatch.seconds();
   result.quantities = quantities_of(bodies, s, load, units);
-  result.rel_error = contact::discretisation_error(s.nodes_across());
+  result.rel_error = contact::relative_error(s.resolution());
   result.is_hertz = bodies.hertz.has_value();
   result.details = details_of(options, s, seconds);
   result.warnings = half_space_warnings(result.quantities[0].value, bodies.least_radius);
-  const std::string coarse = contact::resolution_warning(s.nodes_across());
+  const std::string coarse = contact::resolution_warning(s.resolution());
   if (!coarse.empty()) result.warnings.push_back(coarse);
   add_notes(result.notes, options, s, units);
   if (options.output.is_csv() || options.field.is_given()) result.table = nodes_of(s);

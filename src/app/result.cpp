@@ -68,27 +68,18 @@ std::size_t n_rows_of(const Table& table) {
   return n;
 }
 
-// A number with all of its significant digits, zeros at the end too.
-std::string significant(double number, int digits) {
-  std::string text = fmt::format("{:#.{}g}", number, digits);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
-}
-
 Table table_of(const Result& result) {
-  constexpr int most = 9;
-  const int digits = earned_digits(result.rel_error, most);
   Column labels{.key = "", .heads = {""}};
   Column values{.key = "", .heads = {"elements"}, .numbers = {0}};
   Column exact{.key = "", .heads = {result.is_hertz ? "Hertz" : ""}, .numbers = {0}};
   Column differences{.key = "", .heads = {result.is_hertz ? "difference" : ""}, .numbers = {0}};
   for (const Quantity& quantity : result.quantities) {
     labels.cells.push_back(fmt::format("{} ({})", quantity.label, quantity.unit));
-    values.cells.push_back(significant(quantity.value, digits));
+    values.cells.push_back(fmt::format("{:.{}g}", quantity.value, quantity.digits));
     exact.cells.emplace_back();
     differences.cells.emplace_back();
     if (!quantity.exact) continue;
-    exact.cells.back() = significant(*quantity.exact, digits);
+    exact.cells.back() = fmt::format("{:.7g}", *quantity.exact);
     differences.cells.back() =
         fmt::format("{:.1g} %", 100 * std::abs(quantity.value / *quantity.exact - 1));
   }
@@ -140,11 +131,8 @@ Json rows_of(const Result& result) {
 }  // namespace
 
 Column aligned_column(const std::string& key, const std::vector<std::string>& heads,
-                      const std::string& unit, std::vector<double> numbers, int digits) {
-  double largest = 0;
-  for (const double number : numbers) {
-    if (std::isfinite(number)) largest = std::max(largest, std::abs(number));
-  }
+                      const std::string& unit, std::vector<double> numbers, double largest,
+                      int digits) {
   const int place = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
   constexpr int least_place = -2, greatest_place = 5;
   const bool is_scaled = place < least_place || place > greatest_place;
@@ -152,17 +140,26 @@ Column aligned_column(const std::string& key, const std::vector<std::string>& he
   const double factor = std::pow(10.0, -exponent);
   const int n_decimals = std::max(0, digits - 1 - (place - exponent));
 
-  Column column{.key = key, .heads = heads, .numbers = std::move(numbers)};
   const std::string power = is_scaled ? fmt::format("1e{}", exponent) : "";
-  const std::string between = is_scaled && unit != "1" ? " " : "";
-  column.heads.push_back("[" + power + between + (is_scaled && unit == "1" ? "" : unit) + "]");
+  const bool is_alone = is_scaled && unit == "1";
+  Column column{.key = key, .heads = heads, .numbers = std::move(numbers)};
+  column.heads.push_back("[" + power + (is_alone ? "" : is_scaled ? " " + unit : unit) + "]");
   for (const double number : column.numbers) {
-    column.cells.push_back(std::isnan(number) ? "no limit"
-                           : std::isinf(number)
-                               ? (number < 0 ? "-infinite" : "infinite")
-                               : fmt::format("{:.{}f}", number * factor, n_decimals));
+    std::string cell = fmt::format("{:.{}f}", number * factor, n_decimals);
+    if (cell.find_first_of("123456789") == std::string::npos && cell[0] == '-') cell.erase(0, 1);
+    if (std::isinf(number)) cell = number < 0 ? "-infinite" : "infinite";
+    if (std::isnan(number)) cell = "no limit";
+    column.cells.push_back(cell);
   }
   return column;
+}
+
+double greatest(const std::vector<double>& numbers) {
+  double greatest = 0;
+  for (const double number : numbers) {
+    if (std::isfinite(number)) greatest = std::max(greatest, std::abs(number));
+  }
+  return greatest;
 }
 
 Column column_of_places(const std::string& key, const std::string& unit,
@@ -235,25 +232,31 @@ std::string json_of(const Result& result) {
   std::string text;
   if (result.table_in_json == InJson::rows) {
     append_json(text, rows_of(result), "");
-    return text + '\n';
+    text += '\n';
+    return text;
   }
   Json json, hertz;
-  for (const Quantity& quantity : result.quantities) add(json, quantity.key, quantity.value);
   for (const Quantity& quantity : result.quantities) {
+    add(json, quantity.key, quantity.value);
     if (quantity.exact) add(hertz, quantity.key, *quantity.exact);
   }
   if (result.is_hertz) json["hertz"] = hertz;
   json.update(result.details);
   json["units"] = result.units;
   append_json(text, json, "");
-  text.resize(text.size() - 2);
-  // Columns may be long, so they do not pass through a tree of values.
-  for (const Column& column : result.table) {
-    if (column.key.empty() || result.table_in_json == InJson::nothing) continue;
-    text += fmt::format(",\n  \"{}\": ", column.key);
-    append_json(text, column.numbers);
+  if (result.table_in_json == InJson::columns) {
+    // Columns may be long, so they do not pass through a tree of values.
+    constexpr std::size_t usual_number = 22;
+    text.resize(text.size() - 2);
+    text.reserve(text.size() + usual_number * result.table.size() * n_rows_of(result.table));
+    for (const Column& column : result.table) {
+      text += fmt::format(",\n  \"{}\": ", column.key);
+      append_json(text, column.numbers);
+    }
+    text += "\n}";
   }
-  return text + "\n}\n";
+  text += '\n';
+  return text;
 }
 
 std::vector<double> to_vector(const Eigen::VectorXd& numbers) {

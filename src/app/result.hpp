@@ -31,6 +31,7 @@ struct Quantity {
   std::string unit;
   double value;
   std::optional<double> exact = std::nullopt;
+  int digits = 7;  ///< significant ones, for people
 };
 
 /// What JSON has of a table: an array for each column, an array of rows and nothing else, or
@@ -39,21 +40,24 @@ enum class InJson { columns, rows, nothing };
 
 struct Result {
   std::vector<Quantity> quantities = {};
-  double rel_error = 1e-9;  ///< of the quantities, whose digits for people follow from it
-  bool is_hertz = false;    ///< whether the closed forms are Hertz's
-  Json details = {};        ///< what else JSON has
-  Table table = {};         ///< the CSV, and for people the columns with heads
+  bool is_hertz = false;  ///< whether the closed forms are Hertz's
+  Json details = {};      ///< what else JSON has
+  Table table = {};       ///< the CSV, and for people the columns with heads
   InJson table_in_json = InJson::columns;
   Json units = {};                      ///< in JSON: of keys, or of kinds of keys
   std::vector<std::string> notes = {};  ///< lines below what people read
   std::vector<std::string> warnings = {};
 };
 
-/// A column that people read too, aligned, with as many decimals as give its largest number this
-/// many significant digits. A column of large or small numbers is divided by a power of ten that
-/// stands before its unit. Infinite is "infinite", NaN "no limit".
+/// A column that people read too, aligned, with as many decimals as give `largest` this many
+/// significant digits. If that is large or small, all numbers are divided by a power of ten that
+/// stands before the unit. Infinite is "infinite", NaN "no limit".
 Column aligned_column(const std::string& key, const std::vector<std::string>& heads,
-                      const std::string& unit, std::vector<double> numbers, int digits);
+                      const std::string& unit, std::vector<double> numbers, double largest,
+                      int digits);
+
+/// The greatest magnitude among the finite numbers.
+double greatest(const std::vector<double>& numbers);
 
 /// A column of places, with the shortest digits of each, ten at most.
 Column column_of_places(const std::string& key, const std::string& unit,

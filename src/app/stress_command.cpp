@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "app/commands.hpp"
 #include "app/contact.hpp"
 #include "app/loads.hpp"
-#include "app/program.hpp"
 #include "elasticity/stress_beneath.hpp"
-#include "line_contact/element_field.hpp"
 #include "system/error.hpp"
 
 namespace app {
@@ -33,7 +32,7 @@ struct Pressed {
   std::function<Stress(double, double)> stress, mcewen;  // McEwen's for cylinders alone
   double half_width;
   double peak_pressure;
-  elasticity::Material material;
+  Material material;
   std::vector<std::string> notes = {}, warnings = {};
 };
 
@@ -45,9 +44,9 @@ Pressed pressed_by_load(const StressOptions& options, const Given& given) {
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), given.units);
   std::vector<std::string> notes;
-  const elasticity::Material material = material_of(
-      options.contact.both, options.contact.both,
-      of_case(from_case, &parameters::HalfSpaceCase::material), given.units.stress, notes);
+  const Material material = read_material(options.contact.materials.both,
+                                          of_case(from_case, &parameters::HalfSpaceCase::material),
+                                          given.units.stress, notes);
   const auto [least, greatest] = std::ranges::minmax(load.pressure);
   const auto stress = [load](double x, double z) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -92,7 +91,10 @@ std::vector<Point> points_of(const StressOptions& options, const Pressed& presse
   constexpr int n = 20;
   std::vector<double> x = options.x.quantities(length), z = options.z.quantities(length);
   if (x.empty()) x = {0};
-  if (z.empty()) z = evenly_spaced(0, 2 * pressed.half_width / n, n + 1);
+  if (z.empty()) {
+    const double step = parse_number("", fmt::format("{:.1e}", 2 * pressed.half_width / n));
+    z = evenly_spaced(0, step, n + 1);
+  }
   std::vector<Point> points;
   for (const double depth : z) {
     if (!(depth >= 0)) options.z.refuse("depths must be 0 or greater");
@@ -119,7 +121,7 @@ Table table_of(const std::vector<Point>& points, const Pressed& pressed,
     constexpr int digits = 6;
     table.push_back(aligned_column(key, {head, second}, units.stress,
                                    column([&](const Point& p) { return of_stress(p.stress); }),
-                                   digits));
+                                   pressed.peak_pressure, digits));
     table.back().may_be_infinite = true;
   };
   add("stress_xx", "stress", "xx", [](const Stress& s) { return s.xx; });
@@ -200,9 +202,11 @@ void add_stress_command(CLI::App& program, ExitCode& exit_code) {
        {{"On the axis beneath a steel cylinder on a plane, to twice the half-width, drawn:",
          "halfspace stress --radius1 10 --load 100 --plot -"},
         {"Beneath a strip load of 100 MPa on |x| <= 1 mm:",
-         "halfspace stress --shape uniform --peak-pressure 100 --half-width 1 --z 0:3:0.25"},
+         "halfspace stress --shape uniform --peak-pressure 100 --half-width 1 \\\n"
+         "      --z 0:3:0.25"},
         {"Across the contact at one depth, as JSON:",
-         "halfspace stress --radius1 10 --load 100 --x -0.2:0.2:0.01 --z 0.08 --format json"}}},
+         "halfspace stress --radius1 10 --load 100 --x -0.2:0.2:0.01 --z 0.08 \\\n"
+         "      --format json"}}},
       exit_code, run);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program around its commands: what the command line names is run, what is wrong is one line.
+// The commands of the program, and how they are added to it.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ struct Example {
 /// What the help says of a command besides its flags.
 struct CommandText {
   std::string name;
-  std::string description;  ///< the first sentence stands in the list of commands
+  std::string description;  ///< its first sentence is in the list of commands
   std::vector<Example> examples;
 };
 
@@ -50,15 +50,5 @@ void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_point_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_stress_command(CLI::App& program, ExitCode& exit_code);
 void add_block_command(CLI::App& program, ExitCode& exit_code);
-
-/// The program with all of its commands.
-std::unique_ptr<CLI::App> make_program(ExitCode& exit_code);
-
-/// Runs the command that the words name and returns the exit code for the shell. A wrong command
-/// line and output that cannot be written are bad input.
-int run_program(int argc, char** argv);
-
-/// The help of the program or of one of its commands, 80 columns wide.
-std::string help_of(const CLI::App& command, const std::string& full_name);
 
 }  // namespace app
