@@ -11,7 +11,7 @@
 namespace contact {
 namespace {
 
-// With so many nodes across, errors of second order are below a per cent.
+// With so many nodes across, errors of second order are below half a per cent.
 constexpr double enough_across = 20;
 
 }  // namespace
@@ -31,7 +31,7 @@ void require_resolved(const Resolution& resolution) {
   const double finer = enough_across / std::max(resolution.n_across, 1.0);
   throw sys::InvalidQuantity(
       "number of nodes in contact", static_cast<double>(resolution.n_in_contact),
-      fmt::format("{} or more: take at least {:.2g} nodes in place of {}, or a domain of {:.2g} or "
+      fmt::format("{} or more: take at least {:.0f} nodes in place of {}, or a domain of {:.2g} or "
                   "less",
                   least_nodes_in_contact, finer * static_cast<double>(resolution.n_nodes),
                   resolution.n_nodes, resolution.domain / finer));

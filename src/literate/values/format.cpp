@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "numerics/estimate_algebra.hpp"
+
 namespace literate {
 namespace {
 
