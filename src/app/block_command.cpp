@@ -11,6 +11,7 @@
 #include "block/measures.hpp"
 #include "block/rectangle.hpp"
 #include "command_line/stage.hpp"
+#include "system/error.hpp"
 
 namespace app {
 namespace {
@@ -57,6 +58,7 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
   Column of_units{.key = "unit", .heads = {"unit"}};
   for (const auto& [name, estimate] : measures) {
     const std::string unit = unit_of(name, units);
+    require_finite(name, estimate.value);
     names.cells.push_back(name);
     values.numbers.push_back(estimate.value + 0.0);
     values.cells.push_back(earned(estimate));
@@ -76,9 +78,9 @@ ExitCode run(const BlockOptions& options) {
   std::optional<BlockCase> from_case;
   if (given.file) half_space = given.file->half_space();
   if (given.file) from_case = given.file->block();
-  Result result{.table_in_json = InJson::nothing};
-  const Material material = read_material(
-      options.material, of_case(half_space, &HalfSpaceCase::material), units.stress, result.notes);
+  std::vector<std::string> assumed;
+  const Material material = material_of(
+      {&options.material}, of_case(half_space, &HalfSpaceCase::material), units.stress, assumed);
   const ChosenLoad load = options.load.read(of_case(half_space, &HalfSpaceCase::load), units);
   const auto rectangle_of_case = of_case(from_case, &BlockCase::rectangle);
   const auto size_of_case = [&](double (block::Rectangle::*size)() const) {
@@ -87,6 +89,10 @@ ExitCode run(const BlockOptions& options) {
   const auto sizes =
       read({{options.width, units.length, size_of_case(&block::Rectangle::width)},
             {options.height, units.length, size_of_case(&block::Rectangle::height)}});
+  if (sizes[0] < 2 * load.reach()) {
+    throw sys::InputError(fmt::format("--width = {}: must be at least {} {}, the width of the load",
+                                      rounded(sizes[0]), rounded(2 * load.reach()), units.length));
+  }
   const block::Rectangle rectangle(sizes[0], sizes[1]);
   const Support sides = options.sides.choice_or(
       of_case(from_case, &BlockCase::sides).value_or(Support::clamped),
@@ -105,6 +111,7 @@ ExitCode run(const BlockOptions& options) {
   const block::SupportedBlock supported = analysis.on(block::with_sides(sides));
   const block::RefinedSolution solution = supported.solve(load.load);
   const auto measures = solution.measures({.surface_points = points});
+  Result result{.table_in_json = InJson::nothing, .notes = note_of(assumed)};
   result.details = {{"order", discretization.order},
                     {"elements", analysis.fine()->mesh().n_elements()},
                     {"unknowns", supported.fine().n_unknowns()},
@@ -123,22 +130,21 @@ ExitCode run(const BlockOptions& options) {
 }  // namespace
 
 void add_block_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<BlockOptions>(
-      program,
-      {"block",
-       "A finite block under a strip load or a triangular load, by finite elements in plane "
-       "strain. "
-       "Displacements, strain energy and the greatest stresses have the names of Ruggiero's "
-       "Appendix 2, and an error each.",
-       {{"A steel block of 50 by 25 mm on a rigid base, 100 MPa on |x| <= 1 mm:",
-         "halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \\\n"
-         "      --half-width 1 --sides free"},
-        {"The same on rollers, with displacements at points of the top, drawn in the terminal:",
-         "halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \\\n"
-         "      --half-width 1 --sides roller --x 0:10:1 --plot -"},
-        {"The block of a case file, for programs:",
-         "halfspace block --case report/ruggiero2001.toml --format json"}}},
-      exit_code, run);
+  const CommandText text{
+      "block",
+      R"(A finite block under a strip load or a triangular load, by finite elements in plane strain.
+Displacements, strain energy and the greatest stresses have the names of Ruggiero's Appendix 2, and
+an error each.)",
+      R"(  A steel block of 50 by 25 mm on a rigid base, 100 MPa on |x| <= 1 mm:
+    halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
+      --half-width 1 --sides free
+  The same on rollers, with displacements at points of the top, drawn below:
+    halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
+      --half-width 1 --sides roller --x 0:10:1 --plot -
+  The block of a case file, for programs:
+    halfspace block --case report/ruggiero2001.toml --format json
+)"};
+  add_command<BlockOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

@@ -7,57 +7,48 @@
 #include "system/error.hpp"
 
 namespace app {
-namespace {
 
-Material steel(const std::string& which, const std::string& unit, std::vector<std::string>& notes) {
-  const Material steel(config::converted(210, "GPa", unit), 0.3);
-  notes.push_back(fmt::format("steel is assumed{}: E = {} {}, nu = {} (see --young and --poisson)",
-                              which, rounded(steel.young()), unit, steel.poisson()));
-  return steel;
-}
-
-}  // namespace
-
-std::optional<Material> MaterialFlags::read(const std::optional<Material>& from_case,
-                                            const std::string& unit,
-                                            const MaterialFlags* of_both) const {
-  const bool is_own = of_both == nullptr || young.is_given() || poisson.is_given();
-  const Flag& e = young.is_given() || of_both == nullptr ? young : of_both->young;
-  const Flag& nu = poisson.is_given() || of_both == nullptr ? poisson : of_both->poisson;
-  if (!e.is_given() && !nu.is_given()) return from_case;
-  const auto given_e = e.positive(unit), given_nu = nu.quantity("1");
-  if (given_nu && !(*given_nu > -1 && *given_nu < 0.5)) {
-    nu.refuse("must be between -1 and 0.5, both excluded");
+Material material_of(const std::vector<const MaterialFlags*>& flags,
+                     const std::optional<Material>& from_case, const std::string& unit,
+                     std::vector<std::string>& assumed) {
+  std::optional<double> e, nu;
+  for (const MaterialFlags* of : flags) {
+    if (!e) e = of->young.positive(unit);
+    if (nu) continue;
+    nu = of->poisson.quantity("1");
+    if (nu && !(*nu > -1 && *nu < 0.5)) {
+      of->poisson.refuse("must be between -1 and 0.5, both excluded");
+    }
   }
-  if (!from_case)
-    require_given(
-        {is_own && !e.is_given() ? &young : &e, is_own && !nu.is_given() ? &poisson : &nu});
-  return Material(given_e ? *given_e : from_case->young(),
-                  given_nu ? *given_nu : from_case->poisson());
+  if (!e && from_case) e = from_case->young();
+  if (!nu && from_case) nu = from_case->poisson();
+  const std::string& number = flags.front()->number;
+  if (!e) {
+    e = config::converted(210, "GPa", unit);
+    assumed.push_back(fmt::format("E{} = {} {}", number, rounded(*e), unit));
+  }
+  if (!nu) {
+    nu = 0.3;
+    assumed.push_back(fmt::format("nu{} = {}", number, *nu));
+  }
+  return {*e, *nu};
 }
 
-Material read_material(const MaterialFlags& flags, const std::optional<Material>& from_case,
-                       const std::string& unit, std::vector<std::string>& notes) {
-  const auto material = flags.read(from_case, unit);
-  return material ? *material : steel("", unit, notes);
-}
-
-std::pair<Material, Material> PairOfMaterials::read(
+std::pair<Material, Material> PairOfMaterialFlags::read(
     const std::optional<parameters::ContactCase>& from_case, const std::string& unit,
-    std::vector<std::string>& notes) const {
-  const auto read_one = [&](const MaterialFlags& own,
-                            parameters::CylinderCase parameters::ContactCase::*body) {
-    return own.read(of_case(of_case(from_case, body), &parameters::CylinderCase::material), unit,
-                    &both);
+    std::vector<std::string>& assumed) const {
+  const auto of_body = [&](parameters::CylinderCase parameters::ContactCase::*body) {
+    return of_case(of_case(from_case, body), &parameters::CylinderCase::material);
   };
-  const auto first = read_one(body1, &parameters::ContactCase::body1);
-  const auto second = read_one(body2, &parameters::ContactCase::body2);
-  if (!first && !second) {
-    const Material both_of_steel = steel("", unit, notes);
-    return {both_of_steel, both_of_steel};
-  }
-  return {first ? *first : steel(" for body 1", unit, notes),
-          second ? *second : steel(" for body 2", unit, notes)};
+  const Material first =
+      material_of({&body1, &both}, of_body(&parameters::ContactCase::body1), unit, assumed);
+  return {first,
+          material_of({&body2, &both}, of_body(&parameters::ContactCase::body2), unit, assumed)};
+}
+
+std::vector<std::string> note_of(const std::vector<std::string>& assumed) {
+  if (assumed.empty()) return {};
+  return {fmt::format("assumed, as of steel: {}", fmt::join(assumed, ", "))};
 }
 
 std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit) {

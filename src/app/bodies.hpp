@@ -20,34 +20,34 @@ using elasticity::Material;
 /// The flags --young and --poisson, of one body or of both.
 struct MaterialFlags {
   CLI::App& command;
-  std::string number = "";  ///< behind the flags' names
-  std::string which = "";   ///< body it is, in the help
-  std::string otherwise = " [210 GPa and 0.3, steel, or the case's]";
-  Flag young{command, "--young" + number, "STRESS", "Bodies",
-             "Young's modulus" + which + otherwise};
-  Flag poisson{command, "--poisson" + number, "NUMBER", "Bodies", "Poisson's ratio" + which};
-
-  /// The flags override the case, and those of one body override those of both. None without
-  /// either. Throws sys::InputError for a value out of range, and where one of the two is missing.
-  std::optional<Material> read(const std::optional<Material>& from_case, const std::string& unit,
-                               const MaterialFlags* of_both = nullptr) const;
+  std::string number = "";           ///< of the body, behind the flags' names
+  std::string which = " [210 GPa]";  ///< body it is, in the help
+  std::string whose = " [0.3]";
+  Flag young{command, "--young" + number, "STRESS", "Bodies", "Young's modulus" + which};
+  Flag poisson{command, "--poisson" + number, "NUMBER", "Bodies", "Poisson's ratio" + whose};
 };
 
-/// The same for a body that is of steel where nothing is said, which adds a note.
-Material read_material(const MaterialFlags& flags, const std::optional<Material>& from_case,
-                       const std::string& unit, std::vector<std::string>& notes);
+/// The material of a body: each number from the first of the flags that was given, or from the
+/// case, or that of steel, which is added to `assumed`. Throws sys::InputError for one out of
+/// range.
+Material material_of(const std::vector<const MaterialFlags*>& flags,
+                     const std::optional<Material>& from_case, const std::string& unit,
+                     std::vector<std::string>& assumed);
 
-/// The materials of two bodies.
-struct PairOfMaterials {
+/// The flags of two bodies' materials.
+struct PairOfMaterialFlags {
   CLI::App& command;
-  MaterialFlags both{command, "", " of both bodies"};
-  MaterialFlags body1{command, "1", " of body 1 alone", ""};
-  MaterialFlags body2{command, "2", " of body 2 alone", ""};
+  MaterialFlags both{command, "", " of both bodies [210 GPa]", " of both bodies [0.3]"};
+  MaterialFlags body1{command, "1", " of body 1 alone", " of body 1 alone"};
+  MaterialFlags body2{command, "2", " of body 2 alone", " of body 2 alone"};
 
   std::pair<Material, Material> read(const std::optional<parameters::ContactCase>& from_case,
                                      const std::string& unit,
-                                     std::vector<std::string>& notes) const;
+                                     std::vector<std::string>& assumed) const;
 };
+
+/// A line that names what was assumed; none if nothing was.
+std::vector<std::string> note_of(const std::vector<std::string>& assumed);
 
 /// The radius that a flag gives: a length other than 0, negative for a hollow, or "plane".
 std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit);

@@ -17,17 +17,11 @@ namespace app {
 
 using command_line::ExitCode;
 
-/// A command line for the end of a help, and what it does.
-struct Example {
-  std::string does;
-  std::string command;
-};
-
 /// What the help says of a command besides its flags.
 struct CommandText {
   std::string name;
   std::string description;  ///< its first sentence is in the list of commands
-  std::vector<Example> examples;
+  std::string examples;     ///< as they are printed: what each does, and below it the command line
 };
 
 /// Adds a command: `set_up` adds its flags and returns what runs when it is chosen.
@@ -39,8 +33,8 @@ template <class Options>
 void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
                  ExitCode (*run)(const Options&)) {
   add_command(program, text, exit_code, [run](CLI::App& command) {
-    return
-        [run, options = std::shared_ptr<Options>(new Options{command})] { return run(*options); };
+    const std::shared_ptr<Options> options(new Options{command});
+    return [run, options] { return run(*options); };
   });
 }
 

@@ -93,23 +93,6 @@ double SolvedContact::half_width() const {
   return regions.empty() ? 0 : (regions.back().end - regions.front().begin) / 2;
 }
 
-std::vector<const Flag*> ContactFlags::own() const {
-  return {&load,
-          &datum,
-          &radius1,
-          &radius2,
-          &materials.body1.young,
-          &materials.body1.poisson,
-          &materials.body2.young,
-          &materials.body2.poisson,
-          &profile,
-          &nodes,
-          &domain,
-          &element,
-          &method,
-          &tolerance};
-}
-
 SolvedContact ContactFlags::solve(const Given& given) const {
   const UnitSystem& units = given.units;
   std::optional<ContactCase> from_case;
@@ -120,10 +103,9 @@ SolvedContact ContactFlags::solve(const Given& given) const {
   }
   if (!from_case && !is_measured) require_given({&radius1, &load});
   const double p = read({{load, units.line_load, of_case(from_case, &ContactCase::line_load)}})[0];
-  std::vector<std::string> notes;
-  const std::pair<Material, Material> bodies_materials =
-      materials.read(from_case, units.stress, notes);
-  const Bodies bodies = bodies_of(*this, from_case, bodies_materials, p, units);
+  std::vector<std::string> assumed;
+  const auto both = materials.read(from_case, units.stress, assumed);
+  const Bodies bodies = bodies_of(*this, from_case, both, p, units);
 
   constexpr long usual_nodes = 401, quickly_inverted = 1000;
   const long n_nodes = nodes.count(line_contact::min_nodes, line_contact::max_nodes)
@@ -134,7 +116,7 @@ SolvedContact ContactFlags::solve(const Given& given) const {
       {{"matrix-inversion", "matrix-inversion"}, {"variational", "variational"}, {"fft", "fft"}});
   if (chosen != "fft") refuse_given({&tolerance}, "--method " + chosen);
   const line_contact::Problem problem{
-      bodies.profile, elasticity::contact_modulus(bodies_materials.first, bodies_materials.second),
+      bodies.profile, elasticity::contact_modulus(both.first, both.second),
       grid_of(*this, bodies, n_nodes, units),
       element.choice_or(Element::triangular, {{"triangular", Element::triangular},
                                               {"uniform", Element::uniform},
@@ -143,14 +125,14 @@ SolvedContact ContactFlags::solve(const Given& given) const {
   if (!place) place = of_case(from_case, &ContactCase::datum);
 
   const command_line::Stopwatch stopwatch;
-  SolvedContact solved{bodies_materials.first,
-                       bodies_materials.second,
+  SolvedContact solved{both.first,
+                       both.second,
                        solution_of(*this, chosen, problem, p),
                        chosen,
                        place,
                        bodies.hertz,
                        stopwatch.seconds(),
-                       notes,
+                       note_of(assumed),
                        {}};
   solved.warnings = half_space_warnings(solved.half_width(), bodies.least_radius);
   const std::string coarse = contact::resolution_warning(solved.solution.resolution());

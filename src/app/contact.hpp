@@ -40,7 +40,7 @@ struct ContactFlags {
   Flag radius1{command, "--radius1", "LENGTH", "Bodies",
                "Radius of body 1, a cylinder; 'plane' for a plane, negative for a hollow"};
   Flag radius2{command, "--radius2", "LENGTH", "Bodies", "Radius of body 2 [plane]"};
-  PairOfMaterials materials{command};
+  PairOfMaterialFlags materials{command};
   Flag profile{command, "--profile", "cylinder|file:PATH", "Bodies",
                "Gap between the bodies before they are loaded: that of cylinders, or measured: a "
                "CSV file with the columns x,gap [cylinder]"};
@@ -53,9 +53,6 @@ struct ContactFlags {
               "How to solve [matrix-inversion up to 1000 nodes, then fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "fft: error of the pressure, relative to the peak [1e-10]"};
-
-  /// All but the materials of both.
-  std::vector<const Flag*> own() const;
 
   /// Solves the contact; flags override the case. Throws sys::InputError for what is missing,
   /// wrong, or has no meaning for the profile, and what the methods throw.

@@ -27,11 +27,6 @@ std::vector<Quantity> quantities_of(const SolvedContact& solved, const config::U
   if (solved.datum) {
     quantities.push_back({"approach", "approach", units.length, s.approach(*solved.datum)});
   }
-  constexpr int most = 7;
-  for (Quantity& quantity : quantities) {
-    if (quantity.key == "load") continue;
-    quantity.digits = earned_digits(contact::relative_error(s.resolution()), most);
-  }
   if (!solved.hertz) return quantities;
   quantities[0].exact = solved.hertz->half_width();
   quantities[1].exact = solved.hertz->peak_pressure();
@@ -105,7 +100,9 @@ Picture picture_of(const SolvedContact& solved, const config::UnitSystem& units)
         line("Hertz", begin, end, [&](double x) { return solved.hertz->pressure(x); }));
   }
   picture.curves.push_back({"elements", !solved.hertz, {}, {}});
-  for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
+  // A hundred points leave the line visible below them.
+  const Eigen::Index step = solved.hertz ? 1 + s.n_in_contact() / 100 : 1;
+  for (Eigen::Index i = 0; i < s.grid.n_nodes; i += step) {
     if (s.grid.x(i) < begin || s.grid.x(i) > end) continue;
     picture.curves.back().x.push_back(s.grid.x(i));
     picture.curves.back().y.push_back(s.pressure[i]);
@@ -117,19 +114,22 @@ ExitCode run(const ContactOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
   const SolvedContact solved = options.contact.solve(given);
-  Result result{.quantities = quantities_of(solved, units),
-                .is_hertz = solved.hertz.has_value(),
-                .details = details_of(options.contact, solved),
-                .table = nodes_of(solved, options.output.is_csv()),
-                .units = {{"half_width", units.length},
-                          {"peak_pressure", units.stress},
-                          {"load", units.line_load},
-                          {"approach", units.length},
-                          {"x", units.length},
-                          {"pressure", units.stress},
-                          {"gap", units.length}},
-                .notes = solved.notes,
-                .warnings = solved.warnings};
+  constexpr int most_digits = 7;
+  Result result{
+      .quantities = quantities_of(solved, units),
+      .digits = earned_digits(contact::relative_error(solved.solution.resolution()), most_digits),
+      .is_hertz = solved.hertz.has_value(),
+      .details = details_of(options.contact, solved),
+      .table = nodes_of(solved, options.output.is_csv()),
+      .units = {{"half_width", units.length},
+                {"peak_pressure", units.stress},
+                {"load", units.line_load},
+                {"approach", units.length},
+                {"x", units.length},
+                {"pressure", units.stress},
+                {"gap", units.length}},
+      .notes = solved.notes,
+      .warnings = solved.warnings};
   add_notes(result.notes, solved, units);
   return options.output.print(result, [&] { return picture_of(solved, units); });
 }
@@ -137,22 +137,21 @@ ExitCode run(const ContactOptions& options) {
 }  // namespace
 
 void add_contact_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<ContactOptions>(
-      program,
-      {"contact",
-       "Hertz line contact: two cylinders, or a cylinder on a plane, pressed together along a "
-       "line. "
-       "Pressure, half-width and gap by boundary elements stand beside Hertz's closed form; the "
-       "profile may also be measured.",
-       {{"A steel cylinder of radius 10 mm on a steel plane, 100 N/mm, drawn in the terminal:",
-         "halfspace contact --radius1 10 --load 100 --plot -"},
-        {"A steel shaft in a bronze bearing, in inches and pounds, with the approach:",
-         "halfspace contact --units in-lbf --radius1 1 --radius2 -1.1 --load 2500 \\\n"
-         "      --young1 30e6 --poisson1 0.3 --young2 16e6 --poisson2 0.34 --datum 1"},
-        {"A measured profile on a million nodes, all pressures as CSV:",
-         "halfspace contact --profile file:gap.csv --load 50N/mm --nodes 1e6 \\\n"
-         "      --format csv"}}},
-      exit_code, run);
+  const CommandText text{
+      "contact",
+      R"(Hertz line contact: two cylinders, or a cylinder on a plane, pressed together along a line.
+Pressure, half-width and gap by boundary elements stand beside Hertz's closed form; the profile may
+also be measured.)",
+      R"(  A steel cylinder of radius 10 mm on a steel plane, 100 N/mm, drawn below:
+    halfspace contact --radius1 10 --load 100 --plot -
+  A steel shaft in a bronze bearing, in inches and pounds, with the approach:
+    halfspace contact --units in-lbf --radius1 1 --radius2 -1.1 --load 2500 \
+      --young1 30e6 --poisson1 0.3 --young2 16e6 --poisson2 0.34 --datum 1
+  A measured profile on a million nodes, all pressures as CSV:
+    halfspace contact --profile file:gap.csv --load 50N/mm --nodes 1e6 \
+      --format csv
+)"};
+  add_command<ContactOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

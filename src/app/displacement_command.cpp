@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
@@ -54,74 +55,106 @@ double datum_of(const DisplacementOptions& options, const HalfSpace& from_case,
   return 10 * load.reach();
 }
 
-// A function of x by quadrature, in closed form if one is known, and where it is infinite.
+// A function of x on the surface by quadrature, and in closed form if one is known.
 struct Function {
   std::string key, symbol, unit;
   std::function<Estimate(double)> quadrature;
   std::function<double(double)> closed_form;
-  std::function<double(double)> infinite = [](double) { return 0; };  // ±infinity, or 0 for finite
 };
+
+// The same function, but infinite where the load jumps by more than `least`: the gradient by any
+// jump, the displacement by that of a concentrated force.
+Function infinite_at_jumps(const Function& function, const ChosenLoad& load, double least) {
+  const auto infinite_at = [&load, least](double x) {
+    const double jump = load.jump_at(x);
+    return std::abs(jump) > least ? std::copysign(HUGE_VAL, jump) : 0;
+  };
+  Function guarded = function;
+  guarded.quadrature = [=](double x) {
+    const double infinite = infinite_at(x);
+    return infinite == 0 ? function.quadrature(x) : Estimate{infinite, 0};
+  };
+  if (!function.closed_form) return guarded;
+  guarded.closed_form = [=](double x) {
+    const double infinite = infinite_at(x);
+    return infinite == 0 ? function.closed_form(x) : infinite;
+  };
+  return guarded;
+}
+
+// The gradient and the displacement of one component.
+std::pair<Function, Function> functions_of(const elasticity::SurfaceQuadrature& quadrature,
+                                           const ClosedForms& closed, const ChosenLoad& load,
+                                           bool is_tangential, const std::string& length) {
+  if (is_tangential) {
+    return {
+        {"gradient", "du_x/dx", "1", [&](double x) { return quadrature.tangential_gradient(x); },
+         closed.tangential_gradient},
+        {"displacement", "u_x", length,
+         [&](double x) { return quadrature.tangential_displacement(x); },
+         closed.tangential_displacement}};
+  }
+  const Function gradient{"gradient", "du_z/dx", "1",
+                          [&](double x) { return quadrature.normal_gradient(x); },
+                          closed.normal_gradient};
+  const Function displacement{"displacement", "u_z", length,
+                              [&](double x) { return quadrature.normal_displacement(x); },
+                              closed.normal_displacement};
+  constexpr double finite = std::numeric_limits<double>::max();
+  return {infinite_at_jumps(gradient, load, 0), infinite_at_jumps(displacement, load, finite)};
+}
 
 // Its numbers at all points.
 struct Numbers {
   std::vector<double> quadrature, abs_error, closed_form;
+
+  // Whether quadrature and closed form agree at a point within the error and four roundings.
+  bool agree(std::size_t i) const {
+    constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+    const double difference = std::abs(quadrature[i] - closed_form[i]);
+    return std::isinf(quadrature[i]) ||
+           difference <= abs_error[i] + roundings * std::abs(closed_form[i]);
+  }
 };
 
-Numbers numbers_of(const Function& function, const std::vector<double>& points) {
+// Computes the numbers and adds them to the table.
+Numbers add_columns(Table& table, const Function& function, const std::vector<double>& points) {
   Numbers numbers;
   for (const double x : points) {
-    const double infinite = function.infinite(x);
-    const bool is_finite = infinite == 0;
-    const Estimate estimate = is_finite ? function.quadrature(x) : Estimate{infinite, 0};
-    if (is_finite)
-      require_finite(fmt::format("{}_quadrature at x = {}", function.key, x), estimate.value);
+    const Estimate estimate = function.quadrature(x);
+    // At a jump the error is 0; elsewhere an infinite one comes with a number that has overflowed.
+    require_finite(fmt::format("{}_quadrature at x = {}", function.key, x), estimate.abs_error);
     numbers.quadrature.push_back(estimate.value + 0.0);
     numbers.abs_error.push_back(estimate.abs_error);
-    if (!function.closed_form) continue;
-    numbers.closed_form.push_back((is_finite ? function.closed_form(x) : infinite) + 0.0);
+    if (function.closed_form) numbers.closed_form.push_back(function.closed_form(x) + 0.0);
   }
-  return numbers;
-}
-
-// Whether quadrature and closed form agree within the error and four roundings.
-bool agrees(const Numbers& numbers, std::size_t i) {
-  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
-  const double closed = numbers.closed_form[i];
-  return numbers.quadrature[i] == closed || std::abs(numbers.quadrature[i] - closed) <=
-                                                numbers.abs_error[i] + roundings * std::abs(closed);
-}
-
-void add_columns(Table& table, const Function& function, const Numbers& numbers) {
   constexpr int most = 9, of_error = 2;
   const double largest = greatest(numbers.quadrature), error = greatest(numbers.abs_error);
   const int digits = earned_digits(error / largest, most);
   const auto add = [&](const char* name, const char* head, const std::vector<double>& column) {
     table.push_back(aligned_column(function.key + name, {function.symbol, head}, function.unit,
                                    column, largest, digits));
-    table.back().may_be_infinite = true;
   };
   add("_quadrature", "quadrature", numbers.quadrature);
   table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
                                  numbers.abs_error, error, of_error));
-  if (!function.closed_form) return;
+  if (!function.closed_form) return numbers;
   table.back().heads.clear();  // people read the closed form in its place
   add("_closed_form", "closed form", numbers.closed_form);
+  return numbers;
 }
 
-void add_notes(Result& result, const ChosenLoad& load, const Numbers& gradient,
+void add_notes(std::vector<std::string>& notes, const ChosenLoad& load, const Numbers& gradient,
                const Numbers& displacement, const std::string& length) {
-  result.notes.push_back(fmt::format("errors of the quadrature: at most {:.1e} and {:.1e} {}",
-                                     greatest(gradient.abs_error), greatest(displacement.abs_error),
-                                     length));
-  if (gradient.closed_form.empty()) {
-    result.notes.emplace_back("no closed form is known");
-    return;
-  }
+  notes.push_back(fmt::format("errors of the quadrature: at most {:.1e} and {:.1e} {}",
+                              greatest(gradient.abs_error), greatest(displacement.abs_error),
+                              length));
   const std::size_t n = gradient.closed_form.size();
   std::size_t n_agreeing = 0;
-  for (std::size_t i = 0; i < n; ++i) n_agreeing += agrees(gradient, i) && agrees(displacement, i);
-  result.notes.push_back("closed form: " + load.source);
-  result.notes.push_back(fmt::format("{} of {} points agree within their errors", n_agreeing, n));
+  for (std::size_t i = 0; i < n; ++i) n_agreeing += gradient.agree(i) && displacement.agree(i);
+  notes.push_back(load.source.empty() ? "no closed form is known" : "closed form: " + load.source);
+  if (n == 0) return;
+  notes.push_back(fmt::format("{} of {} points agree within their errors", n_agreeing, n));
 }
 
 ExitCode run(const DisplacementOptions& options) {
@@ -129,10 +162,10 @@ ExitCode run(const DisplacementOptions& options) {
   const config::UnitSystem& units = given.units;
   HalfSpace from_case;
   if (given.file) from_case = given.file->half_space();
-  Result result{.table_in_json = InJson::rows};
+  std::vector<std::string> assumed;
   const Material material =
-      read_material(options.material, of_case(from_case, &parameters::HalfSpaceCase::material),
-                    units.stress, result.notes);
+      material_of({&options.material}, of_case(from_case, &parameters::HalfSpaceCase::material),
+                  units.stress, assumed);
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), units);
   const bool is_tangential =
@@ -145,53 +178,26 @@ ExitCode run(const DisplacementOptions& options) {
 
   const elasticity::SurfaceQuadrature quadrature(material, load.load, datum);
   const ClosedForms closed = load.closed_forms ? load.closed_forms(material, datum) : ClosedForms();
-  const auto infinite_gradient = [&](double x) {
-    const double jump = load.jump_at(x);
-    return jump == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), jump);
-  };
-  const auto infinite_displacement = [&](double x) {
-    return std::isinf(load.jump_at(x)) ? load.jump_at(x) : 0;
-  };
-  Function gradient{"gradient",
-                    "du_z/dx",
-                    "1",
-                    [&](double x) { return quadrature.normal_gradient(x); },
-                    closed.normal_gradient,
-                    infinite_gradient};
-  Function displacement{"displacement",
-                        "u_z",
-                        units.length,
-                        [&](double x) { return quadrature.normal_displacement(x); },
-                        closed.normal_displacement,
-                        infinite_displacement};
-  if (is_tangential) {
-    gradient = {"gradient", "du_x/dx", "1",
-                [&](double x) { return quadrature.tangential_gradient(x); },
-                closed.tangential_gradient};
-    displacement = {"displacement", "u_x", units.length,
-                    [&](double x) { return quadrature.tangential_displacement(x); },
-                    closed.tangential_displacement};
-  }
-  const Numbers gradients = numbers_of(gradient, points);
-  const Numbers displacements = numbers_of(displacement, points);
+  const auto [gradient, displacement] =
+      functions_of(quadrature, closed, load, is_tangential, units.length);
+  Result result{.table_in_json = InJson::rows, .notes = note_of(assumed)};
   result.table.push_back(column_of_places("x", units.length, points));
-  add_columns(result.table, gradient, gradients);
-  add_columns(result.table, displacement, displacements);
+  const Numbers gradients = add_columns(result.table, gradient, points);
+  const Numbers displacements = add_columns(result.table, displacement, points);
   result.units = {{"x", units.length}, {"gradient", "1"}, {"displacement", units.length}};
   if (!is_tangential) {
     result.notes.push_back(fmt::format("u_z = 0 at x = {} {}", rounded(datum), units.length));
   }
-  add_notes(result, load, gradients, displacements, units.length);
-  return options.output.print(result, [&] {
+  add_notes(result.notes, load, gradients, displacements, units.length);
+  return options.output.print(result, [&, &u = displacement] {
     const auto [low, high] = std::ranges::minmax(points);
-    const auto curve = [&](double x) {
-      if (displacement.infinite(x) != 0) return std::nan("");
-      return closed.normal_gradient ? displacement.closed_form(x)
-                                    : displacement.quadrature(x).value;
+    const auto value = [&u](double x) {
+      const double u_at = u.closed_form ? u.closed_form(x) : u.quadrature(x).value;
+      return std::isinf(u_at) ? std::nan("") : u_at;
     };
     return Picture{fmt::format("x ({})", units.length),
-                   fmt::format("{} ({})", displacement.symbol, units.length),
-                   {line(closed.normal_gradient ? "closed form" : "quadrature", low, high, curve),
+                   fmt::format("{} ({})", u.symbol, units.length),
+                   {line(u.closed_form ? "closed form" : "quadrature", low, high, value),
                     {"quadrature at the points", false, points, displacements.quadrature}}};
   });
 }
@@ -199,24 +205,22 @@ ExitCode run(const DisplacementOptions& options) {
 }  // namespace
 
 void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<DisplacementOptions>(
-      program,
-      {"displacement",
-       "Surface displacement u_z of a half-space under a strip load, a triangular load or any "
-       "other "
-       "pressure, and its gradient. Both come by numerical quadrature (eq. 2 of Ruggiero 2001), "
-       "beside their closed forms where these are known. At the edge of a strip the displacement "
-       "is "
-       "finite and the gradient infinite.",
-       {{"A strip load of 100 MPa on |x| <= 1 mm of steel:",
-         "halfspace displacement --shape uniform --peak-pressure 100 --half-width 1"},
-        {"A triangular load on aluminium, at points of your own, drawn in the terminal:",
-         "halfspace displacement --peak-pressure 63MPa --half-width 0.4mm \\\n"
-         "      --young 70GPa --poisson 0.33 --x 0:2:0.1 --datum 50 --plot -"},
-        {"Your own pressure as a formula, with all digits as CSV:",
-         "halfspace displacement --shape 'expression:p0*(1-(x/a)^4)' \\\n"
-         "      --peak-pressure 100 --half-width 1 --format csv"}}},
-      exit_code, run);
+  const CommandText text{
+      "displacement",
+      R"(Surface displacement u_z of a half-space under a strip load, a triangular load or any other
+pressure, and its gradient. Both come by numerical quadrature (eq. 2 of Ruggiero 2001), beside their
+closed forms where these are known. At the edge of a strip the displacement is finite and the
+gradient infinite.)",
+      R"(  A strip load of 100 MPa on |x| <= 1 mm of steel:
+    halfspace displacement --shape uniform --peak-pressure 100 --half-width 1
+  A triangular load on aluminium, at points of your own, drawn in the terminal:
+    halfspace displacement --peak-pressure 63MPa --half-width 0.4mm \
+      --young 70GPa --poisson 0.33 --x 0:2:0.1 --datum 50 --plot -
+  Your own pressure as a formula, with all digits as CSV:
+    halfspace displacement --shape 'expression:p0*(1-(x/a)^4)' \
+      --peak-pressure 100 --half-width 1 --format csv
+)"};
+  add_command<DisplacementOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

@@ -128,11 +128,7 @@ int bad_input(const std::string& message) {
 void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
                  const std::function<std::function<ExitCode()>(CLI::App&)>& set_up) {
   CLI::App* command = program.add_subcommand(text.name, text.description);
-  std::string footer = "Examples:\n";
-  for (const Example& example : text.examples) {
-    footer += fmt::format("  {}\n    {}\n", wrapped(example.does, 2), example.command);
-  }
-  command->footer(footer);
+  command->footer("Examples:\n" + text.examples);
   command->callback(
       [run = set_up(*command), &exit_code] { exit_code = command_line::run_guarded(run); });
 }

@@ -20,7 +20,7 @@ enum class Format { table, csv, json };
 
 const std::map<std::string, std::string>& terminals() {
   static const std::map<std::string, std::string> by_ending = {
-      {"-", "dumb nofeed noenhanced size 79, 25"},
+      {"-", "dumb noenhanced size 79, 25"},
       {".svg", "svg noenhanced size 700, 450 dynamic background '#ffffff' font 'Helvetica,16'"},
       {".png", "pngcairo noenhanced size 1050, 675 font 'Helvetica,18'"},
       {".pdf", "pdfcairo noenhanced size 14 cm, 9 cm font 'Helvetica,12'"}};
@@ -80,28 +80,27 @@ void require_drawable(const Flag& where) {
 
 // Draw the picture; a file takes its place when it is whole.
 void draw(const Picture& picture, const std::string& where) {
-  const std::string gnuplot_file = sys::find_tool("gnuplot").string();
   const bool is_text = where == "-";
   const std::string part = where + ".part";
   std::fflush(stdout);  // gnuplot writes on the same terminal
   {
-    // With default settings it does not read the user's ~/.gnuplot.
-    Gnuplot gnuplot("LC_ALL=C.UTF-8 '" + gnuplot_file + "' --default-settings");
+    // With default settings it does not read the user's ~/.gnuplot. It begins a page of characters
+    // with a form feed and does not end the last line.
+    const std::string program =
+        "LC_ALL=C.UTF-8 '" + sys::find_tool("gnuplot").string() + "' --default-settings";
+    Gnuplot gnuplot(is_text ? program + " | tr -d '\\f'; echo" : program);
     set_up(gnuplot, picture, terminals().at(ending_of(where)), is_text);
     if (!is_text) gnuplot << "set output " << quoted(part) << "\n";
     plot(gnuplot, picture.curves, is_text);
   }
-  if (is_text) {
-    fmt::print("\n");  // gnuplot does not end its last line
-    return;
-  }
+  if (is_text) return;
   std::error_code error;
   if (!fs::is_regular_file(part, error) || fs::file_size(part, error) == 0) {
     fs::remove(part, error);
     throw sys::ToolError(fmt::format("gnuplot could not draw {}", where));
   }
   fs::rename(part, where, error);
-  if (error) throw sys::InputError(fmt::format("--plot {}: {}", where, error.message()));
+  if (error) throw sys::InputError(fmt::format("--plot = {}: {}", where, error.message()));
 }
 
 }  // namespace
@@ -137,7 +136,7 @@ Given Output::given() const {
 
 command_line::ExitCode Output::print(const Result& result,
                                      const std::function<Picture()>& picture) const {
-  require_finite(result);
+  for (const Quantity& quantity : result.quantities) require_finite(quantity.key, quantity.value);
   const std::string text = is_csv()                   ? csv_of(result.table)
                            : format_.text() == "json" ? json_of(result)
                                                       : text_of(result);

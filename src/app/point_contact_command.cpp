@@ -43,7 +43,7 @@ struct PointContactOptions {
   RadiusFlags radius1{command, "1",
                       "Radius of body 1, a sphere; 'plane' for a plane, negative for a hollow"};
   RadiusFlags radius2{command, "2", "Radius of body 2 [plane]"};
-  PairOfMaterials materials{command};
+  PairOfMaterialFlags materials{command};
   Flag profile{command, "--profile", "sphere|file:PATH|heights:PATH", "Bodies",
                "Gap between the bodies before they are loaded: by their radii, or measured: a CSV "
                "grid of gaps, or of heights of a surface, one line for each y [sphere]"};
@@ -282,7 +282,7 @@ ExitCode run(const PointContactOptions& options) {
       });
   const double seconds = stopwatch.seconds();
   result.quantities = quantities_of(bodies, s, load, units);
-  result.rel_error = contact::relative_error(s.resolution());
+  result.digits = earned_digits(contact::relative_error(s.resolution()), result.digits);
   result.is_hertz = bodies.hertz.has_value();
   result.details = details_of(options, s, seconds);
   result.warnings = half_space_warnings(result.quantities[0].value, bodies.least_radius);
@@ -290,7 +290,6 @@ ExitCode run(const PointContactOptions& options) {
   if (!coarse.empty()) result.warnings.push_back(coarse);
   add_notes(result.notes, options, s, units);
   if (options.output.is_csv() || options.field.is_given()) result.table = nodes_of(s);
-  require_finite(result);
   if (options.field.is_given())
     sys::write_file_atomically(options.field.text(), csv_of(result.table));
   return options.output.print(result, [&] { return picture_of(bodies, s, units); });
@@ -299,23 +298,21 @@ ExitCode run(const PointContactOptions& options) {
 }  // namespace
 
 void add_point_contact_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<PointContactOptions>(
-      program,
-      {"point-contact",
-       "Hertz point contact: two spheres, ellipsoids or a rough surface pressed together at a "
-       "point. "
-       "The pressure and the gap on a plane of nodes stand beside Hertz's closed form; a surface "
-       "may "
-       "also be a measured height map.",
-       {{"A steel ball of radius 10 mm on a steel plane, 100 N:",
-         "halfspace point-contact --radius1 10 --load 100"},
-        {"A steel ball in an aluminium groove, drawn in a file:",
-         "halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 --load 50 \\\n"
-         "      --young1 210GPa --poisson1 0.3 --young2 70GPa --poisson2 0.33 --plot p.pdf"},
-        {"A measured surface, points 5 um apart, under a flat; pressures in a file:",
-         "halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \\\n"
-         "      --field pressure.csv"}}},
-      exit_code, run);
+  const CommandText text{
+      "point-contact",
+      R"(Hertz point contact: two spheres, ellipsoids or a rough surface pressed together at a point. The
+pressure and the gap on a plane of nodes stand beside Hertz's closed form; a surface may also be a
+measured height map.)",
+      R"(  A steel ball of radius 10 mm on a steel plane, 100 N:
+    halfspace point-contact --radius1 10 --load 100
+  A steel ball in an aluminium groove, drawn in a file:
+    halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 --load 50 \
+      --young1 210GPa --poisson1 0.3 --young2 70GPa --poisson2 0.33 --plot p.pdf
+  A measured surface, points 5 um apart, under a flat; pressures in a file:
+    halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
+      --field pressure.csv
+)"};
+  add_command<PointContactOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

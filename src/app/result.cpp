@@ -75,7 +75,7 @@ Table table_of(const Result& result) {
   Column differences{.key = "", .heads = {result.is_hertz ? "difference" : ""}, .numbers = {0}};
   for (const Quantity& quantity : result.quantities) {
     labels.cells.push_back(fmt::format("{} ({})", quantity.label, quantity.unit));
-    values.cells.push_back(fmt::format("{:.{}g}", quantity.value, quantity.digits));
+    values.cells.push_back(fmt::format("{:.{}g}", quantity.value, result.digits));
     exact.cells.emplace_back();
     differences.cells.emplace_back();
     if (!quantity.exact) continue;
@@ -179,20 +179,6 @@ void require_finite(const std::string& what, double number) {
   if (std::isfinite(number)) return;
   throw sys::InputError(what +
                         ": not a finite number; the parameters are beyond the range of a double");
-}
-
-void require_finite(const Result& result) {
-  for (const Quantity& quantity : result.quantities) require_finite(quantity.key, quantity.value);
-  for (const Column& column : result.table) {
-    if (column.may_be_infinite) continue;
-    const Column& first = result.table[0];
-    for (std::size_t i = 0; i < column.numbers.size(); ++i) {
-      if (std::isfinite(column.numbers[i])) continue;
-      const std::string place =
-          first.numbers.empty() ? first.cells[i] : fmt::format("{}", first.numbers[i]);
-      require_finite(fmt::format("{} at {} = {}", column.key, first.key, place), column.numbers[i]);
-    }
-  }
 }
 
 std::string text_of(const Result& result) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a command has found. The text for people, CSV and JSON follow from it.
+// What a command has found. The text for people, CSV and JSON follow from it. A number may be
+// infinite, or have no limit and so be NaN: CSV then has inf or nan, and JSON null.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +20,6 @@ struct Column {
   std::vector<std::string> heads = {};  ///< lines above it for people; none if they do not see it
   std::vector<double> numbers = {};
   std::vector<std::string> cells = {};  ///< what people read; a column of texts has only these
-  bool may_be_infinite = false;         ///< CSV has inf or nan there, JSON null
 };
 
 using Table = std::vector<Column>;
@@ -31,7 +31,6 @@ struct Quantity {
   std::string unit;
   double value;
   std::optional<double> exact = std::nullopt;
-  int digits = 7;  ///< significant ones, for people
 };
 
 /// What JSON has of a table: an array for each column, an array of rows and nothing else, or
@@ -40,6 +39,7 @@ enum class InJson { columns, rows, nothing };
 
 struct Result {
   std::vector<Quantity> quantities = {};
+  int digits = 7;         ///< significant ones of the quantities, for people
   bool is_hertz = false;  ///< whether the closed forms are Hertz's
   Json details = {};      ///< what else JSON has
   Table table = {};       ///< the CSV, and for people the columns with heads
@@ -66,8 +66,7 @@ Column column_of_places(const std::string& key, const std::string& unit,
 /// Significant digits of a number with this relative error, from 3 to `most`.
 int earned_digits(double rel_error, int most);
 
-/// Throws sys::InputError naming a number that is not finite, unless its column may be infinite.
-void require_finite(const Result& result);
+/// Throws sys::InputError naming a number that has overflowed.
 void require_finite(const std::string& what, double number);
 
 /// Quantities beside their closed forms, table, and notes, in 80 columns.

@@ -39,21 +39,23 @@ struct Pressed {
 Pressed pressed_by_load(const StressOptions& options, const Given& given) {
   std::optional<parameters::HalfSpaceCase> from_case;
   if (given.file) from_case = given.file->half_space();
-  refuse_given(options.contact.own(), options.load.name());
-  refuse_given({&options.body}, options.load.name());
+  const ContactFlags& contact = options.contact;
+  refuse_given({&contact.load, &contact.radius1, &contact.radius2, &contact.profile, &contact.nodes,
+                &contact.domain, &contact.method, &options.body},
+               options.load.name());
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), given.units);
-  std::vector<std::string> notes;
-  const Material material = read_material(options.contact.materials.both,
-                                          of_case(from_case, &parameters::HalfSpaceCase::material),
-                                          given.units.stress, notes);
+  std::vector<std::string> assumed;
+  const Material material = material_of({&contact.materials.both},
+                                        of_case(from_case, &parameters::HalfSpaceCase::material),
+                                        given.units.stress, assumed);
   const auto [least, greatest] = std::ranges::minmax(load.pressure);
   const auto stress = [load](double x, double z) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     if (z == 0 && load.jump_at(x) != 0) return Stress{none, none, none};
     return elasticity::stress_beneath(load.x, load.pressure, x, z);
   };
-  return {stress, {}, load.reach(), std::max(-least, greatest), material, notes};
+  return {stress, {}, load.reach(), std::max(-least, greatest), material, note_of(assumed)};
 }
 
 Pressed pressed_by_contact(const StressOptions& options, const Given& given) {
@@ -122,7 +124,6 @@ Table table_of(const std::vector<Point>& points, const Pressed& pressed,
     table.push_back(aligned_column(key, {head, second}, units.stress,
                                    column([&](const Point& p) { return of_stress(p.stress); }),
                                    pressed.peak_pressure, digits));
-    table.back().may_be_infinite = true;
   };
   add("stress_xx", "stress", "xx", [](const Stress& s) { return s.xx; });
   add("stress_zz", "stress", "zz", [](const Stress& s) { return s.zz; });
@@ -192,22 +193,21 @@ ExitCode run(const StressOptions& options) {
 }  // namespace
 
 void add_stress_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<StressOptions>(
-      program,
-      {"stress",
-       "Stresses beneath a line contact, or beneath a strip load or another pressure. Plane "
-       "strain, z "
-       "into the body; beneath cylinders beside McEwen's closed form. With --shape the pressure is "
-       "given; without it two bodies are pressed together as by 'halfspace contact'.",
-       {{"On the axis beneath a steel cylinder on a plane, to twice the half-width, drawn:",
-         "halfspace stress --radius1 10 --load 100 --plot -"},
-        {"Beneath a strip load of 100 MPa on |x| <= 1 mm:",
-         "halfspace stress --shape uniform --peak-pressure 100 --half-width 1 \\\n"
-         "      --z 0:3:0.25"},
-        {"Across the contact at one depth, as JSON:",
-         "halfspace stress --radius1 10 --load 100 --x -0.2:0.2:0.01 --z 0.08 \\\n"
-         "      --format json"}}},
-      exit_code, run);
+  const CommandText text{
+      "stress",
+      R"(Stresses beneath a line contact, or beneath a strip load or another pressure. Plane strain, z into
+the body; beneath cylinders beside McEwen's closed form. With --shape the pressure is given; without
+it two bodies are pressed together as by 'halfspace contact'.)",
+      R"(  On the axis beneath a steel cylinder on a plane, to twice the half-width:
+    halfspace stress --radius1 10 --load 100 --plot -
+  Beneath a strip load of 100 MPa on |x| <= 1 mm:
+    halfspace stress --shape uniform --peak-pressure 100 --half-width 1 \
+      --z 0:3:0.25
+  Across the contact at one depth, as JSON:
+    halfspace stress --radius1 10 --load 100 --x -0.2:0.2:0.01 --z 0.08 \
+      --format json
+)"};
+  add_command<StressOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app
