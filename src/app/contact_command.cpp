@@ -82,9 +82,9 @@ void add_notes(std::vector<std::string>& notes, const SolvedContact& solved,
     notes.push_back(
         fmt::format("approach of points at x = {} {}", rounded(*solved.datum), units.length));
   }
-  notes.push_back(fmt::format("{} of {} nodes in contact, {:.4g} {} apart; {} elements, {}",
-                              s.n_in_contact(), s.grid.n_nodes, s.grid.spacing, units.length,
-                              line_contact::name_of(s.element), solved.method));
+  notes.push_back(fmt::format("{} of {} nodes in contact, {:.4g} {} apart", s.n_in_contact(),
+                              s.grid.n_nodes, s.grid.spacing, units.length));
+  notes.push_back(fmt::format("{} elements, {}", line_contact::name_of(s.element), solved.method));
 }
 
 // The pressure at the nodes about the contact, and Hertz's if there is one.

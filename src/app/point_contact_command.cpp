@@ -222,9 +222,10 @@ void add_notes(std::vector<std::string>& notes, const PointContactOptions& optio
                const point_contact::Solution& s, const UnitSystem& units) {
   const auto regions = point_contact::regions(s);
   if (regions.size() > 1) notes.push_back(fmt::format("{} regions in contact", regions.size()));
-  notes.push_back(fmt::format("{} of {} x {} nodes in contact, {:.4g} {} apart; {} elements, {}",
-                              s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.spacing, units.length,
-                              point_contact::name_of(s.element), options.method.text_or("fft")));
+  notes.push_back(fmt::format("{} of {} x {} nodes in contact, {:.4g} {} apart", s.n_in_contact(),
+                              s.grid.n1, s.grid.n2, s.grid.spacing, units.length));
+  notes.push_back(fmt::format("{} elements, {}", point_contact::name_of(s.element),
+                              options.method.text_or("fft")));
 }
 
 // The pressure along the two axes, and Hertz's if there is one.

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/flags.hpp"
 #include "system/error.hpp"
 
 namespace app {
@@ -165,7 +166,7 @@ double greatest(const std::vector<double>& numbers) {
 Column column_of_places(const std::string& key, const std::string& unit,
                         std::vector<double> numbers) {
   Column column{.key = key, .heads = {key, "", "[" + unit + "]"}, .numbers = std::move(numbers)};
-  for (const double number : column.numbers) column.cells.push_back(fmt::format("{:.10g}", number));
+  for (const double number : column.numbers) column.cells.push_back(rounded(number));
   return column;
 }
 

@@ -59,7 +59,7 @@ Column aligned_column(const std::string& key, const std::vector<std::string>& he
 /// The greatest magnitude among the finite numbers.
 double greatest(const std::vector<double>& numbers);
 
-/// A column of places, with the shortest digits of each, ten at most.
+/// A column of places, with six digits of each at most.
 Column column_of_places(const std::string& key, const std::string& unit,
                         std::vector<double> numbers);
 

@@ -120,7 +120,7 @@ Table table_of(const std::vector<Point>& points, const Pressed& pressed,
                  column_of_places("z", units.length, column([](const Point& p) { return p.z; }))};
   const auto add = [&](const char* key, const char* head, const char* second,
                        const auto& of_stress) {
-    constexpr int digits = 6;
+    constexpr int digits = 5;
     table.push_back(aligned_column(key, {head, second}, units.stress,
                                    column([&](const Point& p) { return of_stress(p.stress); }),
                                    pressed.peak_pressure, digits));
