@@ -111,7 +111,7 @@ Spheres solve_spheres(const ContactCase& c, const PointContactCase& p) {
       point_contact::Profile::paraboloid(curvature), modulus,
       point_contact::square_grid(2 * hertz.radius() / share, n_nodes),
       point_contact::Element::pyramid};
-  return {hertz, point_contact::solve_for_load(problem, p.load, {.tolerance = 1e-11})};
+  return {hertz, point_contact::solve_for_load(problem, p.load, 1e-11)};
 }
 
 SphereErrors errors_of(const Spheres& spheres) {
@@ -121,7 +121,7 @@ SphereErrors errors_of(const Spheres& spheres) {
   return {off(solution.peak_pressure(), hertz.peak_pressure()),
           off(std::sqrt(semi_axes[0] * semi_axes[1]), hertz.radius()),
           off(solution.approach, hertz.approach()),
-          std::pow(solution.grid.spacing() / hertz.radius(), 2)};
+          std::pow(solution.grid.spacing / hertz.radius(), 2)};
 }
 
 void compute_spheres(Document& document, const Case& from) {
@@ -139,7 +139,7 @@ void compute_spheres(Document& document, const Case& from) {
                  Value(a / least_radius(c), percent(1)).within(rounded(c, a / least_radius(c))));
   document.value("spheres.nodes", Value(n_nodes, integer()));
   document.value("spheres.in-contact", Value(solution.n_in_contact(), integer()));
-  document.value("spheres.elements", Value(a / solution.grid.spacing(), fixed(1)).as_is());
+  document.value("spheres.elements", Value(a / solution.grid.spacing, fixed(1)).as_is());
   document.value("spheres.products", Value(solution.work.products, integer()));
   document.value(
       "spheres.residual",
