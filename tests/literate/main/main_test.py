@@ -14,7 +14,7 @@ import jsonschema
 
 HERE = pathlib.Path(__file__).resolve().parents[1]
 SOURCE, PENDULUM, RESULTS = (pathlib.Path(argument) for argument in sys.argv[1:4])
-ENGINE = SOURCE / "src" / ("engine_new" if HERE.name == "engine_new" else "literate")
+ENGINE = SOURCE / "src/literate"
 REGISTERED = json.loads((HERE / "pendulum/registered.json").read_text())
 
 
