@@ -1,5 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Names for what CMake, Ninja and src/literate/tools/literate do; `make help` lists them.
+# Names for what CMake, Ninja and src/literate/tools/literate do; `make help` lists them, with these variables:
+#
+#   CASE=mine.toml         report: of a different case, in build/report-mine
+#   CASES='x/*.toml' J=2   cases: these, and how many at a time
+#   PAPER=file             check: the text in which quotations are looked up
+#   SINCE=commit           changes: or a results.json or manifest.json
+#   ONLY=id                severity: one fault only
+#   MANIFEST=file          verify: compare numbers with a report made elsewhere
+#   DO=prove               course: or grade, with SUBMISSIONS=folder [CLASS=file];
+#                          or gradescope, with SALT_FILE=file
 .DEFAULT_GOAL := report
 .NOTPARALLEL:
 targets := $(shell sed -n 's/^\([a-z-]*\):.* \#\# .*/\1/p' $(lastword $(MAKEFILE_LIST)))
@@ -25,24 +34,24 @@ with_tests = $(configure); grep -q BUILD_TESTING:BOOL=ON build/release/CMakeCach
 ninja = ninja -C build/release
 literate = python3 src/literate/tools/literate
 
-report: ## the report, build/report/report.pdf; of another case with CASE=mine.toml, in build/report-mine
+report: ## the report, build/report/report.pdf
 	@$(configure); if [ -z "$$CASE" ]; then $(ninja) report && echo build/report/report.pdf; else \
 	  $(ninja) --quiet report-program && $(literate) case build/report.json "$$CASE" "build/report-$$(basename "$$CASE" .toml)"; fi
-figures: ## its numbers, tables and figures without the prose, build/report/generated
+figures: ## its numbers, tables and figures only, build/report/generated
 	@$(configure); $(ninja) report-figures
-check: report ## its prose: typed numbers, unused names; quotations against a text with PAPER=file
+check: report ## typed numbers, unused names and quotations in its prose
 	@$(literate) check build/report.json $${PAPER:+--paper "$$PAPER"}
-changes: report ## what changed since SINCE=commit, or since the results.json or manifest.json of a different build
+changes: report ## what changed since SINCE, with the places that print it
 	@$(literate) changes build/report.json "$${SINCE:-HEAD}"
-severity: ## which planted faults turn which claims, report/severity.csv; only one with ONLY=id
+severity: ## which planted faults turn which claims, report/severity.csv
 	@$(configure); $(ninja) --quiet report-program && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
-verify: report ## builds the report elsewhere and compares its bytes; with MANIFEST=file its numbers with those of a different build
+verify: report ## builds the report elsewhere and compares the bytes
 	@$(literate) verify build/report.json $${MANIFEST:+--manifest "$$MANIFEST"}
-cases: ## the reports of CASES='cases/*.toml', J=2 at a time, and one table of their numbers, build/cases/cases.csv
+cases: ## the reports of CASES and one table, build/cases/cases.csv
 	@$(configure); $(ninja) --quiet report-program && $(literate) cases build/report.json -j "$${J:-1}" $$CASES
 watch: ## builds the report after each save, until Ctrl-C
 	@git ls-files -co --exclude-standard | entr -c $(MAKE) --no-print-directory report
-dist: report ## packs the document for arXiv and journals, build/dist/report.tar.gz
+dist: report ## packs the document for arXiv and journals, build/dist
 	@$(literate) dist build/report.json
 html: report ## the report as one page, build/report/report.html
 	@$(literate) html build/report.json
@@ -50,7 +59,7 @@ site: report ## page, PDF and data for any static host, build/report/site
 	@$(literate) site build/report.json
 halfspace: ## the command line of the mechanics, build/release/halfspace
 	@$(configure); $(ninja) halfspace
-course: ## the assignment: DO=prove; DO=grade SUBMISSIONS=folder; DO=gradescope SALT_FILE=file
+course: ## the assignment; without DO its help
 	@$(configure); $(ninja) --quiet course && python3 src/course/course.py $$DO
 test: ## the everyday tests
 	@$(with_tests); $(ninja) --quiet everyday_tests && ctest --preset everyday -j $$(($$(nproc) + 1))
@@ -62,11 +71,12 @@ bench: ## benchmarks, build/bench/bench.json
 tidy: ## clang-format and clang-tidy on every source
 	@$(lock); git ls-files 'src/*.[ch]pp' 'tests/*.[ch]pp' | xargs clang-format -i && \
 	  cmake --preset tidy >build/configure.log && ninja -C build/tidy all
-setup: ## installs the Debian packages that the targets after it need: make setup report
+setup: ## installs Debian packages: make setup report
 	@sh src/toolchain/setup $(filter-out setup clean help,$(MAKECMDGOALS))
 clean: ## removes everything that was built
 	@rm -rf build
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):.* ## /  make \1\t/p' Makefile | expand -t 19 | fold -s -w 110
-	@printf '\n%s lines in src and %s in tests; src/budget.txt has a limit for each folder\n' \
+	@sed -n 's/^\([a-z-]*\):.* ## /  make \1\t/p' Makefile | expand -t 19
+	@sed -n 's/^#  \( .*\)/\1/p' Makefile
+	@printf '%s lines in src, %s in tests; src/budget.txt limits each folder\n' \
 	  "$$(git ls-files src | xargs cat | wc -l)" "$$(git ls-files tests | xargs cat | wc -l)"

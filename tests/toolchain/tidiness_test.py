@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What must not pile up in the tree, and what its documents name."""
 import re
+import sys
 import unittest
 
 import source_tree
@@ -30,4 +31,4 @@ class Tidiness(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])
