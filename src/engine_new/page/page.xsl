@@ -8,6 +8,9 @@
   <xsl:template match="/" mode="body-main">
     <main><xsl:apply-templates/></main>
   </xsl:template>
+  <xsl:template match="/" mode="navbar">
+    <nav class="contents" aria-label="Contents"><xsl:apply-templates select="//ltx:navigation/ltx:TOC/ltx:toclist"/></nav>
+  </xsl:template>
 
   <xsl:template match="ltx:graphics">
     <img src="{substring-before(concat(@candidates, ','), ',')}" data-options="{@options}">
@@ -22,7 +25,8 @@
   </xsl:template>
   <xsl:template match="*" mode="plain"><xsl:apply-templates mode="plain"/></xsl:template>
   <xsl:template match="ltx:tag" mode="plain"/>
-  <xsl:template match="ltx:text[@class='claim']" mode="plain"/>
+  <xsl:template match="ltx:text[contains(@class, 'claim')]" mode="plain"/>
+  <xsl:template match="ltx:TOC//ltx:text[contains(@class, 'claim')]"/>
 
   <xsl:template name="dates">
     <xsl:param name="dates" select="ltx:date"/>
@@ -45,14 +49,17 @@
 
   <!-- The verdict beside a claim opens the claim's card, which is its entry in the ledger. Browsers that have no cards follow the
        link beside it. -->
-  <xsl:template match="ltx:text[@class='verdict']">
+  <xsl:template match="ltx:text[contains(@class, 'verdict')]">
     <span class="verdict" data-verdict="{.}"><xsl:apply-templates/></span>
   </xsl:template>
-  <xsl:template match="ltx:text[@class='claim' and ltx:ref/@href]/ltx:text[@class='verdict']">
+  <xsl:template match="ltx:text[contains(@class, 'claim') and ltx:ref/@href]/ltx:text[contains(@class, 'verdict')]">
     <button type="button" class="verdict" data-verdict="{.}" popovertarget="{../ltx:ref/@idref}"
         aria-label="{../ltx:ref} {.}"><xsl:apply-templates/></button>
   </xsl:template>
-  <xsl:template match="ltx:theorem[@class='entry']">
-    <article class="entry" id="{@xml:id}" popover="auto" tabindex="-1"><xsl:apply-templates/></article>
+  <xsl:template match="ltx:theorem[contains(@class, 'entry')]">
+    <article class="entry" id="{@xml:id}" popover="auto">
+      <button type="button" class="close" popovertarget="{@xml:id}" popovertargetaction="hide">close</button>
+      <xsl:apply-templates/>
+    </article>
   </xsl:template>
 </xsl:stylesheet>

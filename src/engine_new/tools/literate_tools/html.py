@@ -32,8 +32,9 @@ MAGNIFIED = 1.3  # the text of the page is so much larger than that of the PDF
 
 # Typesets each drawing on a page of its size, after the preamble of the document and in the text size of its floats.
 DRAWINGS = (r"\nofiles\makeatletter\AddToHook{begindocument/end}{"
-            r"\def\drawing#1{\setbox\z@\hbox{\@floatboxreset\fig{#1}}\pdfhorigin\z@\pdfvorigin\z@\pdfpagewidth\wd\z@"
-            r"\pdfpageheight\dimexpr\ht\z@+\dp\z@\relax\csname tex_shipout:D\endcsname\box\z@}"
+            r"\def\drawing#1{\setbox\z@\hbox{\@floatboxreset\fig{#1}}\pdfhorigin9bp\pdfvorigin9bp"
+            r"\pdfpagewidth\dimexpr\wd\z@+18bp\relax\pdfpageheight\dimexpr\ht\z@+\dp\z@+18bp\relax"
+            r"\csname tex_shipout:D\endcsname\box\z@}"
             r"%s\csname @@end\endcsname}\makeatother\input{%s}")
 
 
@@ -46,12 +47,12 @@ def run(arguments: list[str]) -> int:
     page = settings.output / f"{settings.name}.html"
     page.unlink(missing_ok=True)
     write_bytes(page, make_page(settings).encode())
-    return verdict(settings, page)
+    return end(settings, page)
 
 
-def verdict(settings: Settings, page: Path) -> int:
-    """Prints the name of the page, and which checks and claims failed; returns the exit code."""
-    print(os.path.relpath(page))
+def end(settings: Settings, made: Path) -> int:
+    """Prints what was made, and which checks and claims failed; returns the exit code."""
+    print(os.path.relpath(made))
     failed = read_results(settings.generated / "results.json")["failed"]
     for line in failed:
         warn(line)
@@ -62,7 +63,7 @@ def make_page(settings: Settings) -> str:
     """Returns the page of the state that the PDF has."""
     recorded = settings.output / f"{settings.name}.manifest.json"
     if not recorded.exists() or recorded.read_text() != manifest(settings, settings.pdf):
-        raise Failure(f"{settings.pdf}: the PDF is not up to date; build the paper first")
+        raise Failure(f"{os.path.relpath(settings.pdf)}: the PDF is not up to date; build the paper first")
     work = settings.output / "page"
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir()
@@ -88,7 +89,7 @@ def convert(settings: Settings, work: Path) -> str:
     if errors:
         raise Failure("\n".join(errors))
     command = [tool("latexmlpost", "latexml"), "--novalidate", "--format=html5", "--pmml", "--svg", "--nographicimages",
-               "--nodefaultresources", "--timestamp=0", "--css=page.css", f"--stylesheet={PAGE / 'page.xsl'}",
+               "--nodefaultresources", "--timestamp=0", "--navigationtoc=normal", "--css=page.css", f"--stylesheet={PAGE / 'page.xsl'}",
                "--xsltparameter=META_VIEWPORT:width=device-width, initial-scale=1", f"--destination={work / 'page.html'}", "page.xml"]
     printed = tool_output(command, work, settings)
     missing = re.search(r"^(Error|Fatal|Warning:expected:ids).*", printed, re.MULTILINE)
@@ -127,20 +128,29 @@ def one_file(html: str, settings: Settings, work: Path) -> str:
     html = re.sub(r"<!--Generated .*?-->\n?", "", html, flags=re.DOTALL)
     html = re.sub(r'<div class="ltx_listing_data">.*?</div>', "", html, flags=re.DOTALL)  # copies of listings
     html = re.sub(r' mathsize="[^"]*"|(?<=style=")font-size:[\d.]+%;', "", html)  # sizes are those of the style sheet
-    html = re.sub(r"<mo[^>]*>/</mo>", '<mo lspace="0" rspace="0">/</mo>', html)
     html = html.replace("<table", '<div class="scrolls" tabindex="0"><table').replace("</table>", "</table></div>")
-    return with_levels(html).replace('<link rel="stylesheet" href="page.css" type="text/css">', f"<style>\n{style(work, settings)}</style>")
+    return with_levels(with_spaces(html)).replace('<link rel="stylesheet" href="page.css" type="text/css">', f"<style>\n{style(work, settings)}</style>")
+
+
+def with_spaces(html: str) -> str:
+    """Mends spaces in formulas: around slashes and lone signs, and, where LaTeXML's grammar fails, before minus and behind powers."""
+    html = re.sub(r"<math[^>]*><mo>([<>=≤≥])</mo></math>", r"\1", html)
+    html = re.sub(r"<mo[^>]*>/</mo>", '<mo lspace="0" rspace="0">/</mo>', html)
+    html = re.sub(r'<mo rspace="0em">(.)</mo><mo lspace="0em">−</mo>', r'<mo>\1</mo><mo form="prefix">−</mo>', html)
+    return re.sub(r'<mo rspace="([\d.]+em)" stretchy="false">\)</mo></mrow>(<m[ni]>[^<]*</m[ni]>)</msup>',
+                  r'<mo stretchy="false">)</mo></mrow>\2</msup><mspace width="\1"/>', html)
 
 
 def with_levels(html: str) -> str:
-    """Makes no heading more than one level deeper than the one before it."""
-    level = 0
+    """Makes no heading more than one level deeper than the one that it stands below."""
+    above = []
 
     def replace(match: re.Match) -> str:
-        nonlocal level
         if not match[1]:
-            level = min(int(match[2]), level + 1)
-        return f"<{match[1]}h{level}"
+            while above and above[-1] >= match[2]:
+                above.pop()
+            above.append(match[2])
+        return f"<{match[1]}h{len(above)}"
     return re.sub(r"<(/?)h([1-6])\b", replace, html)
 
 
